@@ -1,0 +1,99 @@
+"""Runs every benchmark and prints one table: times, and ratios to a baseline measured in the same run.
+
+Machines are noisy and differ: compare the ratios, not the times.
+
+    ./dev bench [--quick] [--json FILE]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from contactd.daemon import LocalDaemon
+
+#: Rows whose name matches the first are divided by the row that the second names (groups filled in).
+BASELINES = [
+    (r"bench_core\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
+    (r"bench_fem\.build/([\w-]+)/\w+.*", "bench_fem.build/{0}/total", "of the build"),
+    (r"bench_request\.\w+.*", "bench_request.zeromq_echo", "ZeroMQ echos"),
+]
+TO_SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+
+
+def run(program: Path, quick: bool, environment: dict[str, str]) -> list[dict[str, Any]]:
+    """The rows of one Google Benchmark program, their names cleared of its own suffixes."""
+    print(f"running {program.name} ...", file=sys.stderr, flush=True)
+    with tempfile.NamedTemporaryFile(suffix=".json") as result:
+        command = [str(program), f"--benchmark_out={result.name}", "--benchmark_out_format=json"]
+        command.append(f"--benchmark_min_time={'0.05s' if quick else '0.5s'}")
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+        rows = json.load(open(result.name))["benchmarks"]
+    for row in rows:
+        row["name"] = f"{program.name}." + re.sub(r"/(real_time|manual_time|iterations:\d+)", "", row["name"])
+        row["seconds"] = row["real_time"] * TO_SECONDS[row["time_unit"]]
+    return rows
+
+
+def ratio(row: dict[str, Any], by_name: dict[str, dict[str, Any]]) -> tuple[float, str] | None:
+    """The row's time over its baseline's, and the baseline in words."""
+    for pattern, baseline, words in BASELINES:
+        if match := re.fullmatch(pattern, row["name"]):
+            if "A_p" in row:  # measured by the row itself, right beside the solves
+                return row["A_p"], words
+            return row["seconds"] / by_name[baseline.format(*match.groups())]["seconds"], words
+    return None
+
+
+def time_text(seconds: float) -> str:
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:8.2f} {unit}"
+    return f"{seconds * 1e9:8.2f} ns"
+
+
+def print_table(rows: list[dict[str, Any]]) -> None:
+    by_name = {row["name"]: row for row in rows}
+    width = max(len(row["name"]) for row in rows)
+    print(f"{'benchmark':{width}}  {'time':>11}  {'ratio':>9}  to")
+    print("-" * (width + 40))
+    for row in rows:
+        if row.get("error_occurred"):
+            print(f"{row['name']:{width}}  {row['error_message']}")
+            continue
+        line = f"{row['name']:{width}}  {time_text(row['seconds']):>11}"
+        if found := ratio(row, by_name):
+            line += f"  {found[0]:9.3g}  {found[1]}"
+        if "solver_iterations" in row:
+            line += f" ({row['solver_iterations']:.0f} iterations)"
+        print(line)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--bin", type=Path, required=True, help="folder with the programs")
+    parser.add_argument("--quick", action="store_true", help="shorter runs, more noise")
+    parser.add_argument("--json", type=Path, help="write the rows to this file, too")
+    arguments = parser.parse_args()
+
+    environment = dict(os.environ)
+    rows = run(arguments.bin / "bench_core", arguments.quick, environment)
+    rows += run(arguments.bin / "bench_fem", arguments.quick, environment)
+    with LocalDaemon(arguments.bin / "contactd", config={"log": {"level": "warn"}}) as daemon:
+        environment["CONTACTD_ENDPOINT"] = daemon.endpoint
+        rows += run(arguments.bin / "bench_request", arguments.quick, environment)
+    print_table(rows)
+    if arguments.json:
+        arguments.json.write_text(json.dumps(rows, indent=1))
+    return any(row.get("error_occurred") for row in rows)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,38 @@
+// The Cattaneo problem of the paper (section 4): a sphere pressed on a plane and shifted, with partial slip.
+//
+//     contactd-cpp-example ENDPOINT
+#include <cstdio>
+#include <exception>
+
+#include "contactd/client/client.hpp"
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: %s ENDPOINT, e.g. ipc:///run/contactd.sock\n", argv[0]);
+        return 2;
+    }
+    try {
+        contactd::ContactProblem problem;
+        problem.grid = contactd::Grid::centred(40, 40, 0.06, 0.06);                // mm
+        problem.bodies = {{200, 0.42}, {200, 0.42}};                               // G (N/mm^2), nu
+        problem.undeformed_distance = contactd::paraboloid(problem.grid, 50, 50);  // radius 50 mm
+        problem.approach = 0.02;                                                   // mm
+        problem.friction = contactd::Friction{0.4, 0.00817, 0};                    // mu, rigid shift (mm)
+
+        contactd::client::Client client(argv[1]);
+        const auto reply = client.solve(problem);
+
+        const auto& solution = reply.solution;
+        std::printf("Fn     %.8g N\nFx     %.8g N\npmax   %.8g N/mm^2\n", solution.Fn, solution.Fx, solution.pmax);
+        std::printf("area   %.5g mm^2, %d elements in adhesion, %d in slip\n", solution.contact_area,
+                    solution.adhesion_elements, solution.slip_elements);
+        std::printf("normal: %d iterations, residual %.1e; tangential: %d iterations, residual %.1e\n",
+                    solution.normal.iterations, solution.normal.residual, solution.tangential->iterations,
+                    solution.tangential->residual);
+        std::printf("coefficients: %s\n", reply.upper.evidence.version.c_str());
+        return solution.converged() ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,97 @@
+// A client of the contactd daemon.
+//
+//     contactd::client::Client client("ipc:///run/contactd.sock");
+//     contactd::ContactProblem problem = ...;
+//     const auto reply = client.solve(problem);
+//     std::cout << reply.solution.Fn << " N\n";
+//
+// Units are the caller's, consistently (the documentation uses N and mm).
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/client/errors.hpp"
+#include "contactd/contact.hpp"
+#include "contactd/ic_spec.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/message.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::client {
+
+struct ClientOptions {
+    std::chrono::milliseconds connect_timeout{5'000};    ///< for somebody to listen at the endpoint
+    std::chrono::milliseconds timeout{60'000};           ///< of a call
+    std::chrono::milliseconds build_timeout{3'600'000};  ///< of get_ic and of solve with finite-element coefficients
+    proto::Limits limits{};                              ///< checked before a message is sent
+};
+
+/// How far the work of a call is.
+struct ProgressReport {
+    std::string job;      ///< for cancel_job; empty when the daemon names none
+    std::string stage;    ///< "pcg", "normal", ...
+    double fraction = 0;  ///< of the whole work, 0..1, an estimate
+    int iteration = 0;    ///< within the stage
+    double residual = 0;  ///< the figure the stage's stop test compares
+};
+
+struct CallOptions {
+    /// Instead of the client's own. Sent to the daemon, which answers DEADLINE_EXCEEDED, and enforced here half a
+    /// second later, should no answer come.
+    std::optional<std::chrono::milliseconds> timeout{};
+    /// Called in the calling thread while the call waits. An exception it throws ends the call.
+    std::function<void(const ProgressReport&)> on_progress{};
+};
+
+/// Work that waits or runs in the daemon.
+struct Job {
+    std::string job;      ///< its name
+    std::string kind;     ///< "build" or "solve"
+    std::string state;    ///< "queued" or "running"
+    std::string stage;    ///< empty while queued
+    double fraction = 0;  ///< 0..1, an estimate
+    int callers = 0;      ///< requests that wait for it
+    double seconds = 0;   ///< since it was queued
+};
+
+/// One connection. An object belongs to one thread at a time; use one per thread. Nothing is sent before the first
+/// call. Every call throws ConnectionError, TimeoutError, ProtocolError or proto::StatusError; the object stays usable
+/// after each of them.
+class Client {
+   public:
+    /// `endpoint` as ZeroMQ writes it: "ipc:///path" or "tcp://host:port". Throws ConnectionError when it is malformed.
+    explicit Client(const std::string& endpoint, ClientOptions options = {});
+    ~Client();
+    Client(Client&&) noexcept;
+    Client& operator=(Client&&) noexcept;
+
+    /// Version, limits, counters, ... (docs/protocol.md, server.info).
+    nlohmann::json info(const CallOptions& options = {});
+    /// "serving" or "stopping".
+    std::string health(const CallOptions& options = {});
+    /// The OpenRPC document of the service.
+    nlohmann::json describe(const CallOptions& options = {});
+
+    /// The influence coefficients of one body in mm^3/N. Waits for a build when the daemon has no such table.
+    proto::IcReply get_ic(const IcSpec& spec, const CallOptions& options = {});
+
+    /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).
+    proto::SolveReply solve(const ContactProblem& problem, const CallOptions& options = {});
+
+    std::vector<Job> jobs(const CallOptions& options = {});
+    /// Ends a job; everyone waiting for it gets CANCELLED. Throws StatusError (NOT_FOUND) when there is none.
+    void cancel_job(const std::string& job, const CallOptions& options = {});
+
+   private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace contactd::client

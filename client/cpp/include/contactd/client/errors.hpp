@@ -1,0 +1,27 @@
+// What the client throws beside proto::StatusError (the daemon's own answers) and InvalidArgument (a problem that
+// cannot be solved as stated, found before anything is sent). contactd::Error is the base of all.
+#pragma once
+
+#include "contactd/error.hpp"
+
+namespace contactd::client {
+
+/// The daemon cannot be reached: bad endpoint, or nobody listens there.
+class ConnectionError : public Error {
+   public:
+    using Error::Error;
+};
+
+/// No answer within the call's timeout. The work may go on in the daemon; its late answer is discarded.
+class TimeoutError : public Error {
+   public:
+    using Error::Error;
+};
+
+/// The daemon sent what is no reply of this protocol.
+class ProtocolError : public Error {
+   public:
+    using Error::Error;
+};
+
+}  // namespace contactd::client

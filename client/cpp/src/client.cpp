@@ -1,0 +1,108 @@
+#include "contactd/client/client.hpp"
+
+#include <utility>
+
+#include "connection.hpp"
+
+namespace contactd::client {
+
+using nlohmann::json;
+
+class Client::Impl {
+   public:
+    Impl(const std::string& endpoint, ClientOptions options)
+        : options_(std::move(options)), connection_(endpoint, options_.connect_timeout, options_.limits) {}
+
+    Reply call(const std::string& method, json params, std::vector<std::string> frames, const CallOptions& options,
+               std::chrono::milliseconds default_timeout) {
+        ProgressHandler on_progress;
+        if (options.on_progress)
+            on_progress = [&](const json& progress) {
+                options.on_progress({progress.value("job", ""), progress["stage"].get<std::string>(),
+                                     progress["fraction"].get<double>(), progress.value("iteration", 0),
+                                     progress.value("residual", 0.0)});
+            };
+        return connection_.call(method, std::move(params), std::move(frames), options.timeout.value_or(default_timeout),
+                                on_progress);
+    }
+
+    json quick(const std::string& method, const CallOptions& options, json params = json::object()) {
+        return call(method, std::move(params), {}, options, options_.timeout).result;
+    }
+
+    const ClientOptions& options() const { return options_; }
+
+   private:
+    ClientOptions options_;
+    Connection connection_;
+};
+
+namespace {
+
+/// An array of the answer that does not fit is the daemon's fault, not the caller's.
+template <class Decode>
+auto decoded(const Decode& decode) {
+    try {
+        return decode();
+    } catch (const proto::StatusError& error) {
+        throw ProtocolError(std::string("The daemon's answer cannot be read: ") + error.what() + ".");
+    }
+}
+
+}  // namespace
+
+Client::Client(const std::string& endpoint, ClientOptions options)
+    : impl_(std::make_unique<Impl>(endpoint, std::move(options))) {}
+Client::~Client() = default;
+Client::Client(Client&&) noexcept = default;
+Client& Client::operator=(Client&&) noexcept = default;
+
+json Client::info(const CallOptions& options) {
+    return impl_->quick("server.info", options);
+}
+
+std::string Client::health(const CallOptions& options) {
+    return impl_->quick("server.health", options)["state"].get<std::string>();
+}
+
+json Client::describe(const CallOptions& options) {
+    return impl_->quick("server.describe", options);
+}
+
+proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
+    validate(spec);
+    const Reply reply = impl_->call("ic.get", proto::encode_ic_spec(spec), {}, options, impl_->options().build_timeout);
+    return decoded([&] { return proto::decode_ic_reply(reply.result, reply.frames); });
+}
+
+proto::SolveReply Client::solve(const ContactProblem& problem, const CallOptions& options) {
+    validate(problem);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_problem(problem, arrays);
+    const bool may_build = problem.ic_source == IcSource::fem;
+    const Reply reply = impl_->call("contact.solve", std::move(params), arrays.take_frames(), options,
+                                    may_build ? impl_->options().build_timeout : impl_->options().timeout);
+    return decoded([&] {
+        proto::SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
+        if (result.solution.pressure.size() != problem.grid.size())
+            throw ProtocolError("The daemon's answer has " + std::to_string(result.solution.pressure.size()) +
+                                " pressures; the grid has " + std::to_string(problem.grid.size()) + " elements.");
+        return result;
+    });
+}
+
+std::vector<Job> Client::jobs(const CallOptions& options) {
+    const json result = impl_->quick("job.list", options);
+    std::vector<Job> jobs;
+    for (const json& job : result["jobs"])
+        jobs.push_back({job["job"].get<std::string>(), job["kind"].get<std::string>(), job["state"].get<std::string>(),
+                        job["stage"].get<std::string>(), job["fraction"].get<double>(), job["callers"].get<int>(),
+                        job["seconds"].get<double>()});
+    return jobs;
+}
+
+void Client::cancel_job(const std::string& job, const CallOptions& options) {
+    impl_->quick("job.cancel", options, {{"job", job}});
+}
+
+}  // namespace contactd::client

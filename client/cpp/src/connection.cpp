@@ -1,0 +1,172 @@
+#include "connection.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <random>
+#include <utility>
+
+#include "contactd/client/errors.hpp"
+#include "contactd/proto/schema.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::client {
+namespace {
+
+using nlohmann::json;
+using std::chrono::milliseconds;
+
+/// How much longer than the daemon the client waits, so that the daemon's own DEADLINE_EXCEEDED arrives.
+constexpr milliseconds grace{500};
+constexpr milliseconds longest_timeout{86'400'000};
+
+/// Tells the replies to this object's calls from those to anybody else's.
+std::string random_prefix() {
+    std::random_device device;
+    const std::uint64_t number = (std::uint64_t{device()} << 32u) | device();
+    char text[16];
+    const auto end = std::to_chars(text, text + sizeof text, number, 16).ptr;
+    return std::string(text, end) + "-";
+}
+
+void check_limit(const char* what, std::size_t is, std::size_t limit) {
+    if (is <= limit) return;
+    proto::Status status;
+    status.code = proto::StatusCode::invalid_argument;
+    status.reason = proto::reason::limit_exceeded;
+    status.message = std::string("The request was not sent: ") + what + " is " + std::to_string(is) + "; at most " +
+                     std::to_string(limit) + " are allowed.";
+    throw proto::StatusError(std::move(status));
+}
+
+void check_limits(const std::string& envelope, const std::vector<std::string>& frames, const proto::Limits& limits) {
+    check_limit("the number of frames", frames.size() + 1, limits.max_frames);
+    std::size_t total = envelope.size();
+    std::size_t largest = envelope.size();
+    for (const std::string& frame : frames) {
+        total += frame.size();
+        largest = std::max(largest, frame.size());
+    }
+    check_limit("the number of bytes of a frame", largest, limits.max_frame_bytes);
+    check_limit("the number of bytes of the message", total, limits.max_message_bytes);
+}
+
+void check_schema(std::string_view name, const json& document) {
+    const auto violations = proto::violations_of(name, document);
+    if (violations.empty()) return;
+    throw ProtocolError("The daemon's answer does not conform to " + std::string(name) + ": " + violations[0].field +
+                        " " + violations[0].description + ".");
+}
+
+json call_envelope(const std::string& id, const std::string& method, json params, milliseconds timeout) {
+    return {{"contactd", proto::protocol_version},
+            {"id", id},
+            {"method", method},
+            {"timeout_ms", timeout.count()},
+            {"params", std::move(params)}};
+}
+
+}  // namespace
+
+Connection::Connection(std::string endpoint, milliseconds connect_timeout, proto::Limits limits)
+    : endpoint_(std::move(endpoint)),
+      connect_timeout_(connect_timeout),
+      limits_(limits),
+      id_prefix_(random_prefix()),
+      socket_(context_, zmq::socket_type::dealer) {
+    socket_.set(zmq::sockopt::linger, 0);
+    // Sending waits for somebody who listens, instead of queueing for nobody.
+    socket_.set(zmq::sockopt::immediate, true);
+    socket_.set(zmq::sockopt::sndtimeo,
+                static_cast<int>(std::clamp(connect_timeout, milliseconds{0}, longest_timeout).count()));
+    try {
+        socket_.connect(endpoint_);
+    } catch (const zmq::error_t& error) {
+        throw ConnectionError("The endpoint \"" + endpoint_ + "\" cannot be used: " + error.what() +
+                              ". It must read like ipc:///path or tcp://host:port.");
+    }
+}
+
+Reply Connection::call(const std::string& method, json params, std::vector<std::string> frames, milliseconds timeout,
+                       const ProgressHandler& on_progress) {
+    timeout = std::clamp(timeout, milliseconds{1}, longest_timeout);
+    const std::string id = id_prefix_ + std::to_string(++calls_);
+    const std::string envelope = proto::dump(call_envelope(id, method, std::move(params), timeout));
+    check_limits(envelope, frames, limits_);
+    const auto deadline = Clock::now() + timeout + grace;
+    send(envelope, frames);
+    while (true) {
+        std::vector<std::string> message = receive(deadline);
+        if (message.empty())
+            throw TimeoutError("No answer to " + method + " from " + endpoint_ + " within " +
+                               std::to_string(timeout.count()) + " ms.");
+        json answer = envelope_for(id, message[0]);
+        if (answer.is_null()) continue;
+        if (answer.contains("progress")) {
+            if (on_progress) on_progress(answer["progress"]);
+            continue;
+        }
+        const proto::Status status = proto::status_from_json(answer["status"]);
+        if (!status.ok()) throw proto::StatusError(status);
+        json result = answer.value("result", json::object());
+        check_schema(method + ".result", result);
+        message.erase(message.begin());
+        return {std::move(result), std::move(message)};
+    }
+}
+
+void Connection::send(const std::string& envelope, const std::vector<std::string>& frames) {
+    try {
+        const auto more = [&](std::size_t sent) {
+            return sent < frames.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
+        };
+        if (!socket_.send(zmq::buffer(envelope), more(0)))
+            throw ConnectionError("Nobody listens at " + endpoint_ + " (waited " +
+                                  std::to_string(connect_timeout_.count()) + " ms); is the daemon running?");
+        for (std::size_t i = 0; i < frames.size(); ++i) socket_.send(zmq::buffer(frames[i]), more(i + 1));
+    } catch (const zmq::error_t& error) {
+        throw ConnectionError("Sending to " + endpoint_ + " failed: " + error.what() + ".");
+    }
+}
+
+std::vector<std::string> Connection::receive(Clock::time_point deadline) {
+    try {
+        while (true) {
+            const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
+            if (left <= milliseconds{0}) return {};
+            socket_.set(zmq::sockopt::rcvtimeo, static_cast<int>(left.count()));
+            std::vector<std::string> frames;
+            zmq::message_t part;
+            if (!receive_part(part)) continue;
+            frames.push_back(part.to_string());
+            while (part.more())  // the parts of a message arrive together
+                if (receive_part(part)) frames.push_back(part.to_string());
+            return frames;
+        }
+    } catch (const zmq::error_t& error) {
+        throw ConnectionError("Receiving from " + endpoint_ + " failed: " + error.what() + ".");
+    }
+}
+
+bool Connection::receive_part(zmq::message_t& part) {
+    try {
+        return socket_.recv(part).has_value();
+    } catch (const zmq::error_t& error) {
+        if (error.num() != EINTR) throw;
+        return false;
+    }
+}
+
+json Connection::envelope_for(const std::string& id, std::string_view text) const {
+    json answer = json::parse(text, nullptr, false);
+    if (!answer.is_object())
+        throw ProtocolError("What " + endpoint_ + " sent is no JSON object; is a contactd daemon listening there?");
+    const auto answered = answer.find("id");
+    // An error whose id is null answers a request that the daemon could not read: ours, as the last one sent.
+    const bool unreadable = answered != answer.end() && answered->is_null();
+    if (answered != answer.end() && !unreadable && *answered != id) return nullptr;
+    check_schema(answer.contains("progress") ? "progress" : "reply", answer);
+    return answer;
+}
+
+}  // namespace contactd::client

@@ -1,0 +1,56 @@
+// One DEALER socket: sends a request, waits for its reply.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <zmq.hpp>
+
+#include "contactd/proto/message.hpp"
+
+namespace contactd::client {
+
+/// The result of a call with the frames its arrays refer to.
+struct Reply {
+    nlohmann::json result;
+    std::vector<std::string> frames;
+};
+
+using ProgressHandler = std::function<void(const nlohmann::json&)>;
+
+class Connection {
+   public:
+    /// Throws ConnectionError.
+    Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, proto::Limits limits);
+
+    /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
+    /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError.
+    Reply call(const std::string& method, nlohmann::json params, std::vector<std::string> frames,
+               std::chrono::milliseconds timeout, const ProgressHandler& on_progress);
+
+   private:
+    using Clock = std::chrono::steady_clock;
+
+    void send(const std::string& envelope, const std::vector<std::string>& frames);
+    /// The frames of the next message, or none when `deadline` passes.
+    std::vector<std::string> receive(Clock::time_point deadline);
+    /// False when the time is over or a signal came in between.
+    bool receive_part(zmq::message_t& part);
+    /// The envelope, when the message belongs to request `id`, else null.
+    nlohmann::json envelope_for(const std::string& id, std::string_view text) const;
+
+    std::string endpoint_;
+    std::chrono::milliseconds connect_timeout_;
+    proto::Limits limits_;
+    std::string id_prefix_;
+    std::uint64_t calls_ = 0;
+    zmq::context_t context_;
+    zmq::socket_t socket_;
+};
+
+}  // namespace contactd::client

@@ -1,0 +1,92 @@
+"""Client of contactd: elastic contact with computed influence coefficients, as a service.
+
+::
+
+    from contactd import Client, Friction, Grid, Material, Paraboloid
+
+    with Client("tcp://127.0.0.1:5555", timeout=60) as client:
+        solution = client.solve(
+            grid=Grid.centred(40, 40, 2.4, 2.4),
+            upper=Material(G=200, nu=0.42),
+            gap=Paraboloid(Rx=50, Ry=50),
+            approach=0.02,
+            friction=Friction(mu=0.4, rigid_shift=(0.00817, 0)),
+        )
+        print(solution.Fn, solution.Fx, solution.elements)
+
+Units are N and mm, or any consistent system. contactd.errors draws the tree of exceptions.
+"""
+
+from .client import Client
+from .daemon import LocalDaemon
+from .errors import (
+    Cancelled,
+    ConnectionFailed,
+    ContactdError,
+    DaemonFailed,
+    DeadlineExceeded,
+    FailedPrecondition,
+    InternalError,
+    InvalidArgument,
+    NotFound,
+    ProtocolError,
+    ResourceExhausted,
+    StatusError,
+    TimeoutExpired,
+    Unavailable,
+    Unimplemented,
+    Violation,
+)
+from .problem import (
+    AnalyticIcs,
+    ContactProblem,
+    Estimate,
+    FemIcs,
+    Friction,
+    Grid,
+    Material,
+    Paraboloid,
+    SolverSettings,
+)
+from .solution import ContactSolution, IcEvidence, IcTable, Job, Limits, Progress, ServerInfo, SolverEvidence
+
+__all__ = [
+    "AnalyticIcs",
+    "Cancelled",
+    "Client",
+    "ConnectionFailed",
+    "ContactProblem",
+    "ContactSolution",
+    "ContactdError",
+    "DaemonFailed",
+    "DeadlineExceeded",
+    "Estimate",
+    "FailedPrecondition",
+    "FemIcs",
+    "Friction",
+    "Grid",
+    "IcEvidence",
+    "IcTable",
+    "InternalError",
+    "InvalidArgument",
+    "Job",
+    "Limits",
+    "LocalDaemon",
+    "Material",
+    "NotFound",
+    "Paraboloid",
+    "Progress",
+    "ProtocolError",
+    "ResourceExhausted",
+    "ServerInfo",
+    "SolverEvidence",
+    "SolverSettings",
+    "StatusError",
+    "TimeoutExpired",
+    "Unavailable",
+    "Unimplemented",
+    "Violation",
+    "__version__",
+]
+
+__version__ = "0.1.0"

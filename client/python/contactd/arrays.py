@@ -1,0 +1,80 @@
+"""Values of Python and numpy to the JSON and array frames of docs/protocol.md, and back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from .errors import InvalidArgument, ProtocolError, Violation
+
+__all__ = ["decode", "encode", "invalid"]
+
+# What may come back: double precision and bytes. Both are little-endian on every machine.
+_DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
+
+
+def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidArgument:
+    """An InvalidArgument for one field, worded as the daemon words it."""
+    return InvalidArgument(f"{field} {problem}", reason=reason, violations=(Violation(field, problem),))
+
+
+def encode(value: Any, field: str, frames: list[bytes]) -> Any:
+    """`value` as JSON. An array of any real dtype, byte order or memory layout is appended to `frames`.
+
+    Numbers that are not finite are refused: JSON has no word for them, and no contact problem has a use for them.
+    """
+    if isinstance(value, np.ndarray):
+        return _encode_array(value, field, frames)
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, Mapping):
+        return {key: encode(item, f"{field}.{key}" if field else str(key), frames) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [encode(item, f"{field}[{i}]", frames) for i, item in enumerate(value)]
+    if isinstance(value, float) and not math.isfinite(value):
+        raise invalid(field, f"is {value}; it must be finite")
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    raise invalid(field, f"is a {type(value).__name__}, which has no form in JSON")
+
+
+def _encode_array(array: np.ndarray[Any, Any], field: str, frames: list[bytes]) -> Any:
+    if array.dtype.kind not in "fiub":
+        raise invalid(field, f"has dtype {array.dtype}; it must hold real numbers", "ARRAY_INVALID")
+    data = np.ascontiguousarray(array, dtype="<f8")
+    finite = np.isfinite(data)
+    if not finite.all():
+        first = tuple(int(i) for i in np.argwhere(~finite)[0])
+        raise invalid(field, f"holds {data[first]} at {list(first)}; every value must be finite", "ARRAY_INVALID")
+    frames.append(data.tobytes())
+    return {"$array": {"frame": len(frames), "dtype": "<f8", "shape": list(array.shape)}}
+
+
+def decode(value: Any, frames: Sequence[bytes]) -> Any:
+    """The inverse of `encode` for answers: each reference to a frame becomes a read-only array on its bytes."""
+    if isinstance(value, dict):
+        if value.keys() == {"$array"}:
+            return _decode_array(value["$array"], frames)
+        return {key: decode(item, frames) for key, item in value.items()}
+    if isinstance(value, list):
+        return [decode(item, frames) for item in value]
+    return value
+
+
+def _decode_array(reference: Any, frames: Sequence[bytes]) -> np.ndarray[Any, Any]:
+    try:
+        number, dtype, shape = reference["frame"], _DTYPES[reference["dtype"]], reference["shape"]
+        if not all(type(n) is int and n >= 0 for n in [number, *shape]):
+            raise ValueError
+    except (KeyError, TypeError, ValueError):
+        raise ProtocolError(f"The answer holds an array reference that cannot be read: {reference!r:.200}") from None
+    if not 1 <= number <= len(frames):
+        raise ProtocolError(f"The answer refers to array frame {number}; it came with {len(frames)}.")
+    frame, needed = frames[number - 1], math.prod(shape) * dtype.itemsize
+    if len(frame) != needed:
+        raise ProtocolError(f"Array frame {number} holds {len(frame)} bytes; its shape {shape} needs {needed}.")
+    array: np.ndarray[Any, Any] = np.frombuffer(frame, dtype=dtype).reshape(shape)
+    return array

@@ -1,0 +1,221 @@
+"""The client: one method of Python for each method of the daemon."""
+
+from __future__ import annotations
+
+import math
+import secrets
+import threading
+import time
+from collections.abc import Callable, Iterable
+from types import TracebackType
+from typing import Any
+
+import zmq
+
+from . import problem as asked
+from .arrays import decode, encode, invalid
+from .connection import PROTOCOL_VERSION, Connection, Reply
+from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired
+from .problem import ContactProblem, Grid, Ics, Material
+from .reading import read
+from .solution import ContactSolution, IcTable, Job, Limits, Progress, ServerInfo
+
+__all__ = ["Client"]
+
+ProgressCallback = Callable[[Progress], None]
+
+
+class Client:
+    """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
+
+    Connects with the first call. Safe to share between threads: every call has a socket of its own for as long as it
+    lasts, so calls of several threads run side by side, and a progress callback may call the client. `timeout`
+    (seconds) holds for each call that is not given its own; `connect_timeout` bounds the wait for a daemon to listen.
+
+    A call that is interrupted (Ctrl-C) or times out leaves the client usable; the daemon finishes a build for its
+    cache, unless `cancel_job` ends it.
+
+    Every method raises StatusError (a subclass per status), TimeoutExpired, ConnectionFailed or ProtocolError.
+    """
+
+    def __init__(self, endpoint: str, *, timeout: float = 60.0, connect_timeout: float = 5.0) -> None:
+        self.endpoint = endpoint
+        self.timeout = timeout
+        self.connect_timeout = connect_timeout
+        self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
+        self._lock = threading.Lock()  # guards the three below
+        self._idle: list[Connection] = []
+        self._busy = 0
+        self._closed = False
+        self._limits: Limits | None = None
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends the connections; calls still running in other threads keep theirs until they return."""
+        with self._lock:
+            self._closed = True
+            while self._idle:
+                self._idle.pop().close()
+            if self._busy == 0:
+                self._context.term()
+
+    def info(self, *, timeout: float | None = None) -> ServerInfo:
+        """Versions, limits and counters of the daemon."""
+        return read(ServerInfo, self.call("server.info", timeout=timeout))
+
+    def health(self, *, timeout: float | None = None) -> str:
+        """``"serving"`` or ``"stopping"``; never waits for other work."""
+        state = self.call("server.health", timeout=timeout).get("state")
+        if not isinstance(state, str):
+            raise ProtocolError("The answer to server.health lacks its state.")
+        return state
+
+    def describe(self, *, timeout: float | None = None) -> dict[str, Any]:
+        """The OpenRPC document of the daemon, with the JSON Schema of every message."""
+        return self.call("server.describe", timeout=timeout)
+
+    def get_ic(
+        self,
+        material: Material,
+        grid: Grid,
+        ics: Ics,
+        *,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> IcTable:
+        """The influence coefficients of one body; built when no cache has them, which may take minutes.
+
+        A timeout ends the waiting, not the build.
+        """
+        result = self.call("ic.get", asked.table_params(material, grid, ics), timeout=timeout, on_progress=on_progress)
+        result["array"] = result.pop("table", None)
+        table = read(IcTable, result)
+        _check_shapes(table, ["array"], (3, 3, *grid.shape))
+        return table
+
+    def solve(
+        self,
+        problem: ContactProblem | None = None,
+        /,
+        *,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        **fields: Any,
+    ) -> ContactSolution:
+        """Solves a ContactProblem, given whole or by its fields. Look at `converged` of the solution."""
+        if problem is None:
+            problem = ContactProblem(**fields)
+        elif fields:
+            raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
+        params = asked.problem_params(problem)
+        solution = read(ContactSolution, self.call("contact.solve", params, timeout=timeout, on_progress=on_progress))
+        names = ["element_division", "pressure", "traction_x", "traction_y"]
+        _check_shapes(solution, names, problem.grid.shape)
+        return solution
+
+    def jobs(self, *, timeout: float | None = None) -> tuple[Job, ...]:
+        """Builds and solves that wait or run."""
+        jobs = self.call("job.list", timeout=timeout).get("jobs")
+        if not isinstance(jobs, list):
+            raise ProtocolError("The answer to job.list lacks its jobs.")
+        return tuple(read(Job, job, f"result.jobs[{i}]") for i, job in enumerate(jobs))
+
+    def cancel_job(self, job: str, *, timeout: float | None = None) -> None:
+        """Ends a job; every call that waits for it raises Cancelled."""
+        self.call("job.cancel", {"job": job}, timeout=timeout)
+
+    def call(
+        self,
+        method: str,
+        params: dict[str, Any] | None = None,
+        *,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> dict[str, Any]:
+        """Any method of the daemon by its name: plain JSON and numpy arrays in, the same out."""
+        seconds = self.timeout if timeout is None else timeout
+        if not 0 < seconds <= 86_400:
+            raise ValueError(f"timeout is {seconds}; it must be more than 0 and at most 86400 seconds.")
+        deadline = time.monotonic() + seconds
+        frames: list[bytes] = []
+        envelope = {
+            "contactd": PROTOCOL_VERSION,
+            "id": secrets.token_hex(8),
+            "method": method,
+            "timeout_ms": math.ceil(seconds * 1000),
+            "params": encode(params or {}, "", frames),
+        }
+        if frames:
+            self._check_limits(frames, deadline)
+        reply = self._exchange(envelope, frames, deadline, on_progress)
+        if not reply.frames:  # nothing to decode; server.describe speaks of "$array" without meaning one
+            return reply.result
+        result: dict[str, Any] = decode(reply.result, reply.frames)
+        return result
+
+    def _exchange(
+        self, envelope: dict[str, Any], frames: list[bytes], deadline: float, on_progress: ProgressCallback | None
+    ) -> Reply:
+        def report(progress: dict[str, Any]) -> None:
+            if on_progress is not None:
+                on_progress(read(Progress, progress, "progress"))
+
+        connection = self._take()
+        try:
+            reply = connection.exchange(envelope, frames, deadline, self.connect_timeout, report)
+        except (StatusError, TimeoutExpired):
+            self._give_back(connection)
+            raise
+        except BaseException:
+            # An interrupt may have come between two frames of a message: this socket cannot be trusted any more.
+            self._give_back(connection, usable=False)
+            raise
+        self._give_back(connection)
+        return reply
+
+    def _take(self) -> Connection:
+        with self._lock:
+            if self._closed:
+                raise ConnectionFailed("The client is closed.")
+            connection = self._idle.pop() if self._idle else Connection(self._context, self.endpoint)
+            self._busy += 1
+            return connection
+
+    def _give_back(self, connection: Connection, usable: bool = True) -> None:
+        with self._lock:
+            self._busy -= 1
+            if usable and not self._closed:
+                self._idle.append(connection)
+                return
+            connection.close()
+            if self._closed and self._busy == 0:
+                self._context.term()
+
+    def _check_limits(self, frames: list[bytes], deadline: float) -> None:
+        """Refuses here what the daemon would refuse, before many megabytes are sent for nothing."""
+        if self._limits is None:
+            self._limits = self.info(timeout=max(1e-3, deadline - time.monotonic())).limits
+        limits = self._limits
+        for n, frame in enumerate(frames, 1):
+            _check_limit(f"array frame {n}", len(frame) // 8, limits.max_array_elements, "numbers")
+            _check_limit(f"array frame {n}", len(frame), limits.max_frame_bytes, "bytes")
+        _check_limit("the request", len(frames) + 1, limits.max_frames, "frames")
+        _check_limit("the request", sum(map(len, frames)), limits.max_message_bytes, "bytes")
+
+
+def _check_limit(what: str, size: int, limit: int, unit: str) -> None:
+    if size > limit:
+        raise invalid(what, f"has {size} {unit}; the daemon takes at most {limit}", "LIMIT_EXCEEDED")
+
+
+def _check_shapes(answer: Any, names: Iterable[str], shape: tuple[int, ...]) -> None:
+    for name in names:
+        if (found := getattr(answer, name).shape) != shape:
+            raise ProtocolError(f"The answer's {name} has shape {list(found)} instead of {list(shape)}.")

@@ -1,0 +1,140 @@
+"""One DEALER socket and the exchange of one request for its answer."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import zmq
+from zmq.utils.monitor import recv_monitor_message
+
+from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired, Violation, status_error
+
+__all__ = ["Connection", "Reply"]
+
+PROTOCOL_VERSION = 1
+
+
+@dataclass(frozen=True)
+class Reply:
+    """The answer to one request: the JSON of its `result` and the array frames behind it."""
+
+    result: dict[str, Any]
+    frames: Sequence[bytes]
+
+
+class Connection:
+    """A socket of its own, for one exchange at a time; belongs to one thread while that lasts.
+
+    An exchange that timed out leaves the socket usable: its late answer is recognised by its id and dropped.
+    """
+
+    def __init__(self, context: zmq.Context[zmq.Socket[bytes]], endpoint: str) -> None:
+        self.endpoint = endpoint
+        self._socket = context.socket(zmq.DEALER)
+        self._socket.setsockopt(zmq.LINGER, 0)
+        # Without a listener nothing is queued: sending fails instead of waiting for ever.
+        self._socket.setsockopt(zmq.IMMEDIATE, 1)
+        # Notices a machine that went away without a word; the other side's libzmq answers by itself.
+        self._socket.setsockopt(zmq.HEARTBEAT_IVL, 10_000)
+        self._socket.setsockopt(zmq.HEARTBEAT_TIMEOUT, 30_000)
+        self._monitor: zmq.Socket[bytes] = self._socket.get_monitor_socket(zmq.EVENT_DISCONNECTED)
+        self._monitor.setsockopt(zmq.LINGER, 0)
+        try:
+            self._socket.connect(endpoint)
+        except zmq.ZMQError as error:
+            self.close()
+            raise ConnectionFailed(f"{endpoint!r} is no endpoint one can connect to: {error.strerror}.") from None
+
+    def close(self) -> None:
+        """Drops what is under way. May be called twice."""
+        if not self._socket.closed:
+            self._socket.disable_monitor()
+            self._monitor.close()
+            self._socket.close()
+
+    def exchange(
+        self,
+        envelope: dict[str, Any],
+        frames: Sequence[bytes],
+        deadline: float,
+        connect_timeout: float,
+        on_progress: Callable[[dict[str, Any]], None] | None,
+    ) -> Reply:
+        """Sends the request and returns its answer. `deadline` is a time of time.monotonic().
+
+        Raises StatusError, TimeoutExpired, ConnectionFailed or ProtocolError.
+        """
+        self._forget_disconnections()
+        self._send([json.dumps(envelope, allow_nan=False).encode(), *frames], deadline, connect_timeout)
+        while True:
+            message = self._receive(deadline, envelope["method"])
+            answer = _parse(message[0])
+            if "status" in answer and answer.get("id") in (envelope["id"], None):
+                return _reply(answer, message[1:])
+            if "progress" in answer and answer.get("id") == envelope["id"] and on_progress is not None:
+                on_progress(answer["progress"])
+            # Anything else belongs to an exchange that was given up.
+
+    def _send(self, message: list[bytes], deadline: float, connect_timeout: float) -> None:
+        patience = min(deadline, time.monotonic() + connect_timeout) - time.monotonic()
+        if not self._socket.poll(max(0, round(patience * 1000)), zmq.POLLOUT):
+            raise ConnectionFailed(f"No daemon answers at {self.endpoint}.")
+        try:
+            self._socket.send_multipart(message, flags=zmq.DONTWAIT)
+        except zmq.Again:
+            raise ConnectionFailed(f"The daemon at {self.endpoint} went away.") from None
+
+    def _receive(self, deadline: float, method: str) -> list[bytes]:
+        poller = zmq.Poller()
+        poller.register(self._socket, zmq.POLLIN)
+        poller.register(self._monitor, zmq.POLLIN)
+        while True:
+            remaining = deadline - time.monotonic()
+            if remaining <= 0:
+                raise TimeoutExpired(f"{method} was not answered in time by {self.endpoint}.")
+            poller.poll(max(1, round(remaining * 1000)))
+            # The answer first: a daemon that is ending answers and then hangs up.
+            lost = bool(self._monitor.poll(0))
+            if self._socket.poll(0):
+                return self._socket.recv_multipart()
+            if lost:
+                raise ConnectionFailed(f"The daemon at {self.endpoint} went away while it worked on {method}.")
+
+    def _forget_disconnections(self) -> None:
+        while self._monitor.poll(0):
+            recv_monitor_message(self._monitor)
+
+
+def _parse(text: bytes) -> dict[str, Any]:
+    try:
+        answer = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ProtocolError(f"The answer is no JSON: {text[:80]!r}") from None
+    if not isinstance(answer, dict) or answer.get("contactd") != PROTOCOL_VERSION:
+        raise ProtocolError(f"The answer is no message of contactd's protocol {PROTOCOL_VERSION}: {text[:80]!r}")
+    return answer
+
+
+def _reply(answer: dict[str, Any], frames: Sequence[bytes]) -> Reply:
+    status = answer["status"]
+    try:
+        code, message = status["code"], status["message"]
+        if code != 0:
+            raise _error(code, message, status.get("details", {}))
+        if not isinstance(answer["result"], dict):
+            raise TypeError
+        return Reply(answer["result"], frames)
+    except (KeyError, TypeError, AttributeError, ValueError) as error:
+        if isinstance(error, StatusError):
+            raise
+        raise ProtocolError(f"The answer's status or result cannot be read: {answer!r:.200}") from None
+
+
+def _error(code: int, message: str, details: dict[str, Any]) -> StatusError:
+    violations = [Violation(str(v["field"]), str(v["description"])) for v in details.get("violations", [])]
+    reason, delay = str(details.get("reason", "")), float(details.get("retry_delay_ms", 0)) / 1000
+    return status_error(code, message, reason=reason, violations=violations, retry_delay=delay)

@@ -1,0 +1,223 @@
+"""Everything this package raises on purpose.
+
+::
+
+    ContactdError
+    +-- ConnectionFailed          nobody listens at the endpoint, or the daemon went away        (ConnectionError)
+    +-- TimeoutExpired            no answer within the call's timeout                            (TimeoutError)
+    |   +-- DeadlineExceeded      ... and the daemon said so itself; also a StatusError
+    +-- ProtocolError             an answer that breaks docs/protocol.md
+    +-- DaemonFailed              LocalDaemon: the daemon did not start or did not end in order
+    +-- StatusError               the daemon refused; .code, .name, .reason, .message
+        +-- Cancelled             the job was cancelled
+        +-- UnknownError
+        +-- InvalidArgument       .violations says which fields, and why                         (ValueError)
+        +-- DeadlineExceeded
+        +-- NotFound              no such job
+        +-- AlreadyExists
+        +-- PermissionDenied
+        +-- ResourceExhausted     the queue is full; .retry_delay (s)
+        +-- FailedPrecondition    e.g. friction between bodies that are not quasi-identical
+        +-- Aborted
+        +-- OutOfRange
+        +-- Unimplemented         no such method
+        +-- InternalError         a builder failed, or contactd has a defect
+        +-- Unavailable           the daemon is ending
+        +-- DataLoss
+        +-- Unauthenticated
+
+Violations of a request that this package finds before sending it are InvalidArgument too, so a caller handles one kind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+__all__ = [
+    "Aborted",
+    "AlreadyExists",
+    "Cancelled",
+    "ConnectionFailed",
+    "ContactdError",
+    "DaemonFailed",
+    "DataLoss",
+    "DeadlineExceeded",
+    "FailedPrecondition",
+    "InternalError",
+    "InvalidArgument",
+    "NotFound",
+    "OutOfRange",
+    "PermissionDenied",
+    "ProtocolError",
+    "ResourceExhausted",
+    "StatusError",
+    "TimeoutExpired",
+    "Unauthenticated",
+    "Unavailable",
+    "Unimplemented",
+    "UnknownError",
+    "Violation",
+    "status_error",
+]
+
+
+class ContactdError(Exception):
+    """Base of every exception of this package."""
+
+
+class ConnectionFailed(ContactdError, ConnectionError):
+    """Nobody listens at the endpoint, or the connection broke while an answer was awaited."""
+
+
+class TimeoutExpired(ContactdError, TimeoutError):
+    """No answer within the timeout of the call. A build goes on: ask again later and the cache answers."""
+
+
+class ProtocolError(ContactdError):
+    """The answer breaks the protocol: other software listens there, or another version of it."""
+
+
+class DaemonFailed(ContactdError):
+    """A daemon that LocalDaemon started did not become ready, or did not end in order."""
+
+
+@dataclass(frozen=True)
+class Violation:
+    """One field of a request that cannot be used; `field` is a path such as ``grid.nx`` or ``bodies.upper.nu``."""
+
+    field: str
+    description: str
+
+
+class StatusError(ContactdError):
+    """The daemon answered with a status other than OK."""
+
+    code = 2  #: gRPC's number
+    name = "UNKNOWN"  #: gRPC's name
+
+    def __init__(
+        self, message: str, *, reason: str = "", violations: Iterable[Violation] = (), retry_delay: float = 0.0
+    ) -> None:
+        super().__init__(message)
+        self.message = message
+        self.reason = reason  #: contactd's stable word, e.g. "BUILD_FAILED"
+        self.violations = tuple(violations)  #: of an invalid argument, else empty
+        self.retry_delay = retry_delay  #: seconds to wait before trying again, of a full queue, else 0
+
+    def __str__(self) -> str:
+        return f"{self.message} ({self.name}{', ' + self.reason if self.reason else ''})"
+
+
+class Cancelled(StatusError):
+    """The job was cancelled, by whomever."""
+
+    code, name = 1, "CANCELLED"
+
+
+class UnknownError(StatusError):
+    """The daemon cannot say what went wrong."""
+
+    code, name = 2, "UNKNOWN"
+
+
+class InvalidArgument(StatusError, ValueError):
+    """The request cannot be used; `violations` names the fields."""
+
+    code, name = 3, "INVALID_ARGUMENT"
+
+
+class DeadlineExceeded(StatusError, TimeoutExpired):
+    """The daemon gave up waiting because the call's timeout passed."""
+
+    code, name = 4, "DEADLINE_EXCEEDED"
+
+
+class NotFound(StatusError):
+    """What the request names does not exist."""
+
+    code, name = 5, "NOT_FOUND"
+
+
+class AlreadyExists(StatusError):
+    """What the request would make exists."""
+
+    code, name = 6, "ALREADY_EXISTS"
+
+
+class PermissionDenied(StatusError):
+    """This client may not do that."""
+
+    code, name = 7, "PERMISSION_DENIED"
+
+
+class ResourceExhausted(StatusError):
+    """The daemon has no room for the request; try again after `retry_delay` seconds."""
+
+    code, name = 8, "RESOURCE_EXHAUSTED"
+
+
+class FailedPrecondition(StatusError):
+    """The request is well formed and cannot be answered as stated."""
+
+    code, name = 9, "FAILED_PRECONDITION"
+
+
+class Aborted(StatusError):
+    """The operation was given up."""
+
+    code, name = 10, "ABORTED"
+
+
+class OutOfRange(StatusError):
+    """The request lies outside what exists."""
+
+    code, name = 11, "OUT_OF_RANGE"
+
+
+class Unimplemented(StatusError):
+    """The daemon does not know the method."""
+
+    code, name = 12, "UNIMPLEMENTED"
+
+
+class InternalError(StatusError):
+    """A builder failed (reason BUILD_FAILED), or contactd has a defect."""
+
+    code, name = 13, "INTERNAL"
+
+
+class Unavailable(StatusError):
+    """The daemon is ending."""
+
+    code, name = 14, "UNAVAILABLE"
+
+
+class DataLoss(StatusError):
+    """Stored data are gone."""
+
+    code, name = 15, "DATA_LOSS"
+
+
+class Unauthenticated(StatusError):
+    """The daemon does not know this client."""
+
+    code, name = 16, "UNAUTHENTICATED"
+
+
+_BY_CODE: dict[int, type[StatusError]] = {
+    kind.code: kind
+    for kind in (
+        Cancelled, UnknownError, InvalidArgument, DeadlineExceeded, NotFound, AlreadyExists, PermissionDenied,
+        ResourceExhausted, FailedPrecondition, Aborted, OutOfRange, Unimplemented, InternalError, Unavailable,
+        DataLoss, Unauthenticated,
+    )
+}  # fmt: skip
+
+
+def status_error(
+    code: int, message: str, *, reason: str = "", violations: Iterable[Violation] = (), retry_delay: float = 0.0
+) -> StatusError:
+    """The exception of a status code; a code without a class becomes UnknownError."""
+    kind = _BY_CODE.get(code, UnknownError)
+    return kind(message, reason=reason, violations=violations, retry_delay=retry_delay)

@@ -1,0 +1,59 @@
+"""JSON answers to the dataclasses of solution.py. What an answer lacks, or holds in the wrong type, is a ProtocolError;
+fields this version does not know are ignored, so that a newer daemon can be asked."""
+
+from __future__ import annotations
+
+import collections.abc
+import dataclasses
+import functools
+import types
+from typing import Any, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from .errors import ProtocolError
+from .problem import AnalyticIcs, FemIcs, Ics
+
+__all__ = ["read"]
+
+T = TypeVar("T")
+
+
+@functools.cache
+def _hints(kind: Any) -> dict[str, Any]:
+    return get_type_hints(kind)
+
+
+def read(kind: type[T], value: Any, path: str = "result") -> T:
+    """`value` (decoded JSON with its arrays in place) as the dataclass `kind`."""
+    if not isinstance(value, dict):
+        raise ProtocolError(f"The answer's {path} is a {type(value).__name__} instead of an object.")
+    hints, arguments = _hints(cast(Any, kind)), {}
+    for field in dataclasses.fields(kind):  # type: ignore[arg-type]
+        if field.name in value:
+            arguments[field.name] = _convert(hints[field.name], value[field.name], f"{path}.{field.name}")
+        elif field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING:
+            raise ProtocolError(f"The answer's {path} lacks {field.name}.")
+    return kind(**arguments)
+
+
+def _convert(hint: Any, value: Any, path: str) -> Any:
+    if hint == Ics:
+        return read(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs, value, path)
+    if dataclasses.is_dataclass(hint):
+        return read(hint, value, path)  # type: ignore[arg-type]
+    origin, inner = get_origin(hint), get_args(hint)
+    if origin in (Union, types.UnionType):
+        # A closed-form table says {} of its errors: it has none to speak of.
+        return None if value in (None, {}) else _convert(next(t for t in inner if t is not type(None)), value, path)
+    if origin is tuple and isinstance(value, list):
+        return tuple(_convert(inner[0], item, f"{path}[{i}]") for i, item in enumerate(value))
+    if origin is collections.abc.Mapping and isinstance(value, dict):
+        return {name: _convert(inner[1], item, f"{path}.{name}") for name, item in value.items()}
+    if origin is np.ndarray and isinstance(value, np.ndarray):
+        return value
+    if hint is float and type(value) in (int, float):
+        return float(value)
+    if hint in (int, str, bool) and type(value) is hint:
+        return value
+    raise ProtocolError(f"The answer's {path} is a {type(value).__name__}, which does not belong there.")

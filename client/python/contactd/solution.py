@@ -1,0 +1,251 @@
+"""What is answered: tables, contact solutions and the evidence for both, as plain, immutable values.
+
+Arrays are read-only; copy one to change it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from .problem import Array, Grid, Ics, Material
+
+__all__ = [
+    "Areas",
+    "ComponentError",
+    "ContactEvidence",
+    "ContactSolution",
+    "Counts",
+    "Forces",
+    "IcErrors",
+    "IcEvidence",
+    "IcSpec",
+    "IcTable",
+    "IcUse",
+    "Job",
+    "Limits",
+    "LoadCase",
+    "Progress",
+    "ServerInfo",
+    "SolverEvidence",
+]
+
+
+@dataclass(frozen=True)
+class Progress:
+    """A sign of life of the job that a call waits for."""
+
+    stage: str  #: what is being done, e.g. "assembly"
+    fraction: float  #: 0 to 1, of the whole job
+    job: str = ""  #: what cancel_job takes
+    iteration: int = 0  #: within the stage
+    residual: float = 0.0  #: the figure that the stage's stop test compares
+
+
+@dataclass(frozen=True)
+class LoadCase:
+    """One solve of the finite-element problem."""
+
+    load: str  #: direction of the load: "x", "y" or "z"
+    iterations: int
+    residual: float  #: true relative residual ||b - A u|| / ||b||
+    converged: bool
+    seconds: float
+
+
+@dataclass(frozen=True)
+class ComponentError:
+    """Relative error against the closed form: signed at the origin (paper, (3.1)), and the largest size of all."""
+
+    origin: float
+    largest: float
+
+
+@dataclass(frozen=True)
+class IcErrors:
+    """Errors against the closed form. xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy)."""
+
+    xx: ComponentError
+    yy: ComponentError
+    zz: ComponentError
+    scaled_xy: float
+    scaled_xz: float
+
+
+@dataclass(frozen=True)
+class IcEvidence:
+    """How a table was made. A closed-form one has no elements, no solves and no errors."""
+
+    source: str
+    version: str = ""
+    elements: int = 0
+    dofs: int = 0
+    processes: int = 0
+    seconds: Mapping[str, float] = field(default_factory=dict)  #: "assembly", "setup", "solve", "total"
+    load_cases: tuple[LoadCase, ...] = ()
+    errors: IcErrors | None = None
+
+
+@dataclass(frozen=True)
+class IcSpec:
+    """A request for a table with its defaults filled in."""
+
+    material: Material
+    grid: Grid
+    ics: Ics
+
+
+_AXES = "xyz"
+
+
+@dataclass(frozen=True, eq=False)
+class IcTable:
+    """Influence coefficients of one body.
+
+    `array[i, j, l, k]` (mm^3/N) is the displacement along axis i at an element whose offset from the loaded element is
+    (k dx, l dy), for a unit traction along axis j; axes are x, y, z, and z is the outward normal. Negative offsets
+    follow from symmetry: xx, yy, zz are even in both, xy, yx odd in both, xz, zx odd in x, yz, zy odd in y.
+    """
+
+    key: str  #: equal for every shear modulus, element size and extent of the same dimensionless problem
+    origin: str  #: "closed_form", "memory", "disk" or "built"
+    spec: IcSpec
+    array: Array  #: shape [3, 3, ny, nx] (mm^3/N)
+    evidence: IcEvidence
+
+    def __getitem__(self, component: str) -> Array:
+        """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
+        if len(component) != 2 or not set(component) <= set(_AXES):
+            raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
+        part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
+        return part
+
+
+@dataclass(frozen=True)
+class SolverEvidence:
+    """How one iterative solver ended; `residual` is the figure compared with its tolerance."""
+
+    iterations: int
+    residual: float
+    converged: bool
+    seconds: float
+
+
+@dataclass(frozen=True)
+class IcUse:
+    """Where the influence coefficients of one body came from."""
+
+    origin: str
+    key: str
+    evidence: IcEvidence
+
+
+@dataclass(frozen=True)
+class ContactEvidence:
+    """How a contact problem was solved; `tangential` is None without friction, `ics` has "upper" and "lower"."""
+
+    normal: SolverEvidence
+    ics: Mapping[str, IcUse]
+    tangential: SolverEvidence | None = None
+
+
+@dataclass(frozen=True)
+class Areas:
+    """Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip."""
+
+    contact: float
+    adhesion: float
+    slip: float
+
+
+@dataclass(frozen=True)
+class Counts:
+    """Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip."""
+
+    contact: int
+    adhesion: int
+    slip: int
+
+
+@dataclass(frozen=True)
+class Forces:
+    """Total force on the upper body (N)."""
+
+    Fn: float
+    Fx: float
+    Fy: float
+
+
+@dataclass(frozen=True, eq=False)
+class ContactSolution:
+    """The solution of a ContactProblem. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
+
+    A solve that did not converge is a solution too: ask `converged`.
+    """
+
+    forces: Forces
+    pmax: float  #: largest pressure (N/mm^2)
+    area: Areas
+    elements: Counts
+    element_division: npt.NDArray[np.uint8]  #: 0 exterior, 1 adhesion, 2 slip
+    pressure: Array  #: N/mm^2, >= 0
+    traction_x: Array  #: N/mm^2
+    traction_y: Array  #: N/mm^2
+    converged: bool
+    evidence: ContactEvidence
+
+    @property
+    def Fn(self) -> float:
+        """Normal force (N), > 0 in compression."""
+        return self.forces.Fn
+
+    @property
+    def Fx(self) -> float:
+        """Tangential force along x (N)."""
+        return self.forces.Fx
+
+    @property
+    def Fy(self) -> float:
+        """Tangential force along y (N)."""
+        return self.forces.Fy
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What one message may cost."""
+
+    max_frame_bytes: int
+    max_frames: int  #: the envelope included
+    max_message_bytes: int
+    max_array_elements: int
+    max_queue: int
+
+
+@dataclass(frozen=True)
+class ServerInfo:
+    """The daemon, its libraries, and what it has done since it started."""
+
+    version: str
+    protocol: int
+    libraries: Mapping[str, str]
+    limits: Limits
+    counters: Mapping[str, int]
+    cache: Mapping[str, int]
+    queue: Mapping[str, int]
+    uptime_seconds: float
+
+
+@dataclass(frozen=True)
+class Job:
+    """A build or a solve that waits or runs."""
+
+    job: str  #: what cancel_job takes
+    kind: str  #: "build" or "solve"
+    state: str  #: "queued" or "running"
+    stage: str
+    fraction: float
+    callers: int  #: how many calls wait for it
+    seconds: float

@@ -1,0 +1,22 @@
+"""The Cattaneo problem of the paper (section 4): a sphere is pressed on a plane, then shifted.
+
+Run: cattaneo.py [ENDPOINT], e.g. tcp://127.0.0.1:5555; without one it starts a daemon of its own (`contactd` on PATH).
+"""
+
+import sys
+from contextlib import ExitStack
+
+from contactd import Client, Friction, Grid, LocalDaemon, Material, Paraboloid
+
+with ExitStack() as stack:
+    endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
+    client = stack.enter_context(Client(endpoint, timeout=60))
+    solution = client.solve(
+        grid=Grid.centred(40, 40, 2.4, 2.4),
+        upper=Material(G=200, nu=0.42),
+        gap=Paraboloid(Rx=50, Ry=50),
+        approach=0.02,
+        friction=Friction(mu=0.4, rigid_shift=(0.00817, 0)),
+    )
+    print(f"Fz {solution.Fn:.6f} N, Fx {solution.Fx:.6f} N, pmax {solution.pmax:.6f} N/mm^2")
+    print(f"{solution.elements.adhesion} elements in adhesion, {solution.elements.slip} in slip")

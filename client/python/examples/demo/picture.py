@@ -1,0 +1,103 @@
+"""The solution of the Cattaneo problem as one picture: a map of the contact, and a cut through its middle."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+from closed_form import Sphere
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.lines import Line2D
+
+from contactd import ContactSolution, Grid
+
+ADHESION = 1
+INK = "#1d1d2b"
+ADHESION_EDGE = "#1449b8"
+# Light enough everywhere for dark arrows to stand out.
+WARM = LinearSegmentedColormap.from_list("warm", plt.get_cmap("YlOrRd")(np.linspace(0.0, 0.8, 256)))
+
+
+def edges(mask: np.ndarray[Any, Any], grid: Grid) -> list[list[tuple[float, float]]]:
+    """The element sides (mm) between elements inside and outside of `mask`, shape [ny, nx]."""
+    padded = np.pad(mask, 1)
+    x, y = grid.x[0] - grid.dx / 2, grid.y[0] - grid.dy / 2
+    upright = np.argwhere(padded[1:-1, 1:] != padded[1:-1, :-1])
+    level = np.argwhere(padded[1:, 1:-1] != padded[:-1, 1:-1])
+    sides = [[(x + i * grid.dx, y + j * grid.dy), (x + i * grid.dx, y + (j + 1) * grid.dy)] for j, i in upright]
+    return sides + [[(x + i * grid.dx, y + j * grid.dy), (x + (i + 1) * grid.dx, y + j * grid.dy)] for j, i in level]
+
+
+def draw(path: Path, grid: Grid, solution: ContactSolution, sphere: Sphere, subtitle: str) -> None:
+    """Writes the picture as PNG; missing folders are made."""
+    style = {"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK, "figure.dpi": 150}
+    with plt.rc_context(style):
+        figure, (left, right) = plt.subplots(1, 2, figsize=(12.4, 5.6), width_ratios=(1.12, 1), layout="constrained")
+        _draw_map(figure, left, grid, solution)
+        _draw_cut(right, grid, solution, sphere)
+        figure.suptitle(f"Cattaneo shift: a sphere pressed on a plane and shifted along x\n{subtitle}", fontsize=12)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        figure.savefig(path)
+        plt.close(figure)
+
+
+def _draw_map(figure: Any, axes: Any, grid: Grid, solution: ContactSolution) -> None:
+    half = (grid.dx / 2, grid.dy / 2)
+    extent = (grid.x[0] - half[0], grid.x[-1] + half[0], grid.y[0] - half[1], grid.y[-1] + half[1])
+    pressure = np.ma.masked_equal(solution.pressure, 0)
+    image = axes.imshow(pressure, origin="lower", extent=extent, cmap=WARM, vmin=0, interpolation="nearest")
+    figure.colorbar(image, ax=axes, label="pressure $p_z$ (N/mm$^2$)", shrink=0.92)
+    axes.set_facecolor("#f4f4f6")
+
+    # Every second element: all of them would be a thicket.
+    pick = (slice(None, None, 2), slice(None, None, 2))
+    size = np.hypot(solution.traction_x, solution.traction_y)
+    shown = size[pick] > 0.02 * size.max()
+    x, y = np.meshgrid(grid.x, grid.y)
+    place = (x[pick][shown], y[pick][shown])
+    traction = (solution.traction_x[pick][shown], solution.traction_y[pick][shown])
+    shape = {"width": 0.0036, "headwidth": 3.8, "headlength": 4.2, "pivot": "middle"}
+    arrows = axes.quiver(*place, *traction, color=INK, scale=17 * size.max(), **shape)
+    axes.quiverkey(arrows, 0.82, 0.045, 1.0, "1 N/mm$^2$", labelpos="E", coordinates="axes", labelsep=0.08)
+    axes.add_collection(
+        LineCollection(edges(solution.element_division == ADHESION, grid), color=ADHESION_EDGE, linewidth=2.2)
+    )
+    axes.add_collection(LineCollection(edges(solution.element_division != 0, grid), color=INK, linewidth=0.9))
+    axes.legend(
+        handles=[Line2D([], [], color=ADHESION_EDGE, lw=2.2), Line2D([], [], color=INK, lw=0.9)],
+        labels=["adhesion | slip", "edge of contact"],
+        loc="upper left", fontsize=8.5, framealpha=0.9,
+    )  # fmt: skip
+    axes.set(
+        xlabel="x (mm)", ylabel="y (mm)", title="Pressure, and tangential traction on the upper body", aspect="equal"
+    )
+
+
+def _draw_cut(axes: Any, grid: Grid, solution: ContactSolution, sphere: Sphere) -> None:
+    row = int(np.argmin(np.abs(grid.y)))
+    fine = np.linspace(grid.x[0], grid.x[-1], 801)
+    distance = np.hypot(fine, grid.y[row])
+    friction, pressure = "#0f8b8d", "#c8553d"
+    axes.axvspan(-sphere.adhesion_radius, sphere.adhesion_radius, color=friction, alpha=0.09, lw=0)
+    axes.text(0, 0.03 * sphere.pmax, "adhesion", ha="center", color=friction)
+    axes.plot(fine, sphere.pressure(distance), color=pressure, lw=1.2, label="pressure: Hertz")
+    contact = solution.element_division[row] != 0
+    axes.plot(grid.x[contact], solution.pressure[row][contact], "o", color=pressure, ms=3.6, label="pressure: contactd")
+    bound = sphere.mu * sphere.pressure(distance)
+    axes.plot(fine, bound, "--", color="#8a8a8a", lw=1, label=r"friction bound $\mu\,p_z$")
+    axes.plot(fine, sphere.traction(distance), color=friction, lw=1.2, label="traction: Cattaneo")
+    size = np.hypot(solution.traction_x[row], solution.traction_y[row])
+    axes.plot(grid.x[contact], size[contact], "s", color=friction, ms=3.4, label="traction: contactd")
+    axes.set(xlabel="x (mm)", ylabel="N/mm$^2$", title=f"Along x at y = {grid.y[row]:.2f} mm")
+    axes.set(xlim=(grid.x[0], grid.x[-1]), ylim=(0, 1.32 * sphere.pmax))
+    axes.grid(color="#e4e1da", lw=0.6)
+    axes.legend(fontsize=8.5, loc="upper center", ncols=3, frameon=False)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include <mfem.hpp>
+
+#include "contactd/fem/ic_builder.hpp"
+#include "contactd/version.hpp"
+
+// Present when OpenBLAS or an OpenMP runtime is behind MFEM and hypre.
+extern "C" {
+[[gnu::weak]] void openblas_set_num_threads(int);
+[[gnu::weak]] void omp_set_num_threads(int);
+}
+
+namespace contactd::fem {
+namespace {
+
+/// A 0.6 s factorisation has taken 151 s with one BLAS thread per core on a busy machine.
+void use_one_thread() {
+    if (std::getenv("OMP_NUM_THREADS") != nullptr) return;
+    if (omp_set_num_threads != nullptr) omp_set_num_threads(1);
+    if (openblas_set_num_threads != nullptr && std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
+        openblas_set_num_threads(1);
+}
+
+/// True when a launcher (mpirun, srun) has started this process; its environment says so before MPI does.
+bool has_launcher() {
+    constexpr std::array marks{"PMIX_NAMESPACE", "PMIX_RANK", "PMI_RANK", "PMI_FD", "OMPI_COMM_WORLD_RANK"};
+    return std::any_of(marks.begin(), marks.end(), [](const char* mark) { return std::getenv(mark) != nullptr; });
+}
+
+/// MPI_Init without a launcher. Open MPI then leaves a folder in the temporary folder and, for processes it never talks
+/// to, a segment of shared memory behind, whether the program ends well or not. So: no shared memory, and a temporary
+/// folder that is gone when this returns; Open MPI needs nothing in it later.
+void init_alone(int& argc, char**& argv) {
+    ::setenv("OMPI_MCA_btl", "self", 0);
+    std::string folder = (std::filesystem::temp_directory_path() / "contactd-mpi-XXXXXX").string();
+    const char* given = std::getenv("TMPDIR");
+    const std::optional<std::string> before = given == nullptr ? std::nullopt : std::optional<std::string>(given);
+    const bool made = ::mkdtemp(folder.data()) != nullptr;
+    if (made) ::setenv("TMPDIR", folder.c_str(), 1);
+    int provided = 0;
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+    if (!made) return;
+    before ? ::setenv("TMPDIR", before->c_str(), 1) : ::unsetenv("TMPDIR");
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+}
+
+void init(int& argc, char**& argv) {
+    if (!has_launcher()) return init_alone(argc, argv);
+    int provided = 0;
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+}
+
+}  // namespace
+
+Runtime::Runtime(int& argc, char**& argv) {
+    init(argc, argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &processes_);
+    use_one_thread();
+    mfem::Hypre::Init();
+    mfem::out.Disable();  // what MFEM has to say comes as exceptions; standard output is the program's
+}
+
+Runtime::~Runtime() {
+    mfem::Hypre::Finalize();
+    MPI_Finalize();
+}
+
+std::string Runtime::broadcast(std::string text) const {
+    auto size = static_cast<int>(text.size());
+    MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    text.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(text.data(), size, MPI_CHAR, 0, MPI_COMM_WORLD);
+    return text;
+}
+
+void Runtime::abort(int exit_code) const {
+    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::_Exit(exit_code);
+}
+
+std::string fem_version() {
+    return "contactd " + version() + ", MFEM " MFEM_VERSION_STRING ", hypre " HYPRE_RELEASE_VERSION;
+}
+
+}  // namespace contactd::fem

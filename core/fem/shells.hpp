@@ -1,0 +1,57 @@
+// Geometry of Mesh1 (paper, section 3.1): a uniform box under the load and shells of graded frusta around it.
+// Knows nothing of MFEM. Lengths X, Y, Z are distances from the origin into the quarter block [-L,0]^3, so they are
+// positive: X = -x and so on.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contactd/fem/ic_builder.hpp"
+
+namespace contactd::fem {
+
+/// Shell j is the surface of the box edge[0][j] x edge[1][j] x edge[2][j]; shell 0 is that of the uniform box. Each of
+/// its three faces is divided into m x m; the hexahedra between shells j-1 and j make layer j.
+struct Shells {
+    int m = 0;                                ///< elements per edge of the box and of every shell
+    int k = 0;                                ///< layers
+    std::array<int, 2> load_elements{};       ///< elements of the box under the quarter load, along x and y
+    std::array<std::vector<double>, 3> edge;  ///< k+1 edges of the shells along each axis
+
+    long long elements() const { return 1LL * m * m * (m + 3LL * k); }
+    long long vertices() const { return 1LL * (m + 1) * (m + 1) * (m + 1) + 1LL * k * surface_vertices(); }
+    long long surface_vertices() const { return 1LL * (m + 1) * (m + 1) * (m + 1) - 1LL * m * m * m; }
+};
+
+Shells make_shells(const IcSpec& spec);
+
+/// An element by its place. In the box `layer` is 0 and `index` counts along the axes; in layer j >= 1 the element
+/// belongs to the frustum behind the face normal to axis `face`, and index[face] has no meaning.
+struct Place {
+    int layer = 0;
+    int face = 0;
+    std::array<int, 3> index{};
+};
+
+/// Elements are numbered from the origin outwards: the box, then layer by layer.
+int element_number(const Shells& shells, const Place& place);
+
+/// A corner of an element, or any vertex: shell (0 stands for the whole box) and position on it, 0..m along each axis.
+struct Vertex {
+    int shell = 0;
+    std::array<int, 3> index{};
+};
+/// `side[a]` is 0 for the corner nearer to the origin along axis a, 1 for the farther one.
+Vertex corner(const Shells& shells, const Place& place, const std::array<int, 3>& side);
+std::array<double, 3> position(const Shells& shells, const Vertex& vertex);  ///< X, Y, Z
+
+/// The element holding the surface point (X, Y, 0) and the point's coordinates in it: `local[a]` runs from 0 at the
+/// corners with side[a] = 0 to 1. The element map on the surface is bilinear with parallel straight edges, so this is
+/// its exact inverse. A point on a shared face gets one element, always the same. X and Y must lie inside the block.
+struct SurfacePoint {
+    Place place;
+    std::array<double, 3> local{};
+};
+SurfacePoint locate(const Shells& shells, double X, double Y);
+
+}  // namespace contactd::fem

@@ -1,0 +1,44 @@
+// Influence coefficients by finite elements: the one entry of contactd::fem. Collective over MPI_COMM_WORLD.
+#pragma once
+
+#include <string>
+
+#include "contactd/ic_store.hpp"
+#include "contactd/observer.hpp"
+
+namespace contactd::fem {
+
+/// MPI and hypre, initialised for the lifetime of this object; one per program. BLAS and OpenMP get one thread each
+/// unless the environment (OMP_NUM_THREADS, OPENBLAS_NUM_THREADS) says otherwise. MPI is called from the thread that
+/// made the object only.
+class Runtime {
+   public:
+    Runtime(int& argc, char**& argv);
+    ~Runtime();
+    Runtime(const Runtime&) = delete;
+    Runtime& operator=(const Runtime&) = delete;
+
+    int rank() const { return rank_; }
+    int processes() const { return processes_; }
+    /// `text` of the first process on all of them. Collective.
+    std::string broadcast(std::string text) const;
+    /// Ends all processes at once; for a failure the others may not share.
+    [[noreturn]] void abort(int exit_code) const;
+
+   private:
+    int rank_ = 0;
+    int processes_ = 1;
+};
+
+/// contactd and the libraries that make finite-element tables, as in IcEvidence::version.
+std::string fem_version();
+
+/// Builds the dimensionless table of `spec` (source fem): mesh, one assembly, three load cases, sampling, comparison
+/// with the closed form. With dx = dy the y case is the x case mirrored and not solved again. Every process gets the
+/// same record. Progress comes on the first process only, where the observer's cancelled() counts too. A Runtime must
+/// exist.
+/// Throws InvalidArgument for a spec that cannot be meshed, NotConverged when a load case misses its tolerance and
+/// Cancelled, each on all processes; errors of the libraries (std::exception) may come on one process alone.
+IcRecord build_ic_table(const IcSpec& spec, Observer& observer);
+
+}  // namespace contactd::fem

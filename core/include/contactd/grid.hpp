@@ -1,0 +1,37 @@
+// The potential contact area: a rectangle of nx x ny elements, cell-centred.
+#pragma once
+
+#include <cstddef>
+
+namespace contactd {
+
+/// Element (ix, iy), 0 <= ix < nx, 0 <= iy < ny, has index iy*nx + ix: arrays over the grid have shape [ny, nx], C
+/// order.
+struct Grid {
+    int nx = 0;     ///< number of elements along x, >= 1
+    int ny = 0;     ///< number of elements along y, >= 1
+    double dx = 0;  ///< element size along x (mm), > 0
+    double dy = 0;  ///< element size along y (mm), > 0
+    double x0 = 0;  ///< x of the lower left corner of element (0, 0) (mm)
+    double y0 = 0;  ///< y of the same corner (mm)
+
+    /// The grid whose centre is the origin.
+    static Grid centred(int nx, int ny, double dx, double dy) {
+        return {nx, ny, dx, dy, -0.5 * nx * dx, -0.5 * ny * dy};
+    }
+
+    std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
+    double x(int ix) const { return x0 + (ix + 0.5) * dx; }  ///< centre of column ix (mm)
+    double y(int iy) const { return y0 + (iy + 0.5) * dy; }  ///< centre of row iy (mm)
+    double element_area() const { return dx * dy; }          ///< (mm^2)
+
+    bool operator==(const Grid&) const = default;
+};
+
+/// Largest number of elements of one grid that contactd works with: limits memory before anything is allocated.
+inline constexpr std::size_t max_grid_elements = 4'000'000;
+
+/// Throws InvalidArgument naming `field`.nx, .ny, .dx, .dy, .x0 or .y0 when the grid cannot be used.
+void validate(const Grid& grid, const char* field);
+
+}  // namespace contactd

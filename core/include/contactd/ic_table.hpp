@@ -1,0 +1,90 @@
+// A table of influence coefficients and the evidence for its numbers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/material.hpp"
+
+namespace contactd {
+
+enum class Axis { x = 0, y = 1, z = 2 };
+
+/// Mathematical parity of A[i,j](k,l) in the offsets (design: xx, yy, zz even/even; xy, yx odd/odd; xz, zx odd/even;
+/// yz, zy even/odd): +1 or -1 along x and along y.
+struct Parity {
+    int along_x;
+    int along_y;
+};
+Parity parity(Axis displacement, Axis load);
+
+/// A[i,j](k,l): displacement component i (mm) at the element whose offset from the loaded element is (k,l), for a unit
+/// traction (1 N/mm^2) along j on the loaded element. Body z <= 0, outward normal +z, load positive along its axis.
+struct IcTable {
+    int nx = 0;                  ///< offsets 0..nx-1 along x
+    int ny = 0;                  ///< offsets 0..ny-1 along y
+    std::vector<double> values;  ///< shape [3, 3, ny, nx]: displacement axis, load axis, l, k; mm^3/N
+
+    IcTable() = default;
+    IcTable(int nx_, int ny_) : nx(nx_), ny(ny_), values(9 * component_size()) {}
+
+    std::size_t component_size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
+    std::size_t index(Axis i, Axis j, int k, int l) const {
+        return (static_cast<std::size_t>(i) * 3 + static_cast<std::size_t>(j)) * component_size() +
+               static_cast<std::size_t>(l) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(k);
+    }
+    double& operator()(Axis i, Axis j, int k, int l) { return values[index(i, j, k, l)]; }  ///< k, l >= 0
+    double operator()(Axis i, Axis j, int k, int l) const { return values[index(i, j, k, l)]; }
+    /// Offsets of either sign, |k| < nx and |l| < ny, by parity.
+    double at(Axis i, Axis j, int k, int l) const;
+};
+
+/// One solve of a finite-element build.
+struct LoadCaseEvidence {
+    Axis load = Axis::z;
+    int iterations = 0;
+    double residual = 0;  ///< true relative residual ||b - A u|| / ||b||
+    bool converged = false;
+    double seconds = 0;  ///< of the solve
+};
+
+/// Relative errors against the closed form: the paper's measure (3.1) at the origin, signed (FEM/closed form - 1), and
+/// the largest absolute one over the table.
+struct ComponentError {
+    double origin = 0;
+    double largest = 0;
+};
+
+/// What made the numbers of a table and how good they are.
+struct IcEvidence {
+    std::string source;   ///< "analytic" or "fem"
+    std::string version;  ///< contactd and libraries that made the table
+    long long elements = 0;
+    long long dofs = 0;
+    int processes = 1;
+    double assembly_seconds = 0;
+    double setup_seconds = 0;  ///< of the preconditioners
+    double solve_seconds = 0;
+    double total_seconds = 0;
+    std::vector<LoadCaseEvidence> load_cases;
+    // Where a closed form exists (half-space):
+    std::optional<ComponentError> error_xx, error_yy, error_zz;
+    /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets but the origin, for the components that
+    /// change sign, whose relative errors mean nothing on the axes.
+    std::optional<double> scaled_error_xy, scaled_error_xz;
+};
+
+/// Every value times `factor`: A of G and dx from the dimensionless table with factor = dx/G.
+IcTable scaled(const IcTable& table, double factor);
+
+/// The part with offsets 0..nx-1 x 0..ny-1. Throws InvalidArgument when the table is smaller.
+IcTable cropped(const IcTable& table, int nx, int ny);
+
+/// Coefficients of the difference of displacements of the two bodies for equal and opposite tractions: sums xx, yy, zz,
+/// xy, yx and subtracts xz, zx, yz, zy (lower from upper). Throws InvalidArgument when the extents differ.
+IcTable pair_of(const IcTable& upper, const IcTable& lower);
+
+}  // namespace contactd

@@ -1,0 +1,25 @@
+// NORM (Kalker 1990; paper section 4.1; Vollebregt 2014): normal contact by an active set around conjugate gradients.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contactd/contact.hpp"
+#include "contactd/influence_operator.hpp"
+#include "contactd/observer.hpp"
+
+namespace contactd {
+
+struct NormalSolution {
+    std::vector<double> pressure;  ///< (N/mm^2), > 0 in contact, 0 outside
+    SolverEvidence evidence;       ///< residual: ||A p + h||_rms / ||h||_rms over the contact (section 4.1)
+};
+
+/// Finds p >= 0 with A_zz p + h = 0 where p > 0 and A_zz p + h >= 0 elsewhere. `gap` is h with the approach subtracted
+/// (mm, negative where the undeformed bodies overlap), one entry per element; `initial` is empty or an estimate of p.
+/// No overlap gives p = 0, converged. A solution that missed the tolerance says so in its evidence.
+/// Throws Cancelled through the observer and InvalidArgument for arrays of the wrong size.
+NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
+                            const SolverSettings& settings, std::span<const double> initial, Observer& observer);
+
+}  // namespace contactd

@@ -1,0 +1,30 @@
+// How a computation reports and is ended: the caller passes an observer, the solver never prints.
+#pragma once
+
+#include <string_view>
+
+#include "contactd/error.hpp"
+
+namespace contactd {
+
+struct Progress {
+    std::string_view stage;  ///< "normal", "tangential", "assembly", "amg_setup", "pcg", "sampling", ...
+    double fraction = 0;     ///< of the whole computation, 0..1, an estimate
+    int iteration = 0;       ///< within the stage
+    double residual = 0;     ///< the figure the stage's stop test compares, 0 when it has none
+};
+
+/// Methods are called from the thread that computes. The default observer listens to nothing and never cancels.
+class Observer {
+   public:
+    virtual ~Observer() = default;
+    virtual void on_progress(const Progress&) {}
+    /// Asked between iterations; when true the solver throws Cancelled.
+    virtual bool cancelled() const { return false; }
+
+    void throw_if_cancelled() const {
+        if (cancelled()) throw Cancelled();
+    }
+};
+
+}  // namespace contactd

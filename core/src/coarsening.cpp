@@ -1,0 +1,89 @@
+#include "coarsening.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace contactd {
+namespace {
+
+constexpr int smallest_size_to_coarsen = 20;
+
+int factor(int n) {
+    return n >= smallest_size_to_coarsen ? 2 : 1;
+}
+
+// Where the centre of fine element i lies between the centres of coarse ones.
+struct Between {
+    std::size_t first, second;
+    double weight;  // of the second
+};
+
+Between between(int i, int factor, int coarse_n) {
+    const double at = (i + 0.5) / factor - 0.5;
+    const int first = at < 0 ? 0 : static_cast<int>(at);
+    const double weight = std::clamp(at - first, 0.0, 1.0);
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(first + 1, coarse_n - 1)), weight};
+}
+
+}  // namespace
+
+Coarsening::Coarsening(int nx, int ny)
+    : nx_(nx),
+      ny_(ny),
+      factor_x_(factor(nx)),
+      factor_y_(factor(ny)),
+      coarse_nx_((nx + factor_x_ - 1) / factor_x_),
+      coarse_ny_((ny + factor_y_ - 1) / factor_y_) {}
+
+IcTable Coarsening::coarse(const IcTable& fine) const {
+    using enum Axis;
+    constexpr std::array<std::array<Axis, 2>, 5> components = {{{x, x}, {y, y}, {z, z}, {x, y}, {y, x}}};
+    // How often an offset of fine elements occurs between two coarse ones, over the number of observed elements.
+    const auto weight = [](int difference, int factor) {
+        return static_cast<double>(factor - std::abs(difference)) / factor;
+    };
+    IcTable result(coarse_nx_, coarse_ny_);
+    for (const auto& [i, j] : components)
+        for (int L = 0; L < coarse_ny_; ++L)
+            for (int K = 0; K < coarse_nx_; ++K) {
+                double sum = 0;
+                for (int b = 1 - factor_y_; b < factor_y_; ++b)
+                    for (int a = 1 - factor_x_; a < factor_x_; ++a)
+                        sum += weight(a, factor_x_) * weight(b, factor_y_) *
+                               fine.at(i, j, std::min(K * factor_x_ + a, fine.nx - 1),
+                                       std::min(L * factor_y_ + b, fine.ny - 1));
+                result(i, j, K, L) = sum;
+            }
+    return result;
+}
+
+void Coarsening::average(std::span<const double> fine, std::span<double> coarse) const {
+    std::vector<int> count(coarse.size());
+    std::fill(coarse.begin(), coarse.end(), 0.0);
+    for (int iy = 0; iy < ny_; ++iy)
+        for (int ix = 0; ix < nx_; ++ix) {
+            const int to = iy / factor_y_ * coarse_nx_ + ix / factor_x_;
+            coarse[static_cast<std::size_t>(to)] += fine[static_cast<std::size_t>(iy * nx_ + ix)];
+            ++count[static_cast<std::size_t>(to)];
+        }
+    for (std::size_t i = 0; i < coarse.size(); ++i) coarse[i] /= count[i];
+}
+
+void Coarsening::interpolate(std::span<const double> coarse, std::span<double> fine) const {
+    for (int iy = 0; iy < ny_; ++iy) {
+        const Between along_y = between(iy, factor_y_, coarse_ny_);
+        const double* lower = coarse.data() + along_y.first * static_cast<std::size_t>(coarse_nx_);
+        const double* upper = coarse.data() + along_y.second * static_cast<std::size_t>(coarse_nx_);
+        double* row = fine.data() + static_cast<std::ptrdiff_t>(iy) * nx_;
+        for (int ix = 0; ix < nx_; ++ix) {
+            const Between along_x = between(ix, factor_x_, coarse_nx_);
+            const auto blend = [&](const double* values) {
+                return values[along_x.first] + along_x.weight * (values[along_x.second] - values[along_x.first]);
+            };
+            row[ix] = blend(lower) + along_y.weight * (blend(upper) - blend(lower));
+        }
+    }
+}
+
+}  // namespace contactd

@@ -1,0 +1,28 @@
+// Grids of half as many elements a direction: solvers find their first estimate there.
+#pragma once
+
+#include <span>
+
+#include "contactd/ic_table.hpp"
+
+namespace contactd {
+
+/// Elements of the coarse grid stand for 2 x 2 fine ones, for 1 x 2 or 2 x 1 where the grid is short in one direction.
+/// The last coarse element may reach beyond the fine grid.
+class Coarsening {
+   public:
+    Coarsening(int nx, int ny);
+
+    bool useful() const { return factor_x_ * factor_y_ > 1; }  ///< false: the grid is small already
+
+    /// Mean displacement over a coarse element for a unit traction on another, for the components xx, yy, zz, xy, yx.
+    IcTable coarse(const IcTable& fine) const;
+    void average(std::span<const double> fine, std::span<double> coarse) const;
+    /// Bilinear between centres, constant beyond the outermost ones.
+    void interpolate(std::span<const double> coarse, std::span<double> fine) const;
+
+   private:
+    int nx_, ny_, factor_x_, factor_y_, coarse_nx_, coarse_ny_;
+};
+
+}  // namespace contactd

@@ -1,0 +1,46 @@
+// The elements of a given contact area and vector fields on them, as the tangential solver uses them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solver_support.hpp"
+
+namespace contactd {
+
+struct Field {
+    std::vector<double> x, y;
+    explicit Field(std::size_t n = 0) : x(n), y(n) {}
+};
+
+inline double inner(const Field& a, const Field& b) {
+    return dot(a.x, b.x) + dot(a.y, b.y);
+}
+
+// The elements of the contact area, 0..m-1, with everything the problem says of them.
+struct Contact {
+    std::vector<std::size_t> elements;
+    std::vector<double> bound;
+    Field rigid;
+
+    Contact(std::span<const double> g, std::span<const double> wx, std::span<const double> wy) {
+        for (std::size_t i = 0; i < g.size(); ++i) {
+            if (!(g[i] > 0)) continue;
+            elements.push_back(i);
+            bound.push_back(g[i]);
+            rigid.x.push_back(wx[i]);
+            rigid.y.push_back(wy[i]);
+        }
+    }
+    std::size_t size() const { return elements.size(); }
+
+    void scatter(const std::vector<double>& from, std::vector<double>& to) const {
+        for (std::size_t e = 0; e < size(); ++e) to[elements[e]] = from[e];
+    }
+    void gather(std::span<const double> from, std::vector<double>& to) const {
+        for (std::size_t e = 0; e < size(); ++e) to[e] = from[elements[e]];
+    }
+};
+
+}  // namespace contactd

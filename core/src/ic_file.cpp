@@ -1,0 +1,139 @@
+// One table as one file: a 512-byte HDF5 user block with the digest, then the HDF5 image.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contactd/ic_store.hpp"
+#include "ic_hdf5.hpp"
+#include "sha256.hpp"
+
+namespace contactd {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::span<const unsigned char>;
+
+constexpr std::size_t header_size = 512;  // the smallest user block HDF5 skips
+constexpr std::string_view magic = "contactd ic table, format 1, sha256 of the bytes after this block: ";
+constexpr std::size_t digest_size = 64;
+
+[[noreturn]] void fail(const char* doing, const fs::path& path) {
+    throw StoreError(std::string("Cannot ") + doing + " " + path.string() + ": " + std::strerror(errno) + ".");
+}
+
+/// A file descriptor that closes itself.
+class File {
+   public:
+    File(const fs::path& path, int flags, mode_t mode = 0) : fd_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {}
+    ~File() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    bool is_open() const { return fd_ >= 0; }
+    int fd() const { return fd_; }
+
+   private:
+    int fd_;
+};
+
+void write_all(const File& file, Bytes bytes, const fs::path& path) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.fd(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("write", path);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+std::vector<unsigned char> read_all(const fs::path& path) {
+    const File file(path, O_RDONLY);
+    struct stat status;
+    if (!file.is_open() || ::fstat(file.fd(), &status) != 0) fail("read", path);
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t got = ::read(file.fd(), bytes.data() + have, bytes.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail("read", path);
+        if (got == 0) break;
+        have += static_cast<std::size_t>(got);
+    }
+    bytes.resize(have);
+    return bytes;
+}
+
+void sync_folder(const fs::path& folder) {
+    const File file(folder, O_RDONLY | O_DIRECTORY);
+    if (!file.is_open() || ::fsync(file.fd()) != 0) fail("sync the folder", folder);
+}
+
+std::array<unsigned char, header_size> header_of(Bytes image) {
+    std::array<unsigned char, header_size> header{};
+    const std::string text = std::string(magic) + sha256_hex(image) + "\n";
+    std::copy(text.begin(), text.end(), header.begin());
+    return header;
+}
+
+/// The temporary file carries a lock while it is written, so that a sweep by another process leaves it alone.
+bool lock_and_still_there(const File& file) {
+    struct stat status;
+    return ::flock(file.fd(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file.fd(), &status) == 0 && status.st_nlink > 0;
+}
+
+void write_renamed(const fs::path& path, const fs::path& temporary, const File& file, Bytes image) {
+    try {
+        write_all(file, header_of(image), temporary);
+        write_all(file, image, temporary);
+        if (::fsync(file.fd()) != 0) fail("sync", temporary);
+        if (::rename(temporary.c_str(), path.c_str()) != 0) fail("rename", temporary);
+    } catch (...) {
+        ::unlink(temporary.c_str());
+        throw;
+    }
+    sync_folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
+}
+
+}  // namespace
+
+void write_ic_file(const fs::path& path, const IcRecord& record) {
+    static std::atomic<unsigned> serial{0};
+    const std::vector<unsigned char> image = to_hdf5(record);
+    constexpr int tries = 16;
+    for (int n = 0; n < tries; ++n) {
+        const fs::path temporary =
+            path.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
+        const File file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0644);
+        if (!file.is_open() && errno == EEXIST) continue;
+        if (!file.is_open()) fail("create", temporary);
+        if (!lock_and_still_there(file)) continue;  // swept between open and lock
+        return write_renamed(path, temporary, file, image);
+    }
+    throw StoreError("Cannot create a temporary file beside " + path.string() + ".");
+}
+
+IcRecord read_ic_file(const fs::path& path) {
+    const std::vector<unsigned char> bytes = read_all(path);
+    if (bytes.size() <= header_size || !std::equal(magic.begin(), magic.end(), bytes.begin()))
+        throw DamagedTable(path.string() + " is no table of influence coefficients, or its beginning is lost.");
+    const Bytes image = Bytes(bytes).subspan(header_size);
+    const std::string kept(bytes.begin() + magic.size(), bytes.begin() + magic.size() + digest_size);
+    if (sha256_hex(image) != kept) throw DamagedTable(path.string() + " does not match its digest.");
+    try {
+        return from_hdf5(image);
+    } catch (const DamagedTable& error) {
+        throw DamagedTable(path.string() + ": " + error.what());
+    }
+}
+
+}  // namespace contactd

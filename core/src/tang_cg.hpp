@@ -1,0 +1,91 @@
+// TangCG (Zhao, Vollebregt, Oosterlee 2014; paper section 4.2), the iteration itself.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "contact_elements.hpp"
+#include "contactd/tangential.hpp"
+
+namespace contactd {
+
+// Nonlinear conjugate gradients: both components of the traction are free in adhesion, its direction in slip.
+// The solution is the minimum of f(p) = p'Ap/2 + w'p over |p| <= g where A is symmetric; f guards the search.
+class TangCg {
+   public:
+    TangCg(const InfluenceOperator& influence, const Contact& contact, const SolverSettings& settings,
+           Observer& observer);
+
+    // Starts from an estimate of the tractions and returns its error, relative.
+    double start(const Field& estimate);
+    TangentialSolution solve();
+
+   private:
+    void set_tractions(const Field& estimate);
+    double size(std::size_t e) const { return std::sqrt(p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e]); }
+    double work(std::size_t e) const { return s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e]; }
+
+    // Scales the traction to its bound. Where there is none, it opposes the rigid slip; without that either, the
+    // element stays in adhesion.
+    void let_slip(std::size_t e);
+    void apply(const Field& in, Field& out);
+    // s = A p + w
+    void update_slip_distance();
+    double f() const { return 0.5 * (inner(p_, s_) + inner(p_, w_)); }
+    double relative_to_traction(double change_squared) const;
+    // a -> (a . t) t in slip
+    void project(Field& a, std::size_t e) const;
+
+    // Residual, tangents and the term -(s . n)/g of the turning direction at the present tractions.
+    void linearise();
+    // z ~ (A + D)^-1 r with D the turning terms: by the operator's own preconditioner where A rules, scaled on both
+    // sides so that it stays symmetric and positive; by the diagonal where D rules.
+    void precondition();
+
+    // One step; returns the relative change of the tractions.
+    double step();
+    void choose_direction();
+    // p += alpha v, in slip scaled back to the bound; the slip distance follows to first order.
+    double move(double alpha);
+
+    // Brings the division and the slip distance up to date; false when the division changed.
+    bool check_division();
+    // Lets elements adhere whose slip points along their traction; true when there were any.
+    bool hold_pushed_back();
+
+    // Keeps the tractions of the lowest f. When f has not fallen for several checks, a step that cannot raise it starts
+    // again from them, and checks come more often; returns false then. The slack grows each time: tables with errors
+    // are not quite symmetric, and for them the solution is not quite the minimum.
+    bool watch();
+    void keep_best();
+    // The step is no longer than 1/||A||: A_xy is at most half of A_xx, and the row sums of these bound the rest.
+    void projected_gradient_step();
+
+    void report(int iteration, double figure);
+    void bring_to_bound(std::size_t e);
+    void finish(TangentialSolution& result);
+
+    const InfluenceOperator& influence_;
+    const Contact& contact_;
+    const std::vector<double>& g_;
+    const Field& w_;
+    const SolverSettings& settings_;
+    Observer& observer_;
+    const std::size_t m_;
+    const double self_;
+    Field p_, s_, r_, z_, v_, q_, jv_;  // q = A v, jv = J v with J the reduced Jacobian
+    Field tangent_, full_in_, full_out_;
+    std::vector<double> turning_, scale_, diagonal_;  // D, and the preconditioner's factors for A and D
+    std::vector<char> slips_;
+    Field best_p_, best_s_;
+    double best_f_ = std::numeric_limits<double>::infinity();
+    double slack_ = 1e-12;
+    double curvature_ = 0;
+    double first_figure_ = 0;
+    int failures_ = 0;
+    int steps_ = 0;            // since the last change of the division
+    int steps_per_check_ = 4;  // of the division
+};
+
+}  // namespace contactd

@@ -1,0 +1,27 @@
+#include "contactd/version.hpp"
+
+#include <fftw3.h>
+#include <hdf5.h>
+#include <sodium.h>
+
+#include <Eigen/Core>
+
+namespace contactd {
+
+std::string version() {
+    return CONTACTD_VERSION;
+}
+
+std::map<std::string, std::string> library_versions() {
+    unsigned major = 0, minor = 0, release = 0;
+    H5get_libversion(&major, &minor, &release);
+    const auto dotted = [](auto a, auto b, auto c) {
+        return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
+    };
+    return {{"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+            {"fftw", fftw_version},
+            {"hdf5", dotted(major, minor, release)},
+            {"libsodium", sodium_version_string()}};
+}
+
+}  // namespace contactd

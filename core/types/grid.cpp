@@ -1,0 +1,34 @@
+#include "contactd/grid.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "number_text.hpp"
+
+namespace contactd {
+
+void validate(const Grid& grid, const char* field) {
+    const std::string name = field;
+    const auto count = [&](int n, const char* which) {
+        if (n < 1) throw InvalidArgument(name + which, "is " + std::to_string(n) + "; it must be at least 1");
+    };
+    const auto size = [&](double d, const char* which) {
+        if (!std::isfinite(d) || d <= 0)
+            throw InvalidArgument(name + which, "is " + number_text(d) + "; it must be a positive, finite length");
+    };
+    const auto corner = [&](double c, const char* which) {
+        if (!std::isfinite(c)) throw InvalidArgument(name + which, "is not finite; it must be a length");
+    };
+    count(grid.nx, ".nx");
+    count(grid.ny, ".ny");
+    if (grid.size() > max_grid_elements)
+        throw InvalidArgument(name + ".nx", "times ny is " + std::to_string(grid.size()) + " elements; at most " +
+                                                std::to_string(max_grid_elements) + " are allowed");
+    size(grid.dx, ".dx");
+    size(grid.dy, ".dy");
+    corner(grid.x0, ".x0");
+    corner(grid.y0, ".y0");
+}
+
+}  // namespace contactd

@@ -1,0 +1,28 @@
+#include "contactd/material.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "number_text.hpp"
+
+namespace contactd {
+
+bool BodyPair::quasi_identical() const {
+    const double a = (1 - 2 * upper.nu) * lower.G;
+    const double b = (1 - 2 * lower.nu) * upper.G;
+    return std::abs(a - b) <= 1e-12 * (upper.G + lower.G);
+}
+
+void validate(const Material& material, const char* field, bool incompressible_allowed) {
+    const std::string name = field;
+    if (!std::isfinite(material.G) || material.G <= 0)
+        throw InvalidArgument(name + ".G", "is " + number_text(material.G) + "; it must be a positive, finite number");
+    if (!(material.nu >= 0 && material.nu <= 0.5))
+        throw InvalidArgument(name + ".nu", "is " + number_text(material.nu) + "; it must lie in [0, 0.5]");
+    if (material.nu == 0.5 && !incompressible_allowed)
+        throw InvalidArgument(name + ".nu",
+                              "is 0.5; finite elements need nu < 0.5, only closed-form coefficients take 0.5");
+}
+
+}  // namespace contactd

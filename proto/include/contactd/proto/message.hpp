@@ -1,0 +1,81 @@
+// The envelope and the array frames behind it (docs/protocol.md).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace contactd::proto {
+
+inline constexpr int protocol_version = 1;
+
+/// What one message may cost; published by server.info, enforced by server and clients.
+struct Limits {
+    std::size_t max_frame_bytes = 128u << 20;
+    std::size_t max_frames = 16;  ///< the envelope included
+    std::size_t max_message_bytes = 256u << 20;
+    std::size_t max_array_elements = 16'000'000;
+
+    bool operator==(const Limits&) const = default;
+};
+nlohmann::json to_json(const Limits& limits);
+
+/// Frame 0 is the JSON envelope; `frames[n-1]` holds the bytes of frame n.
+struct Message {
+    nlohmann::json envelope;
+    std::vector<std::string> frames;
+};
+
+/// How the sender of a request wants arrays in the reply.
+enum class ArrayEncoding { frame, list };
+
+/// A request after its envelope has been checked. `params` is checked against the method's schema separately.
+struct Request {
+    std::string id;
+    std::string method;
+    nlohmann::json params;    ///< an object
+    nlohmann::json metadata;  ///< an object
+    int timeout_ms = 0;       ///< 0: none
+    ArrayEncoding arrays = ArrayEncoding::frame;
+    std::vector<std::string> frames;
+};
+
+/// Parses frame 0 and checks the envelope. Throws StatusError (NOT_JSON, NOT_AN_OBJECT, ENVELOPE_INVALID,
+/// LIMIT_EXCEEDED); `id_out` receives the id as soon as it is known, so that the error can be answered.
+Request parse_request(std::string_view envelope, std::vector<std::string> frames, const Limits& limits,
+                      std::string& id_out);
+
+/// Text of an envelope. Never throws for bad UTF-8 (replaced) and never holds NaN.
+std::string dump(const nlohmann::json& json);
+
+/// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists.
+class ArrayWriter {
+   public:
+    explicit ArrayWriter(ArrayEncoding encoding) : encoding_(encoding) {}
+    /// The JSON that stands for the array; `shape` is C order, its product the number of values.
+    nlohmann::json write(std::span<const double> values, std::vector<std::size_t> shape);
+    nlohmann::json write(std::span<const unsigned char> values, std::vector<std::size_t> shape);
+    std::vector<std::string> take_frames() { return std::move(frames_); }
+
+   private:
+    ArrayEncoding encoding_;
+    std::vector<std::string> frames_;
+};
+
+/// The array that `json` stands for: a (nested) list of numbers or {"$array": {frame, dtype "<f8", shape}}. Checks
+/// shape, frame, bytes and that every value is finite; throws StatusError naming `field` (ARRAY_INVALID).
+std::vector<double> read_array(const nlohmann::json& json, const std::vector<std::string>& frames,
+                               const std::vector<std::size_t>& shape, const std::string& field);
+/// The same for dtype "|u1".
+std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const std::vector<std::string>& frames,
+                                           const std::vector<std::size_t>& shape, const std::string& field);
+
+/// Throws StatusError (ARRAY_INVALID) when no {"$array": ...} anywhere in `params` refers to one of the frames.
+void check_frames_used(const nlohmann::json& params, const std::vector<std::string>& frames);
+
+}  // namespace contactd::proto

@@ -1,0 +1,91 @@
+// gRPC's status codes, which every reply carries, and contactd's stable reasons.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/error.hpp"
+
+namespace contactd::proto {
+
+/// Numbers and names as gRPC defines them.
+enum class StatusCode {
+    ok = 0,
+    cancelled = 1,
+    unknown = 2,
+    invalid_argument = 3,
+    deadline_exceeded = 4,
+    not_found = 5,
+    already_exists = 6,
+    permission_denied = 7,
+    resource_exhausted = 8,
+    failed_precondition = 9,
+    aborted = 10,
+    out_of_range = 11,
+    unimplemented = 12,
+    internal = 13,
+    unavailable = 14,
+    data_loss = 15,
+    unauthenticated = 16
+};
+std::string_view name_of(StatusCode code);  ///< "INVALID_ARGUMENT", ...
+
+/// Upper-case words a program can rely on; docs/protocol.md lists what each means.
+namespace reason {
+inline constexpr std::string_view not_json = "NOT_JSON";
+inline constexpr std::string_view not_an_object = "NOT_AN_OBJECT";
+inline constexpr std::string_view envelope_invalid = "ENVELOPE_INVALID";
+inline constexpr std::string_view unknown_method = "UNKNOWN_METHOD";
+inline constexpr std::string_view field_invalid = "FIELD_INVALID";
+inline constexpr std::string_view array_invalid = "ARRAY_INVALID";
+inline constexpr std::string_view limit_exceeded = "LIMIT_EXCEEDED";
+inline constexpr std::string_view bodies_coupled = "BODIES_COUPLED";
+inline constexpr std::string_view queue_full = "QUEUE_FULL";
+inline constexpr std::string_view build_failed = "BUILD_FAILED";
+inline constexpr std::string_view job_cancelled = "JOB_CANCELLED";
+inline constexpr std::string_view deadline_passed = "DEADLINE_PASSED";
+inline constexpr std::string_view job_unknown = "JOB_UNKNOWN";
+inline constexpr std::string_view stopping = "STOPPING";
+inline constexpr std::string_view unexpected = "UNEXPECTED";
+}  // namespace reason
+
+/// One field of a request that cannot be used. `field` is a path from the envelope's root or, below "params", from
+/// there: "grid.nx", "bodies.upper.nu", "gap.array".
+struct Violation {
+    std::string field;
+    std::string description;
+};
+
+struct Status {
+    StatusCode code = StatusCode::ok;
+    std::string message;
+    std::string reason;                 ///< empty when ok
+    std::vector<Violation> violations;  ///< of an invalid argument
+    int retry_delay_ms = 0;             ///< of a full queue, else 0
+
+    bool ok() const { return code == StatusCode::ok; }
+};
+
+/// {"code", "name", "message", "details": {"reason", "violations", "retry_delay_ms"}}, empty details left out.
+nlohmann::json to_json(const Status& status);
+/// Throws StatusError (UNKNOWN) when `json` is no status.
+Status status_from_json(const nlohmann::json& json);
+
+/// A status as an exception: what the server answers with, what the C++ client throws.
+class StatusError : public Error {
+   public:
+    explicit StatusError(Status status) : Error(status.message), status_(std::move(status)) {}
+    StatusError(StatusCode code, std::string_view reason, std::string message);
+    const Status& status() const noexcept { return status_; }
+
+   private:
+    Status status_;
+};
+
+/// INVALID_ARGUMENT for one field; the message reads "<field> <problem>".
+StatusError invalid_field(std::string field, const std::string& problem, std::string_view why = reason::field_invalid);
+
+}  // namespace contactd::proto

@@ -1,0 +1,27 @@
+// What a schema asks of a value, in words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace contactd::proto {
+
+/// True when `value` has (one of) the schema's types, or the schema names none.
+bool has_type(const nlohmann::json& schema, const nlohmann::json& value);
+
+/// True when `value` is the schema's constant or one of its choices, or the schema names none.
+bool is_choice(const nlohmann::json& schema, const nlohmann::json& value);
+
+/// What follows "it must", for a number outside of the schema's bounds; empty for one within.
+std::optional<std::string> broken_bound(const nlohmann::json& schema, double value);
+
+/// What follows "it must be": "an integer from 1 to 5", "one of \"hex\", \"prism\"", "an object with G, nu".
+std::string expected(const nlohmann::json& schema);
+
+/// The names of an object's members.
+std::vector<std::string> names_of(const nlohmann::json& object);
+
+}  // namespace contactd::proto

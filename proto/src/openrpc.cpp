@@ -1,0 +1,121 @@
+// The OpenRPC document, made of the schemas so that the two cannot disagree.
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "contactd/proto/schema.hpp"
+#include "references.hpp"
+#include "schema_texts.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+using Documents = std::map<std::string, json, std::less<>>;
+
+constexpr const char* place = "#/components/schemas/";
+
+struct Summary {
+    const char* method;
+    const char* text;
+};
+constexpr Summary summaries[]{
+    {"server.info", "What the daemon is, what it allows and what it has done."},
+    {"server.health", "Whether the daemon takes requests; never waits for other work."},
+    {"server.describe", "This document."},
+    {"ic.get", "The influence coefficients of one body; requests for the same table join one build."},
+    {"contact.solve", "Normal contact with the approach prescribed and, with friction, tangential contact."},
+    {"job.list", "The builds and solves that wait and run."},
+    {"job.cancel", "Ends a job; everyone waiting for it gets CANCELLED."},
+};
+
+/// One error for each status code; `data` of a reply's status says more (components.schemas.status).
+json error(StatusCode code) {
+    return {{"code", static_cast<int>(code)}, {"message", name_of(code)}};
+}
+
+json errors_of(std::string_view method) {
+    json errors{error(StatusCode::invalid_argument), error(StatusCode::unavailable), error(StatusCode::internal)};
+    const auto add = [&](StatusCode code) { errors.push_back(error(code)); };
+    const bool solve = method == "contact.solve";
+    if (solve || method == "ic.get") {
+        add(StatusCode::cancelled);
+        add(StatusCode::deadline_exceeded);
+        add(StatusCode::resource_exhausted);
+    }
+    if (solve) add(StatusCode::failed_precondition);
+    if (method == "job.cancel") add(StatusCode::not_found);
+    return errors;
+}
+
+/// A schema as it stands in the document: references redirected, without what belongs to a file only.
+json embedded(const json& document) {
+    json schema = redirected(document, place);
+    schema.erase("$schema");
+    return schema;
+}
+
+json params_of(const json& schema) {
+    json params = json::array();
+    const json required = schema.value("required", json::array());
+    const json properties = schema.value("properties", json::object());
+    // By-name parameters must list the required ones first.
+    for (const bool wanted : {true, false})
+        for (const auto& property : properties.items()) {
+            const bool is_required = std::find(required.begin(), required.end(), property.key()) != required.end();
+            if (is_required != wanted) continue;
+            params.push_back({{"name", property.key()},
+                              {"description", property.value().value("description", "")},
+                              {"required", is_required},
+                              {"schema", redirected(property.value(), place)}});
+        }
+    return params;
+}
+
+json method_of(const Summary& summary, const Documents& documents) {
+    const std::string name = summary.method;
+    const json& result = documents.at(name + ".result");
+    return {{"name", name},
+            {"summary", summary.text},
+            {"paramStructure", "by-name"},
+            {"params", params_of(documents.at(name + ".params"))},
+            {"result",
+             {{"name", name + ".result"},
+              {"description", result["description"]},
+              {"required", true},
+              {"schema", {{"$ref", place + (name + ".result")}}}}},
+            {"errors", errors_of(name)}};
+}
+
+json make_document() {
+    Documents documents;
+    for (const SchemaText& source : schema_texts()) documents.emplace(source.name, json::parse(source.text));
+    json schemas = json::object();
+    for (const auto& definition : documents.at("definitions")["definitions"].items())
+        schemas[definition.key()] = redirected(definition.value(), place);
+    for (const auto& [name, document] : documents)
+        if (name != "definitions") schemas[name] = embedded(document);
+    json methods = json::array();
+    for (const Summary& summary : summaries) methods.push_back(method_of(summary, documents));
+    return {{"openrpc", "1.3.2"},
+            {"info",
+             {{"title", "contactd"},
+              {"version", CONTACTD_VERSION},
+              {"description",
+               "Elastic contact with computed influence coefficients. Requests and replies are ZeroMQ messages: one "
+               "JSON envelope (components.schemas.envelope, progress, reply) and raw array frames behind it."}}},
+            {"methods", std::move(methods)},
+            {"components", {{"schemas", std::move(schemas)}}}};
+}
+
+}  // namespace
+
+const json& openrpc() {
+    static const json document = make_document();
+    return document;
+}
+
+}  // namespace contactd::proto

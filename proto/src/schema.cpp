@@ -1,0 +1,123 @@
+#include "contactd/proto/schema.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "explain.hpp"
+#include "references.hpp"
+#include "schema_texts.hpp"
+#include "shown.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+using valijson::adapters::NlohmannJsonAdapter;
+
+struct CompiledSchema {
+    json document;
+    valijson::Schema rules;
+};
+using Registry = std::map<std::string, CompiledSchema, std::less<>>;
+
+void compile(CompiledSchema& entry) {
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+        .populateSchema(NlohmannJsonAdapter(entry.document), entry.rules);
+}
+
+Registry compile_all() {
+    std::map<std::string, json, std::less<>> documents;
+    for (const SchemaText& source : schema_texts()) documents.emplace(source.name, json::parse(source.text));
+    Registry registry;
+    for (const auto& [name, document] : documents) {
+        CompiledSchema& entry = registry[name];
+        entry.document = inlined(document, documents.at("definitions")["definitions"]);
+        compile(entry);
+    }
+    return registry;
+}
+
+const CompiledSchema& compiled(std::string_view name) {
+    static const Registry registry = compile_all();
+    const auto at = registry.find(name);
+    if (at == registry.end()) throw std::out_of_range("There is no schema " + std::string(name) + ".");
+    return at->second;
+}
+
+bool conforms(const CompiledSchema& schema, const json& document, valijson::ValidationResults* results) {
+    valijson::Validator validator(valijson::Validator::kStrongTypes);
+    return validator.validate(schema.rules, NlohmannJsonAdapter(document), results);
+}
+
+/// valijson's own words, for what `explain` has none for.
+std::vector<Violation> plain_violations(const CompiledSchema& schema, const json& document) {
+    valijson::ValidationResults results;
+    conforms(schema, document, &results);
+    std::vector<Violation> violations;
+    for (const auto& error : results) {
+        std::string path;
+        for (std::size_t i = 1; i < error.context.size(); ++i) path += error.context[i];
+        violations.push_back({path, error.description});
+        if (violations.size() == max_violations) break;
+    }
+    if (violations.empty()) violations.push_back({"", "does not conform to its schema"});
+    return violations;
+}
+
+std::vector<Violation> violations(const CompiledSchema& rules, const json& document) {
+    // Without a place for results valijson stops at the first violation, however many a hostile document has.
+    if (conforms(rules, document, nullptr)) return {};
+    std::vector<Violation> found = explain(rules.document, document);
+    return found.empty() ? plain_violations(rules, document) : found;
+}
+
+}  // namespace
+
+const std::vector<std::string>& method_names() {
+    static const std::vector<std::string> names{"server.info",   "server.health", "server.describe", "ic.get",
+                                                "contact.solve", "job.list",      "job.cancel"};
+    return names;
+}
+
+const json& schema(std::string_view name) {
+    return compiled(name).document;
+}
+
+std::vector<Violation> violations_of(std::string_view schema_name, const json& document) {
+    return violations(compiled(schema_name), document);
+}
+
+std::vector<Violation> violations_against(const json& schema, const json& document) {
+    CompiledSchema rules;
+    rules.document = schema;
+    compile(rules);
+    return violations(rules, document);
+}
+
+void check_params(const std::string& method, const json& params) {
+    const auto& known = method_names();
+    if (std::find(known.begin(), known.end(), method) == known.end())
+        throw StatusError(StatusCode::unimplemented, reason::unknown_method,
+                          "There is no method \"" + shortened(method) + "\"; there are " + listed(known) + ".");
+    std::vector<Violation> violations = violations_of(method + ".params", params);
+    if (violations.empty()) return;
+    const bool about_arrays = std::all_of(violations.begin(), violations.end(), [](const Violation& violation) {
+        return violation.field.find(".$array") != std::string::npos;
+    });
+    std::string message;
+    for (const Violation& violation : violations)
+        message += (message.empty() ? "" : "; ") + violation.field + " " + violation.description;
+    throw StatusError(Status{StatusCode::invalid_argument, std::move(message),
+                             std::string(about_arrays ? reason::array_invalid : reason::field_invalid),
+                             std::move(violations), 0});
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,15 @@
+// The files of proto/schema as they were when the library was built.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace contactd::proto {
+
+struct SchemaText {
+    std::string_view name;  ///< of the file, without ".json"
+    std::string_view text;
+};
+const std::vector<SchemaText>& schema_texts();
+
+}  // namespace contactd::proto

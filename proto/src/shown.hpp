@@ -1,0 +1,25 @@
+// How a value or a name of a request is quoted in an error message.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace contactd::proto {
+
+/// Longest quotation of something the sender wrote, in bytes.
+inline constexpr std::size_t max_shown = 60;
+
+/// At most `limit` bytes, cut between characters and marked when cut; control characters become spaces.
+std::string shortened(std::string_view text, std::size_t limit = max_shown);
+
+/// A scalar as JSON, shortened; lists and objects by their kind and size.
+std::string shown(const nlohmann::json& value);
+
+/// "a, b, c"
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace contactd::proto

@@ -1,0 +1,91 @@
+#include "contactd/proto/status.hpp"
+
+#include <array>
+#include <utility>
+
+namespace contactd::proto {
+namespace {
+
+constexpr std::array<std::string_view, 17> names{
+    "OK",        "CANCELLED",       "UNKNOWN",           "INVALID_ARGUMENT",   "DEADLINE_EXCEEDED",
+    "NOT_FOUND", "ALREADY_EXISTS",  "PERMISSION_DENIED", "RESOURCE_EXHAUSTED", "FAILED_PRECONDITION",
+    "ABORTED",   "OUT_OF_RANGE",    "UNIMPLEMENTED",     "INTERNAL",           "UNAVAILABLE",
+    "DATA_LOSS", "UNAUTHENTICATED",
+};
+
+[[noreturn]] void no_status(const std::string& problem) {
+    throw StatusError(StatusCode::unknown, reason::unexpected, "The reply's status " + problem + ".");
+}
+
+std::string text_of(const nlohmann::json& object, const char* key) {
+    const auto at = object.find(key);
+    if (at == object.end()) return {};
+    if (!at->is_string()) no_status(std::string("has a ") + key + " that is no text");
+    return at->get<std::string>();
+}
+
+std::vector<Violation> violations_from(const nlohmann::json& details) {
+    std::vector<Violation> violations;
+    const auto at = details.find("violations");
+    if (at == details.end()) return violations;
+    if (!at->is_array()) no_status("has violations that are no list");
+    for (const auto& entry : *at) {
+        if (!entry.is_object()) no_status("has a violation that is no object");
+        violations.push_back({text_of(entry, "field"), text_of(entry, "description")});
+    }
+    return violations;
+}
+
+int retry_delay_from(const nlohmann::json& details) {
+    const auto at = details.find("retry_delay_ms");
+    if (at == details.end()) return 0;
+    if (!at->is_number_integer() || *at < 0 || *at > 86'400'000) no_status("has a retry_delay_ms that is no delay");
+    return at->get<int>();
+}
+
+}  // namespace
+
+std::string_view name_of(StatusCode code) {
+    const auto index = static_cast<std::size_t>(code);
+    return index < names.size() ? names[index] : names[2];
+}
+
+nlohmann::json to_json(const Status& status) {
+    nlohmann::json json{
+        {"code", static_cast<int>(status.code)}, {"name", name_of(status.code)}, {"message", status.message}};
+    nlohmann::json details = nlohmann::json::object();
+    if (!status.reason.empty()) details["reason"] = status.reason;
+    for (const Violation& violation : status.violations)
+        details["violations"].push_back({{"field", violation.field}, {"description", violation.description}});
+    if (status.retry_delay_ms > 0) details["retry_delay_ms"] = status.retry_delay_ms;
+    if (!details.empty()) json["details"] = std::move(details);
+    return json;
+}
+
+Status status_from_json(const nlohmann::json& json) {
+    if (!json.is_object()) no_status("is no object");
+    const auto code = json.find("code");
+    if (code == json.end() || !code->is_number_integer() || *code < 0 || *code >= static_cast<int>(names.size()))
+        no_status("has no code from 0 to 16");
+    Status status;
+    status.code = static_cast<StatusCode>(code->get<int>());
+    status.message = text_of(json, "message");
+    if (const auto details = json.find("details"); details != json.end()) {
+        if (!details->is_object()) no_status("has details that are no object");
+        status.reason = text_of(*details, "reason");
+        status.violations = violations_from(*details);
+        status.retry_delay_ms = retry_delay_from(*details);
+    }
+    return status;
+}
+
+StatusError::StatusError(StatusCode code, std::string_view reason, std::string message)
+    : StatusError(Status{code, std::move(message), std::string(reason), {}, 0}) {}
+
+StatusError invalid_field(std::string field, const std::string& problem, std::string_view why) {
+    Status status{StatusCode::invalid_argument, field + " " + problem, std::string(why), {}, 0};
+    status.violations.push_back({std::move(field), problem});
+    return StatusError(std::move(status));
+}
+
+}  // namespace contactd::proto

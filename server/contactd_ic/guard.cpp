@@ -1,0 +1,100 @@
+#include "guard.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/eventfd.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+
+namespace contactd::ic {
+namespace {
+
+constexpr int signal_base = 128;  // exit status of a program ended by signal n is 128 + n, as shells have it
+constexpr auto patience = std::chrono::seconds(2);
+
+sigset_t ending_signals() {
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&set, signal);
+    return set;
+}
+
+/// Takes what is there; true when it was the end.
+bool input_has_ended(short events) {
+    if (events & POLLNVAL) return true;
+    std::array<char, 256> ignored;
+    const ssize_t size = ::read(STDIN_FILENO, ignored.data(), ignored.size());
+    return size == 0 || (size < 0 && errno != EINTR && errno != EAGAIN);
+}
+
+}  // namespace
+
+void hold_signals_back() {
+    const sigset_t set = ending_signals();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+}
+
+Guard::Guard(Lines& lines, bool silent) : lines_(lines), silent_(silent) {
+    const sigset_t set = ending_signals();
+    signals_ = ::signalfd(-1, &set, SFD_CLOEXEC);
+    wake_ = ::eventfd(0, EFD_CLOEXEC);
+    if (signals_ < 0 || wake_ < 0) throw Error("Cannot watch for signals: no file descriptor is left.");
+    thread_ = std::thread([this] { watch(); });
+}
+
+Guard::~Guard() {
+    stand_down();
+    thread_.join();
+    ::close(signals_);
+    ::close(wake_);
+}
+
+void Guard::watch_standard_input() {
+    watching_input_ = true;
+    ::eventfd_write(wake_, 1);
+}
+
+void Guard::stand_down() {
+    standing_down_ = true;
+    ::eventfd_write(wake_, 1);
+}
+
+void Guard::watch() {
+    while (!standing_down_) {
+        // A negative descriptor is passed over by poll.
+        std::array<pollfd, 3> watched{
+            {{wake_, POLLIN, 0}, {signals_, POLLIN, 0}, {watching_input_ ? STDIN_FILENO : -1, POLLIN, 0}}};
+        if (::poll(watched.data(), watched.size(), -1) < 0) continue;
+        if (standing_down_) return;
+        if (watched[0].revents != 0) {
+            eventfd_t ignored;
+            ::eventfd_read(wake_, &ignored);
+        }
+        if (watched[1].revents != 0) {
+            signalfd_siginfo info{};
+            if (::read(signals_, &info, sizeof info) == sizeof info) {
+                const auto signal = static_cast<int>(info.ssi_signo);
+                end(signal_base + signal, signal == SIGTERM  ? "The build was ended by SIGTERM."
+                                          : signal == SIGINT ? "The build was ended by SIGINT."
+                                                             : "The build was ended by SIGHUP.");
+            }
+        }
+        if (watched[2].revents != 0 && input_has_ended(watched[2].revents))
+            end(signal_base + SIGHUP, "The build was ended because its standard input was closed.");
+    }
+}
+
+void Guard::end(int exit_code, const char* why) {
+    // A file that is being written is finished, one that is not is not begun: the lock goes only with the process.
+    const std::unique_lock<std::timed_mutex> file(writing_, patience);
+    if (standing_down_) return;
+    ::signal(SIGPIPE, SIG_IGN);
+    if (!silent_) lines_.write_error_unless_stuck(why);
+    ::_exit(exit_code);
+}
+
+}  // namespace contactd::ic

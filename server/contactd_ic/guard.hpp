@@ -1,0 +1,47 @@
+// Ends the program at once, whatever MFEM and hypre are doing, when it is told to (SIGTERM, SIGINT, SIGHUP) or when
+// nobody is left who waits for it (end of standard input, --exit-with-stdin). Under mpirun the others follow, because a
+// process that leaves without MPI_Finalize takes all with it.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "lines.hpp"
+
+namespace contactd::ic {
+
+/// Holds the signals back in this thread and all that it starts, so that only the guard sees them. To be called before
+/// MPI starts threads of its own.
+void hold_signals_back();
+
+class Guard {
+   public:
+    /// With `silent` the guard ends the program without a word: among several processes the first words are those of
+    /// the one that failed, and the launcher's signals to the others must not cover them.
+    Guard(Lines& lines, bool silent);
+    ~Guard();
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+    /// From now on the end of standard input ends the program.
+    void watch_standard_input();
+    /// From now on nothing ends the program: the result is there and said to be.
+    void stand_down();
+    /// Held while the result is written: the guard waits for it a while, so that no temporary file stays behind.
+    std::timed_mutex& writing() { return writing_; }
+
+   private:
+    void watch();
+    void end(int exit_code, const char* why);  ///< returns only when standing down
+
+    Lines& lines_;
+    bool silent_;
+    std::timed_mutex writing_;
+    std::atomic<bool> watching_input_ = false;
+    std::atomic<bool> standing_down_ = false;
+    int signals_ = -1, wake_ = -1;
+    std::thread thread_;
+};
+
+}  // namespace contactd::ic

@@ -1,0 +1,53 @@
+#include "lines.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "contactd/proto/message.hpp"
+
+namespace contactd::ic {
+namespace {
+
+constexpr auto shortest_interval = std::chrono::milliseconds(50);
+constexpr auto patience = std::chrono::milliseconds(200);
+
+nlohmann::json error_line(const std::string& field, const std::string& message) {
+    return {{"error", {{"field", field}, {"message", message}}}};
+}
+
+}  // namespace
+
+void Lines::write(const nlohmann::json& line) {
+    const std::string text = proto::dump(line) + "\n";
+    const std::lock_guard lock(mutex_);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+}
+
+void Lines::write_error(const std::string& field, const std::string& message) {
+    std::fprintf(stderr, "contactd-ic: %s\n", message.c_str());
+    write(error_line(field, message));
+}
+
+void Lines::write_error_unless_stuck(const std::string& message) {
+    const std::unique_lock<std::timed_mutex> lock(mutex_, patience);
+    pollfd output{STDOUT_FILENO, POLLOUT, 0};
+    if (!lock.owns_lock() || ::poll(&output, 1, 0) != 1 || !(output.revents & POLLOUT)) return;
+    const std::string text = proto::dump(error_line("", message)) + "\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
+}
+
+void ProgressLines::on_progress(const Progress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    if (progress.stage == stage_ && now < next_) return;
+    stage_ = progress.stage;
+    next_ = now + shortest_interval;
+    lines_.write({{"stage", stage_},
+                  {"fraction", progress.fraction},
+                  {"iteration", progress.iteration},
+                  {"residual", progress.residual}});
+}
+
+}  // namespace contactd::ic

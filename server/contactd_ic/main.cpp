@@ -1,0 +1,214 @@
+// contactd-ic: computes one table of influence coefficients and writes it as an IC file.
+//
+//     contactd-ic spec.json --output table.h5
+//     mpirun -np 4 contactd-ic spec.json --output table.h5
+//
+// spec.json holds the parameters of ic.get (docs/protocol.md):
+//
+//     {"material": {"G": 82000, "nu": 0.28},
+//      "grid": {"nx": 10, "ny": 10, "dx": 0.8, "dy": 0.8},
+//      "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}}
+//
+// The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
+// line: {"stage", "fraction", "iteration", "residual"}, at last {"done": true, "output", "evidence"} or
+// {"error": {"field", "message"}}. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve
+// did not converge; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else.
+// The file appears whole or not at all.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+#include "contactd/fem/ic_builder.hpp"
+#include "contactd/half_space.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/schema.hpp"
+#include "contactd/version.hpp"
+#include "guard.hpp"
+
+namespace contactd::ic {
+namespace {
+
+namespace fs = std::filesystem;
+enum ExitCode { success = 0, failure = 1, bad_input = 2, not_converged = 3 };
+
+struct Options {
+    std::string spec;
+    std::string output;
+    bool exit_with_stdin = false;
+};
+
+/// What every process knows: options, place among the others, and means to speak and to end.
+struct Context {
+    const Options& options;
+    const fem::Runtime& runtime;
+    Lines& lines;
+    Guard& guard;
+};
+
+/// `work` on the first process; its text, or its InvalidArgument or StoreError, on all of them.
+std::string on_first(const fem::Runtime& runtime, const std::function<std::string()>& work) {
+    std::string outcome, field;
+    char kind = '=';
+    if (runtime.rank() == 0) {
+        try {
+            outcome = work();
+        } catch (const InvalidArgument& error) {
+            kind = 'a';
+            field = error.field();
+            outcome = std::string(error.what()).substr(field.size() + 1);
+        } catch (const StoreError& error) {
+            kind = 's';
+            outcome = error.what();
+        }
+    }
+    outcome = runtime.broadcast(kind + outcome);
+    field = runtime.broadcast(field);
+    kind = outcome.front();
+    outcome.erase(0, 1);
+    if (kind == 'a') throw InvalidArgument(field, outcome);
+    if (kind == 's') throw StoreError(outcome);
+    return outcome;
+}
+
+/// The first line, or everything. Unbuffered, because the guard goes on reading where this ends.
+std::string read_standard_input(bool first_line_only) {
+    std::string text;
+    char c;
+    while (::read(STDIN_FILENO, &c, 1) == 1) {
+        if (first_line_only && c == '\n') break;
+        text += c;
+    }
+    return text;
+}
+
+std::string read_spec(const Options& options) {
+    if (options.spec == "-") return read_standard_input(options.exit_with_stdin);
+    std::ifstream file(options.spec);
+    std::ostringstream text;
+    if (!(file && (text << file.rdbuf())))
+        throw InvalidArgument("SPEC",
+                              "is " + options.spec + "; there is no such file that can be read and is not empty");
+    return text.str();
+}
+
+IcSpec parse_spec(const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw InvalidArgument("SPEC", "is not JSON; it must hold the parameters of ic.get");
+    if (!json.is_object()) throw InvalidArgument("SPEC", "is no JSON object; it must hold the parameters of ic.get");
+    proto::check_params("ic.get", json);
+    const IcSpec spec = proto::decode_ic_spec(json);
+    validate(spec);
+    return spec;
+}
+
+void check_output(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+        throw InvalidArgument("--output", "is " + path.string() + "; its folder does not exist");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw InvalidArgument("--output", "is " + path.string() + "; its folder cannot be written to");
+    if (fs::is_directory(path, error)) throw InvalidArgument("--output", "is " + path.string() + ", a folder");
+}
+
+IcRecord make_record(const Context& context, const IcSpec& spec) {
+    if (spec.source == IcSource::fem) {
+        ProgressLines progress(context.lines);
+        return fem::build_ic_table(spec, progress);
+    }
+    IcRecord record;
+    record.spec = dimensionless(spec);
+    record.table = half_space_table(record.spec);
+    record.evidence.source = "analytic";
+    record.evidence.version = "contactd " + version();
+    record.evidence.processes = context.runtime.processes();
+    return record;
+}
+
+void run(const Context& context) {
+    const Options& options = context.options;
+    const std::string text = on_first(context.runtime, [&] {
+        std::string read = read_spec(options);
+        // Under mpirun standard input belongs to the first process; the others follow its end.
+        if (options.exit_with_stdin) context.guard.watch_standard_input();
+        return read;
+    });
+    const IcSpec spec = parse_spec(text);
+    on_first(context.runtime, [&] {
+        check_output(options.output);
+        return std::string();
+    });
+    const IcRecord record = make_record(context, spec);
+    on_first(context.runtime, [&] {
+        const std::lock_guard lock(context.guard.writing());
+        write_ic_file(options.output, record);
+        context.guard.stand_down();
+        return std::string();
+    });
+    if (context.runtime.rank() == 0)
+        context.lines.write(
+            {{"done", true}, {"output", options.output}, {"evidence", proto::encode_evidence(record.evidence)}});
+}
+
+int guarded_run(const Context& context) {
+    const auto everywhere = [&](const std::string& field, const char* message, int code) {
+        if (context.runtime.rank() == 0) context.lines.write_error(field, message);
+        return code;
+    };
+    try {
+        run(context);
+        return success;
+    } catch (const proto::StatusError& error) {
+        const auto& violations = error.status().violations;
+        return everywhere(violations.empty() ? "" : violations.front().field, error.what(), bad_input);
+    } catch (const InvalidArgument& error) {
+        return everywhere(error.field(), error.what(), bad_input);
+    } catch (const NotConverged& error) {
+        return everywhere("", error.what(), not_converged);
+    } catch (const StoreError& error) {
+        return everywhere("", error.what(), failure);
+    } catch (const std::bad_alloc&) {
+        context.lines.write_error("", "The build ran out of memory.");
+    } catch (const std::exception& error) {  // of MFEM or hypre, and perhaps on this process alone
+        context.lines.write_error("", std::string("The build failed: ") + error.what());
+    }
+    if (context.runtime.processes() > 1) context.runtime.abort(failure);
+    return failure;
+}
+
+}  // namespace
+}  // namespace contactd::ic
+
+int main(int argc, char** argv) {
+    using namespace contactd;
+    ic::hold_signals_back();
+    const fem::Runtime runtime(argc, argv);
+
+    ic::Options options;
+    CLI::App app("Computes one table of influence coefficients and writes it as an IC file.", "contactd-ic");
+    app.add_option("SPEC", options.spec,
+                   "JSON file with the parameters of ic.get; - reads standard input (its first line with "
+                   "--exit-with-stdin)")
+        ->required();
+    app.add_option("-o,--output", options.output, "The file to write; it appears whole or not at all")->required();
+    app.add_flag("--exit-with-stdin", options.exit_with_stdin,
+                 "End at once when standard input ends: whoever started the build is gone");
+    app.set_version_flag("--version", fem::fem_version());
+
+    ic::Lines lines;
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked_for_help) {
+        return runtime.rank() == 0 ? app.exit(asked_for_help) : 0;
+    } catch (const CLI::ParseError& error) {
+        if (runtime.rank() == 0) lines.write_error("", error.what());
+        return ic::bad_input;
+    }
+    ic::Guard guard(lines, runtime.processes() > 1);
+    return ic::guarded_run({options, runtime, lines, guard});
+}

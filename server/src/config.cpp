@@ -1,0 +1,101 @@
+#include "config.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "config_schema.hpp"
+#include "contactd/error.hpp"
+#include "contactd/proto/schema.hpp"
+
+namespace contactd::server {
+namespace {
+
+using nlohmann::json;
+
+const json& config_schema() {
+    static const json schema = json::parse(config_schema_text);
+    return schema;
+}
+
+/// `value` with the defaults that the schema states for what is missing.
+json with_defaults(const json& schema, json value) {
+    const auto properties = schema.find("properties");
+    if (properties == schema.end()) return value;
+    for (const auto& [name, property] : properties->items())
+        value[name] = with_defaults(property, value.contains(name) ? value[name] : property.at("default"));
+    return value;
+}
+
+std::filesystem::path default_store_folder() {
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
+        return std::filesystem::path(cache) / "contactd" / "store";
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return std::filesystem::path(home) / ".cache" / "contactd" / "store";
+    throw Error("store.folder is empty and neither XDG_CACHE_HOME nor HOME says where it could be; name a folder.");
+}
+
+std::filesystem::path default_builder() {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "contactd-ic";
+}
+
+}  // namespace
+
+Config config_from_json(const json& given) {
+    std::string problems;
+    for (const auto& [field, description] : proto::violations_against(config_schema(), given))
+        problems += (problems.empty() ? "" : "\n  ") + field + " " + description;
+    if (!problems.empty()) throw Error("The configuration cannot be used:\n  " + problems);
+
+    const json all = with_defaults(config_schema(), given);
+    Config config;
+    config.endpoint = all["endpoint"];
+    config.workers = all["workers"];
+    const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
+    config.store = {folder.empty() ? default_store_folder() : std::filesystem::path(folder),
+                    all["store"]["memory_budget_bytes"]};
+    config.builds = {all["builds"]["concurrent"], all["builds"]["launcher"],
+                     program.empty() ? default_builder() : std::filesystem::path(program)};
+    const json& limits = all["limits"];
+    config.limits = {limits["max_frame_bytes"], limits["max_frames"], limits["max_message_bytes"],
+                     limits["max_array_elements"]};
+    config.max_grid_elements = limits["max_grid_elements"];
+    config.max_queue = limits["max_queue"];
+    config.log = {all["log"]["level"], all["log"]["file"].get<std::string>()};
+    return config;
+}
+
+Config config_from_file(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) throw Error("The configuration " + path.string() + " cannot be read.");
+    try {
+        return config_from_json(json::parse(text.str()));
+    } catch (const json::exception& error) {
+        throw Error("The configuration " + path.string() + " is no JSON: " + error.what());
+    } catch (const Error& error) {
+        throw Error(path.string() + ": " + error.what());
+    }
+}
+
+json to_json(const Config& config) {
+    return {{"endpoint", config.endpoint},
+            {"workers", config.workers},
+            {"store",
+             {{"folder", config.store.folder.string()}, {"memory_budget_bytes", config.store.memory_budget_bytes}}},
+            {"builds",
+             {{"concurrent", config.builds.concurrent},
+              {"launcher", config.builds.launcher},
+              {"program", config.builds.program.string()}}},
+            {"limits",
+             {{"max_frame_bytes", config.limits.max_frame_bytes},
+              {"max_frames", config.limits.max_frames},
+              {"max_message_bytes", config.limits.max_message_bytes},
+              {"max_array_elements", config.limits.max_array_elements},
+              {"max_grid_elements", config.max_grid_elements},
+              {"max_queue", config.max_queue}}},
+            {"log", {{"level", config.log.level}, {"file", config.log.file.string()}}}};
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,45 @@
+// The daemon's configuration: one JSON file, checked against configs/schema.json before anything runs.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/proto/message.hpp"
+
+namespace contactd::server {
+
+/// Field by field as in configs/schema.json, where every default stands too.
+struct Config {
+    std::string endpoint;
+    int workers;
+    struct {
+        std::filesystem::path folder;
+        std::size_t memory_budget_bytes;
+    } store;
+    struct {
+        int concurrent;
+        std::vector<std::string> launcher;
+        std::filesystem::path program;
+    } builds;
+    proto::Limits limits;
+    std::size_t max_grid_elements;
+    std::size_t max_queue;
+    struct {
+        std::string level;
+        std::filesystem::path file;
+    } log;
+};
+
+/// Throws contactd::Error with every problem found, naming field, value and what would be right. `{}` gives the
+/// defaults.
+Config config_from_json(const nlohmann::json& json);
+Config config_from_file(const std::filesystem::path& path);
+
+/// The configuration with its defaults filled in, as config_from_json reads it.
+nlohmann::json to_json(const Config& config);
+
+}  // namespace contactd::server

@@ -1,0 +1,136 @@
+#include "contact_solve.hpp"
+
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "contactd/convolution.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/tangential.hpp"
+
+namespace contactd::server {
+namespace {
+
+using Clock = Call::Clock;
+
+/// Short solves need no progress: the first message comes after this time, and then one in each interval.
+constexpr auto progress_interval = std::chrono::milliseconds(200);
+
+/// Hands progress to the job and to the caller; ends the solve when the job is cancelled or nobody waits any more.
+class SolveObserver final : public Observer {
+   public:
+    SolveObserver(const CallPtr& call, Job& job) : call_(call), job_(job) {}
+
+    void on_progress(const Progress& progress) override {
+        const auto now = Clock::now();
+        if (now - last_ < progress_interval) return;
+        last_ = now;
+        const JobProgress shown{std::string(progress.stage), progress.fraction, progress.iteration, progress.residual};
+        job_.set_progress(shown);
+        call_->progress(to_json(job_, shown));
+    }
+    bool cancelled() const override { return job_.cancelled() || call_->answered(); }
+
+   private:
+    const CallPtr& call_;
+    Job& job_;
+    Clock::time_point last_ = Clock::now();
+};
+
+/// A solve on its way: first the table of the upper body, then that of the lower, then the worker.
+struct Solve {
+    CallPtr call;
+    ContactProblem problem;
+    std::shared_ptr<Job> job;
+    std::array<IcAnswer, 2> ics;  // upper, lower
+};
+using SolvePtr = std::shared_ptr<Solve>;
+
+IcSpec spec_of(const ContactProblem& problem, const Material& material) {
+    IcSpec spec;
+    spec.material = material;
+    spec.dx = problem.grid.dx;
+    spec.dy = problem.grid.dy;
+    spec.nx = problem.grid.nx;
+    spec.ny = problem.grid.ny;
+    spec.load_shape = problem.load_shape;
+    spec.source = problem.ic_source;
+    spec.fem = problem.fem;
+    return spec;
+}
+
+IcTable table_of(const IcAnswer& answer, const ContactProblem& problem, const Material& material) {
+    return scaled(cropped(answer.record->table, problem.grid.nx, problem.grid.ny), problem.grid.dx / material.G);
+}
+
+void solve(const SolvePtr& work) {
+    const CallPtr& call = work->call;
+    const ContactProblem& problem = work->problem;
+    SolveObserver observer(call, *work->job);
+    observer.throw_if_cancelled();
+    work->job->set_running();
+    const ConvolutionOperator influence(pair_of(table_of(work->ics[0], problem, problem.bodies.upper),
+                                                table_of(work->ics[1], problem, problem.bodies.lower)),
+                                        problem.grid.nx, problem.grid.ny);
+    proto::SolveReply reply;
+    reply.solution = solve_contact(problem, influence, observer);
+    reply.upper = {work->ics[0].origin, work->ics[0].key, work->ics[0].record->evidence};
+    reply.lower = {work->ics[1].origin, work->ics[1].key, work->ics[1].record->evidence};
+    proto::ArrayWriter arrays(call->request.arrays);
+    const nlohmann::json result = proto::encode_solve_reply(reply, problem.grid, arrays);
+    work->job->end();
+    call->succeed(result, arrays.take_frames());
+}
+
+void fail(const SolvePtr& work, const proto::Status& status) {
+    work->job->end();
+    work->call->fail(status);
+}
+
+void run_solve(const SolvePtr& work) {
+    try {
+        solve(work);
+    } catch (const std::exception& error) {
+        fail(work, status_of(error));
+    }
+}
+
+void fetch(const SolvePtr& work, std::size_t body, IcService& ics, WorkerPool& workers) {
+    if (body == work->ics.size()) return workers.post([work] { run_solve(work); });
+    const BodyPair& bodies = work->problem.bodies;
+    if (body == 1 && bodies.lower.nu == bodies.upper.nu) {  // dimensionless tables know nothing but nu
+        work->ics[1] = work->ics[0];
+        return fetch(work, 2, ics, workers);
+    }
+    ics.request(
+        spec_of(work->problem, body == 0 ? bodies.upper : bodies.lower),
+        {[work, body, &ics, &workers](const IcAnswer& answer) {
+             work->ics[body] = answer;
+             guarded(work->call, [&] { fetch(work, body + 1, ics, workers); });
+         },
+         [work](const proto::Status& status) { fail(work, status); },
+         [work](const Job& job, const JobProgress& progress) { work->call->progress(to_json(job, progress)); }});
+}
+
+}  // namespace
+
+void start_solve(const CallPtr& call, IcService& ics, WorkerPool& workers, JobTable& jobs) {
+    auto work = std::make_shared<Solve>();
+    work->call = call;
+    work->problem = proto::decode_problem(call->request.params, call->request.frames);
+    proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
+    const ContactProblem& problem = work->problem;
+    validate(problem);
+    validate(spec_of(problem, problem.bodies.upper));
+    if (problem.friction && !problem.bodies.quasi_identical())
+        throw proto::StatusError(
+            proto::StatusCode::failed_precondition, proto::reason::bodies_coupled,
+            "bodies.lower differs from bodies.upper so that normal and tangential contact influence "
+            "each other, (1-2nu)/G being unequal; with friction this is not solved yet. Leave out "
+            "friction, or take quasi-identical bodies.");
+    work->job = jobs.create("solve", [call] { call->fail(status_of(Cancelled("The solve was cancelled."))); });
+    fetch(work, 0, ics, workers);
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,236 @@
+#include "endpoint.hpp"
+
+#include <poll.h>
+#include <spdlog/spdlog.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <utility>
+
+#include "contactd/error.hpp"
+
+namespace contactd::server {
+
+using Clock = Call::Clock;
+using proto::Status;
+using proto::StatusCode;
+
+namespace {
+
+/// Envelopes up to this size are read by the I/O thread itself; larger ones would keep others waiting.
+constexpr std::size_t small_envelope = 64 << 10;
+constexpr int messages_per_turn = 64;
+constexpr int queue_retry_ms = 500;
+constexpr int backlog_poll_ms = 20;
+constexpr int linger_ms = 500;
+
+constexpr std::string_view ipc_prefix = "ipc://";
+
+/// The file of an ipc endpoint; empty for others, abstract names among them.
+std::string socket_file(const std::string& endpoint) {
+    if (!endpoint.starts_with(ipc_prefix) || endpoint.starts_with("ipc://@")) return {};
+    return endpoint.substr(ipc_prefix.size());
+}
+
+/// True when a process accepts connections at the Unix socket `file`.
+bool somebody_listens(const std::string& file) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    if (file.size() >= sizeof address.sun_path) return false;
+    std::copy(file.begin(), file.end(), address.sun_path);
+    const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const bool accepted = ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    ::close(fd);
+    return accepted;
+}
+
+void bind(zmq::socket_t& socket, const std::string& endpoint) {
+    // ZeroMQ would take the path over from a daemon that still listens there.
+    if (const std::string file = socket_file(endpoint); !file.empty() && somebody_listens(file))
+        throw Error("endpoint is \"" + endpoint + "\"; another process listens there already.");
+    const mode_t previous = ::umask(0077);  // an ipc socket is for this user only
+    try {
+        socket.bind(endpoint);
+        ::umask(previous);
+    } catch (const zmq::error_t& error) {
+        ::umask(previous);
+        throw Error("endpoint is \"" + endpoint + "\"; it cannot be listened at: " + error.what() + ".");
+    }
+}
+
+Status queue_full() {
+    return {StatusCode::resource_exhausted,
+            "Too many requests wait for an answer; try again later.",
+            std::string(proto::reason::queue_full),
+            {},
+            queue_retry_ms};
+}
+
+}  // namespace
+
+Endpoint::Endpoint(const Config& config, Service& service)
+    : config_(config),
+      service_(service),
+      socket_(context_, zmq::socket_type::router),
+      outbox_(socket_, 2 * config.limits.max_message_bytes) {
+    socket_.set(zmq::sockopt::router_mandatory, true);
+    socket_.set(zmq::sockopt::linger, linger_ms);
+    // A frame above this costs its sender the connection, without a word; up to it we can answer in words.
+    socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(2 * config.limits.max_frame_bytes));
+    bind(socket_, config.endpoint);
+}
+
+Endpoint::~Endpoint() {
+    const std::string file = socket_file(address());
+    if (!file.empty()) ::unlink(file.c_str());  // ZeroMQ leaves it
+}
+
+std::string Endpoint::address() const {
+    return socket_.get(zmq::sockopt::last_endpoint);
+}
+
+void Endpoint::run(int signal_fd) {
+    std::array<zmq::pollitem_t, 3> items{{{socket_.handle(), 0, ZMQ_POLLIN, 0},
+                                          {nullptr, mailbox_.fd(), ZMQ_POLLIN, 0},
+                                          {nullptr, signal_fd, ZMQ_POLLIN, 0}}};
+    for (;;) {
+        zmq::poll(items, std::chrono::milliseconds(poll_milliseconds()));
+        deliver();
+        if (items[0].revents & ZMQ_POLLIN) receive();
+        end_overdue();
+        if (items[2].revents & ZMQ_POLLIN) {
+            signalfd_siginfo signal{};
+            if (::read(signal_fd, &signal, sizeof signal) == sizeof signal)
+                spdlog::info("ending on {}", ::strsignal(static_cast<int>(signal.ssi_signo)));
+            return stop();
+        }
+    }
+}
+
+// --- in --------------------------------------------------------------------------------------------------------------
+
+void Endpoint::receive() {
+    for (int n = 0; n < messages_per_turn; ++n) {
+        zmq::message_t part;
+        if (!socket_.recv(part, zmq::recv_flags::dontwait)) return;
+        Route route{part.to_string(), false};
+        std::vector<std::string> frames;
+        std::size_t count = 0;
+        while (part.more()) {
+            if (!socket_.recv(part, zmq::recv_flags::none)) break;
+            if (count == 0 && frames.empty() && part.size() == 0 && part.more() && !route.empty_delimiter) {
+                route.empty_delimiter = true;
+                continue;
+            }
+            // One more than allowed is kept, for the limit check to see; the rest is not worth its memory.
+            if (++count <= config_.limits.max_frames + 1) frames.push_back(part.to_string());
+        }
+        std::string envelope = frames.empty() ? std::string() : std::move(frames.front());
+        if (!frames.empty()) frames.erase(frames.begin());
+        accept(std::move(route), std::move(envelope), std::move(frames));
+    }
+}
+
+void Endpoint::accept(Route route, std::string envelope, std::vector<std::string> frames) {
+    const auto received = Clock::now();
+    const bool is_small = envelope.size() <= small_envelope;
+    ++service_.counters().requests;
+    if (!is_small && parsing_ >= static_cast<int>(config_.max_queue))
+        return mailbox_.put(refusal(std::move(route), "", queue_full()));
+    auto parse = [this, received, route = std::move(route), envelope = std::move(envelope),
+                  frames = std::move(frames)]() mutable {
+        std::string id;
+        try {
+            open_call(route, proto::parse_request(envelope, std::move(frames), config_.limits, id), received);
+        } catch (const std::exception& error) {
+            mailbox_.put(refusal(route, id, status_of(error)));
+        }
+    };
+    if (is_small) return parse();
+    ++parsing_;
+    service_.defer([this, parse = std::move(parse)]() mutable {
+        parse();
+        --parsing_;
+    });
+}
+
+void Endpoint::open_call(Route route, proto::Request request, Clock::time_point received) {
+    auto call = std::make_shared<Call>(std::move(route), std::move(request), received,
+                                       [this](Answer answer) { mailbox_.put(std::move(answer)); });
+    if (!service_.is_quick(call->request.method)) {
+        const std::scoped_lock lock(mutex_);
+        std::erase_if(open_, [](const CallPtr& known) { return known->answered(); });
+        if (open_.size() >= config_.max_queue) return call->fail(queue_full());
+        open_.push_back(call);
+    }
+    service_.handle(std::move(call));
+}
+
+// --- out -------------------------------------------------------------------------------------------------------------
+
+void Endpoint::deliver() {
+    outbox_.flush();
+    for (Answer& answer : mailbox_.take_all()) {
+        if (!answer.is_progress) {
+            if (answer.status != "OK") ++service_.counters().requests_failed;
+            spdlog::info("request id={} method={} status={} ms={:.2f}", proto::dump(answer.id),
+                         proto::dump(answer.method), answer.status, answer.milliseconds);
+        }
+        outbox_.send(std::move(answer));
+    }
+}
+
+void Endpoint::end_overdue() {
+    const auto now = Clock::now();
+    std::vector<CallPtr> overdue;
+    {
+        const std::scoped_lock lock(mutex_);
+        std::erase_if(open_, [](const CallPtr& call) { return call->answered(); });
+        std::copy_if(open_.begin(), open_.end(), std::back_inserter(overdue),
+                     [&](const CallPtr& call) { return call->deadline() <= now; });
+    }
+    for (const CallPtr& call : overdue)
+        call->fail({StatusCode::deadline_exceeded,
+                    "The answer was not ready within " + std::to_string(call->request.timeout_ms) + " ms.",
+                    std::string(proto::reason::deadline_passed),
+                    {},
+                    0});
+}
+
+long Endpoint::poll_milliseconds() {
+    auto next = Clock::time_point::max();
+    {
+        const std::scoped_lock lock(mutex_);
+        for (const CallPtr& call : open_)
+            if (!call->answered()) next = std::min(next, call->deadline());
+    }
+    long wait = -1;
+    if (next != Clock::time_point::max())
+        wait =
+            std::max(0L, static_cast<long>(std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now()).count()));
+    if (!outbox_.empty()) wait = wait < 0 ? backlog_poll_ms : std::min<long>(wait, backlog_poll_ms);
+    return wait;
+}
+
+// --- the end ---------------------------------------------------------------------------------------------------------
+
+void Endpoint::stop() {
+    std::vector<CallPtr> open;
+    {
+        const std::scoped_lock lock(mutex_);
+        open.swap(open_);
+    }
+    for (const CallPtr& call : open) call->fail(Service::stop_status());
+    service_.begin_stop();
+    deliver();
+    service_.finish_stop();
+    deliver();
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,82 @@
+// Influence coefficients on request: memory cache, then store, then closed form or a build that everybody joins.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "builder.hpp"
+#include "contactd/ic_store.hpp"
+#include "contactd/proto/status.hpp"
+#include "counters.hpp"
+#include "ic_cache.hpp"
+#include "job.hpp"
+#include "worker_pool.hpp"
+
+namespace contactd::server {
+
+/// A dimensionless record that covers the request, and where it came from.
+struct IcAnswer {
+    std::shared_ptr<const IcRecord> record;
+    std::string key;
+    std::string origin;  ///< "closed_form", "memory", "disk" or "built"
+};
+
+/// Who asked. Called from any thread, `done` or `failed` exactly once.
+struct IcCaller {
+    std::function<void(const IcAnswer&)> done;
+    std::function<void(const proto::Status&)> failed;
+    std::function<void(const Job&, const JobProgress&)> progress;
+};
+
+class IcService {
+   public:
+    struct Settings {
+        BuilderCommand command;
+        int concurrent_builds = 1;
+        std::size_t memory_budget_bytes = 0;
+    };
+
+    IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters);
+    ~IcService();
+
+    /// Answers `caller` now or later. Takes milliseconds at most (disk, closed form): not for the I/O thread.
+    void request(const IcSpec& spec, IcCaller caller);
+
+    /// Ends running builds; their callers get `status`. No build starts afterwards.
+    void stop(const proto::Status& status);
+
+    IcCache::Usage cache_usage() const { return cache_.usage(); }
+    int builds_waiting() const { return builders_.waiting(); }
+    int builds_running() const { return builders_.running(); }
+
+   private:
+    struct Flight;
+    using FlightPtr = std::shared_ptr<Flight>;
+
+    void answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin);
+    FlightPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
+    void look_up(const FlightPtr& flight);
+    bool queue_build(const FlightPtr& flight);
+    void build(const FlightPtr& flight);
+    void cancel_queued(const FlightPtr& flight);
+    void land(const FlightPtr& flight, IcCache::Record record, const char* origin);
+    void crash(const FlightPtr& flight, const proto::Status& status);
+    std::vector<IcCaller> close(const FlightPtr& flight);
+    proto::Status cancelled_status();
+
+    const Settings settings_;
+    const IcStore store_;
+    JobTable& jobs_;
+    Counters& counters_;
+    IcCache cache_;
+    std::mutex mutex_;
+    std::vector<FlightPtr> flights_;  // looking up, queued or building
+    bool stopping_ = false;
+    proto::Status stop_status_;
+    WorkerPool builders_;  // last: its threads use everything above
+};
+
+}  // namespace contactd::server

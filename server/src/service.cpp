@@ -1,0 +1,225 @@
+#include "service.hpp"
+
+#include <spdlog/spdlog.h>
+#include <spdlog/version.h>
+#include <zmq.h>
+
+#include <cmath>
+
+#include "contact_solve.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/schema.hpp"
+#include "contactd/version.hpp"
+
+namespace contactd::server {
+
+using nlohmann::json;
+using proto::Status;
+using proto::StatusCode;
+using proto::StatusError;
+
+namespace {
+
+const Status& stopping_status() {
+    static const Status status{
+        StatusCode::unavailable, "The daemon is ending.", std::string(proto::reason::stopping), {}, 0};
+    return status;
+}
+
+IcStore open_store(const Config& config, Counters& counters) {
+    return IcStore(config.store.folder, [&counters](const std::string& sentence) {
+        ++counters.tables_set_aside;
+        spdlog::warn("store: {}", sentence);
+    });
+}
+
+json libraries() {
+    json versions = library_versions();
+    int major = 0, minor = 0, patch = 0;
+    zmq_version(&major, &minor, &patch);
+    versions["zeromq"] = std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+    versions["spdlog"] = std::to_string(SPDLOG_VER_MAJOR) + "." + std::to_string(SPDLOG_VER_MINOR) + "." +
+                         std::to_string(SPDLOG_VER_PATCH);
+    return versions;
+}
+
+double seconds_since(Call::Clock::time_point start) {
+    return std::chrono::duration<double>(Call::Clock::now() - start).count();
+}
+
+/// Grids are limited before anything the size of a grid is made of them. `params` has passed its schema.
+void check_grid_limit(const json& params, std::size_t most) {
+    const json& grid = params.at("grid");
+    const auto elements = grid.at("nx").get<long long>() * grid.at("ny").get<long long>();  // each at most 4e6
+    if (elements > static_cast<long long>(most))
+        throw proto::invalid_field("grid.nx",
+                                   "times ny is " + std::to_string(elements) + " elements; at most " +
+                                       std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                   proto::reason::limit_exceeded);
+}
+
+}  // namespace
+
+json to_json(const Job& job, const JobProgress& progress) {
+    return {{"job", job.name},
+            {"stage", progress.stage},
+            {"fraction", progress.fraction},
+            {"iteration", progress.iteration},
+            {"residual", std::isfinite(progress.residual) ? progress.residual : 0.0}};
+}
+
+Service::Service(const Config& config)
+    : config_(config),
+      methods_{{"server.info", {&Service::server_info, true}},
+               {"server.health", {&Service::server_health, true}},
+               {"server.describe", {&Service::server_describe, true}},
+               {"ic.get", {&Service::ic_get, false}},
+               {"contact.solve", {&Service::contact_solve, false}},
+               {"job.list", {&Service::job_list, true}},
+               {"job.cancel", {&Service::job_cancel, true}}},
+      ics_(
+          {{config.builds.launcher, config.builds.program}, config.builds.concurrent, config.store.memory_budget_bytes},
+          open_store(config, counters_), jobs_, counters_),
+      workers_(config.workers) {}
+
+bool Service::is_quick(const std::string& method) const {
+    const auto entry = methods_.find(method);
+    return entry == methods_.end() || entry->second.is_quick;
+}
+
+void Service::handle(CallPtr call) {
+    const auto entry = methods_.find(call->request.method);
+    const Method method = entry == methods_.end() ? nullptr : entry->second.method;
+    if (is_quick(call->request.method)) return run(method, call);
+    if (stopping_) return call->fail(stopping_status());
+    workers_.post([this, method, call = std::move(call)] {
+        if (!call->answered()) run(method, call);
+    });
+}
+
+void Service::run(Method method, const CallPtr& call) {
+    try {
+        proto::check_params(call->request.method, call->request.params);
+        if (is_quick(call->request.method)) proto::check_frames_used(call->request.params, call->request.frames);
+        (this->*method)(call);
+    } catch (const std::exception& error) {
+        const Status status = status_of(error);
+        if (status.code == StatusCode::internal) spdlog::error("{}: {}", call->request.method, error.what());
+        call->fail(status);
+    }
+}
+
+void Service::begin_stop() {
+    stopping_ = true;
+    for (const auto& job : jobs_.all()) job->cancel();
+}
+
+void Service::finish_stop() {
+    ics_.stop(stopping_status());
+    workers_.stop();
+}
+
+const Status& Service::stop_status() {
+    return stopping_status();
+}
+
+void Service::server_info(const CallPtr& call) {
+    json limits = proto::to_json(config_.limits);
+    limits["max_grid_elements"] = config_.max_grid_elements;
+    limits["max_queue"] = config_.max_queue;
+    const IcCache::Usage cache = ics_.cache_usage();
+    call->succeed({{"version", version()},
+                   {"protocol", proto::protocol_version},
+                   {"libraries", libraries()},
+                   {"limits", limits},
+                   {"counters",
+                    {{"requests", counters_.requests.load()},
+                     {"requests_failed", counters_.requests_failed.load()},
+                     {"solves", counters_.solves.load()},
+                     {"builds_started", counters_.builds_started.load()},
+                     {"builds_finished", counters_.builds_finished.load()},
+                     {"builds_failed", counters_.builds_failed.load()},
+                     {"builds_cancelled", counters_.builds_cancelled.load()},
+                     {"builds_joined", counters_.builds_joined.load()},
+                     {"memory_hits", counters_.memory_hits.load()},
+                     {"disk_hits", counters_.disk_hits.load()},
+                     {"closed_form", counters_.closed_form.load()},
+                     {"tables_set_aside", counters_.tables_set_aside.load()}}},
+                   {"cache", {{"tables", cache.tables}, {"bytes", cache.bytes}, {"budget_bytes", cache.budget_bytes}}},
+                   {"queue",
+                    {{"solves_waiting", workers_.waiting()},
+                     {"solves_running", workers_.running()},
+                     {"builds_waiting", ics_.builds_waiting()},
+                     {"builds_running", ics_.builds_running()}}},
+                   {"uptime_seconds", seconds_since(started_)}});
+}
+
+void Service::server_health(const CallPtr& call) {
+    call->succeed({{"state", stopping_ ? "stopping" : "serving"}});
+}
+
+void Service::server_describe(const CallPtr& call) {
+    call->succeed(proto::openrpc());
+}
+
+void Service::ic_get(const CallPtr& call) {
+    proto::check_frames_used(call->request.params, call->request.frames);
+    check_grid_limit(call->request.params, config_.max_grid_elements);
+    const IcSpec spec = proto::decode_ic_spec(call->request.params);
+    validate(spec);
+    ics_.request(spec,
+                 {[call, spec](const IcAnswer& answer) {
+                      guarded(call, [&] {
+                          const proto::IcReply reply{
+                              answer.key, answer.origin, spec,
+                              scaled(cropped(answer.record->table, spec.nx, spec.ny), spec.dx / spec.material.G),
+                              answer.record->evidence};
+                          proto::ArrayWriter arrays(call->request.arrays);
+                          const json result = proto::encode_ic_reply(reply, arrays);
+                          call->succeed(result, arrays.take_frames());
+                      });
+                  },
+                  [call](const Status& status) { call->fail(status); },
+                  [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); }});
+}
+
+void Service::contact_solve(const CallPtr& call) {
+    check_grid_limit(call->request.params, config_.max_grid_elements);
+    ++counters_.solves;
+    start_solve(call, ics_, workers_, jobs_);
+}
+
+void Service::job_list(const CallPtr& call) {
+    json jobs = json::array();
+    for (const auto& job : jobs_.all()) {
+        const JobProgress progress = job->progress();
+        jobs.push_back({{"job", job->name},
+                        {"kind", job->kind},
+                        {"state", job->running() ? "running" : "queued"},
+                        {"stage", progress.stage},
+                        {"fraction", progress.fraction},
+                        {"callers", job->callers.load()},
+                        {"seconds", seconds_since(job->created)}});
+    }
+    call->succeed({{"jobs", std::move(jobs)}});
+}
+
+void Service::job_cancel(const CallPtr& call) {
+    const std::string name = call->request.params.at("job");
+    const auto job = jobs_.find(name);
+    if (!job)
+        throw StatusError(StatusCode::not_found, proto::reason::job_unknown,
+                          "There is no job " + json(name).dump() + "; job.list names those that wait or run.");
+    job->cancel();
+    call->succeed({{"job", name}});
+}
+
+void guarded(const CallPtr& call, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        call->fail(status_of(error));
+    }
+}
+
+}  // namespace contactd::server

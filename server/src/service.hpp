@@ -1,0 +1,65 @@
+// The methods of the wire: what each request does, with what the rest of the daemon offers.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "call.hpp"
+#include "config.hpp"
+#include "counters.hpp"
+#include "ic_service.hpp"
+#include "job.hpp"
+#include "worker_pool.hpp"
+
+namespace contactd::server {
+
+class Service {
+   public:
+    explicit Service(const Config& config);
+
+    /// Answers the call now or later. Called from the I/O thread, which `is_quick` methods may keep for a moment; all
+    /// others go to the workers. Never throws.
+    void handle(CallPtr call);
+
+    /// Work that must not hold up the I/O thread.
+    void defer(WorkerPool::Task task) { workers_.post(std::move(task)); }
+
+    /// False for methods that take their time and count against the limit on open requests.
+    bool is_quick(const std::string& method) const;
+
+    /// From now on requests are refused with stop_status() and running work is told to end. Does not wait.
+    void begin_stop();
+    /// Waits until all work has ended.
+    void finish_stop();
+    static const proto::Status& stop_status();
+
+    Counters& counters() { return counters_; }
+
+   private:
+    using Method = void (Service::*)(const CallPtr&);
+    struct Entry {
+        Method method;
+        bool is_quick;
+    };
+
+    void run(Method method, const CallPtr& call);
+    void server_info(const CallPtr& call);
+    void server_health(const CallPtr& call);
+    void server_describe(const CallPtr& call);
+    void ic_get(const CallPtr& call);
+    void contact_solve(const CallPtr& call);
+    void job_list(const CallPtr& call);
+    void job_cancel(const CallPtr& call);
+
+    const Config& config_;
+    const Call::Clock::time_point started_ = Call::Clock::now();
+    Counters counters_;
+    JobTable jobs_;
+    std::map<std::string, Entry> methods_;
+    std::atomic<bool> stopping_ = false;
+    IcService ics_;
+    WorkerPool workers_;  // last: its threads use everything above
+};
+
+}  // namespace contactd::server

@@ -1,0 +1,11 @@
+# Fails when PROGRAM, with everything it links, needs a library of the numerics.
+find_program(ldd ldd REQUIRED)
+execute_process(COMMAND ${ldd} ${PROGRAM} OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
+foreach(library mfem HYPRE hypre libmpi hdf5 fftw)
+  if(libraries MATCHES "${library}")
+    message(FATAL_ERROR "${PROGRAM} needs ${library}:\n${libraries}")
+  endif()
+endforeach()
+if(NOT libraries MATCHES "zmq")
+  message(FATAL_ERROR "${PROGRAM} does not link ZeroMQ; is ldd telling the truth?\n${libraries}")
+endif()

@@ -1,0 +1,16 @@
+// Uses what is installed: succeeds when the client says that nobody listens.
+#include <chrono>
+
+#include <contactd/client/client.hpp>
+
+int main() {
+    contactd::client::ClientOptions options;
+    options.connect_timeout = std::chrono::milliseconds(50);
+    contactd::client::Client client("tcp://127.0.0.1:1", options);
+    try {
+        client.health();
+    } catch (const contactd::client::ConnectionError&) {
+        return 0;
+    }
+    return 1;
+}

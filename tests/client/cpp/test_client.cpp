@@ -1,0 +1,228 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <chrono>
+#include <cstring>
+#include <limits>
+
+#include "contactd/client/client.hpp"
+#include "contactd/proto/schema.hpp"
+#include "fake_daemon.hpp"
+
+using namespace contactd;
+using namespace contactd::client;
+using namespace std::chrono_literals;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using fake::Frames;
+using nlohmann::json;
+
+namespace {
+
+const json healthy{{"state", "serving"}};
+
+ContactProblem problem() {
+    ContactProblem problem;
+    problem.grid = Grid::centred(3, 2, 0.1, 0.1);
+    problem.bodies = {{200, 0.42}, {200, 0.42}};
+    problem.undeformed_distance = paraboloid(problem.grid, 50, 50);
+    problem.approach = 0.02;
+    return problem;
+}
+
+/// Solves by returning the gap as the pressure.
+std::vector<Frames> echo_gap(const json& request, const Frames& frames) {
+    const ContactProblem read = proto::decode_problem(request["params"], frames);
+    proto::SolveReply reply;
+    reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = read.undeformed_distance;
+    reply.solution.element_division.assign(read.grid.size(), ElementState::slip);
+    reply.upper.origin = reply.lower.origin = "closed_form";
+    reply.upper.evidence.source = reply.lower.evidence.source = "analytic";
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    Frames message{fake::reply(request, proto::encode_solve_reply(reply, read.grid, arrays))};
+    for (std::string& frame : arrays.take_frames()) message.push_back(std::move(frame));
+    return {message};
+}
+
+}  // namespace
+
+TEST_CASE("A request carries version, method, parameters and timeout", "[client]") {
+    json seen;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        seen = request;
+        return {{fake::reply(request, {{"job", "build-3"}})}};
+    });
+    Client client(daemon.endpoint());
+
+    client.cancel_job("build-3", {.timeout = 1234ms});
+
+    CHECK(proto::violations_of("envelope", seen).empty());
+    CHECK(seen["method"] == "job.cancel");
+    CHECK(seen["params"] == json{{"job", "build-3"}});
+    CHECK(seen["timeout_ms"] == 1234);
+}
+
+TEST_CASE("A problem goes out and its solution comes back", "[client]") {
+    fake::Daemon daemon(echo_gap);
+    Client client(daemon.endpoint());
+
+    const auto reply = client.solve(problem());
+
+    CHECK(reply.solution.pressure == problem().undeformed_distance);
+    CHECK(reply.upper.origin == "closed_form");
+}
+
+TEST_CASE("A table is asked for and read", "[client]") {
+    fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
+        proto::IcReply reply{"key", "built", proto::decode_ic_spec(request["params"]), IcTable(2, 1), {}};
+        reply.table(Axis::z, Axis::z, 1, 0) = 0.25;
+        reply.evidence.source = "fem";
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        const json result = proto::encode_ic_reply(reply, arrays);
+        return {{fake::reply(request, result), arrays.take_frames()[0]}};
+    });
+    Client client(daemon.endpoint());
+    IcSpec spec{{82000, 0.28}, 0.8, 0.8, 2, 1, LoadShape::constant, IcSource::fem, {}};
+
+    const proto::IcReply reply = client.get_ic(spec);
+
+    CHECK(reply.spec == spec);
+    CHECK(reply.table.at(Axis::z, Axis::z, -1, 0) == 0.25);
+}
+
+TEST_CASE("Progress is reported in order", "[client]") {
+    fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
+        return {{fake::progress(request, {{"job", "build-1"}, {"stage", "assembly"}, {"fraction", 0.1}})},
+                {fake::progress(request, {{"job", "build-1"}, {"stage", "pcg"}, {"fraction", 0.5}, {"iteration", 7}})},
+                {fake::reply(request, healthy)}};
+    });
+    Client client(daemon.endpoint());
+    std::vector<ProgressReport> reports;
+
+    client.health({.on_progress = [&](const ProgressReport& report) { reports.push_back(report); }});
+
+    REQUIRE(reports.size() == 2);
+    CHECK(reports[0].stage == "assembly");
+    CHECK(reports[1].job == "build-1");
+    CHECK(reports[1].iteration == 7);
+    CHECK(reports[1].fraction == 0.5);
+}
+
+TEST_CASE("A status of the daemon is thrown with its details", "[client]") {
+    fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
+        proto::Status status{proto::StatusCode::resource_exhausted, "The queue is full.", "QUEUE_FULL", {}, 250};
+        return {{fake::failure(request, proto::to_json(status))}};
+    });
+    Client client(daemon.endpoint());
+
+    try {
+        client.jobs();
+        FAIL("nothing was thrown");
+    } catch (const proto::StatusError& error) {
+        CHECK(error.status().code == proto::StatusCode::resource_exhausted);
+        CHECK(error.status().reason == "QUEUE_FULL");
+        CHECK(error.status().retry_delay_ms == 250);
+        CHECK(std::string(error.what()) == "The queue is full.");
+    }
+}
+
+TEST_CASE("An error whose id the daemon could not find is ours", "[client]") {
+    fake::Daemon daemon([](const json&, const Frames&) -> std::vector<Frames> {
+        return {{fake::failure({{"id", nullptr}}, {{"code", 3}, {"name", "INVALID_ARGUMENT"}, {"message", "No."}})}};
+    });
+    Client client(daemon.endpoint());
+    CHECK_THROWS_AS(client.health(), proto::StatusError);
+}
+
+TEST_CASE("A call ends at its timeout and its late answer is discarded", "[client]") {
+    json late;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        if (late.is_null()) {
+            late = request;
+            return {};
+        }
+        return {{fake::reply(late, {{"state", "stopping"}})}, {fake::reply(request, healthy)}};
+    });
+    Client client(daemon.endpoint());
+    const auto start = std::chrono::steady_clock::now();
+
+    CHECK_THROWS_AS(client.health({.timeout = 50ms}), TimeoutError);
+
+    const auto waited = std::chrono::steady_clock::now() - start;
+    CHECK(waited >= 50ms);
+    CHECK(waited < 5s);
+    CHECK(client.health() == "serving");
+}
+
+TEST_CASE("Progress does not put off the timeout", "[client]") {
+    fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
+        return std::vector<Frames>(3, {fake::progress(request, {{"stage", "pcg"}, {"fraction", 0.1}})});
+    });
+    Client client(daemon.endpoint());
+    CHECK_THROWS_AS(client.health({.timeout = 50ms}), TimeoutError);
+}
+
+TEST_CASE("Nobody listening and bad endpoints are connection errors", "[client]") {
+    Client client("tcp://127.0.0.1:1", {.connect_timeout = 50ms});
+    CHECK_THROWS_MATCHES(client.health(), ConnectionError, MessageMatches(ContainsSubstring("tcp://127.0.0.1:1")));
+    CHECK_THROWS_AS(Client("nonsense"), ConnectionError);
+    CHECK_THROWS_AS(Client(""), ConnectionError);
+}
+
+TEST_CASE("Malformed answers are named as such and the next call works", "[client]") {
+    std::function<std::string(const json&)> answer;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> { return {{answer(request)}}; });
+    Client client(daemon.endpoint());
+    const std::vector<std::function<std::string(const json&)>> malformed{
+        [](const json&) { return ""; },
+        [](const json&) { return "hello"; },
+        [](const json&) { return "[]"; },
+        [](const json&) { return "{}"; },
+        [](const json& request) { return json{{"contactd", 1}, {"id", request["id"]}}.dump(); },
+        [](const json& request) { return json{{"contactd", 9}, {"id", request["id"]}, {"progress", {}}}.dump(); },
+        [](const json& request) { return fake::failure(request, {{"code", 99}, {"name", ""}, {"message", ""}}); },
+        [](const json& request) { return fake::reply(request, {{"state", "asleep"}}); },
+        [](const json& request) { return fake::reply(request, json::object()); },
+        [](const json& request) { return fake::progress(request, {{"stage", 5}, {"fraction", 2}}); }};
+    for (std::size_t i = 0; i < malformed.size(); ++i) {
+        CAPTURE(i);
+        answer = malformed[i];
+        CHECK_THROWS_AS(client.health(), ProtocolError);
+    }
+    answer = [](const json& request) { return fake::reply(request, healthy); };
+    CHECK(client.health() == "serving");
+}
+
+TEST_CASE("Arrays of an answer that do not fit are the daemon's fault", "[client]") {
+    fake::Daemon daemon([](const json& request, const Frames& frames) {
+        std::vector<Frames> answer = echo_gap(request, frames);
+        answer[0].pop_back();
+        return answer;
+    });
+    Client client(daemon.endpoint());
+    CHECK_THROWS_AS(client.solve(problem()), ProtocolError);
+}
+
+TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client]") {
+    int requests = 0;
+    fake::Daemon daemon([&](const json&, const Frames&) -> std::vector<Frames> {
+        ++requests;
+        return {};
+    });
+    Client client(daemon.endpoint(), {.limits = {.max_frame_bytes = 500}});
+    ContactProblem bad = problem();
+    bad.approach = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(client.solve(bad), InvalidArgument);
+
+    ContactProblem large = problem();
+    large.grid = Grid::centred(50, 50, 0.1, 0.1);
+    large.undeformed_distance = paraboloid(large.grid, 50, 50);
+    try {
+        client.solve(large);
+        FAIL("nothing was thrown");
+    } catch (const proto::StatusError& error) {
+        CHECK(error.status().reason == "LIMIT_EXCEEDED");
+    }
+    CHECK(requests == 0);
+}

@@ -1,0 +1,99 @@
+// The example against a real daemon in a folder of its own.
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+
+#include <reproc++/drain.hpp>
+#include <reproc++/reproc.hpp>
+#include <reproc++/run.hpp>
+
+#include "contactd/client/client.hpp"
+
+using namespace std::chrono_literals;
+using Catch::Approx;
+
+namespace {
+
+/// A folder that is gone at the end.
+class Folder {
+   public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "contactd-test-XXXXXX").string();
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        path_ = name;
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    const std::filesystem::path& path() const { return path_; }
+
+   private:
+    std::filesystem::path path_;
+};
+
+/// A daemon that is ended with the test.
+class Daemon {
+   public:
+    Daemon() : endpoint_("ipc://" + (folder_.path() / "socket").string()) {
+        const std::filesystem::path config = folder_.path() / "contactd.json";
+        const nlohmann::json values{{"endpoint", endpoint_},
+                                    {"store", {{"folder", (folder_.path() / "store").string()}}}};
+        std::ofstream(config) << values;
+        reproc::options options;
+        options.redirect.discard = true;
+        options.stop = {{reproc::stop::terminate, 10s}, {reproc::stop::kill, 5s}, {}};
+        const std::vector<std::string> command{DAEMON, "--config", config.string()};
+        REQUIRE_FALSE(process_.start(command, options));
+    }
+    const std::string& endpoint() const { return endpoint_; }
+
+   private:
+    Folder folder_;
+    std::string endpoint_;
+    reproc::process process_;  // ended before the folder goes
+};
+
+double number_behind(const std::string& word, const std::string& text) {
+    std::smatch found;
+    REQUIRE(std::regex_search(text, found, std::regex(word + R"(\s+(-?[0-9.e+-]+))")));
+    return std::stod(found[1]);
+}
+
+}  // namespace
+
+TEST_CASE("The example solves the Cattaneo problem through a daemon", "[client][daemon]") {
+    Daemon daemon;
+    contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
+    REQUIRE(client.health() == "serving");
+    std::string output;
+
+    reproc::sink::string sink(output);
+    const auto [status, error] =
+        reproc::run(std::vector<std::string>{EXAMPLE, daemon.endpoint()}, reproc::options{}, sink, sink);
+
+    INFO(output);
+    CHECK_FALSE(error);
+    CHECK(status == 0);
+    CHECK(number_behind("Fn", output) == Approx(9.19731113).epsilon(1e-5));
+    CHECK(std::abs(number_behind("Fx", output)) == Approx(3.22211266).epsilon(1e-5));
+    CHECK(number_behind("area", output) == Approx(3.1680).epsilon(1e-4));
+    CHECK(output.find("216 elements in adhesion, 664 in slip") != std::string::npos);
+}
+
+TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
+    Daemon daemon;
+    contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
+
+    CHECK(client.info()["protocol"] == 1);
+    CHECK(client.describe()["openrpc"].is_string());
+    CHECK(client.jobs().empty());
+    CHECK_THROWS_AS(client.cancel_job("build-77"), contactd::proto::StatusError);
+    const contactd::IcSpec spec{{82000, 0.28}, 0.8, 0.8, 4, 3, {}, contactd::IcSource::analytic, {}};
+    const auto reply = client.get_ic(spec);
+    CHECK(reply.origin == "closed_form");
+    CHECK(reply.spec == spec);
+    CHECK(reply.table(contactd::Axis::z, contactd::Axis::z, 0, 0) > 0);
+}

@@ -1,0 +1,162 @@
+"""Answers as dataclasses, and statuses as exceptions."""
+
+import numpy as np
+import pytest
+
+from contactd import (
+    AnalyticIcs,
+    Cancelled,
+    Client,
+    ContactdError,
+    DeadlineExceeded,
+    FailedPrecondition,
+    Grid,
+    InternalError,
+    InvalidArgument,
+    Material,
+    NotFound,
+    Paraboloid,
+    ProtocolError,
+    ResourceExhausted,
+    StatusError,
+    TimeoutExpired,
+    Unavailable,
+    Unimplemented,
+    Violation,
+)
+from contactd.reading import read
+from contactd.solution import ContactSolution, IcEvidence, ServerInfo
+from support import answers
+from support.fake_server import FakeServer
+
+GRID = Grid(3, 2, 1, 1)
+
+
+def ask(tmp_path, script, question):
+    with FakeServer(tmp_path, script) as server, Client(server.endpoint, timeout=5) as client:
+        return question(client)
+
+
+def get_table(client):
+    return client.get_ic(Material(1, 0), GRID, AnalyticIcs())
+
+
+def solve(client):
+    return client.solve(grid=GRID, upper=Material(1, 0), gap=Paraboloid(1, 1), approach=0.1)
+
+
+def test_a_table_is_indexed_by_component(tmp_path):
+    table = ask(tmp_path, lambda request: [request.result(*answers.table(2, 3))], get_table)
+    assert table.array.shape == (3, 3, 2, 3)
+    np.testing.assert_array_equal(table["xz"], table.array[0, 2])
+    np.testing.assert_array_equal(table["zy"], table.array[2, 1])
+    assert table.spec.material == Material(1, 0)
+    assert table.spec.ics == AnalyticIcs(body="half_space", load_shape="constant")
+
+
+@pytest.mark.parametrize("component", ["", "z", "zw", "zzz", "ZZ"])
+def test_a_component_that_does_not_exist_is_a_key_error(tmp_path, component):
+    table = ask(tmp_path, lambda request: [request.result(*answers.table(2, 3))], get_table)
+    with pytest.raises(KeyError, match="no component"):
+        table[component]
+
+
+def test_a_table_of_another_shape_breaks_the_protocol(tmp_path):
+    with pytest.raises(ProtocolError, match="shape"):
+        ask(tmp_path, lambda request: [request.result(*answers.table(3, 3))], get_table)
+
+
+def test_a_solution_has_forces_arrays_and_evidence(tmp_path):
+    solution = ask(tmp_path, lambda request: [request.result(*answers.solution(2, 3))], solve)
+    assert (solution.Fn, solution.Fx, solution.Fy) == (9.2, -3.2, 0)
+    assert solution.elements.adhesion == 1
+    assert solution.element_division.dtype == np.uint8
+    assert solution.pressure.shape == (2, 3)
+    assert solution.evidence.tangential.iterations == 7
+    assert solution.evidence.ics["lower"].origin == "closed_form"
+
+
+def test_a_solution_without_friction_has_no_tangential_evidence():
+    result, *_ = answers.solution(2, 3)
+    del result["evidence"]["tangential"]
+    for name in ["element_division", "pressure", "traction_x", "traction_y"]:
+        result[name] = np.zeros((2, 3))
+    assert read(ContactSolution, result).evidence.tangential is None
+
+
+def test_answers_of_a_newer_daemon_are_read():
+    assert read(ServerInfo, {**answers.INFO, "moon_phase": "full"}).protocol == 1
+
+
+def test_a_lacking_field_is_named():
+    info = {**answers.INFO, "limits": {}}
+    with pytest.raises(ProtocolError, match=r"result\.limits lacks max_frame_bytes"):
+        read(ServerInfo, info)
+
+
+def test_a_field_of_the_wrong_type_is_named():
+    with pytest.raises(ProtocolError, match=r"result\.counters\.requests is a str"):
+        read(ServerInfo, {**answers.INFO, "counters": {"requests": "many"}})
+
+
+def test_evidence_of_finite_elements_is_read_to_its_depth():
+    case = {"load": "z", "iterations": 13, "residual": 1e-9, "converged": True, "seconds": 1}
+    error = {"origin": -1e-3, "largest": 1e-2}
+    evidence = read(
+        IcEvidence,
+        {
+            "source": "fem", "version": "0.1.0", "elements": 1840, "dofs": 50361, "processes": 1,
+            "seconds": {"total": 4.5}, "load_cases": [case, case],
+            "errors": {"xx": error, "yy": error, "zz": error, "scaled_xy": 1e-3, "scaled_xz": 1e-3},
+        },
+    )  # fmt: skip
+    assert evidence.load_cases[1].iterations == 13
+    assert evidence.errors.zz.largest == 1e-2
+
+
+@pytest.mark.parametrize(
+    ("code", "kind"),
+    [
+        (1, Cancelled),
+        (3, InvalidArgument),
+        (4, DeadlineExceeded),
+        (5, NotFound),
+        (8, ResourceExhausted),
+        (9, FailedPrecondition),
+        (12, Unimplemented),
+        (13, InternalError),
+        (14, Unavailable),
+    ],
+)
+def test_every_status_has_its_exception(tmp_path, code, kind):
+    with pytest.raises(kind) as caught:
+        ask(tmp_path, lambda request: [request.failure(code, "Not today.", reason="WHY")], Client.health)
+    assert type(caught.value) is kind
+    assert caught.value.code == code
+    assert caught.value.reason == "WHY"
+    assert str(caught.value) == f"Not today. ({kind.name}, WHY)"
+
+
+def test_a_status_nobody_knows_is_an_unknown_error(tmp_path):
+    with pytest.raises(StatusError, match="UNKNOWN"):
+        ask(tmp_path, lambda request: [request.failure(99, "?")], Client.health)
+
+
+def test_a_bad_request_names_its_fields(tmp_path):
+    violations = [{"field": "grid.nx", "description": "is 0; it must be positive"}]
+    with pytest.raises(InvalidArgument) as caught:
+        ask(tmp_path, lambda request: [request.failure(3, "Bad.", violations=violations)], Client.health)
+    assert caught.value.violations == (Violation("grid.nx", "is 0; it must be positive"),)
+
+
+def test_a_full_queue_says_when_to_try_again(tmp_path):
+    with pytest.raises(ResourceExhausted) as caught:
+        ask(tmp_path, lambda request: [request.failure(8, "Full.", retry_delay_ms=1500)], Client.health)
+    assert caught.value.retry_delay == 1.5
+
+
+def test_deadlines_of_both_sides_are_timeouts():
+    assert issubclass(DeadlineExceeded, TimeoutExpired)
+    assert issubclass(DeadlineExceeded, StatusError)
+    assert issubclass(TimeoutExpired, ContactdError)
+    assert issubclass(TimeoutExpired, TimeoutError)

@@ -1,0 +1,88 @@
+"""What the dataclasses of a request say on the wire."""
+
+import numpy as np
+import pytest
+
+from contactd import (
+    AnalyticIcs,
+    ContactProblem,
+    Estimate,
+    FemIcs,
+    Friction,
+    Grid,
+    Material,
+    Paraboloid,
+    SolverSettings,
+)
+from contactd.problem import problem_params, table_params
+
+STEEL = Material(G=82000, nu=0.28)
+GRID = Grid(3, 2, 0.5, 1.0)
+PROBLEM = ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(Rx=50), approach=0.02)
+
+
+def test_a_grid_is_centred_on_the_origin():
+    np.testing.assert_allclose(GRID.x, [-0.5, 0, 0.5])
+    np.testing.assert_allclose(GRID.y, [-0.5, 0.5])
+    assert GRID.shape == (2, 3)
+
+
+def test_a_grid_starts_at_its_corner():
+    grid = Grid(2, 2, 1.0, 1.0, x0=10, y0=0)
+    np.testing.assert_allclose(grid.x, [10.5, 11.5])
+    np.testing.assert_allclose(grid.y, [0.5, 1.5])
+
+
+def test_a_centred_grid_divides_its_rectangle():
+    assert Grid.centred(40, 20, 2.4, 2.4) == Grid(40, 20, 2.4 / 40, 2.4 / 20)
+
+
+def test_a_table_request_holds_only_what_was_given():
+    assert table_params(STEEL, GRID, FemIcs(preset="paper-test3", L_over_h=1280)) == {
+        "material": {"G": 82000, "nu": 0.28},
+        "grid": {"nx": 3, "ny": 2, "dx": 0.5, "dy": 1.0},
+        "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280},
+    }
+
+
+def test_a_table_request_does_not_say_where_the_grid_lies():
+    grid = Grid(3, 2, 0.5, 1.0, x0=7, y0=8)
+    assert table_params(STEEL, grid, AnalyticIcs()) == table_params(STEEL, GRID, AnalyticIcs())
+
+
+def test_the_smallest_problem_leaves_everything_optional_out():
+    assert problem_params(PROBLEM) == {
+        "grid": {"nx": 3, "ny": 2, "dx": 0.5, "dy": 1.0},
+        "bodies": {"upper": {"G": 82000, "nu": 0.28}},
+        "ics": {"source": "analytic"},
+        "gap": {"paraboloid": {"Rx": 50}},
+        "approach": 0.02,
+    }
+
+
+def test_a_full_problem_says_everything():
+    gap, pressure = np.ones((2, 3)), np.zeros((2, 3))
+    problem = PROBLEM.replace(
+        lower=Material(1, 0),
+        gap=gap,
+        friction=Friction(0.4, (0.1, 0)),
+        normal=SolverSettings(tolerance=1e-8),
+        tangential=SolverSettings(max_iterations=9),
+        initial=Estimate(pressure=pressure),
+    )
+    params = problem_params(problem)
+    assert params["bodies"]["lower"] == {"G": 1, "nu": 0}
+    assert params["gap"]["array"] is gap
+    assert params["friction"] == {"mu": 0.4, "rigid_shift": [0.1, 0]}
+    assert params["settings"] == {"normal": {"tolerance": 1e-8}, "tangential": {"max_iterations": 9}}
+    assert params["initial"].keys() == {"pressure"}
+
+
+def test_a_gap_may_be_nested_lists():
+    params = problem_params(PROBLEM.replace(gap=[[0, 1, 2], [3, 4, 5]]))
+    assert params["gap"]["array"].shape == (2, 3)
+
+
+def test_values_cannot_be_changed_by_accident():
+    with pytest.raises(AttributeError):
+        STEEL.G = 1

@@ -1,0 +1,209 @@
+// The program contactd-ic, run as its users run it.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "contactd/ic_store.hpp"
+
+using namespace contactd;
+using Catch::Matchers::ContainsSubstring;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string program = CONTACTD_IC;
+const std::string quick = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.5},)"
+                          R"( "ics": {"source": "fem", "preset": "paper-test2", "h_over_hs": 2, "L_over_h": 20}})";
+const std::string slow = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.8},)"
+                         R"( "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}})";
+
+std::string launcher(int processes) {
+    return MPIRUN " --oversubscribe -np " + std::to_string(processes) + " ";
+}
+
+int exit_code(int status) {
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+/// A folder of its own; commands run in it, with standard output in out.txt and standard error in err.txt.
+class Folder {
+   public:
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "contactd-ic-test-XXXXXX").string();
+        REQUIRE(::mkdtemp(name.data()) != nullptr);
+        path_ = name;
+        ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+        ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    fs::path operator/(const char* name) const { return path_ / name; }
+    void write(const char* name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+    std::string read(const char* name) const {
+        std::ostringstream text;
+        text << std::ifstream(path_ / name).rdbuf();
+        return text.str();
+    }
+    std::string redirected(const std::string& command) const {
+        return "cd '" + path_.string() + "' && exec " + command + " > out.txt 2> err.txt";
+    }
+    int run(const std::string& command) const { return exit_code(std::system(redirected(command).c_str())); }
+    std::string last_line() const {
+        std::string text = read("out.txt");
+        if (!text.empty()) text.pop_back();
+        return text.substr(text.find_last_of('\n') + 1);
+    }
+    /// Waits until standard output holds `word`.
+    bool wait_for(const char* word) const {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+        while (std::chrono::steady_clock::now() < end) {
+            if (read("out.txt").find(word) != std::string::npos) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+        return false;
+    }
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+   private:
+    fs::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("contactd-ic writes the table and says so", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", quick);
+    REQUIRE(folder.run(program + " spec.json --output table.h5") == 0);
+    const IcRecord record = read_ic_file(folder / "table.h5");
+    CHECK(record.spec.nx == 5);
+    CHECK(record.spec.dx == 1);
+    CHECK(record.evidence.load_cases.size() == 3);
+    CHECK_THAT(folder.read("out.txt"),
+               ContainsSubstring(R"("stage":"assembly")") && ContainsSubstring(R"("stage":"pcg")"));
+    CHECK_THAT(folder.last_line(), ContainsSubstring(R"("done":true)") && ContainsSubstring(R"("output":"table.h5")"));
+    CHECK(folder.read("err.txt").empty());
+    CHECK(folder.files() == std::vector<std::string>{"err.txt", "out.txt", "spec.json", "table.h5"});
+}
+
+TEST_CASE("contactd-ic reads its spec from standard input", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", R"({"material": {"G": 1, "nu": 0.5}, "grid": {"nx": 3, "ny": 2, "dx": 1, "dy": 1},
+                                  "ics": {"source": "analytic"}})");
+    REQUIRE(folder.run(program + " - --output table.h5 < spec.json") == 0);
+    CHECK(read_ic_file(folder / "table.h5").evidence.source == "analytic");
+}
+
+TEST_CASE("Under mpirun contactd-ic makes the same table", "[contactd-ic][mpi]") {
+    const Folder folder;
+    folder.write("spec.json", quick);
+    REQUIRE(folder.run(program + " spec.json --output one.h5") == 0);
+    const int processes = GENERATE(2, 3, 4);
+    CAPTURE(processes);
+    REQUIRE(folder.run(launcher(processes) + program + " spec.json --output many.h5") == 0);
+    const IcRecord one = read_ic_file(folder / "one.h5"), many = read_ic_file(folder / "many.h5");
+    CHECK(many.evidence.processes == processes);
+    CHECK(many.spec == one.spec);
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < one.table.values.size(); ++i) {
+        largest = std::max(largest, std::abs(one.table.values[i]));
+        difference = std::max(difference, std::abs(one.table.values[i] - many.table.values[i]));
+    }
+    CHECK(difference <= 1e-6 * largest);
+}
+
+TEST_CASE("A spec that cannot be used is named", "[contactd-ic]") {
+    const Folder folder;
+    const auto refused = [&](const std::string& spec, const std::string& field) {
+        CAPTURE(spec);
+        folder.write("spec.json", spec);
+        CHECK(folder.run(program + " spec.json --output table.h5") == 2);
+        CHECK_THAT(folder.last_line(), ContainsSubstring(R"("error")") && ContainsSubstring("\"field\":\"" + field));
+        CHECK_THAT(folder.read("err.txt"), ContainsSubstring(field));
+        CHECK_FALSE(fs::exists(folder / "table.h5"));
+    };
+    const auto with = [](const std::string& from, const std::string& to) {
+        std::string spec = quick;
+        return spec.replace(spec.find(from), from.size(), to);
+    };
+    refused("no JSON", "SPEC");
+    refused("[]", "SPEC");
+    refused(with(R"("nu": 0.28)", R"("nu": 0.5)"), "material.nu");
+    refused(with(R"("nx": 5, )", ""), "grid.nx");
+    refused(with(R"("nx": 5)", R"("nx": 5.5)"), "grid.nx");
+    refused(with(R"("h_over_hs": 2)", R"("h_over_hs": 3)"), "ics.h_over_hs");
+    refused(with(R"("preset")", R"("prest")"), "ics.prest");
+}
+
+TEST_CASE("A command line that cannot be used is named", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", quick);
+    CHECK(folder.run(program) == 2);
+    CHECK(folder.run(program + " spec.json --output missing/table.h5") == 2);
+    CHECK_THAT(folder.last_line(), ContainsSubstring(R"("field":"--output")"));
+    CHECK(folder.run(program + " missing.json --output table.h5") == 2);
+    CHECK(folder.run(program + " --help") == 0);
+    CHECK(folder.run(program + " --version") == 0);
+    CHECK_THAT(folder.read("out.txt"), ContainsSubstring("MFEM"));
+}
+
+TEST_CASE("A solve that does not converge has a status of its own", "[contactd-ic]") {
+    const Folder folder;
+    std::string spec = quick;
+    folder.write("spec.json", spec.replace(spec.find(R"("L_over_h")"), 0, R"("max_iterations": 2, )"));
+    const std::string command = GENERATE(program, launcher(2) + program);
+    CHECK(folder.run(command + " spec.json --output table.h5") == 3);
+    CHECK_THAT(folder.read("out.txt"), ContainsSubstring("did not converge"));
+    CHECK_FALSE(fs::exists(folder / "table.h5"));
+}
+
+TEST_CASE("A signal ends contactd-ic at once and leaves no file", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", slow);
+    const auto [name, status] = GENERATE(std::pair("TERM", 143), std::pair("INT", 130));
+    // A shell ignores INT in what it starts in the background, so the program is started by the shell's exec.
+    std::ofstream(folder / "run.sh") << "echo $$ > pid\nexec " << program << " spec.json --output table.h5\n";
+    int code = 0;
+    std::thread runner([&] { code = folder.run("sh run.sh"); });
+    const bool started = folder.wait_for("amg_setup");
+    std::system(("kill -" + std::string(name) + " " + folder.read("pid")).c_str());
+    const auto start = std::chrono::steady_clock::now();
+    runner.join();
+    CHECK(started);
+    CHECK(code == status);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
+    CHECK_THAT(folder.last_line(), ContainsSubstring("SIG" + std::string(name)));
+    CHECK(folder.files() == std::vector<std::string>{"err.txt", "out.txt", "pid", "run.sh", "spec.json"});
+}
+
+TEST_CASE("The end of standard input ends contactd-ic when it is the lifeline", "[contactd-ic]") {
+    const Folder folder;
+    const std::string command = GENERATE(program, launcher(2) + program);
+    FILE* pipe = ::popen(folder.redirected(command + " - --output table.h5 --exit-with-stdin").c_str(), "w");
+    REQUIRE(pipe != nullptr);
+    std::fputs((slow + "\n").c_str(), pipe);
+    std::fflush(pipe);
+    const bool started = folder.wait_for("amg_setup");
+    const auto start = std::chrono::steady_clock::now();
+    const int status = ::pclose(pipe);
+    CHECK(started);
+    CHECK(exit_code(status) == 129);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+    CHECK(folder.files() == std::vector<std::string>{"err.txt", "out.txt"});
+}

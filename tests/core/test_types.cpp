@@ -1,0 +1,172 @@
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "contactd/contact.hpp"
+#include "contactd/error.hpp"
+#include "contactd/ic_spec.hpp"
+#include "contactd/ic_table.hpp"
+
+using namespace contactd;
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+IcSpec good_spec() {
+    IcSpec spec;
+    spec.material = {82000, 0.28};
+    spec.dx = spec.dy = 0.8;
+    spec.nx = spec.ny = 10;
+    spec.source = IcSource::fem;
+    return spec;
+}
+
+ContactProblem good_problem() {
+    ContactProblem problem;
+    problem.grid = Grid::centred(4, 3, 0.5, 0.5);
+    problem.bodies = {{200, 0.42}, {200, 0.42}};
+    problem.undeformed_distance = paraboloid(problem.grid, 50, 50);
+    problem.approach = 0.02;
+    return problem;
+}
+
+/// The field that `check` complains about, or "" when it does not.
+std::string field_refused(const std::function<void()>& check) {
+    try {
+        check();
+    } catch (const InvalidArgument& error) {
+        return error.field();
+    }
+    return "";
+}
+
+std::string refused(const std::function<void(IcSpec&)>& change) {
+    IcSpec spec = good_spec();
+    change(spec);
+    return field_refused([&] { validate(spec); });
+}
+
+std::string refused_problem(const std::function<void(ContactProblem&)>& change) {
+    ContactProblem problem = good_problem();
+    change(problem);
+    return field_refused([&] { validate(problem); });
+}
+
+}  // namespace
+
+TEST_CASE("A spec that can be built is accepted") {
+    CHECK(refused([](IcSpec&) {}).empty());
+    CHECK(refused([](IcSpec& s) { s.material.nu = 0; }).empty());
+    CHECK(refused([](IcSpec& s) {
+              s.source = IcSource::analytic;
+              s.material.nu = 0.5;
+          }).empty());
+    CHECK(refused([](IcSpec& s) { s.dy = 0.2; }).empty());
+    for (const char* name : {"paper-test1", "paper-test2", "paper-test3"})
+        CHECK(refused([&](IcSpec& s) { s.fem = fem_preset(name).value(); }).empty());
+}
+
+TEST_CASE("A spec that cannot be built names its field") {
+    CHECK(refused([](IcSpec& s) { s.material.G = 0; }) == "material.G");
+    CHECK(refused([](IcSpec& s) { s.material.G = infinity; }) == "material.G");
+    CHECK(refused([](IcSpec& s) { s.material.nu = -0.1; }) == "material.nu");
+    CHECK(refused([](IcSpec& s) { s.material.nu = no_number; }) == "material.nu");
+    CHECK(refused([](IcSpec& s) { s.material.nu = 0.51; }) == "material.nu");
+    CHECK(refused([](IcSpec& s) { s.material.nu = 0.5; }) == "material.nu");
+    CHECK(refused([](IcSpec& s) { s.nx = 0; }) == "grid.nx");
+    CHECK(refused([](IcSpec& s) { s.ny = -3; }) == "grid.ny");
+    CHECK(refused([](IcSpec& s) { s.nx = s.ny = 1'000'000; }) == "grid.nx");
+    CHECK(refused([](IcSpec& s) { s.dx = 0; }) == "grid.dx");
+    CHECK(refused([](IcSpec& s) { s.dy = no_number; }) == "grid.dy");
+    CHECK(refused([](IcSpec& s) { s.fem.order = 3; }) == "ics.order");
+    CHECK(refused([](IcSpec& s) { s.fem.h_over_hs = 3; }) == "ics.h_over_hs");
+    CHECK(refused([](IcSpec& s) { s.fem.h_over_hs = 4.5; }) == "ics.h_over_hs");
+    CHECK(refused([](IcSpec& s) { s.fem.l_over_h = 1.1; }) == "ics.l_over_h");
+    CHECK(refused([](IcSpec& s) { s.fem.l_over_h = 0.25; }) == "ics.l_over_h");
+    CHECK(refused([](IcSpec& s) { s.fem.l_over_h = 1000; }) == "ics.l_over_h");
+    CHECK(refused([](IcSpec& s) { s.fem.f = 0.9; }) == "ics.f");
+    CHECK(refused([](IcSpec& s) { s.fem.f = no_number; }) == "ics.f");
+    CHECK(refused([](IcSpec& s) { s.fem.L_over_h = 0.5; }) == "ics.L_over_h");
+    CHECK(refused([](IcSpec& s) {  // a million elements
+              s.fem.h_over_hs = 64;
+              s.fem.f = 1.01;
+          }) == "ics");
+    CHECK(refused([](IcSpec& s) { s.fem.L_over_h = 9; }) == "ics.L_over_h");  // the offsets reach 9 h
+    CHECK(refused([](IcSpec& s) { s.fem.tolerance = 0; }) == "ics.tolerance");
+    CHECK(refused([](IcSpec& s) { s.fem.max_iterations = 0; }) == "ics.max_iterations");
+    CHECK(refused([](IcSpec& s) { s.fem.strength_threshold = 1; }) == "ics.strength_threshold");
+}
+
+TEST_CASE("Equal ratios make equal dimensionless specs, whatever the lengths") {
+    IcSpec other = good_spec();
+    other.material.G = 1;
+    other.dx = 0.1 + 0.2;
+    other.dy = 0.3;
+
+    CHECK(dimensionless(other) == dimensionless(good_spec()));
+}
+
+TEST_CASE("A table gives offsets of either sign by the parity of its component") {
+    IcTable table(3, 2);
+    for (std::size_t n = 0; n < table.values.size(); ++n) table.values[n] = 1 + double(n);
+    const auto value = [&](Axis i, Axis j) { return table(i, j, 2, 1); };
+
+    CHECK(table.at(Axis::z, Axis::z, -2, -1) == value(Axis::z, Axis::z));
+    CHECK(table.at(Axis::x, Axis::y, -2, 1) == -value(Axis::x, Axis::y));
+    CHECK(table.at(Axis::y, Axis::x, -2, -1) == value(Axis::y, Axis::x));
+    CHECK(table.at(Axis::x, Axis::z, -2, 1) == -value(Axis::x, Axis::z));
+    CHECK(table.at(Axis::z, Axis::x, 2, -1) == value(Axis::z, Axis::x));
+    CHECK(table.at(Axis::y, Axis::z, 2, -1) == -value(Axis::y, Axis::z));
+}
+
+TEST_CASE("A pair adds the even components and cancels normal-tangential coupling of equal bodies") {
+    IcTable body(2, 2);
+    for (std::size_t n = 0; n < body.values.size(); ++n) body.values[n] = 1 + double(n);
+
+    const IcTable pair = pair_of(body, body);
+
+    CHECK(pair(Axis::z, Axis::z, 1, 1) == 2 * body(Axis::z, Axis::z, 1, 1));
+    CHECK(pair(Axis::y, Axis::x, 1, 0) == 2 * body(Axis::y, Axis::x, 1, 0));
+    CHECK(pair(Axis::x, Axis::z, 1, 0) == 0);
+    CHECK(pair(Axis::z, Axis::y, 0, 1) == 0);
+    CHECK_THROWS_AS(pair_of(body, IcTable(3, 2)), InvalidArgument);
+}
+
+TEST_CASE("Cropping keeps the offsets it keeps") {
+    IcTable table(4, 3);
+    for (std::size_t n = 0; n < table.values.size(); ++n) table.values[n] = double(n);
+
+    const IcTable part = cropped(table, 2, 3);
+
+    CHECK(part.nx == 2);
+    CHECK(part(Axis::y, Axis::z, 1, 2) == table(Axis::y, Axis::z, 1, 2));
+    CHECK_THROWS_AS(cropped(table, 5, 1), InvalidArgument);
+}
+
+TEST_CASE("Quasi-identical bodies are those with equal (1 - 2 nu)/G") {
+    CHECK(BodyPair{{200, 0.42}, {200, 0.42}}.quasi_identical());
+    CHECK(BodyPair{{1, 0.5}, {9, 0.5}}.quasi_identical());
+    CHECK(BodyPair{{2, 0.0}, {1, 0.25}}.quasi_identical());
+    CHECK_FALSE(BodyPair{{82000, 0.28}, {200, 0.28}}.quasi_identical());
+}
+
+TEST_CASE("A contact problem that cannot be solved names its field") {
+    CHECK(refused_problem([](ContactProblem&) {}).empty());
+    CHECK(refused_problem([](ContactProblem& p) { p.grid.dx = -1; }) == "grid.dx");
+    CHECK(refused_problem([](ContactProblem& p) { p.grid.x0 = no_number; }) == "grid.x0");
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies.lower.nu = 0.6; }) == "bodies.lower.nu");
+    CHECK(refused_problem([](ContactProblem& p) { p.undeformed_distance.pop_back(); }) == "gap");
+    CHECK(refused_problem([](ContactProblem& p) { p.undeformed_distance[3] = infinity; }) == "gap");
+    CHECK(refused_problem([](ContactProblem& p) { p.approach = no_number; }) == "approach");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{-0.1, 0, 0}; }) == "friction.mu");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{0.1, no_number, 0}; }) ==
+          "friction.rigid_shift");
+    CHECK(refused_problem([](ContactProblem& p) { p.normal_settings.tolerance = 0; }) == "settings.normal.tolerance");
+    CHECK(refused_problem([](ContactProblem& p) { p.tangential_settings.max_iterations = 0; }) ==
+          "settings.tangential.max_iterations");
+    CHECK(refused_problem([](ContactProblem& p) { p.initial_traction_y = {1.0}; }) == "initial.traction_y");
+}

@@ -1,0 +1,91 @@
+"""The demo as a user runs it, and as a user stops it."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from support.daemons import BIN, eventually, processes_with
+
+CLIENT = Path(__file__).parents[2] / "client" / "python"
+ENVIRONMENT = {**os.environ, "PYTHONPATH": str(CLIENT), "PYTHONDONTWRITEBYTECODE": "1"}
+
+
+def start(folder, *options):
+    """The demo in a process, its daemon in a temporary folder below `folder`."""
+    return subprocess.Popen(
+        [sys.executable, CLIENT / "examples" / "demo", *options],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**ENVIRONMENT, "TMPDIR": str(folder)},
+    )  # fmt: skip
+
+
+@pytest.fixture
+def folder(daemons):
+    """A short one, that is checked afterwards for what was left behind."""
+    (daemons.folder / "demo").mkdir()
+    return daemons.folder / "demo"
+
+
+def test_missing_programs_are_named(tmp_path):
+    demo = start(tmp_path, "--bin", tmp_path)
+    _, errors = demo.communicate(timeout=50)
+    assert demo.returncode == 2
+    assert "contactd cannot be started: No such file" in errors
+
+
+def test_a_daemon_that_fails_shows_its_log(tmp_path, folder):
+    program = tmp_path / "contactd"
+    program.write_text("#!/bin/sh\necho the disk is full >&2\nexit 1\n")
+    program.chmod(0o755)
+    demo = start(folder, "--bin", tmp_path)
+    _, errors = demo.communicate(timeout=50)
+    assert demo.returncode == 2
+    assert "the disk is full" in errors
+    assert left_in(folder) == []
+
+
+@pytest.mark.parametrize(("ending", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_an_interrupted_demo_stops_its_daemon(folder, ending, status):
+    demo = start(folder, "--bin", BIN, "--output", folder / "picture.png")
+    eventually(lambda: processes_with(f"{folder}/contactd-") and any("contactd-ic" in name for name in names(folder)))
+    demo.send_signal(ending)
+    _, errors = demo.communicate(timeout=50)
+    assert demo.returncode == status
+    assert "Traceback" not in errors
+    assert processes_with(str(folder)) == []
+    assert left_in(folder) == []
+
+
+def names(folder):
+    """Command lines of the processes that work in `folder`."""
+    found = []
+    for process in processes_with(str(folder)):
+        try:
+            found.append(Path(f"/proc/{process}/cmdline").read_text())
+        except OSError:
+            continue
+    return found
+
+
+def left_in(folder):
+    """Names in `folder`, without the session folder of Open MPI, which that leaves in the temporary folder."""
+    return [path.name for path in folder.iterdir() if not path.name.startswith("ompi.")]
+
+
+@pytest.mark.slow
+@pytest.mark.time_limit(300)
+def test_the_demo_reaches_the_accuracy_of_the_paper_and_draws_a_picture(folder):
+    demo = start(folder, "--bin", BIN, "--output", folder / "sub" / "picture.png")
+    output, errors = demo.communicate(timeout=280)
+    assert demo.returncode == 0, output + errors
+    assert errors == ""
+    assert "FAIL" not in output
+    assert re.search(r"elements +1840\n +unknowns +50361", output)
+    picture = folder / "sub" / "picture.png"
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    picture.unlink()
+    assert left_in(folder) == ["sub"]

@@ -1,0 +1,25 @@
+"""server.health answers while everything else is busy."""
+
+import time
+
+from contactd import Grid, SolverSettings
+from support.daemons import eventually
+from support.problems import CATTANEO, GRID, LONG, STEEL
+
+
+def test_health_answers_while_a_build_and_two_large_solves_run(daemon, client, background):
+    endless = SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
+    problem = CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4), normal=endless)
+    work = [background(client.get_ic, STEEL, GRID, LONG), *(background(client.solve, problem) for _ in range(2))]
+    eventually(lambda: sum(job.state == "running" for job in client.jobs()) == 3)
+    latencies = []
+    for _ in range(50):
+        start = time.perf_counter()
+        assert client.health() == "serving"
+        latencies.append(1000 * (time.perf_counter() - start))
+    assert not any(future.done() for future in work)
+    print(f"health beside three jobs: median {sorted(latencies)[25]:.2f} ms, largest {max(latencies):.2f} ms")
+    for job in client.jobs():
+        client.cancel_job(job.job)
+    for future in work:
+        assert future.exception() is not None

@@ -1,0 +1,95 @@
+"""The limits that server.info publishes are kept by both sides."""
+
+import os
+import signal
+import threading
+
+import numpy as np
+import pytest
+import zmq
+
+from contactd import Client, Grid, InvalidArgument, ResourceExhausted
+from support.daemons import eventually
+from support.problems import CATTANEO, CATTANEO_PARAMS, GRID, LONG, QUICK, STEEL
+
+
+@pytest.fixture
+def strict(daemons):
+    return daemons.start(limits={"max_frame_bytes": 4096, "max_frames": 3, "max_message_bytes": 6000})
+
+
+@pytest.mark.parametrize(
+    "frames",
+    [[bytes(4097)], [b"", b"", b""], [bytes(4000), bytes(4000)]],
+    ids=["frame bytes", "frames", "message bytes"],
+)
+def test_a_message_beyond_the_limits_is_refused_in_words(strict, frames):
+    with strict.raw() as raw:
+        answer = raw.ask("server.health", {}, *frames)
+        assert (answer.status, answer.reason) == ("INVALID_ARGUMENT", "LIMIT_EXCEEDED")
+        assert raw.ask("server.health").status == "OK"
+
+
+def test_the_client_refuses_before_it_sends(strict):
+    problem = CATTANEO.replace(gap=np.zeros((40, 40)))
+    with strict.client() as client:
+        with pytest.raises(InvalidArgument, match="at most 4096") as caught:
+            client.solve(problem)
+        assert caught.value.reason == "LIMIT_EXCEEDED"
+        assert client.info().counters["solves"] == 0
+
+
+def test_a_frame_beyond_all_measure_costs_its_sender_only(strict):
+    with strict.raw() as careless, strict.client() as client:
+        careless.send("server.health", {}, bytes(1_000_000))
+        assert not careless.socket.poll(300)
+        assert client.health() == "serving"
+
+
+def test_a_grid_beyond_the_limit_is_refused(daemons):
+    with daemons.start(limits={"max_grid_elements": 100}).client() as client:
+        client.solve(CATTANEO.replace(grid=Grid.centred(10, 10, 2.4, 2.4)))
+        with pytest.raises(InvalidArgument, match=r"grid\.nx"):
+            client.solve(CATTANEO.replace(grid=Grid.centred(11, 10, 2.4, 2.4)))
+
+
+def test_a_full_queue_refuses_for_now(daemons, background):
+    daemon = daemons.start(limits={"max_queue": 1})
+    with daemon.client() as client:
+        first = background(client.get_ic, STEEL, GRID, LONG)
+        eventually(daemon.builders)
+        with pytest.raises(ResourceExhausted) as caught:
+            client.get_ic(STEEL, GRID, QUICK)
+        assert caught.value.reason == "QUEUE_FULL"
+        assert caught.value.retry_delay > 0
+        assert client.health() == "serving"
+        client.cancel_job(client.jobs()[0].job)
+        assert first.exception() is not None
+        assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+
+
+def test_a_client_that_vanishes_disturbs_nobody(daemon, client):
+    for _ in range(20):
+        with daemon.raw() as raw:
+            raw.send("contact.solve", CATTANEO_PARAMS)
+    assert client.solve(CATTANEO).converged
+
+
+def test_an_interrupted_wait_leaves_client_and_daemon_usable(daemon):
+    with Client(daemon.endpoint, timeout=50) as client:
+        killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        killer.start()
+        with pytest.raises(KeyboardInterrupt):
+            client.get_ic(STEEL, GRID, LONG)
+        killer.join()
+        (job,) = client.jobs()
+        client.cancel_job(job.job)
+        assert client.solve(CATTANEO).converged
+
+
+def test_a_req_socket_gets_its_answer_and_no_progress(daemon):
+    params = {"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 4, "ny": 4, "dx": 1, "dy": 1}}
+    ics = {"source": "fem", "preset": "paper-test2", "order": 1, "L_over_h": 40}
+    with daemon.raw(zmq.REQ) as raw:
+        assert raw.ask("ic.get", {**params, "ics": ics}).result["origin"] == "built"
+        assert raw.ask("server.health").result == {"state": "serving"}

@@ -1,0 +1,219 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "contactd/proto/schema.hpp"
+#include "wire.hpp"
+
+using namespace contactd::proto;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+
+namespace {
+
+struct Case {
+    const char* pointer;  ///< what is set
+    const char* value;    ///< JSON
+    const char* field;    ///< the field that the answer names
+    const char* says;
+};
+
+/// Sets one value and expects exactly one violation.
+void check_case(const std::string& method, json params, const Case& c) {
+    CAPTURE(c.pointer, c.value);
+    params[json::json_pointer(c.pointer)] = json::parse(c.value);
+    const auto status = wire::status_thrown_by([&] { check_params(method, params); });
+    REQUIRE(status);
+    CHECK(status->code == StatusCode::invalid_argument);
+    REQUIRE(status->violations.size() == 1);
+    CHECK(status->violations[0].field == c.field);
+    CHECK_THAT(status->violations[0].description, ContainsSubstring(c.says));
+    CHECK_THAT(status->message, ContainsSubstring(c.field) && ContainsSubstring(c.says));
+}
+
+}  // namespace
+
+TEST_CASE("Every method has schemas, and every message one", "[schema]") {
+    for (const std::string& method : method_names()) {
+        CAPTURE(method);
+        CHECK(schema(method + ".params")["type"] == "object");
+        CHECK(schema(method + ".result")["type"] == "object");
+    }
+    for (const char* name : {"envelope", "reply", "progress"}) CHECK(schema(name)["additionalProperties"] == false);
+    CHECK_THROWS_AS(schema("no.such"), std::out_of_range);
+}
+
+TEST_CASE("Schemas stand alone and describe every field", "[schema]") {
+    const std::function<void(const json&, const std::string&)> visit = [&](const json& node, const std::string& path) {
+        CAPTURE(path);
+        CHECK_FALSE(node.contains("$ref"));
+        if (!node.contains("properties")) return;
+        for (const auto& property : node["properties"].items()) {
+            CHECK(property.value().contains("description"));
+            visit(property.value(), path + "." + property.key());
+        }
+        CHECK(node.contains("additionalProperties"));
+    };
+    for (const std::string& method : method_names())
+        for (const char* part : {".params", ".result"}) visit(schema(method + part), method + part);
+}
+
+TEST_CASE("Good parameters pass", "[schema]") {
+    CHECK_NOTHROW(check_params("ic.get", wire::ic_params()));
+    CHECK_NOTHROW(check_params("contact.solve", wire::solve_params()));
+    CHECK_NOTHROW(check_params("job.cancel", {{"job", "build-3"}}));
+    for (const char* method : {"server.info", "server.health", "server.describe", "job.list"})
+        CHECK_NOTHROW(check_params(method, json::object()));
+}
+
+TEST_CASE("An unknown method is UNIMPLEMENTED", "[schema]") {
+    for (const std::string method : {"", "contact", "contact.solve.params", "envelope", "server.metrics"}) {
+        const auto status = wire::status_thrown_by([&] { check_params(method, json::object()); });
+        REQUIRE(status);
+        CHECK(status->code == StatusCode::unimplemented);
+        CHECK(status->reason == "UNKNOWN_METHOD");
+        CHECK_THAT(status->message, ContainsSubstring("\"" + method + "\"") && ContainsSubstring("contact.solve"));
+    }
+}
+
+TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]") {
+    check_case(
+        "ic.get", wire::ic_params(),
+        GENERATE(
+            Case{"/grid/nx", "-1", "grid.nx", "is -1; it must be at least 1"},
+            Case{"/grid/nx", "0", "grid.nx", "is 0; it must be at least 1"},
+            Case{"/grid/ny", "5000000000", "grid.ny", "is 5000000000; it must be at most 4000000"},
+            Case{"/grid/nx", "1.5", "grid.nx", "is 1.5; it must be an integer from 1 to 4000000"},
+            Case{"/grid/nx", "1e30", "grid.nx", "it must be an integer"},
+            Case{"/grid/nx", "\"10\"", "grid.nx", "is \"10\"; it must be an integer"},
+            Case{"/grid/nx", "null", "grid.nx", "is null"}, Case{"/grid/nx", "true", "grid.nx", "is true"},
+            Case{"/grid/dx", "0", "grid.dx", "is 0; it must be positive"},
+            Case{"/grid/dx", "-0.8", "grid.dx", "is -0.8; it must be positive"},
+            Case{"/grid/dx", "1e300", "grid.dx", "it must lie in (0, 1000000000000]"},
+            Case{"/grid/dy", "[0.8]", "grid.dy", "is a list with 1 value; it must be a number"},
+            Case{"/grid/dz", "1", "grid.dz", "is not a field of grid; known fields are dx, dy, nx, ny"},
+            Case{"/grid", "3", "grid", "is 3; it must be an object with dx, dy, nx, ny"},
+            Case{"/material/nu", "0.51", "material.nu", "is 0.51; it must lie in [0, 0.5]"},
+            Case{"/material/nu", "-0.1", "material.nu", "is -0.1; it must lie in [0, 0.5]"},
+            Case{"/material/G", "0", "material.G", "is 0; it must be positive"},
+            Case{"/material/G", "\"stiff\"", "material.G", "is \"stiff\"; it must be a number"},
+            Case{"/material/E", "210000", "material.E", "is not a field of material; known fields are G, nu"},
+            Case{"/ics/source", "\"magic\"", "ics.source", "is \"magic\"; it must be one of \"analytic\", \"fem\""},
+            Case{"/ics/order", "3", "ics.order", "is 3; it must be one of 1, 2"},
+            Case{"/ics/order", "\"2\"", "ics.order", "it must be one of 1, 2"},
+            Case{"/ics/mesh", "\"prism\"", "ics.mesh", "is \"prism\"; it must be \"hex\""},
+            Case{"/ics/preset", "\"paper-test4\"", "ics.preset", "one of \"paper-test1\""},
+            Case{"/ics/f", "0.5", "ics.f", "is 0.5; it must lie in [1, 10]"},
+            Case{"/ics/h_over_hs", "1", "ics.h_over_hs", "is 1"},
+            Case{"/ics/L_over_h", "0", "ics.L_over_h", "is 0; it must be positive"},
+            Case{"/ics/tolerance", "1", "ics.tolerance", "is 1; it must lie in [1e-13, 1)"},
+            Case{"/ics/max_iterations", "0", "ics.max_iterations", "is 0; it must be at least 1"},
+            Case{"/ics/strength_threshold", "-1", "ics.strength_threshold", "is -1; it must lie in [0, 1)"},
+            Case{"/ics/colour", "\"red\"", "ics.colour", "is not a field of ics"},
+            Case{"/extra", "{}", "extra", "is not a field of ic.get; known fields are grid, ics, material"}));
+}
+
+TEST_CASE("A bad value of contact.solve is named with what would be right", "[schema]") {
+    check_case(
+        "contact.solve", wire::solve_params(),
+        GENERATE(
+            Case{"/bodies/upper/nu", "0.6", "bodies.upper.nu", "is 0.6; it must lie in [0, 0.5]"},
+            Case{"/bodies/lower", "{\"G\": 1}", "bodies.lower.nu", "is missing; it must be a number"},
+            Case{"/bodies/middle", "{}", "bodies.middle", "known fields are lower, upper"},
+            Case{"/gap", "{}", "gap", "it must hold exactly one of array, paraboloid"},
+            Case{"/gap/array", "[[1,2,3],[4,5,6]]", "gap", "is an object with 2 fields; it must hold exactly one"},
+            Case{"/gap", "{\"array\": 5}", "gap.array", "is 5; it must be a list of numbers or {\"$array\""},
+            Case{"/gap/paraboloid", "{}", "gap.paraboloid", "it must hold at least one of Rx, Ry"},
+            Case{"/gap/paraboloid/Rx", "0", "gap.paraboloid.Rx", "is 0; it must not be 0"},
+            Case{"/gap/paraboloid/Rx", "-0.0", "gap.paraboloid.Rx", "it must not be"},
+            Case{"/gap/paraboloid/Rz", "5", "gap.paraboloid.Rz", "known fields are Rx, Ry"},
+            Case{"/approach", "\"deep\"", "approach", "is \"deep\"; it must be a number"},
+            Case{"/friction/mu", "-0.1", "friction.mu", "is -0.1; it must lie in [0, 1000]"},
+            Case{"/friction", "{\"mu\": 0.4}", "friction.rigid_shift", "is missing; it must be a list of 2 values"},
+            Case{"/friction/rigid_shift", "[1]", "friction.rigid_shift", "has 1 values; it must have 2"},
+            Case{"/friction/rigid_shift", "[1, 2, 3]", "friction.rigid_shift", "has 3 values; it must have 2"},
+            Case{"/friction/rigid_shift", "[1, \"2\"]", "friction.rigid_shift[1]", "is \"2\"; it must be a number"},
+            Case{"/settings", "{\"normal\": {\"tolerance\": 0}}", "settings.normal.tolerance", "it must be positive"},
+            Case{"/settings", "{\"norm\": {}}", "settings.norm", "known fields are normal, tangential"},
+            Case{"/initial", "{\"pressure\": null}", "initial.pressure", "is null"},
+            Case{"/ics/order", "2", "ics.order",
+                 "does not go with source \"analytic\"; only source, body, load_shape do"}));
+}
+
+TEST_CASE("A bad reference to a frame is ARRAY_INVALID", "[schema]") {
+    const char* gap =
+        GENERATE(R"({"frame": 0, "dtype": "<f8", "shape": [2, 3]})", R"({"frame": 1, "dtype": "f4", "shape": [2, 3]})",
+                 R"({"frame": 1, "dtype": "<f8", "shape": []})", R"({"frame": 1, "dtype": "<f8"})",
+                 R"({"frame": 1, "dtype": "<f8", "shape": [2, 3], "order": "F"})");
+    json params = wire::solve_params();
+    params["gap"] = {{"array", {{"$array", json::parse(gap)}}}};
+
+    const auto status = wire::status_thrown_by([&] { check_params("contact.solve", params); });
+
+    REQUIRE(status);
+    CHECK(status->reason == "ARRAY_INVALID");
+    CHECK(status->violations[0].field.starts_with("gap.array.$array"));
+}
+
+TEST_CASE("Everything that is missing is named", "[schema]") {
+    const auto status = wire::status_thrown_by([] { check_params("contact.solve", {{"grid", {{"nx", 3}}}}); });
+
+    REQUIRE(status);
+    CHECK(status->reason == "FIELD_INVALID");
+    std::vector<std::string> fields;
+    for (const Violation& violation : status->violations) {
+        CHECK_THAT(violation.description, ContainsSubstring("is missing; it must be "));
+        fields.push_back(violation.field);
+    }
+    std::sort(fields.begin(), fields.end());
+    CHECK(fields == std::vector<std::string>{"approach", "bodies", "gap", "grid.dx", "grid.dy", "grid.ny", "ics"});
+}
+
+TEST_CASE("Violations are bounded and their quotations short", "[schema]") {
+    json params = wire::ic_params();
+    for (int i = 0; i < 1000; ++i) params[std::string(500, 'x') + std::to_string(i)] = i;
+    params["material"]["G"] = std::string(100'000, 'g');
+
+    const auto status = wire::status_thrown_by([&] { check_params("ic.get", params); });
+
+    REQUIRE(status);
+    CHECK(status->violations.size() <= 20);
+    CHECK(status->message.size() < 5000);
+}
+
+TEST_CASE("Numbers at the edge of the types are answered", "[schema]") {
+    json params = wire::ic_params();
+    for (const char* number : {"9223372036854775807", "-9223372036854775808", "1e18", "-1e300", "4000001"}) {
+        CAPTURE(number);
+        params["grid"]["nx"] = json::parse(number);
+        const auto violations = violations_of("ic.get.params", params);
+        REQUIRE(violations.size() == 1);
+        CHECK(violations[0].field == "grid.nx");
+    }
+}
+
+TEST_CASE("Schemas can be used from several threads", "[schema]") {
+    std::vector<std::size_t> found(4);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < found.size(); ++t)
+        threads.emplace_back([&found, t] {
+            json params = wire::ic_params();
+            params["grid"]["nx"] = -1;
+            for (int i = 0; i < 200; ++i) found[t] += violations_of("ic.get.params", params).size();
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(found == std::vector<std::size_t>(4, 200));
+}
+
+TEST_CASE("A schema of one's own can be used", "[schema]") {
+    const json own = json::parse(R"({"title": "the file", "type": "object", "additionalProperties": false,
+        "properties": {"port": {"type": "integer", "minimum": 1, "maximum": 65535}}})");
+    CHECK(violations_against(own, {{"port", 80}}).empty());
+    REQUIRE(violations_against(own, {{"port", 0}}).size() == 1);
+    CHECK(violations_against(own, {{"prot", 1}})[0].description == "is not a field of the file; known fields are port");
+}

@@ -1,0 +1,74 @@
+"""The files of proto/schema are JSON Schemas that other tools can use as they lie there."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+import referencing
+import referencing.jsonschema
+
+ROOT = Path(__file__).parents[2]
+DOCUMENTS = {path.name: json.loads(path.read_text()) for path in (ROOT / "proto" / "schema").glob("*.json")}
+REGISTRY: referencing.Registry[Any] = referencing.Registry().with_resources(
+    (name, referencing.jsonschema.DRAFT7.create_resource(document)) for name, document in DOCUMENTS.items()
+)
+
+
+def is_valid(name: str, document: object) -> bool:
+    return jsonschema.Draft7Validator(DOCUMENTS[name], registry=REGISTRY).is_valid(document)
+
+
+def example_of(method: str) -> Any:
+    """The request that docs/protocol.md shows for the method."""
+    text = (ROOT / "docs" / "protocol.md").read_text().split(f"### `{method}`")[1]
+    block = re.search(r"(?:^ {4}.*\n)+", text, re.MULTILINE)
+    assert block is not None
+    return json.loads(block.group())
+
+
+@pytest.mark.parametrize("name", sorted(DOCUMENTS))
+def test_is_a_draft_7_schema(name: str) -> None:
+    jsonschema.Draft7Validator.check_schema(DOCUMENTS[name])
+    assert DOCUMENTS[name]["title"]
+    assert DOCUMENTS[name]["description"]
+
+
+@pytest.mark.parametrize("method", ["ic.get", "contact.solve"])
+def test_takes_the_example_of_the_documentation(method: str) -> None:
+    assert is_valid(f"{method}.params.json", example_of(method))
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        (["grid", "nx"], 0),
+        (["grid", "dx"], -1),
+        (["grid", "extra"], 1),
+        (["bodies", "upper", "nu"], 0.6),
+        (["ics", "order"], 2),
+        (["gap", "array"], [[1.0]]),
+        (["gap", "paraboloid", "Rx"], 0),
+        (["friction", "rigid_shift"], [1]),
+    ],
+)
+def test_refuses_what_the_daemon_refuses(path: list[str], value: object) -> None:
+    document = copy.deepcopy(example_of("contact.solve"))
+    target = document
+    for key in path[:-1]:
+        target = target[key]
+    target[path[-1]] = value
+    assert not is_valid("contact.solve.params.json", document)
+
+
+def test_array_is_a_list_or_a_reference() -> None:
+    document = example_of("contact.solve")
+    document["gap"] = {"array": {"$array": {"frame": 1, "dtype": "<f8", "shape": [40, 40]}}}
+    assert is_valid("contact.solve.params.json", document)
+    document["gap"] = {"array": {"frame": 1}}
+    assert not is_valid("contact.solve.params.json", document)

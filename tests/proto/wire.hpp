@@ -1,0 +1,41 @@
+// Requests as a client sends them, and what came of a bad one.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/proto/status.hpp"
+
+namespace wire {
+
+inline nlohmann::json ic_params() {
+    return nlohmann::json::parse(R"({
+        "material": {"G": 82000, "nu": 0.28},
+        "grid": {"nx": 10, "ny": 12, "dx": 0.8, "dy": 0.4},
+        "ics": {"source": "fem", "preset": "paper-test2", "L_over_h": 1280}})");
+}
+
+inline nlohmann::json solve_params() {
+    return nlohmann::json::parse(R"({
+        "grid": {"nx": 3, "ny": 2, "dx": 0.06, "dy": 0.06},
+        "bodies": {"upper": {"G": 200, "nu": 0.42}},
+        "ics": {"source": "analytic"},
+        "gap": {"paraboloid": {"Rx": 50, "Ry": 50}},
+        "approach": 0.02,
+        "friction": {"mu": 0.4, "rigid_shift": [0.00817, 0]}})");
+}
+
+/// The status that `act` throws, or nothing.
+inline std::optional<contactd::proto::Status> status_thrown_by(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const contactd::proto::StatusError& error) {
+        return error.status();
+    }
+    return std::nullopt;
+}
+
+}  // namespace wire

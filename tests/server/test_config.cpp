@@ -1,0 +1,71 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "config.hpp"
+#include "contactd/error.hpp"
+
+using namespace contactd::server;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using nlohmann::json;
+
+TEST_CASE("An empty configuration gives the defaults, which are safe") {
+    const Config config = config_from_json(json::object());
+
+    CHECK(config.endpoint == "tcp://127.0.0.1:5555");
+    CHECK(config.workers == 2);
+    CHECK(config.builds.concurrent == 1);
+    CHECK(config.builds.launcher.empty());
+    CHECK(config.builds.program.filename() == "contactd-ic");
+    CHECK(config.store.folder.filename() == "store");
+    CHECK(config.max_queue == 256);
+}
+
+TEST_CASE("What is given wins over the defaults, the rest of its section keeps them") {
+    const Config config = config_from_json({{"builds", {{"launcher", {"mpirun", "-np", "2"}}}}, {"workers", 7}});
+
+    CHECK(config.workers == 7);
+    CHECK(config.builds.launcher.size() == 3);
+    CHECK(config.builds.concurrent == 1);
+}
+
+TEST_CASE("A printed configuration reads back as itself") {
+    const Config config = config_from_json({{"workers", 3}, {"log", {{"level", "off"}}}});
+
+    CHECK(to_json(config_from_json(to_json(config))) == to_json(config));
+}
+
+TEST_CASE("Every problem of a configuration is named with its field") {
+    struct Case {
+        json given;
+        const char* field;
+    };
+    const auto [given, field] =
+        GENERATE(Case{{{"wokers", 2}}, "wokers"}, Case{{{"workers", 0}}, "workers"},
+                 Case{{{"workers", "two"}}, "workers"}, Case{{{"endpoint", "http://somewhere"}}, "endpoint"},
+                 Case{{{"store", {{"path", "x"}}}}, "store.path"}, Case{{{"log", {{"level", "loud"}}}}, "log.level"},
+                 Case{{{"builds", {{"launcher", "mpirun"}}}}, "builds.launcher"},
+                 Case{{{"limits", {{"max_frames", -1}}}}, "limits.max_frames"});
+
+    CHECK_THROWS_MATCHES(config_from_json(given), contactd::Error, MessageMatches(ContainsSubstring(field)));
+}
+
+TEST_CASE("A configuration that is no JSON, no object or no file is refused with its name") {
+    const auto path = std::filesystem::temp_directory_path() / "contactd-test-config.json";
+    std::ofstream(path) << "{\"workers\": ";
+    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring(path.string())));
+    std::ofstream(path) << "[]";
+    CHECK_THROWS_AS(config_from_file(path), contactd::Error);
+    std::filesystem::remove(path);
+    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring("cannot be read")));
+}
+
+TEST_CASE("The configurations that come with contactd can be used") {
+    for (const char* name : {"contactd.json", "mpi.json", "container.json"})
+        CHECK_NOTHROW(config_from_file(std::filesystem::path(CONFIGS) / name));
+}

@@ -1,0 +1,61 @@
+#include <catch2/catch_test_macros.hpp>
+
+#include "ic_cache.hpp"
+
+using namespace contactd;
+using namespace contactd::server;
+
+namespace {
+
+IcCache::Record record_of(int nx, int ny) {
+    IcRecord record;
+    record.table = IcTable(nx, ny);
+    return std::make_shared<const IcRecord>(std::move(record));
+}
+
+constexpr std::size_t bytes_of(int nx, int ny) {
+    return 9u * static_cast<unsigned>(nx * ny) * sizeof(double);
+}
+
+}  // namespace
+
+TEST_CASE("The cache gives a table that covers the extent") {
+    IcCache cache(1 << 20);
+    cache.insert("a", record_of(4, 3));
+
+    CHECK(cache.find("a", 4, 3));
+    CHECK(cache.find("a", 1, 1));
+    CHECK_FALSE(cache.find("a", 5, 1));
+    CHECK_FALSE(cache.find("b", 1, 1));
+}
+
+TEST_CASE("A larger table takes the place of the one it covers") {
+    IcCache cache(1 << 20);
+    cache.insert("a", record_of(4, 3));
+    cache.insert("a", record_of(8, 8));
+
+    CHECK(cache.usage().tables == 1);
+    CHECK(cache.usage().bytes == bytes_of(8, 8));
+}
+
+TEST_CASE("The least recently used table goes when the budget is full") {
+    IcCache cache(2 * bytes_of(4, 4));
+    cache.insert("a", record_of(4, 4));
+    cache.insert("b", record_of(4, 4));
+    cache.find("a", 1, 1);
+    cache.insert("c", record_of(4, 4));
+
+    CHECK(cache.find("a", 1, 1));
+    CHECK_FALSE(cache.find("b", 1, 1));
+    CHECK(cache.find("c", 1, 1));
+    CHECK(cache.usage().bytes <= cache.usage().budget_bytes);
+}
+
+TEST_CASE("A table larger than the budget is not kept and pushes nothing out") {
+    IcCache cache(bytes_of(4, 4));
+    cache.insert("a", record_of(4, 4));
+    cache.insert("b", record_of(5, 5));
+
+    CHECK(cache.find("a", 4, 4));
+    CHECK_FALSE(cache.find("b", 1, 1));
+}

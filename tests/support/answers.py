@@ -1,0 +1,56 @@
+"""Well-formed results, as a daemon would send them, for the fake one."""
+
+import numpy as np
+
+INFO = {
+    "version": "0.1.0",
+    "protocol": 1,
+    "libraries": {"mfem": "4.7"},
+    "limits": {
+        "max_frame_bytes": 1 << 20,
+        "max_frames": 4,
+        "max_message_bytes": 1 << 20,
+        "max_array_elements": 1000,
+        "max_queue": 8,
+    },
+    "counters": {"requests": 1},
+    "cache": {"tables": 0},
+    "queue": {"solves_waiting": 0},
+    "uptime_seconds": 1.5,
+}
+
+
+def array(frame, shape, dtype="<f8"):
+    return {"$array": {"frame": frame, "dtype": dtype, "shape": list(shape)}}
+
+
+def table(ny, nx):
+    """Result and frames of ic.get for a closed-form table whose entries count 0, 1, 2, ..."""
+    values = np.arange(9.0 * ny * nx)
+    spec = {
+        "material": {"G": 1, "nu": 0},
+        "grid": {"nx": nx, "ny": ny, "dx": 1, "dy": 1},
+        "ics": {"source": "analytic", "body": "half_space", "load_shape": "constant"},
+    }
+    evidence = {"source": "analytic", "version": "0.1.0"}
+    result = {"key": "", "origin": "closed_form", "spec": spec, "table": array(1, (3, 3, ny, nx)), "evidence": evidence}
+    return result, values.tobytes()
+
+
+def solution(ny, nx):
+    """Result and frames of contact.solve."""
+    solver = {"iterations": 7, "residual": 1e-7, "converged": True, "seconds": 0.1}
+    use = {"origin": "closed_form", "key": "", "evidence": {"source": "analytic"}}
+    result = {
+        "forces": {"Fn": 9.2, "Fx": -3.2, "Fy": 0},
+        "pmax": 4.4,
+        "area": {"contact": 3.0, "adhesion": 1.0, "slip": 2.0},
+        "elements": {"contact": 3, "adhesion": 1, "slip": 2},
+        "element_division": array(1, (ny, nx), "|u1"),
+        "pressure": array(2, (ny, nx)),
+        "traction_x": array(3, (ny, nx)),
+        "traction_y": array(4, (ny, nx)),
+        "converged": True,
+        "evidence": {"normal": solver, "tangential": solver, "ics": {"upper": use, "lower": use}},
+    }
+    return result, bytes(ny * nx), *[bytes(8 * ny * nx)] * 3

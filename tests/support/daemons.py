@@ -1,0 +1,109 @@
+"""Real daemons on private endpoints, and what they must not leave behind."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from contactd import Client, LocalDaemon
+from contactd.connection import Reply
+
+from . import schemas
+from .raw import RawClient
+
+BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / "development" / "bin"))
+
+
+class CheckedClient(Client):
+    """A client that holds every result and every progress message against its schema."""
+
+    def _exchange(self, envelope: Any, frames: Any, deadline: float, on_progress: Any) -> Reply:
+        schemas.check(f"{envelope['method']}.params", envelope["params"])
+        reply = super()._exchange(envelope, frames, deadline, on_progress)
+        schemas.check(f"{envelope['method']}.result", reply.result)
+        return reply
+
+
+class TestDaemon(LocalDaemon):
+    """A daemon in a folder of the test's."""
+
+    __test__ = False
+
+    @property
+    def store(self) -> Path:
+        return self.folder / "store"
+
+    def client(self, **options: Any) -> Client:
+        return CheckedClient(self.endpoint, **{"timeout": 50, **options})
+
+    def raw(self, kind: int | None = None) -> RawClient:
+        return RawClient(self.endpoint) if kind is None else RawClient(self.endpoint, kind)
+
+    def tables(self) -> list[Path]:
+        """The files of the store that are tables."""
+        return sorted(self.store.glob("*.h5"))
+
+    def builders(self) -> list[int]:
+        """Processes that build for this daemon's store, launchers included."""
+        return processes_with(str(self.store) + "/")
+
+    def kill(self) -> None:
+        """SIGKILL, and waits for the end."""
+        self.process.kill()
+        self.process.wait()
+
+
+class Daemons:
+    """Starts daemons; afterwards every one must have ended, and the folder must hold nothing but tables and logs."""
+
+    def __init__(self) -> None:
+        # Short, because the path of a Unix socket is.
+        self.folder = Path(tempfile.mkdtemp(prefix="contactd-test-"))
+        self._started: list[TestDaemon] = []
+
+    def start(self, name: str = "daemon", **config: Mapping[str, Any]) -> TestDaemon:
+        """A daemon in the folder `name`; the same name again means the same store."""
+        daemon = TestDaemon(BIN / "contactd", folder=self.folder / name, config=config)
+        self._started.append(daemon)
+        return daemon
+
+    def finish(self) -> None:
+        try:
+            ended = [daemon.stop() for daemon in self._started]
+            assert all(status in (0, -9) for status in ended), f"exit statuses {ended}"
+            eventually(lambda: not processes_with(str(self.folder)), "processes left behind")
+            left = [path for path in self.folder.rglob("*") if path.is_file() or path.is_socket()]
+            expected = {"contactd.json", "contactd.log", "socket"} if -9 in ended else {"contactd.json", "contactd.log"}
+            strange = [
+                p for p in left if p.name not in expected and p.suffix != ".h5" and p.parent.name != "quarantine"
+            ]
+            assert not strange, f"files left behind: {strange}"
+        finally:
+            shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def processes_with(text: str) -> list[int]:
+    """Living processes whose command line holds `text`."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        if not entry.name.isdigit() or int(entry.name) == os.getpid():
+            continue
+        try:
+            if text.encode() in (entry / "cmdline").read_bytes():
+                found.append(int(entry.name))
+        except OSError:
+            continue  # it ended meanwhile
+    return found
+
+
+def eventually(condition: Callable[[], object], failure: str = "it did not come about", seconds: float = 20) -> None:
+    """Waits until `condition` holds."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, failure
+        time.sleep(0.02)

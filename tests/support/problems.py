@@ -1,0 +1,31 @@
+"""Materials, grids and coefficients that several tests use."""
+
+from __future__ import annotations
+
+from contactd import ContactProblem, FemIcs, Friction, Grid, Material, Paraboloid
+
+STEEL = Material(G=82000, nu=0.28)
+GRID = Grid(6, 6, 0.8, 0.8)
+#: A table in about a tenth of a second.
+QUICK = FemIcs("paper-test2", order=1, L_over_h=40)
+#: A table that takes a minute: something to watch, to cancel and to kill.
+LONG = FemIcs("paper-test1", order=2, L_over_h=1000)
+
+#: The Cattaneo problem of the paper, section 4, with analytic coefficients on 40 x 40 elements.
+CATTANEO = ContactProblem(
+    grid=Grid.centred(40, 40, 2.4, 2.4),
+    upper=Material(G=200, nu=0.42),
+    gap=Paraboloid(Rx=50, Ry=50),
+    approach=0.02,
+    friction=Friction(mu=0.4, rigid_shift=(0.00817, 0)),
+)
+
+#: The same as parameters on the wire.
+CATTANEO_PARAMS = {
+    "grid": {"nx": 40, "ny": 40, "dx": 0.06, "dy": 0.06},
+    "bodies": {"upper": {"G": 200, "nu": 0.42}},
+    "ics": {"source": "analytic"},
+    "gap": {"paraboloid": {"Rx": 50, "Ry": 50}},
+    "approach": 0.02,
+    "friction": {"mu": 0.4, "rigid_shift": [0.00817, 0]},
+}
