@@ -191,9 +191,9 @@ void IcService::stop(const Status& status) {
         stopping_ = true;
         stop_status_ = status;
         flights = flights_;
-        for (const FlightPtr& flight : flights)
-            if (flight->job) flight->job->cancel();
     }
+    for (const FlightPtr& flight : flights)
+        if (flight->job) flight->job->cancel();  // answers those who wait for a queued build, so not under the lock
     builders_.stop();
     for (const FlightPtr& flight : flights) crash(flight, status);
 }
