@@ -40,7 +40,7 @@ void decode_errors(const json& errors, IcEvidence& evidence) {
 }
 
 json encode_load_case(const LoadCaseEvidence& load_case) {
-    return {{"load", word_of(axis_words, load_case.load)},
+    return {{"load", name_of(load_case.load)},
             {"iterations", load_case.iterations},
             {"residual", finite(load_case.residual, "The residual of a load case")},
             {"converged", load_case.converged},
@@ -48,8 +48,10 @@ json encode_load_case(const LoadCaseEvidence& load_case) {
 }
 
 LoadCaseEvidence decode_load_case(const json& source) {
-    return {value_of(axis_words, source["load"]), source["iterations"].get<int>(), source["residual"].get<double>(),
-            source["converged"].get<bool>(), source["seconds"].get<double>()};
+    Axis load{};
+    read_name(source["load"], load);
+    return {load, source["iterations"].get<int>(), source["residual"].get<double>(), source["converged"].get<bool>(),
+            source["seconds"].get<double>()};
 }
 
 }  // namespace

@@ -22,19 +22,17 @@ Material decode_material(const json& source) {
 }
 
 json encode_ics(const Ics& ics) {
-    json result{{"source", word_of(ic_source_words, ics.source)},
-                {"body", "half_space"},
-                {"load_shape", word_of(load_shape_words, ics.load_shape)}};
+    json result{{"source", name_of(ics.source)}, {"body", "half_space"}, {"load_shape", name_of(ics.load_shape)}};
     if (ics.source == IcSource::analytic) return result;
     const FemSpec& fem = ics.fem;
-    result["mesh"] = word_of(mesh_words, fem.mesh);
+    result["mesh"] = name_of(fem.mesh);
     result["order"] = fem.order;
     result["l_over_h"] = finite(fem.l_over_h, "l_over_h");
     result["h_over_hs"] = finite(fem.h_over_hs, "h_over_hs");
     result["f"] = finite(fem.f, "f");
     result["L_over_h"] = finite(fem.L_over_h, "L_over_h");
-    result["far_boundary"] = word_of(far_boundary_words, fem.far_boundary);
-    result["sampling"] = word_of(sampling_words, fem.sampling);
+    result["far_boundary"] = name_of(fem.far_boundary);
+    result["sampling"] = name_of(fem.sampling);
     result["tolerance"] = finite(fem.tolerance, "tolerance");
     result["max_iterations"] = fem.max_iterations;
     result["strength_threshold"] = finite(fem.strength_threshold, "strength_threshold");
@@ -43,8 +41,8 @@ json encode_ics(const Ics& ics) {
 
 Ics decode_ics(const json& source) {
     Ics ics;
-    ics.source = value_of(ic_source_words, source["source"]);
-    if (source.contains("load_shape")) ics.load_shape = value_of(load_shape_words, source["load_shape"]);
+    read_name(source["source"], ics.source);
+    if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
     if (ics.source == IcSource::analytic) return ics;
     FemSpec& fem = ics.fem;
     if (source.contains("preset")) {
@@ -52,9 +50,9 @@ Ics decode_ics(const json& source) {
         if (!preset) throw invalid_field("ics.preset", "is " + source["preset"].dump() + "; there is no such preset");
         fem = *preset;
     }
-    if (source.contains("mesh")) fem.mesh = value_of(mesh_words, source["mesh"]);
-    if (source.contains("far_boundary")) fem.far_boundary = value_of(far_boundary_words, source["far_boundary"]);
-    if (source.contains("sampling")) fem.sampling = value_of(sampling_words, source["sampling"]);
+    if (source.contains("mesh")) read_name(source["mesh"], fem.mesh);
+    if (source.contains("far_boundary")) read_name(source["far_boundary"], fem.far_boundary);
+    if (source.contains("sampling")) read_name(source["sampling"], fem.sampling);
     fem.order = source.value("order", fem.order);
     fem.l_over_h = source.value("l_over_h", fem.l_over_h);
     fem.h_over_hs = source.value("h_over_hs", fem.h_over_hs);

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -15,29 +13,10 @@
 
 namespace contactd::proto {
 
-// The words of the wire for enumerators.
-inline constexpr std::pair<IcSource, std::string_view> ic_source_words[]{{IcSource::analytic, "analytic"},
-                                                                         {IcSource::fem, "fem"}};
-inline constexpr std::pair<LoadShape, std::string_view> load_shape_words[]{{LoadShape::constant, "constant"}};
-inline constexpr std::pair<MeshKind, std::string_view> mesh_words[]{{MeshKind::hex, "hex"}};
-inline constexpr std::pair<FarBoundary, std::string_view> far_boundary_words[]{{FarBoundary::clamped, "clamped"}};
-inline constexpr std::pair<Sampling, std::string_view> sampling_words[]{{Sampling::fem, "fem"},
-                                                                        {Sampling::linear, "linear"}};
-inline constexpr std::pair<Axis, std::string_view> axis_words[]{{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
-
-template <class Words>
-std::string_view word_of(const Words& words, decltype(words[0].first) value) {
-    for (const auto& [known, word] : words)
-        if (known == value) return word;
-    throw Error("An enumerator has no word on the wire.");
-}
-
-/// `word` has passed its schema, so it is one of the words.
-template <class Words>
-auto value_of(const Words& words, const nlohmann::json& word) {
-    for (const auto& [value, known] : words)
-        if (word == known) return value;
-    throw Error("The word " + word.dump() + " is unknown.");
+/// The enumerator that `word` names. It has passed its schema, so there is one.
+template <class Enum>
+void read_name(const nlohmann::json& word, Enum& value) {
+    if (!from_name(word.get<std::string>(), value)) throw Error("The word " + word.dump() + " is unknown.");
 }
 
 /// `value`, which must be finite: JSON would silently turn anything else into null. Throws Error naming `what`.

@@ -42,10 +42,8 @@ def cattaneo_checks(sphere: Sphere, analytic: ContactSolution, mesh: ContactSolu
     division = (analytic.elements.adhesion, analytic.elements.slip)
     text = f"{'analytic ICs, adhesion / slip':34} {'{} / {}'.format(*division)}, as that code"
     yield division == ESTABLISHED_DIVISION, text
-    yield _within("Mesh1 ICs, Fz", mesh.Fn, sphere.normal_force, 0.002, "Hertz (paper, 4.1)")
-    # The paper has 0.03 % here (Mesh1, 160 x 160). With u = 0 at L = 1024 mm the block alone costs 0.10 % and this grid
-    # 0.02 %, so that cannot be asked; 0.17 % is what it has with Mesh2 and calls engineering accuracy.
-    source = f"{LIMIT_FX} N (h -> 0; the paper's figure for Mesh2, 4.2)"
-    yield _within("Mesh1 ICs, |Fx|", abs(mesh.Fx), LIMIT_FX, 0.0017, source)
+    # The paper has 0.1 % and 0.03 % here, at 160 x 160; clamping at L = 1024 mm costs about 0.1 % of both.
+    yield _within("Mesh1 ICs, Fz", mesh.Fn, sphere.normal_force, 0.001, "Hertz (paper, 4.1)")
+    yield _within("Mesh1 ICs, |Fx|", abs(mesh.Fx), LIMIT_FX, 0.001, f"{LIMIT_FX} N, the limit h -> 0 (paper, 4.2)")
     for name, solution in (("analytic", analytic), ("Mesh1", mesh)):
         yield solution.converged, f"{name + ' ICs, solvers converged':34} {solution.converged!s:>9}"
