@@ -35,7 +35,7 @@ void zeromq_echo(benchmark::State& state) {
         (void)dealer.send(zmq::buffer(request));
         (void)dealer.recv(reply);
     }
-    (void)dealer.send(zmq::message_t());
+    (void)dealer.send(zmq::message_t(), zmq::send_flags::none);
     server.join();
 }
 BENCHMARK(zeromq_echo)->UseRealTime()->Unit(benchmark::kMicrosecond);

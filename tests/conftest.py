@@ -8,6 +8,10 @@ from collections.abc import Iterator
 
 import pytest
 
+# A run started in the background of a script ignores SIGINT, and so would every program it starts; the tests that
+# interrupt something need the usual behaviour whoever starts them.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
 
 @pytest.fixture(autouse=True)
 def time_limit(request: pytest.FixtureRequest) -> Iterator[None]:

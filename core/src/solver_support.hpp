@@ -1,11 +1,10 @@
 // Small helpers the contact solvers share.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <string>
 
@@ -14,16 +13,10 @@
 
 namespace contactd {
 
-/// Several partial sums, so that an addition need not wait for the one before.
 inline double dot(std::span<const double> a, std::span<const double> b) {
-    constexpr std::size_t lanes = 8;
-    const double *x = a.data(), *y = b.data();
-    const std::size_t whole = a.size() / lanes * lanes;
-    std::array<double, lanes> sums = {};
-    for (std::size_t i = 0; i < whole; i += lanes)
-        for (std::size_t lane = 0; lane < lanes; ++lane) sums[lane] += x[i + lane] * y[i + lane];
-    for (std::size_t i = whole; i < a.size(); ++i) sums[0] += x[i] * y[i];
-    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+    using Vector = Eigen::Map<const Eigen::VectorXd>;
+    const auto size = static_cast<Eigen::Index>(a.size());
+    return Vector(a.data(), size).dot(Vector(b.data(), size));
 }
 
 inline void require_size(std::span<const double> values, std::size_t size, const char* field) {
