@@ -23,6 +23,7 @@ from contactd.daemon import LocalDaemon
 BASELINES = [
     (r"bench_core\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
     (r"bench_fem\.build/([\w-]+)/\w+.*", "bench_fem.build/{0}/total", "of the build"),
+    (r"bench_fem\.table/\w+.*", "bench_fem.table/paper", "the paper's way"),
     (r"bench_request\.\w+.*", "bench_request.zeromq_echo", "ZeroMQ echos"),
 ]
 TO_SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -71,6 +72,8 @@ def print_table(rows: list[dict[str, Any]]) -> None:
         line = f"{row['name']:{width}}  {time_text(row['seconds']):>11}"
         if found := ratio(row, by_name):
             line += f"  {found[0]:9.3g}  {found[1]}"
+        if "peak_MiB" in row:
+            line += f" ({row['dofs']:.0f} dofs, errors {row['error_zz']:.1e} {row['error_xx']:.1e}, {row['peak_MiB']:.0f} MiB)"
         if "solver_iterations" in row:
             line += f" ({row['solver_iterations']:.0f} iterations)"
         print(line)

@@ -7,7 +7,8 @@ install(EXPORT contactd_targets NAMESPACE contactd:: DESTINATION ${CMAKE_INSTALL
   COMPONENT development)
 install(DIRECTORY proto/include/ client/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(FILES
-  core/include/contactd/contact.hpp core/include/contactd/error.hpp core/include/contactd/grid.hpp
+  core/include/contactd/contact.hpp core/include/contactd/error.hpp core/include/contactd/given_ics.hpp
+  core/include/contactd/grid.hpp
   core/include/contactd/ic_spec.hpp core/include/contactd/ic_table.hpp core/include/contactd/material.hpp
   core/include/contactd/observer.hpp
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/contactd COMPONENT development)

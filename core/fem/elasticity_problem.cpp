@@ -3,15 +3,14 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
 
 namespace contactd::fem {
 namespace {
 
-constexpr int assembly_chunks = 16;
-
 /// Components that vanish on a plane of symmetry (Table 1): across x = 0, u_i keeps or changes its sign by its parity,
-/// and what changes its sign is zero there. The others are natural.
-bool vanishes(Axis component, Axis load, BoundaryPart part) {
+/// and what changes its sign is zero there. The others are natural. On the far faces all are given.
+bool is_given(Axis component, Axis load, BoundaryPart part) {
     const Parity sign = parity(component, load);
     switch (part) {
         case BoundaryPart::front:
@@ -25,20 +24,60 @@ bool vanishes(Axis component, Axis load, BoundaryPart part) {
     }
 }
 
-mfem::Array<int> marker(std::initializer_list<BoundaryPart> parts) {
+mfem::Array<int> marker(BoundaryPart part) {
     mfem::Array<int> result(static_cast<int>(BoundaryPart::far));
     result = 0;
-    for (const BoundaryPart part : parts) result[static_cast<int>(part) - 1] = 1;
+    result[static_cast<int>(part) - 1] = 1;
     return result;
 }
 
-mfem::Array<int> essential_dofs(mfem::ParFiniteElementSpace& space, Axis load) {
+mfem::Vector unit(Axis axis) {
+    mfem::Vector result(3);
+    result = 0.0;
+    result[static_cast<int>(axis)] = 1;
+    return result;
+}
+
+}  // namespace
+
+ElasticityProblem::ElasticityProblem(MPI_Comm comm, const IcSpec& spec, BlockMesh block)
+    : comm_(comm), spec_(spec), locate_(std::move(block.locate)), collection_(spec.fem.order, 3) {
+    MPI_Comm_rank(comm, &rank_);
+    MPI_Comm_size(comm, &processes_);
+    elements_ = block.mesh.GetNE();
+    if (processes_ > elements_)
+        throw InvalidArgument("ics.h_over_hs", "gives a mesh of " + std::to_string(elements_) +
+                                                   " elements, fewer than the " + std::to_string(processes_) +
+                                                   " processes it shall be distributed to");
+    std::vector<int> owner = owners();
+    mesh_ = std::make_unique<mfem::ParMesh>(comm, block.mesh, owner.data());
+    int own = 0;
+    for (const int process : owner) local_number_.push_back(process == rank_ ? own++ : -1);
+    space_ = std::make_unique<mfem::ParFiniteElementSpace>(mesh_.get(), &collection_, 3, mfem::Ordering::byVDIM);
+}
+
+// Slices from the origin outwards touch in one shell each, which no graph partitioner betters.
+std::vector<int> ElasticityProblem::owners() const {
+    std::vector<int> result(static_cast<std::size_t>(elements_));
+    for (int rank = 0; rank < processes_; ++rank)
+        for (long long i = elements_ * rank / processes_; i < elements_ * (rank + 1) / processes_; ++i)
+            result[static_cast<std::size_t>(i)] = rank;
+    return result;
+}
+
+ElementPoint ElasticityProblem::locate(double X, double Y) const {
+    ElementPoint result = locate_(X, Y);
+    result.element = local_number_[static_cast<std::size_t>(result.element)];
+    return result;
+}
+
+mfem::Array<int> ElasticityProblem::essential_dofs(Axis load, const std::vector<BoundaryPart>& parts) {
     mfem::Array<int> result;
-    for (const BoundaryPart part : {BoundaryPart::front, BoundaryPart::right, BoundaryPart::far})
+    for (const BoundaryPart part : parts)
         for (const Axis component : {Axis::x, Axis::y, Axis::z}) {
-            if (!vanishes(component, load, part)) continue;
+            if (!is_given(component, load, part)) continue;
             mfem::Array<int> dofs;
-            space.GetEssentialTrueDofs(marker({part}), dofs, static_cast<int>(component));
+            space_->GetEssentialTrueDofs(marker(part), dofs, static_cast<int>(component));
             result.Append(dofs);
         }
     result.Sort();
@@ -46,80 +85,56 @@ mfem::Array<int> essential_dofs(mfem::ParFiniteElementSpace& space, Axis load) {
     return result;
 }
 
-}  // namespace
+void ElasticityProblem::give_far_displacements(Axis load, LoadCase& result) {
+    mfem::VectorFunctionCoefficient displacement(3, [&](const mfem::Vector& at, mfem::Vector& u) {
+        const auto value = half_space_displacement(spec_, load, {at[0], at[1], at[2]});
+        for (int i = 0; i < 3; ++i) u[i] = value[static_cast<std::size_t>(i)];
+    });
+    mfem::ParGridFunction u(space_.get());
+    u = 0.0;
+    mfem::Array<int> far = marker(BoundaryPart::far);
+    u.ProjectBdrCoefficient(displacement, far);
+    mfem::Vector true_values;
+    u.GetTrueDofs(true_values);
+    for (const int dof : essential_dofs(load, {BoundaryPart::far})) result.given[dof] = true_values[dof];
+    for (const int dof : essential_dofs(load, {BoundaryPart::front, BoundaryPart::right})) result.given[dof] = 0;
+}
 
-ElasticityProblem::ElasticityProblem(MPI_Comm comm, const IcSpec& spec)
-    : comm_(comm), spec_(spec), shells_(make_shells(spec)), elements_(spec.fem.order, 3) {
-    MPI_Comm_rank(comm, &rank_);
-    MPI_Comm_size(comm, &processes_);
-    if (processes_ > shells_.elements())
-        throw InvalidArgument("ics.h_over_hs", "gives a mesh of " + std::to_string(shells_.elements()) +
-                                                   " elements, fewer than the " + std::to_string(processes_) +
-                                                   " processes it shall be distributed to");
-    mfem::Mesh whole = make_quarter_block(shells_);
-    // Slices from the origin outwards touch in one shell each, which no graph partitioner betters.
-    mfem::Array<int> owner(whole.GetNE());
-    for (int rank = 0; rank < processes_; ++rank) {
-        const auto [first, last] = own_elements(rank);
-        for (long long i = first; i < last; ++i) owner[static_cast<int>(i)] = rank;
+LoadCase ElasticityProblem::empty_case(Axis load) {
+    LoadCase result;
+    result.essential = essential_dofs(load, {BoundaryPart::front, BoundaryPart::right, BoundaryPart::far});
+    for (mfem::Vector* vector : {&result.given, &result.forces}) {
+        vector->SetSize(space_->GetTrueVSize());
+        *vector = 0.0;
     }
-    mesh_ = std::make_unique<mfem::ParMesh>(comm, whole, owner.GetData());
-    space_ = std::make_unique<mfem::ParFiniteElementSpace>(mesh_.get(), &elements_, 3, mfem::Ordering::byVDIM);
+    return result;
 }
 
-std::array<long long, 2> ElasticityProblem::own_elements(int rank) const {
-    return {shells_.elements() * rank / processes_, shells_.elements() * (rank + 1) / processes_};
-}
-
-int ElasticityProblem::local_element(int element) const {
-    const auto [first, last] = own_elements(rank_);
-    return element >= first && element < last ? static_cast<int>(element - first) : -1;
-}
-
-void ElasticityProblem::assemble(const std::function<void(double)>& on_chunk) {
-    const double G = spec_.material.G, nu = spec_.material.nu;
-    mfem::ConstantCoefficient lambda(2 * G * nu / (1 - 2 * nu)), mu(G);
-    mfem::ElasticityIntegrator integrator(lambda, mu);
-    // (p+1)^3 points: fewer make the matrix singular, more change nothing that can be seen.
-    const mfem::IntegrationRule& rule = mfem::IntRules.Get(mfem::Geometry::CUBE, 2 * spec_.fem.order + 1);
-    integrator.SetIntRule(&rule);
-
-    mfem::ParBilinearForm form(space_.get());
-    mfem::DenseMatrix element_matrix;
-    mfem::Array<int> vdofs;
-    const int count = mesh_->GetNE();
-    int element = 0;
-    for (int chunk = 1; chunk <= assembly_chunks; ++chunk) {
-        const auto end = static_cast<int>(1LL * count * chunk / assembly_chunks);
-        for (; element < end; ++element) {
-            integrator.AssembleElementMatrix(*space_->GetFE(element), *space_->GetElementTransformation(element),
-                                             element_matrix);
-            form.AssembleElementMatrix(element, element_matrix, vdofs);
-        }
-        on_chunk(static_cast<double>(chunk) / assembly_chunks);
-    }
-    form.Finalize();
-    unconstrained_.reset(form.ParallelAssemble());
+LoadCase ElasticityProblem::correction_case(Axis load) {
+    LoadCase result = empty_case(load);
+    give_far_displacements(load, result);
+    result.given.Neg();
+    return result;
 }
 
 LoadCase ElasticityProblem::load_case(Axis load) {
-    const mfem::Array<int> essential = essential_dofs(*space_, load);
+    LoadCase result = empty_case(load);
+    if (spec_.fem.far_boundary == FarBoundary::half_space) give_far_displacements(load, result);
 
-    LoadCase result;
-    result.A = std::make_unique<mfem::HypreParMatrix>(*unconstrained_);
-    result.A->EliminateBC(essential, mfem::Operator::DIAG_KEEP);
-
-    mfem::Vector direction(3);
-    direction = 0.0;
-    direction[static_cast<int>(load)] = 1;
-    mfem::VectorConstantCoefficient traction(direction);
-    mfem::Array<int> loaded = marker({BoundaryPart::loaded});
+    const mfem::Vector direction = unit(load);
+    mfem::VectorFunctionCoefficient traction(3, [&](const mfem::Vector& at, mfem::Vector& value) {
+        value = direction;
+        if (spec_.load_shape == LoadShape::bilinear) value *= (1 + at[0] / spec_.dx) * (1 + at[1] / spec_.dy);
+    });
+    mfem::Array<int> loaded = marker(BoundaryPart::loaded);
     mfem::ParLinearForm form(space_.get());
-    form.AddBoundaryIntegrator(new mfem::VectorBoundaryLFIntegrator(traction), loaded);
+    auto* integrator = new mfem::VectorBoundaryLFIntegrator(traction);  // the form deletes it
+    const int degree = 2 * spec_.fem.order + 2;                         // bilinear map and tent times shape function
+    const mfem::IntegrationRule& rule = mfem::IntRules.Get(mfem::Geometry::SQUARE, degree);
+    integrator->SetIntRule(&rule);
+    form.AddBoundaryIntegrator(integrator, loaded);
     form.Assemble();
-    result.b.SetSize(space_->GetTrueVSize());
-    form.ParallelAssemble(result.b);
-    result.b.SetSubVector(essential, 0.0);
+    form.ParallelAssemble(result.forces);
     return result;
 }
 

@@ -1,54 +1,65 @@
-// Linear elasticity of the quarter block under a unit traction, div sigma(u) = 0, for the three load directions.
+// Linear elasticity of the quarter block under a unit traction, div sigma(u) = 0, for the three load directions: the
+// finite-element space, and what each load prescribes. The systems of equations are made elsewhere (linear_system.hpp).
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <vector>
 
 #include <mfem.hpp>
 
+#include "block_mesh.hpp"
 #include "contactd/ic_table.hpp"
-#include "quarter_block.hpp"
 
 namespace contactd::fem {
 
-/// The system of one load case: essential rows and columns eliminated, true degrees of freedom.
+/// What a load direction prescribes, in true degrees of freedom.
 struct LoadCase {
-    std::unique_ptr<mfem::HypreParMatrix> A;
-    mfem::Vector b;
+    mfem::Array<int> essential;  ///< where displacements are given, ascending
+    mfem::Vector given;          ///< these displacements, zero elsewhere
+    mfem::Vector forces;         ///< of the unit traction
 };
 
-/// Vector H1 elements on Mesh1, the dofs of a node side by side (byVDIM), distributed in slices from the origin
-/// outwards. The matrix is assembled once, without constraints; each load case eliminates its own.
+/// Vector H1 elements on the quarter block, the dofs of a node side by side (byVDIM), distributed in slices from the
+/// origin outwards.
 class ElasticityProblem {
    public:
-    /// Collective. `spec` must be dimensionless. Throws InvalidArgument when there are more processes than elements.
-    ElasticityProblem(MPI_Comm comm, const IcSpec& spec);
+    /// Collective. `spec` must be dimensionless, its mesh given. Throws InvalidArgument when there are more processes
+    /// than elements.
+    ElasticityProblem(MPI_Comm comm, const IcSpec& spec) : ElasticityProblem(comm, spec, make_block_mesh(spec)) {}
+    ElasticityProblem(MPI_Comm comm, const IcSpec& spec, BlockMesh block);
 
-    /// Collective. `on_chunk(fraction)` is called at the same points by all processes.
-    void assemble(const std::function<void(double)>& on_chunk);
-
-    /// Collective. Table 1 of the paper: essential conditions of the load's direction, u = 0 on the far faces, unit
-    /// traction along `load` on the quarter of the loaded element.
+    /// Collective. Table 1 of the paper for a load along `load`: symmetry conditions, the far boundary's displacements,
+    /// and the unit traction (of the load's shape) on the quarter of the load.
     LoadCase load_case(Axis load);
 
-    const Shells& shells() const { return shells_; }
-    mfem::ParFiniteElementSpace& space() { return *space_; }
-    long long dofs() const { return space_->GlobalTrueVSize(); }
+    /// Collective. What turns the half-space into the block, for the same load: no traction, and on the far faces the
+    /// half-space's displacements taken back.
+    LoadCase correction_case(Axis load);
 
-    /// Number on this process of an element of the whole mesh, or -1 when another process has it.
-    int local_element(int element) const;
+    const IcSpec& spec() const { return spec_; }
+    mfem::ParFiniteElementSpace& space() { return *space_; }
+    long long elements() const { return elements_; }
+    long long dofs() const { return space_->GlobalTrueVSize(); }
+    int processes() const { return processes_; }
+
+    /// Where the surface point (-X, -Y, 0) is, its element numbered on this process; -1 when another process has it.
+    ElementPoint locate(double X, double Y) const;
 
    private:
-    std::array<long long, 2> own_elements(int rank) const;  ///< first and one past the last
+    LoadCase empty_case(Axis load);
+    std::vector<int> owners() const;  ///< process of each element
+    mfem::Array<int> essential_dofs(Axis load, const std::vector<BoundaryPart>& parts);
+    void give_far_displacements(Axis load, LoadCase& result);
 
     MPI_Comm comm_;
     int rank_ = 0, processes_ = 1;
     IcSpec spec_;
-    Shells shells_;
+    long long elements_ = 0;
+    std::function<ElementPoint(double, double)> locate_;
+    std::vector<int> local_number_;  ///< of each element of the whole mesh, -1 elsewhere
     std::unique_ptr<mfem::ParMesh> mesh_;
-    mfem::H1_FECollection elements_;
+    mfem::H1_FECollection collection_;
     std::unique_ptr<mfem::ParFiniteElementSpace> space_;
-    std::unique_ptr<mfem::HypreParMatrix> unconstrained_;
 };
 
 }  // namespace contactd::fem

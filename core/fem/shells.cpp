@@ -29,8 +29,6 @@ Shells make_shells(const IcSpec& spec) {
     const MeshSize size = mesh_size(spec);
     shells.m = size.elements_per_edge;
     shells.k = size.layers;
-    const int half = static_cast<int>(std::lround(fem.h_over_hs / 2));
-    shells.load_elements = {half, half};
     const std::vector<double> t = fractions(fem.f, shells.k);
     for (std::size_t a = 0; a < 3; ++a)
         for (const double fraction : t) shells.edge[a].push_back(fraction == 1 ? L : l[a] + fraction * (L - l[a]));

@@ -15,7 +15,6 @@ namespace contactd::fem {
 struct Shells {
     int m = 0;                                ///< elements per edge of the box and of every shell
     int k = 0;                                ///< layers
-    std::array<int, 2> load_elements{};       ///< elements of the box under the quarter load, along x and y
     std::array<std::vector<double>, 3> edge;  ///< k+1 edges of the shells along each axis
 
     long long elements() const { return 1LL * m * m * (m + 3LL * k); }

@@ -44,6 +44,17 @@ void solve_friction(const ContactProblem& problem, const InfluenceOperator& infl
         if (bound[i] > 0) solution.element_division[i] = tangential.element_division[i];
 }
 
+void check_uncoupled(const ContactProblem& problem) {
+    if (problem.given_ics && coupling(problem.given_ics->table) > coupling_tolerance)
+        throw InvalidArgument("ics.table",
+                              "has xz, zx, yz or zy, which couple normal and tangential contact; with friction this is "
+                              "not solved yet: they must be zero");
+    if (!problem.given_ics && !problem.bodies.quasi_identical())
+        throw InvalidArgument("bodies.lower",
+                              "has another (1-2nu)/G than bodies.upper, which couples normal and tangential contact; "
+                              "with friction this is not solved yet: both bodies must have the same (1-2nu)/G");
+}
+
 void add_up(const Grid& grid, ContactSolution& solution) {
     for (std::size_t i = 0; i < grid.size(); ++i) {
         solution.Fn += solution.pressure[i];
@@ -71,10 +82,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const InfluenceOper
         throw InvalidArgument("grid", "has " + std::to_string(problem.grid.size()) +
                                           " elements; the influence coefficients are for " +
                                           std::to_string(influence.size()));
-    if (problem.friction && !problem.bodies.quasi_identical())
-        throw InvalidArgument("bodies.lower",
-                              "has another (1-2nu)/G than bodies.upper, which couples normal and tangential contact; "
-                              "with friction this is not solved yet: both bodies must have the same (1-2nu)/G");
+    if (problem.friction) check_uncoupled(problem);
     std::vector<double> gap = problem.undeformed_distance;
     for (double& h : gap) h -= problem.approach;
     ContactSolution solution;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "contactd/ic_exchange.hpp"
 #include "contactd/ic_store.hpp"
 #include "ic_hdf5.hpp"
 #include "sha256.hpp"
@@ -91,10 +92,9 @@ bool lock_and_still_there(const File& file) {
     return ::flock(file.fd(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file.fd(), &status) == 0 && status.st_nlink > 0;
 }
 
-void write_renamed(const fs::path& path, const fs::path& temporary, const File& file, Bytes image) {
+void write_renamed(const fs::path& path, const fs::path& temporary, const File& file, Bytes bytes) {
     try {
-        write_all(file, header_of(image), temporary);
-        write_all(file, image, temporary);
+        write_all(file, bytes, temporary);
         if (::fsync(file.fd()) != 0) fail("sync", temporary);
         if (::rename(temporary.c_str(), path.c_str()) != 0) fail("rename", temporary);
     } catch (...) {
@@ -106,9 +106,17 @@ void write_renamed(const fs::path& path, const fs::path& temporary, const File& 
 
 }  // namespace
 
+std::vector<unsigned char> to_ic_file(const IcRecord& record) {
+    const std::vector<unsigned char> image = to_hdf5(record);
+    const auto header = header_of(image);
+    std::vector<unsigned char> bytes(header.begin(), header.end());
+    bytes.insert(bytes.end(), image.begin(), image.end());
+    return bytes;
+}
+
 void write_ic_file(const fs::path& path, const IcRecord& record) {
     static std::atomic<unsigned> serial{0};
-    const std::vector<unsigned char> image = to_hdf5(record);
+    const std::vector<unsigned char> bytes = to_ic_file(record);
     constexpr int tries = 16;
     for (int n = 0; n < tries; ++n) {
         const fs::path temporary =
@@ -117,7 +125,7 @@ void write_ic_file(const fs::path& path, const IcRecord& record) {
         if (!file.is_open() && errno == EEXIST) continue;
         if (!file.is_open()) fail("create", temporary);
         if (!lock_and_still_there(file)) continue;  // swept between open and lock
-        return write_renamed(path, temporary, file, image);
+        return write_renamed(path, temporary, file, bytes);
     }
     throw StoreError("Cannot create a temporary file beside " + path.string() + ".");
 }

@@ -72,7 +72,8 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec) const {
     for (const StoredName& stored : tables) {
         try {
             IcRecord record = read_ic_file(stored.path);
-            if (ic_key(record.spec) != key || record.table.nx != stored.nx || record.table.ny != stored.ny)
+            if (ic_key(record.spec) != key || record.spec.dx != 1 || record.spec.material.G != 1 ||
+                record.table.nx != stored.nx || record.table.ny != stored.ny)
                 throw DamagedTable(stored.path.string() + " does not hold the table its name promises.");
             return record;
         } catch (const DamagedTable& error) {

@@ -50,9 +50,13 @@ std::vector<double> paraboloid(const Grid& grid, double Rx, double Ry) {
 
 void validate(const ContactProblem& problem) {
     validate(problem.grid, "grid");
-    const bool incompressible_allowed = problem.ic_source == IcSource::analytic;
-    validate(problem.bodies.upper, "bodies.upper", incompressible_allowed);
-    validate(problem.bodies.lower, "bodies.lower", incompressible_allowed);
+    if (problem.given_ics) {
+        validate(*problem.given_ics, problem.grid);
+    } else {
+        const bool incompressible_allowed = problem.ic_source == IcSource::analytic;
+        validate(problem.bodies.upper, "bodies.upper", incompressible_allowed);
+        validate(problem.bodies.lower, "bodies.lower", incompressible_allowed);
+    }
     const std::size_t size = problem.grid.size();
     check_array(problem.undeformed_distance, size, "gap");
     check_finite(problem.approach, "approach");

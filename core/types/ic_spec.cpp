@@ -14,17 +14,25 @@
 namespace contactd {
 namespace {
 
-constexpr long long max_elements = 200'000;  // some millions of unknowns: what one machine can hold
+constexpr long long max_elements = 200'000;    // some millions of unknowns: what one machine can hold
+constexpr double largest_accuracy_aspect = 8;  // where the choice of meshes was tested with a margin
 
 template <class Enum, std::size_t count>
 using Names = std::array<std::pair<Enum, std::string_view>, count>;
 
-constexpr Names<LoadShape, 1> load_shapes{{{LoadShape::constant, "constant"}}};
+constexpr Names<BodyShape, 2> body_shapes{{{BodyShape::half_space, "half_space"}, {BodyShape::block, "block"}}};
+constexpr Names<LoadShape, 2> load_shapes{{{LoadShape::constant, "constant"}, {LoadShape::bilinear, "bilinear"}}};
 constexpr Names<IcSource, 2> ic_sources{{{IcSource::analytic, "analytic"}, {IcSource::fem, "fem"}}};
-constexpr Names<MeshKind, 1> mesh_kinds{{{MeshKind::hex, "hex"}}};
-constexpr Names<FarBoundary, 1> far_boundaries{{{FarBoundary::clamped, "clamped"}}};
+constexpr Names<MeshKind, 3> mesh_kinds{
+    {{MeshKind::hex, "hex"}, {MeshKind::prism, "prism"}, {MeshKind::adaptive, "adaptive"}}};
+constexpr Names<FarBoundary, 2> far_boundaries{
+    {{FarBoundary::clamped, "clamped"}, {FarBoundary::half_space, "half_space"}}};
 constexpr Names<Sampling, 3> samplings{
     {{Sampling::fem, "fem"}, {Sampling::linear, "linear"}, {Sampling::linear_nodes, "linear_nodes"}}};
+constexpr Names<Solver, 3> solvers{
+    {{Solver::automatic, "auto"}, {Solver::amg_pcg, "amg_pcg"}, {Solver::direct, "direct"}}};
+constexpr Names<StopTest, 2> stop_tests{{{StopTest::residual, "residual"}, {StopTest::update, "update"}}};
+constexpr Names<Diagonal, 2> diagonals{{{Diagonal::outward, "outward"}, {Diagonal::across, "across"}}};
 
 std::string_view find_name(const auto& names, auto value) {
     for (const auto& [known, name] : names)
@@ -57,27 +65,63 @@ void require(bool holds, const char* field, double value, const char* rule) {
     if (!holds) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + rule);
 }
 
-void validate(const FemSpec& fem) {
-    require(fem.order == 1 || fem.order == 2, "ics.order", fem.order, "be 1 or 2");
+void validate(const FemSpec& fem, LoadShape load) {
+    require(fem.order >= 1 && fem.order <= 6, "ics.order", fem.order, "be 1 to 6");
     require(std::isfinite(fem.h_over_hs) && fem.h_over_hs >= 2 && is_whole(fem.h_over_hs / 2), "ics.h_over_hs",
             fem.h_over_hs, "be an even integer, so that the load's edge lies on element faces");
-    require(std::isfinite(fem.l_over_h) && fem.l_over_h >= 0.5, "ics.l_over_h", fem.l_over_h,
-            "be at least 0.5, so that the cube holds the load");
+    if (load == LoadShape::constant)
+        require(std::isfinite(fem.l_over_h) && fem.l_over_h >= 0.5, "ics.l_over_h", fem.l_over_h,
+                "be at least 0.5, so that the cube holds the load");
+    else
+        require(std::isfinite(fem.l_over_h) && fem.l_over_h >= 1, "ics.l_over_h", fem.l_over_h,
+                "be at least 1, so that the cube holds the bilinear load");
     const double m = fem.l_over_h * fem.h_over_hs;
     require(is_whole(m), "ics.l_over_h", fem.l_over_h,
             "make l_over_h * h_over_hs an integer, so that the load's edge lies on element faces");
     require(m <= 1000, "ics.l_over_h", fem.l_over_h, "keep l_over_h * h_over_hs, the elements per edge, below 1000");
     require(fem.f >= 1 && fem.f <= 10, "ics.f", fem.f, "lie in [1, 10]");
+    require(fem.t1_over_hs == 0 || (fem.t1_over_hs >= 1e-3 && fem.t1_over_hs <= 1e3), "ics.t1_over_hs", fem.t1_over_hs,
+            "lie in [0.001, 1000], or be 0 for f");
     require(std::isfinite(fem.L_over_h) && fem.L_over_h > fem.l_over_h && fem.L_over_h <= 1e9, "ics.L_over_h",
             fem.L_over_h, "be larger than l_over_h and at most 1e9");
+    require(fem.max_dofs >= 1000 && fem.max_dofs <= 5'000'000, "ics.max_dofs", static_cast<double>(fem.max_dofs),
+            "lie in [1000, 5000000]");
     require(fem.tolerance >= 1e-13 && fem.tolerance < 1, "ics.tolerance", fem.tolerance, "lie in [1e-13, 1)");
     require(fem.max_iterations >= 1, "ics.max_iterations", fem.max_iterations, "be at least 1");
-    require(fem.strength_threshold >= 0 && fem.strength_threshold < 1, "ics.strength_threshold", fem.strength_threshold,
-            "lie in [0, 1)");
+    if (fem.solver == Solver::direct && fem.mesh == MeshKind::adaptive)
+        throw InvalidArgument("ics.solver",
+                              "is direct, which does not go with the hanging nodes of mesh adaptive; "
+                              "take amg_pcg, or auto");
+    if (const auto& threshold = fem.strength_threshold)
+        require(*threshold >= 0 && *threshold < 1, "ics.strength_threshold", *threshold, "lie in [0, 1)");
+}
+
+void validate_body(const IcSpec& spec) {
+    if (spec.body == BodyShape::half_space) return;
+    if (spec.source == IcSource::analytic)
+        throw InvalidArgument("ics.body", "is block, which has no closed form; take source fem");
+    if (spec.accuracy == 0 && spec.fem.far_boundary != FarBoundary::clamped)
+        throw InvalidArgument("ics.far_boundary", "is half_space; the faces of a block are clamped");
+}
+
+void validate_accuracy(const IcSpec& spec) {
+    if (spec.source == IcSource::analytic)
+        throw InvalidArgument("ics.accuracy", "goes with source fem; the closed form is exact");
+    require(spec.accuracy >= finest_accuracy && spec.accuracy <= coarsest_accuracy, "ics.accuracy", spec.accuracy,
+            "lie in [0.0001, 0.1]");
+    const double aspect = spec.dx / spec.dy;
+    require(aspect >= 1 / largest_accuracy_aspect && aspect <= largest_accuracy_aspect, "ics.accuracy", spec.accuracy,
+            "be left out, and a mesh be given, where dx/dy is outside [0.125, 8]");
+    if (!spec.any_nu)
+        require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
+                "be at most 0.49 when an accuracy is asked for");
 }
 
 }  // namespace
 
+std::string_view name_of(BodyShape value) {
+    return find_name(body_shapes, value);
+}
 std::string_view name_of(LoadShape value) {
     return find_name(load_shapes, value);
 }
@@ -93,7 +137,19 @@ std::string_view name_of(FarBoundary value) {
 std::string_view name_of(Sampling value) {
     return find_name(samplings, value);
 }
+std::string_view name_of(Solver value) {
+    return find_name(solvers, value);
+}
+std::string_view name_of(StopTest value) {
+    return find_name(stop_tests, value);
+}
+std::string_view name_of(Diagonal value) {
+    return find_name(diagonals, value);
+}
 
+bool from_name(std::string_view name, BodyShape& value) {
+    return find_value(body_shapes, name, value);
+}
 bool from_name(std::string_view name, LoadShape& value) {
     return find_value(load_shapes, name, value);
 }
@@ -109,14 +165,35 @@ bool from_name(std::string_view name, FarBoundary& value) {
 bool from_name(std::string_view name, Sampling& value) {
     return find_value(samplings, name, value);
 }
+bool from_name(std::string_view name, Solver& value) {
+    return find_value(solvers, name, value);
+}
+bool from_name(std::string_view name, StopTest& value) {
+    return find_value(stop_tests, name, value);
+}
+bool from_name(std::string_view name, Diagonal& value) {
+    return find_value(diagonals, name, value);
+}
 
 std::optional<FemSpec> fem_preset(std::string_view name) {
     FemSpec fem;
-    if (name == "paper-test3") return fem;
+    fem.far_boundary = FarBoundary::clamped;
+    fem.solver = Solver::amg_pcg;
+    constexpr std::string_view mesh2 = "paper-mesh2-";
+    std::string_view test = name;
+    if (name.starts_with(mesh2)) {
+        fem.mesh = MeshKind::prism;
+        test.remove_prefix(mesh2.size());
+    } else {
+        constexpr std::string_view mesh1 = "paper-";
+        if (!name.starts_with(mesh1)) return std::nullopt;
+        test.remove_prefix(mesh1.size());
+    }
+    if (test == "test3") return fem;
     fem.f = 1.5;
-    if (name == "paper-test2") return fem;
+    if (test == "test2") return fem;
     fem.l_over_h = 2.5;
-    if (name == "paper-test1") return fem;
+    if (test == "test1") return fem;
     return std::nullopt;
 }
 
@@ -126,30 +203,72 @@ void validate(const IcSpec& spec) {
     const double aspect = spec.dx / spec.dy;
     if (!(aspect >= 1e-3 && aspect <= 1e3))
         throw InvalidArgument("grid.dy", "gives dx/dy = " + number_text(aspect) + "; it must lie in [0.001, 1000]");
+    validate_body(spec);
+    if (spec.accuracy != 0) validate_accuracy(spec);
+    if (spec.any_nu) {
+        if (spec.source == IcSource::analytic)
+            throw InvalidArgument("ics.any_nu", "goes with source fem; the closed form is as quick for any nu");
+        require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
+                "be at most 0.49, the end of a family over nu");
+        if (spec.source == IcSource::fem && spec.accuracy == 0 && spec.fem.mesh == MeshKind::adaptive)
+            throw InvalidArgument("ics.any_nu",
+                                  "does not go with mesh adaptive: each nu has a mesh of its own, and "
+                                  "between tables of different meshes nothing can be interpolated");
+    }
     if (spec.source != IcSource::fem) return;
-    validate(spec.fem);
-    if (const MeshSize size = mesh_size(spec); size.elements > max_elements)
-        throw InvalidArgument("ics", "asks for a mesh of " + std::to_string(size.elements) + " elements; at most " +
-                                         std::to_string(max_elements) +
-                                         " are allowed: take a larger f, or a smaller l_over_h, h_over_hs or L_over_h");
+    const bool chosen = spec.accuracy != 0;
+    if (!chosen) {
+        validate(spec.fem, spec.load_shape);
+        const MeshSize size = mesh_size(spec);
+        if (spec.fem.mesh != MeshKind::adaptive && size.elements > max_elements)
+            throw InvalidArgument("ics", "asks for a mesh of " + std::to_string(size.elements) + " elements; at most " +
+                                             std::to_string(max_elements) +
+                                             " are allowed: take a larger f, or a smaller l_over_h, h_over_hs or "
+                                             "L_over_h");
+    }
+    if (chosen && spec.body == BodyShape::half_space) return;
     const double L = spec.fem.L_over_h * std::max(spec.dx, spec.dy);
     const double farthest = std::max((spec.nx - 1) * spec.dx, (spec.ny - 1) * spec.dy);
-    if (farthest >= L)
+    if (!(farthest < L))
         throw InvalidArgument("ics.L_over_h", "is " + number_text(spec.fem.L_over_h) + "; the offsets reach " +
                                                   number_text(farthest) + " and must lie inside the block of size " +
                                                   number_text(L));
+}
+
+std::vector<std::string> warnings(const IcSpec& spec) {
+    std::vector<std::string> result;
+    const FemSpec& fem = spec.fem;
+    if (spec.source != IcSource::fem || spec.accuracy != 0 || fem.mesh == MeshKind::adaptive) return result;
+    const auto advise = [&](bool holds, const std::string& field, const std::string& value, const char* advice) {
+        if (!holds) result.push_back(field + " is " + value + "; the paper advises " + advice + " (Table 3).");
+    };
+    // Beyond its order-2 meshes and u = 0 the paper's ranges say nothing.
+    advise(fem.order >= 2, "order", std::to_string(fem.order), "quadratic elements");
+    if (fem.far_boundary == FarBoundary::clamped && spec.body == BodyShape::half_space)
+        advise(fem.L_over_h >= 80, "L_over_h", number_text(fem.L_over_h), "at least 80");
+    if (fem.order > 2) return result;
+    advise(fem.l_over_h >= 1 && fem.l_over_h <= 1.25, "l_over_h", number_text(fem.l_over_h), "1 to 1.25");
+    advise(fem.h_over_hs >= 4, "h_over_hs", number_text(fem.h_over_hs), "at least 4");
+    if (fem.mesh == MeshKind::hex)
+        advise(fem.f <= 1.5, "f", number_text(fem.f), "1 to 1.5 on Mesh1");
+    else
+        advise(fem.f >= 1.5 && fem.f <= 2, "f", number_text(fem.f), "1.5 to 2 on Mesh2");
+    return result;
 }
 
 MeshSize mesh_size(const IcSpec& spec) {
     const FemSpec& fem = spec.fem;
     const double h = std::sqrt(spec.dx * spec.dy), hs = h / fem.h_over_hs;
     const double thickness = fem.L_over_h * std::max(spec.dx, spec.dy) - fem.l_over_h * h;
-    const double layers =
-        fem.f == 1 ? thickness / hs : std::log1p(thickness * (fem.f - 1) / (fem.f * hs)) / std::log(fem.f);
+    const double t1 = hs * (fem.t1_over_hs > 0 ? fem.t1_over_hs : fem.f);
+    const double layers = fem.f == 1 ? thickness / t1 : std::log1p(thickness * (fem.f - 1) / t1) / std::log(fem.f);
     constexpr double most = 1e9;
     const int m = static_cast<int>(std::lround(fem.l_over_h * fem.h_over_hs));
     const int k = static_cast<int>(std::lround(std::clamp(layers, 1.0, most)));
-    return {m, k, 1LL * m * m * (m + 3LL * k)};
+    long long elements = 1LL * m * m * (m + 3LL * k);
+    // Mesh2: the cross-section of m^2 + 2 m k quadrilaterals, each two triangles, times m + k slices.
+    if (fem.mesh == MeshKind::prism && k < 1'000'000) elements = 2LL * (1LL * m * m + 2LL * m * k) * (m + k);
+    return {m, k, elements};
 }
 
 IcSpec dimensionless(const IcSpec& spec) {
@@ -157,15 +276,35 @@ IcSpec dimensionless(const IcSpec& spec) {
     result.material = {1, rounded(spec.material.nu)};
     result.dx = 1;
     result.dy = rounded(spec.dy / spec.dx);
+    if (spec.any_nu) result.material.nu = 0;
     if (spec.source == IcSource::analytic) {
         result.fem = FemSpec{};
+        return result;
+    }
+    FemSpec& fem = result.fem;
+    if (spec.accuracy != 0) {
+        // What is chosen later does not tell one request from another; neither do accuracies between two levels.
+        result.accuracy = spec.accuracy >= 1e-2 ? 1e-2 : spec.accuracy >= 1e-3 ? 1e-3 : 1e-4;
+        fem = FemSpec{};
+        fem.L_over_h = spec.body == BodyShape::block ? rounded(spec.fem.L_over_h) : 0;
+        return result;
+    }
+    for (double FemSpec::* ratio : {&FemSpec::l_over_h, &FemSpec::h_over_hs, &FemSpec::f, &FemSpec::t1_over_hs,
+                                    &FemSpec::L_over_h, &FemSpec::tolerance})
+        fem.*ratio = rounded(fem.*ratio);
+    if (fem.t1_over_hs == fem.f) fem.t1_over_hs = 0;
+    if (fem.strength_threshold) fem.strength_threshold = rounded(*fem.strength_threshold);
+    if (fem.solver == Solver::direct) {
+        fem.stop_test = FemSpec{}.stop_test;
+        fem.strength_threshold.reset();
+    }
+    if (fem.mesh != MeshKind::prism) fem.diagonal = FemSpec{}.diagonal;
+    if (fem.mesh == MeshKind::adaptive) {
+        // It starts from a mesh of its own, of which only the size is given.
+        for (double FemSpec::* ratio : {&FemSpec::l_over_h, &FemSpec::h_over_hs, &FemSpec::f, &FemSpec::t1_over_hs})
+            fem.*ratio = FemSpec{}.*ratio;
     } else {
-        result.fem.l_over_h = rounded(spec.fem.l_over_h);
-        result.fem.h_over_hs = rounded(spec.fem.h_over_hs);
-        result.fem.f = rounded(spec.fem.f);
-        result.fem.L_over_h = rounded(spec.fem.L_over_h);
-        result.fem.tolerance = rounded(spec.fem.tolerance);
-        result.fem.strength_threshold = rounded(spec.fem.strength_threshold);
+        fem.max_dofs = FemSpec{}.max_dofs;
     }
     return result;
 }

@@ -91,10 +91,6 @@ SolverEvidence decode_solver_evidence(const json& source) {
             source["seconds"].get<double>()};
 }
 
-json encode_use(const IcUse& use) {
-    return {{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}};
-}
-
 IcUse decode_use(const json& source) {
     return {source["origin"].get<std::string>(), source["key"].get<std::string>(), decode_evidence(source["evidence"])};
 }
@@ -127,20 +123,45 @@ std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
     return states;
 }
 
+json encode_bodies(const BodyPair& bodies) {
+    return {{"upper", encode_material(bodies.upper)}, {"lower", encode_material(bodies.lower)}};
+}
+
+void decode_ics_of_bodies(const json& params, ContactProblem& problem) {
+    const json& bodies = params["bodies"];
+    problem.bodies.upper = decode_material(bodies["upper"]);
+    problem.bodies.lower = bodies.contains("lower") ? decode_material(bodies["lower"]) : problem.bodies.upper;
+    const Ics ics = decode_ics(params["ics"]);
+    problem.ic_source = ics.source;
+    problem.body = ics.body;
+    problem.load_shape = ics.load_shape;
+    problem.accuracy = ics.accuracy;
+    problem.any_nu = ics.any_nu;
+    problem.fem = ics.fem;
+}
+
 }  // namespace
+
+json encode_use(const IcUse& use) {
+    return {{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}};
+}
 
 json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
     json params{
         {"grid", encode_grid(problem.grid)},
-        {"bodies",
-         {{"upper", encode_material(problem.bodies.upper)}, {"lower", encode_material(problem.bodies.lower)}}},
-        {"ics", encode_ics({problem.ic_source, problem.load_shape, problem.fem})},
         {"gap",
          {{"array", arrays.write(std::span<const double>(problem.undeformed_distance), shape_of(problem.grid))}}},
         {"approach", finite(problem.approach, "approach")},
         {"settings",
          {{"normal", encode_settings(problem.normal_settings)},
           {"tangential", encode_settings(problem.tangential_settings)}}}};
+    if (problem.given_ics) {
+        params["ics"] = encode_given_ics(*problem.given_ics, arrays);
+    } else {
+        params["bodies"] = encode_bodies(problem.bodies);
+        params["ics"] = encode_ics(
+            {problem.ic_source, problem.body, problem.load_shape, problem.accuracy, problem.any_nu, problem.fem});
+    }
     if (problem.friction)
         params["friction"] = {{"mu", finite(problem.friction->mu, "friction.mu")},
                               {"rigid_shift",
@@ -153,13 +174,10 @@ json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
 ContactProblem decode_problem(const json& params, const std::vector<std::string>& frames) {
     ContactProblem problem;
     problem.grid = decode_grid(params["grid"]);
-    const json& bodies = params["bodies"];
-    problem.bodies.upper = decode_material(bodies["upper"]);
-    problem.bodies.lower = bodies.contains("lower") ? decode_material(bodies["lower"]) : problem.bodies.upper;
-    const Ics ics = decode_ics(params["ics"]);
-    problem.ic_source = ics.source;
-    problem.load_shape = ics.load_shape;
-    problem.fem = ics.fem;
+    if (params["ics"]["source"] == "table")
+        problem.given_ics = decode_given_ics(params["ics"], frames, problem.grid);
+    else
+        decode_ics_of_bodies(params, problem);
     problem.undeformed_distance = decode_gap(params["gap"], frames, problem.grid);
     problem.approach = params["approach"].get<double>();
     if (params.contains("friction")) {
@@ -197,7 +215,10 @@ json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& 
     result["converged"] = solution.converged();
     result["evidence"]["normal"] = encode_solver_evidence(solution.normal);
     if (solution.tangential) result["evidence"]["tangential"] = encode_solver_evidence(*solution.tangential);
-    result["evidence"]["ics"] = {{"upper", encode_use(reply.upper)}, {"lower", encode_use(reply.lower)}};
+    if (reply.pair)
+        result["evidence"]["ics"] = {{"pair", encode_use(*reply.pair)}};
+    else
+        result["evidence"]["ics"] = {{"upper", encode_use(reply.upper)}, {"lower", encode_use(reply.lower)}};
     return result;
 }
 
@@ -226,8 +247,13 @@ SolveReply decode_solve_reply(const json& result, const std::vector<std::string>
     const json& evidence = result["evidence"];
     solution.normal = decode_solver_evidence(evidence["normal"]);
     if (evidence.contains("tangential")) solution.tangential = decode_solver_evidence(evidence["tangential"]);
-    reply.upper = decode_use(evidence["ics"]["upper"]);
-    reply.lower = decode_use(evidence["ics"]["lower"]);
+    const json& ics = evidence["ics"];
+    if (ics.contains("pair")) {
+        reply.pair = decode_use(ics["pair"]);
+    } else {
+        reply.upper = decode_use(ics["upper"]);
+        reply.lower = decode_use(ics["lower"]);
+    }
     return reply;
 }
 

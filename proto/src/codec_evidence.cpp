@@ -40,18 +40,41 @@ void decode_errors(const json& errors, IcEvidence& evidence) {
 }
 
 json encode_load_case(const LoadCaseEvidence& load_case) {
-    return {{"load", name_of(load_case.load)},
-            {"iterations", load_case.iterations},
-            {"residual", finite(load_case.residual, "The residual of a load case")},
-            {"converged", load_case.converged},
-            {"seconds", finite(load_case.seconds, "The duration of a load case")}};
+    json result{{"load", name_of(load_case.load)},
+                {"iterations", load_case.iterations},
+                {"residual", finite(load_case.residual, "The residual of a load case")},
+                {"converged", load_case.converged},
+                {"seconds", finite(load_case.seconds, "The duration of a load case")}};
+    if (load_case.update) result["update"] = finite(*load_case.update, "The last update of a load case");
+    return result;
 }
 
 LoadCaseEvidence decode_load_case(const json& source) {
-    Axis load{};
-    read_name(source["load"], load);
-    return {load, source["iterations"].get<int>(), source["residual"].get<double>(), source["converged"].get<bool>(),
-            source["seconds"].get<double>()};
+    LoadCaseEvidence load_case;
+    read_name(source["load"], load_case.load);
+    load_case.iterations = source["iterations"].get<int>();
+    load_case.residual = source["residual"].get<double>();
+    load_case.converged = source["converged"].get<bool>();
+    load_case.seconds = source["seconds"].get<double>();
+    if (source.contains("update")) load_case.update = source["update"].get<double>();
+    return load_case;
+}
+
+json encode_family(const std::vector<double>& family_nu) {
+    json result = json::array();
+    for (const double nu : family_nu) result.push_back(finite(nu, "Poisson's ratio of a family"));
+    return result;
+}
+
+/// What a daemon of version 0.1 does not say.
+void decode_additions(const json& source, IcEvidence& evidence) {
+    evidence.errors_estimated = source.value("errors_estimated", false);
+    evidence.warnings = source.value("warnings", std::vector<std::string>());
+    evidence.solver = source.value("solver", std::string());
+    evidence.family_nu = source.value("family_nu", std::vector<double>());
+    if (source.contains("mesh")) decode_fem(source["mesh"], evidence.mesh.emplace());
+    if (source.contains("interpolation_error"))
+        evidence.interpolation_error = source["interpolation_error"].get<double>();
 }
 
 }  // namespace
@@ -59,18 +82,26 @@ LoadCaseEvidence decode_load_case(const json& source) {
 json encode_evidence(const IcEvidence& evidence) {
     json load_cases = json::array();
     for (const LoadCaseEvidence& load_case : evidence.load_cases) load_cases.push_back(encode_load_case(load_case));
-    return {{"source", evidence.source},
-            {"version", evidence.version},
-            {"elements", evidence.elements},
-            {"dofs", evidence.dofs},
-            {"processes", evidence.processes},
-            {"seconds",
-             {{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
-              {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
-              {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
-              {"total", finite(evidence.total_seconds, "The duration of the build")}}},
-            {"load_cases", std::move(load_cases)},
-            {"errors", encode_errors(evidence)}};
+    json result{{"source", evidence.source},
+                {"version", evidence.version},
+                {"elements", evidence.elements},
+                {"dofs", evidence.dofs},
+                {"processes", evidence.processes},
+                {"seconds",
+                 {{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
+                  {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
+                  {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
+                  {"total", finite(evidence.total_seconds, "The duration of the build")}}},
+                {"load_cases", std::move(load_cases)},
+                {"errors", encode_errors(evidence)},
+                {"errors_estimated", evidence.errors_estimated},
+                {"warnings", evidence.warnings}};
+    if (!evidence.solver.empty()) result["solver"] = evidence.solver;
+    if (evidence.mesh) result["mesh"] = encode_fem(*evidence.mesh);
+    if (!evidence.family_nu.empty()) result["family_nu"] = encode_family(evidence.family_nu);
+    if (evidence.interpolation_error)
+        result["interpolation_error"] = finite(*evidence.interpolation_error, "The error of interpolation");
+    return result;
 }
 
 IcEvidence decode_evidence(const json& source) {
@@ -87,6 +118,7 @@ IcEvidence decode_evidence(const json& source) {
     evidence.total_seconds = seconds["total"].get<double>();
     for (const auto& load_case : source["load_cases"]) evidence.load_cases.push_back(decode_load_case(load_case));
     decode_errors(source["errors"], evidence);
+    decode_additions(source, evidence);
     return evidence;
 }
 

@@ -2,7 +2,6 @@
 
 #include "codec_parts.hpp"
 #include "contactd/proto/codec.hpp"
-#include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
 
@@ -21,66 +20,26 @@ Material decode_material(const json& source) {
     return {source["G"].get<double>(), source["nu"].get<double>()};
 }
 
-json encode_ics(const Ics& ics) {
-    json result{{"source", name_of(ics.source)}, {"body", "half_space"}, {"load_shape", name_of(ics.load_shape)}};
-    if (ics.source == IcSource::analytic) return result;
-    const FemSpec& fem = ics.fem;
-    result["mesh"] = name_of(fem.mesh);
-    result["order"] = fem.order;
-    result["l_over_h"] = finite(fem.l_over_h, "l_over_h");
-    result["h_over_hs"] = finite(fem.h_over_hs, "h_over_hs");
-    result["f"] = finite(fem.f, "f");
-    result["L_over_h"] = finite(fem.L_over_h, "L_over_h");
-    result["far_boundary"] = name_of(fem.far_boundary);
-    result["sampling"] = name_of(fem.sampling);
-    result["tolerance"] = finite(fem.tolerance, "tolerance");
-    result["max_iterations"] = fem.max_iterations;
-    result["strength_threshold"] = finite(fem.strength_threshold, "strength_threshold");
-    return result;
-}
-
-Ics decode_ics(const json& source) {
-    Ics ics;
-    read_name(source["source"], ics.source);
-    if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
-    if (ics.source == IcSource::analytic) return ics;
-    FemSpec& fem = ics.fem;
-    if (source.contains("preset")) {
-        const auto preset = fem_preset(source["preset"].get<std::string>());
-        if (!preset) throw invalid_field("ics.preset", "is " + source["preset"].dump() + "; there is no such preset");
-        fem = *preset;
-    }
-    if (source.contains("mesh")) read_name(source["mesh"], fem.mesh);
-    if (source.contains("far_boundary")) read_name(source["far_boundary"], fem.far_boundary);
-    if (source.contains("sampling")) read_name(source["sampling"], fem.sampling);
-    fem.order = source.value("order", fem.order);
-    fem.l_over_h = source.value("l_over_h", fem.l_over_h);
-    fem.h_over_hs = source.value("h_over_hs", fem.h_over_hs);
-    fem.f = source.value("f", fem.f);
-    fem.L_over_h = source.value("L_over_h", fem.L_over_h);
-    fem.tolerance = source.value("tolerance", fem.tolerance);
-    fem.max_iterations = source.value("max_iterations", fem.max_iterations);
-    fem.strength_threshold = source.value("strength_threshold", fem.strength_threshold);
-    return ics;
-}
-
 json encode_ic_spec(const IcSpec& spec) {
     return {{"material", encode_material(spec.material)},
             {"grid", {{"nx", spec.nx}, {"ny", spec.ny}, {"dx", finite(spec.dx, "dx")}, {"dy", finite(spec.dy, "dy")}}},
-            {"ics", encode_ics({spec.source, spec.load_shape, spec.fem})}};
+            {"ics", encode_ics({spec.source, spec.body, spec.load_shape, spec.accuracy, spec.any_nu, spec.fem})}};
 }
 
 IcSpec decode_ic_spec(const json& params) {
     const json& grid = params["grid"];
-    Ics ics = decode_ics(params["ics"]);
+    const Ics ics = decode_ics(params["ics"]);
     IcSpec spec;
     spec.material = decode_material(params["material"]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();
     spec.nx = grid["nx"].get<int>();
     spec.ny = grid["ny"].get<int>();
+    spec.body = ics.body;
     spec.load_shape = ics.load_shape;
     spec.source = ics.source;
+    spec.accuracy = ics.accuracy;
+    spec.any_nu = ics.any_nu;
     spec.fem = ics.fem;
     return spec;
 }

@@ -7,9 +7,11 @@
 
 #include "contactd/contact.hpp"
 #include "contactd/error.hpp"
+#include "contactd/given_ics.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/material.hpp"
+#include "contactd/proto/codec.hpp"
 
 namespace contactd::proto {
 
@@ -25,13 +27,28 @@ double finite(double value, const char* what);
 nlohmann::json encode_material(const Material& material);
 Material decode_material(const nlohmann::json& json);
 
-/// What a request says about its coefficients.
+/// What a request says about its coefficients: IcSpec and ContactProblem hold the same, each in its own place.
 struct Ics {
     IcSource source = IcSource::analytic;
+    BodyShape body = BodyShape::half_space;
     LoadShape load_shape = LoadShape::constant;
+    double accuracy = 0;
+    bool any_nu = false;
     FemSpec fem;  ///< the default when source is analytic
 };
 nlohmann::json encode_ics(const Ics& ics);
+/// Applies preset and defaults.
 Ics decode_ics(const nlohmann::json& json);
+
+/// The fields of a mesh and its solver.
+nlohmann::json encode_fem(const FemSpec& fem);
+/// The fields that are there; the others stay as they are.
+void decode_fem(const nlohmann::json& json, FemSpec& fem);
+
+/// Coefficients that the request itself holds, which cover `grid`. Throws StatusError (ARRAY_INVALID).
+nlohmann::json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays);
+GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
+
+nlohmann::json encode_use(const IcUse& use);
 
 }  // namespace contactd::proto

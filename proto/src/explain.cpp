@@ -88,6 +88,7 @@ class Explainer {
         visit_members(schema, properties, value, path);
         visit_size(schema, properties, value, path);
         visit_condition(schema, value, path);
+        for (const json& part : schema.value("allOf", json::array())) visit(part, value, path);
     }
 
     void visit_members(const json& schema, const json& properties, const json& value, const std::string& path) {
@@ -120,26 +121,33 @@ class Explainer {
                          " of " + listed(names_of(properties)));
     }
 
-    /// if: constants of some fields; then: the names of the fields that go with them.
+    /// if: fields that are there, constants of some; then: the names of the fields that go with them, and perhaps, as
+    /// its description, why others do not.
     void visit_condition(const json& schema, const json& value, const std::string& path) {
-        if (!schema.contains("if") || !schema.contains("then")) return;
+        if (!schema.contains("if")) return;
         Explainer condition(root_);
         condition.visit(schema["if"], value, path);
-        if (!condition.violations_.empty()) return;
-        visit(schema["then"], value, path);
-        const json allowed = schema["then"].value("propertyNames", json::object());
+        if (!condition.violations_.empty()) return visit(schema.value("else", json()), value, path);
+        if (!schema.contains("then")) return;
+        const json& then = schema["then"];
+        visit(then, value, path);
+        const json allowed = then.value("propertyNames", json::object());
+        const std::string reason = then.value("description", std::string());
         for (const auto& member : value.items())
             if (!is_choice(allowed, member.key()))
                 report(joined(path, member.key()), "does not go with " + conditions_of(schema["if"]) + "; only " +
-                                                       listed(allowed["enum"].get<std::vector<std::string>>()) + " do");
+                                                       listed(allowed["enum"].get<std::vector<std::string>>()) + " do" +
+                                                       (reason.empty() ? "" : ": " + reason));
     }
 
     static std::string conditions_of(const json& condition) {
-        std::vector<std::string> words;
+        std::string words;
+        const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " and ") + word; };
         const json properties = condition.value("properties", json::object());
-        for (const auto& property : properties.items())
-            words.push_back(property.key() + " " + shown(property.value()["const"]));
-        return listed(words);
+        for (const json& name : condition.value("required", json::array()))
+            if (!properties.contains(name)) add(name);
+        for (const auto& property : properties.items()) add(property.key() + " " + shown(property.value()["const"]));
+        return words;
     }
 
     const json& root_;

@@ -27,6 +27,8 @@ constexpr Summary summaries[]{
     {"server.health", "Whether the daemon takes requests; never waits for other work."},
     {"server.describe", "This document."},
     {"ic.get", "The influence coefficients of one body; requests for the same table join one build."},
+    {"ic.export",
+     "The influence coefficients of one body, or of two, as a file: HDF5, or text for the CONTACT program."},
     {"contact.solve", "Normal contact with the approach prescribed and, with friction, tangential contact."},
     {"job.list", "The builds and solves that wait and run."},
     {"job.cancel", "Ends a job; everyone waiting for it gets CANCELLED."},
@@ -41,7 +43,7 @@ json errors_of(std::string_view method) {
     json errors{error(StatusCode::invalid_argument), error(StatusCode::unavailable), error(StatusCode::internal)};
     const auto add = [&](StatusCode code) { errors.push_back(error(code)); };
     const bool solve = method == "contact.solve";
-    if (solve || method == "ic.get") {
+    if (solve || method == "ic.get" || method == "ic.export") {
         add(StatusCode::cancelled);
         add(StatusCode::deadline_exceeded);
         add(StatusCode::resource_exhausted);

@@ -7,7 +7,8 @@ namespace {
 
 using nlohmann::json;
 
-std::string name_in(const std::string& reference) {
+/// The path of the definition: its name, or a place within it such as "ics/properties/order".
+std::string path_in(const std::string& reference) {
     const std::string place = "definitions.json#/definitions/";
     if (!reference.starts_with(place)) throw std::logic_error("A schema refers to " + reference + ".");
     return reference.substr(place.size());
@@ -20,7 +21,7 @@ json inlined(const json& schema, const json& definitions) {
     json result = schema;
     if (schema.is_object() && schema.contains("$ref")) {
         const auto reference = schema["$ref"].get<std::string>();
-        result = definitions.at(name_in(reference));
+        result = definitions.at(json::json_pointer("/" + path_in(reference)));
         for (const auto& beside : schema.items())
             if (beside.key() != "$ref") result[beside.key()] = beside.value();
     }
@@ -31,7 +32,7 @@ json inlined(const json& schema, const json& definitions) {
 json redirected(const json& schema, const std::string& prefix) {
     if (!schema.is_structured()) return schema;
     json result = schema;
-    if (schema.is_object() && schema.contains("$ref")) result["$ref"] = prefix + name_in(schema["$ref"]);
+    if (schema.is_object() && schema.contains("$ref")) result["$ref"] = prefix + path_in(schema["$ref"]);
     for (json& child : result) child = redirected(child, prefix);
     return result;
 }

@@ -82,8 +82,8 @@ std::vector<Violation> violations(const CompiledSchema& rules, const json& docum
 }  // namespace
 
 const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{"server.info",   "server.health", "server.describe", "ic.get",
-                                                "contact.solve", "job.list",      "job.cancel"};
+    static const std::vector<std::string> names{"server.info", "server.health", "server.describe", "ic.get",
+                                                "ic.export",   "contact.solve", "job.list",        "job.cancel"};
     return names;
 }
 

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "contactd/convolution.hpp"
+#include "contactd/ic_exchange.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/tangential.hpp"
+#include "contactd/version.hpp"
 
 namespace contactd::server {
 namespace {
@@ -54,14 +56,20 @@ IcSpec spec_of(const ContactProblem& problem, const Material& material) {
     spec.dy = problem.grid.dy;
     spec.nx = problem.grid.nx;
     spec.ny = problem.grid.ny;
+    spec.body = problem.body;
     spec.load_shape = problem.load_shape;
     spec.source = problem.ic_source;
+    spec.accuracy = problem.accuracy;
+    spec.any_nu = problem.any_nu;
     spec.fem = problem.fem;
     return spec;
 }
 
-IcTable table_of(const IcAnswer& answer, const ContactProblem& problem, const Material& material) {
-    return scaled(cropped(answer.record->table, problem.grid.nx, problem.grid.ny), problem.grid.dx / material.G);
+IcTable pair_table(const Solve& work) {
+    const ContactProblem& problem = work.problem;
+    if (problem.given_ics) return problem.given_ics->table;
+    return pair_of(table_of(work.ics[0], spec_of(problem, problem.bodies.upper)),
+                   table_of(work.ics[1], spec_of(problem, problem.bodies.lower)));
 }
 
 void solve(const SolvePtr& work) {
@@ -70,13 +78,17 @@ void solve(const SolvePtr& work) {
     SolveObserver observer(call, *work->job);
     observer.throw_if_cancelled();
     work->job->set_running();
-    const ConvolutionOperator influence(pair_of(table_of(work->ics[0], problem, problem.bodies.upper),
-                                                table_of(work->ics[1], problem, problem.bodies.lower)),
-                                        problem.grid.nx, problem.grid.ny);
+    const ConvolutionOperator influence(pair_table(*work), problem.grid.nx, problem.grid.ny);
     proto::SolveReply reply;
     reply.solution = solve_contact(problem, influence, observer);
-    reply.upper = {work->ics[0].origin, work->ics[0].key, work->ics[0].record->evidence};
-    reply.lower = {work->ics[1].origin, work->ics[1].key, work->ics[1].record->evidence};
+    if (problem.given_ics) {
+        reply.pair = {"given", ic_key(*problem.given_ics), {}};
+        reply.pair->evidence.source = "table";
+        reply.pair->evidence.version = "contactd " + version();
+    } else {
+        reply.upper = {work->ics[0].origin, work->ics[0].key, work->ics[0].record->evidence};
+        reply.lower = {work->ics[1].origin, work->ics[1].key, work->ics[1].record->evidence};
+    }
     proto::ArrayWriter arrays(call->request.arrays);
     const nlohmann::json result = proto::encode_solve_reply(reply, problem.grid, arrays);
     work->job->end();
@@ -99,7 +111,8 @@ void run_solve(const SolvePtr& work) {
 void fetch(const SolvePtr& work, std::size_t body, IcService& ics, WorkerPool& workers) {
     if (body == work->ics.size()) return workers.post([work] { run_solve(work); });
     const BodyPair& bodies = work->problem.bodies;
-    if (body == 1 && bodies.lower.nu == bodies.upper.nu) {  // dimensionless tables know nothing but nu
+    // Dimensionless tables know nothing of a material but nu, and families not even that.
+    if (body == 1 && (bodies.lower.nu == bodies.upper.nu || work->ics[0].record->spec.any_nu)) {
         work->ics[1] = work->ics[0];
         return fetch(work, 2, ics, workers);
     }
@@ -113,6 +126,30 @@ void fetch(const SolvePtr& work, std::size_t body, IcService& ics, WorkerPool& w
          [work](const Job& job, const JobProgress& progress) { work->call->progress(to_json(job, progress)); }});
 }
 
+proto::StatusError coupled(const std::string& why) {
+    return {proto::StatusCode::failed_precondition, proto::reason::bodies_coupled, why};
+}
+
+void check_bodies(const ContactProblem& problem) {
+    validate_body(spec_of(problem, problem.bodies.upper), "bodies.upper");
+    validate_body(spec_of(problem, problem.bodies.lower), "bodies.lower");
+    if (problem.friction && !problem.bodies.quasi_identical())
+        throw coupled(
+            "bodies.lower differs from bodies.upper so that normal and tangential contact influence "
+            "each other, (1-2nu)/G being unequal; with friction this is not solved yet. Leave out "
+            "friction, or take quasi-identical bodies.");
+}
+
+void check_given(const ContactProblem& problem) {
+    if (!problem.friction) return;
+    const double found = coupling(problem.given_ics->table);
+    if (found > coupling_tolerance)
+        throw coupled("ics.table couples normal and tangential contact: its largest xz, zx, yz or zy is " +
+                      proto::dump(found) + " of zz at the origin, above " + proto::dump(coupling_tolerance) +
+                      ", and with friction this is not solved yet. Leave out friction, or set these four components "
+                      "to zero if they are nothing but errors.");
+}
+
 }  // namespace
 
 void start_solve(const CallPtr& call, IcService& ics, WorkerPool& workers, JobTable& jobs) {
@@ -122,15 +159,12 @@ void start_solve(const CallPtr& call, IcService& ics, WorkerPool& workers, JobTa
     proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
     const ContactProblem& problem = work->problem;
     validate(problem);
-    validate(spec_of(problem, problem.bodies.upper));
-    if (problem.friction && !problem.bodies.quasi_identical())
-        throw proto::StatusError(
-            proto::StatusCode::failed_precondition, proto::reason::bodies_coupled,
-            "bodies.lower differs from bodies.upper so that normal and tangential contact influence "
-            "each other, (1-2nu)/G being unequal; with friction this is not solved yet. Leave out "
-            "friction, or take quasi-identical bodies.");
+    if (problem.given_ics)
+        check_given(problem);
+    else
+        check_bodies(problem);
     work->job = jobs.create("solve", [call] { call->fail(status_of(Cancelled("The solve was cancelled."))); });
-    fetch(work, 0, ics, workers);
+    fetch(work, problem.given_ics ? work->ics.size() : 0, ics, workers);
 }
 
 }  // namespace contactd::server

@@ -3,6 +3,15 @@
 #include <algorithm>
 
 namespace contactd::server {
+namespace {
+
+std::size_t bytes_of(const IcRecord& record) {
+    std::size_t values = record.table.values.size();
+    for (const IcTable& table : record.family) values += table.values.size();
+    return values * sizeof(double);
+}
+
+}  // namespace
 
 IcCache::Record IcCache::find(const std::string& key, int nx, int ny) {
     const std::scoped_lock lock(mutex_);
@@ -15,7 +24,7 @@ IcCache::Record IcCache::find(const std::string& key, int nx, int ny) {
 }
 
 void IcCache::insert(const std::string& key, Record record) {
-    const std::size_t bytes = record->table.values.size() * sizeof(double);
+    const std::size_t bytes = bytes_of(*record);
     if (bytes > budget_) return;
     const std::scoped_lock lock(mutex_);
     for (auto entry = entries_.begin(); entry != entries_.end();) {

@@ -19,7 +19,7 @@ class IcCache {
 
     /// A table with this key that covers the extent, or null.
     Record find(const std::string& key, int nx, int ny);
-    /// Keeps the record when it fits the budget; tables that it covers go.
+    /// Keeps the record when it fits the budget, all tables of a family counted; tables that it covers go.
     void insert(const std::string& key, Record record);
 
     struct Usage {

@@ -7,6 +7,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "contactd/ic_family.hpp"
 #include "contactd/version.hpp"
 
 namespace contactd::server {
@@ -33,13 +34,29 @@ Status failure(StatusCode code, std::string_view reason, std::string message) {
 }
 
 IcRecord closed_form(const IcSpec& dimensionless_spec) {
-    IcRecord record{dimensionless_spec, half_space_table(dimensionless_spec), {}};
+    IcRecord record{dimensionless_spec, half_space_table(dimensionless_spec), {}, {}};
     record.evidence.source = name_of(IcSource::analytic);
     record.evidence.version = "contactd " + version();
     return record;
 }
 
 }  // namespace
+
+void validate_body(const IcSpec& spec, const std::string& name) {
+    try {
+        validate(spec);
+    } catch (const InvalidArgument& error) {
+        const std::string& field = error.field();
+        constexpr std::string_view prefix = "material";
+        if (!field.starts_with(prefix)) throw;
+        throw InvalidArgument(name + field.substr(prefix.size()), std::string(error.what()).substr(field.size() + 1));
+    }
+}
+
+IcTable table_of(const IcAnswer& answer, const IcSpec& request) {
+    const IcTable table = table_for(*answer.record, request.material.nu);
+    return scaled(cropped(table, request.nx, request.ny), request.dx / request.material.G);
+}
 
 IcService::IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters)
     : settings_(std::move(settings)),

@@ -10,6 +10,7 @@
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
+#include "ic_export.hpp"
 
 namespace contactd::server {
 
@@ -74,6 +75,7 @@ Service::Service(const Config& config)
                {"server.health", {&Service::server_health, true}},
                {"server.describe", {&Service::server_describe, true}},
                {"ic.get", {&Service::ic_get, false}},
+               {"ic.export", {&Service::ic_export, false}},
                {"contact.solve", {&Service::contact_solve, false}},
                {"job.list", {&Service::job_list, true}},
                {"job.cancel", {&Service::job_cancel, true}}},
@@ -170,10 +172,8 @@ void Service::ic_get(const CallPtr& call) {
     ics_.request(spec,
                  {[call, spec](const IcAnswer& answer) {
                       guarded(call, [&] {
-                          const proto::IcReply reply{
-                              answer.key, answer.origin, spec,
-                              scaled(cropped(answer.record->table, spec.nx, spec.ny), spec.dx / spec.material.G),
-                              answer.record->evidence};
+                          const proto::IcReply reply{answer.key, answer.origin, spec, table_of(answer, spec),
+                                                     answer.record->evidence};
                           proto::ArrayWriter arrays(call->request.arrays);
                           const json result = proto::encode_ic_reply(reply, arrays);
                           call->succeed(result, arrays.take_frames());
@@ -181,6 +181,12 @@ void Service::ic_get(const CallPtr& call) {
                   },
                   [call](const Status& status) { call->fail(status); },
                   [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); }});
+}
+
+void Service::ic_export(const CallPtr& call) {
+    proto::check_frames_used(call->request.params, call->request.frames);
+    check_grid_limit(call->request.params, config_.max_grid_elements);
+    start_export(call, ics_, workers_, config_.limits.max_frame_bytes);
 }
 
 void Service::contact_solve(const CallPtr& call) {

@@ -48,6 +48,7 @@ class Service {
     void server_health(const CallPtr& call);
     void server_describe(const CallPtr& call);
     void ic_get(const CallPtr& call);
+    void ic_export(const CallPtr& call);
     void contact_solve(const CallPtr& call);
     void job_list(const CallPtr& call);
     void job_cancel(const CallPtr& call);

@@ -14,8 +14,9 @@ namespace contactd::test {
 
 using Values = std::vector<double>;
 
-inline IcTable half_space_pair(const Grid& grid, const Material& material) {
+inline IcTable half_space_pair(const Grid& grid, const Material& material, LoadShape load_shape = LoadShape::constant) {
     IcSpec spec;
+    spec.load_shape = load_shape;
     spec.material = material;
     spec.dx = grid.dx;
     spec.dy = grid.dy;

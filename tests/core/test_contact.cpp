@@ -5,6 +5,7 @@
 #include "contact_cases.hpp"
 #include "contactd/convolution.hpp"
 #include "contactd/error.hpp"
+#include "contactd/reference.hpp"
 #include "contactd/tangential.hpp"
 
 using namespace contactd;
@@ -162,4 +163,20 @@ TEST_CASE("progress of the whole computation grows from normal to tangential", "
     solve_contact(problem, influence, observer);
     CHECK(observer.last_normal >= 0);
     CHECK(observer.first_tangential >= observer.last_normal);
+}
+
+TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]") {
+    ContactProblem problem = cattaneo_problem(40);
+    problem.load_shape = LoadShape::bilinear;
+    const IcTable pair = half_space_pair(problem.grid, problem.bodies.upper, LoadShape::bilinear);
+    const ConvolutionOperator influence(pair, 40, 40);
+    Observer observer;
+
+    const ContactSolution solution = solve_contact(problem, influence, observer);
+
+    const reference::Hertz hertz = reference::hertz(problem.bodies, 50, problem.approach);
+    REQUIRE(solution.converged());
+    CHECK_THAT(solution.Fn, WithinRel(hertz.Fn, 2e-3));
+    CHECK_THAT(solution.pmax, WithinRel(hertz.pmax, 5e-3));
+    CHECK_THAT(solution.Fx, WithinRel(-3.2216, 3e-3));  // the limit h -> 0 with constant elements
 }

@@ -6,42 +6,20 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "half_space_cases.hpp"
 #include "quadrature.hpp"
 
 using namespace contactd;
+using namespace contactd::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr std::array axes = {Axis::x, Axis::y, Axis::z};
-
-// Displacement along i at (x, y) for a unit point load along j at the origin (Johnson, chapter 3), times G.
-double kernel(Axis i, Axis j, double x, double y, double nu) {
-    using std::numbers::pi;
-    const double rho = std::hypot(x, y);
-    const std::array<double, 3> r = {x, y, 0};
-    const double ri = r[static_cast<std::size_t>(i)], rj = r[static_cast<std::size_t>(j)];
-    if (i == Axis::z && j == Axis::z) return (1 - nu) / (2 * pi * rho);
-    if (i == Axis::z) return -(1 - 2 * nu) / (4 * pi) * rj / (rho * rho);
-    if (j == Axis::z) return (1 - 2 * nu) / (4 * pi) * ri / (rho * rho);
-    return ((i == j ? (1 - nu) / rho : 0) + nu * ri * rj / (rho * rho * rho)) / (2 * pi);
-}
-
 double by_quadrature(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material,
                      double tolerance) {
     const auto f = [&](double X, double Y) { return kernel(i, j, X, Y, material.nu) / material.G; };
     return test::integrate(f, x - dx / 2, x + dx / 2, y - dy / 2, y + dy / 2, tolerance);
-}
-
-IcSpec analytic(const Material& material, double dx, double dy, int nx, int ny) {
-    IcSpec spec;
-    spec.material = material;
-    spec.dx = dx;
-    spec.dy = dy;
-    spec.nx = nx;
-    spec.ny = ny;
-    return spec;
 }
 
 }  // namespace
@@ -129,14 +107,20 @@ TEST_CASE("a pair of equal bodies has no coupling between normal and tangential 
         }
 }
 
-TEST_CASE("no closed form is made for a finite-element spec", "[half_space]") {
+TEST_CASE("no closed form is made for what has none", "[half_space]") {
     IcSpec spec = analytic({200, 0.3}, 1, 1, 4, 4);
-    spec.source = IcSource::fem;
+    SECTION("finite elements") {
+        spec.source = IcSource::fem;
+    }
+    SECTION("a block") {
+        spec.body = BodyShape::block;
+    }
     CHECK_THROWS_AS(half_space_table(spec), InvalidArgument);
 }
 
 TEST_CASE("comparison finds the errors put into a table", "[half_space]") {
-    const IcSpec spec = analytic({200, 0.3}, 0.5, 0.4, 6, 5);
+    const LoadShape load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
+    const IcSpec spec = analytic({200, 0.3}, 0.5, 0.4, 6, 5, load_shape);
     IcTable table = half_space_table(spec);
     const double shift = 1e-6;
     table(Axis::z, Axis::z, 0, 0) *= 0.99;
@@ -154,4 +138,14 @@ TEST_CASE("comparison finds the errors put into a table", "[half_space]") {
     const double unit = 2 * std::numbers::pi * 200 / (0.5 * 0.4);
     CHECK_THAT(*evidence.scaled_error_xy, WithinRel(shift * unit * std::hypot(1.0, 0.4), 1e-9));
     CHECK_THAT(*evidence.scaled_error_xz, WithinRel(shift * unit * 1.6, 1e-9));
+}
+
+TEST_CASE("a block has nothing to be compared with", "[half_space]") {
+    IcSpec spec = analytic({200, 0.3}, 1, 1, 2, 2);
+    const IcTable table = half_space_table(spec);
+    IcEvidence evidence;
+    spec.source = IcSource::fem;
+    spec.body = BodyShape::block;
+    CHECK_THROWS_AS(compare_with_half_space(spec, table, evidence), InvalidArgument);
+    CHECK(!evidence.error_zz);
 }

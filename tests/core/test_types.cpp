@@ -82,7 +82,7 @@ TEST_CASE("A spec that cannot be built names its field") {
     CHECK(refused([](IcSpec& s) { s.nx = s.ny = 1'000'000; }) == "grid.nx");
     CHECK(refused([](IcSpec& s) { s.dx = 0; }) == "grid.dx");
     CHECK(refused([](IcSpec& s) { s.dy = no_number; }) == "grid.dy");
-    CHECK(refused([](IcSpec& s) { s.fem.order = 3; }) == "ics.order");
+    CHECK(refused([](IcSpec& s) { s.fem.order = 7; }) == "ics.order");
     CHECK(refused([](IcSpec& s) { s.fem.h_over_hs = 3; }) == "ics.h_over_hs");
     CHECK(refused([](IcSpec& s) { s.fem.h_over_hs = 4.5; }) == "ics.h_over_hs");
     CHECK(refused([](IcSpec& s) { s.fem.l_over_h = 1.1; }) == "ics.l_over_h");
@@ -96,6 +96,10 @@ TEST_CASE("A spec that cannot be built names its field") {
               s.fem.f = 1.01;
           }) == "ics");
     CHECK(refused([](IcSpec& s) { s.fem.L_over_h = 9; }) == "ics.L_over_h");  // the offsets reach 9 h
+    CHECK(refused([](IcSpec& s) {                                             // every nu has a mesh of its own
+              s.fem.mesh = MeshKind::adaptive;
+              s.any_nu = true;
+          }) == "ics.any_nu");
     CHECK(refused([](IcSpec& s) { s.fem.tolerance = 0; }) == "ics.tolerance");
     CHECK(refused([](IcSpec& s) { s.fem.max_iterations = 0; }) == "ics.max_iterations");
     CHECK(refused([](IcSpec& s) { s.fem.strength_threshold = 1; }) == "ics.strength_threshold");

@@ -105,9 +105,11 @@ BAD_TABLES = [
     ("grid.nx", 0), ("grid.nx", -6), ("grid.ny", 0), ("grid.dx", 0), ("grid.dx", -0.8), ("grid.dy", 0),
     ("material.G", 0), ("material.G", -1),
     ("material.nu", -0.01), ("material.nu", 0.51), ("material.nu", 0.5), ("material.nu", 1),
-    ("ics.source", "measured"), ("ics.preset", "paper-test4"), ("ics.body", "prism"), ("ics.load_shape", "bilinear"),
-    ("ics.mesh", "prism"), ("ics.far_boundary", "free"), ("ics.sampling", "cubic"),
-    ("ics.order", 0), ("ics.order", 3), ("ics.f", 0.9), ("ics.f", -1), ("ics.l_over_h", 0), ("ics.l_over_h", -1),
+    ("ics.source", "measured"), ("ics.preset", "paper-test4"), ("ics.body", "prism"), ("ics.load_shape", "cubic"),
+    ("ics.mesh", "tetrahedra"), ("ics.far_boundary", "free"), ("ics.sampling", "cubic"), ("ics.diagonal", "up"),
+    ("ics.solver", "lu"), ("ics.stop_test", "energy"), ("ics.any_nu", 1), ("ics.any_nu", "yes"),
+    ("ics.max_dofs", 999), ("ics.max_dofs", 1e4), ("ics.t1_over_hs", -1), ("ics.t1_over_hs", 1e-4),
+    ("ics.order", 0), ("ics.order", 7), ("ics.f", 0.9), ("ics.f", -1), ("ics.l_over_h", 0), ("ics.l_over_h", -1),
     ("ics.L_over_h", 0), ("ics.L_over_h", -640), ("ics.L_over_h", 1), ("ics.L_over_h", 2),
     ("ics.tolerance", 0), ("ics.tolerance", -1e-8), ("ics.tolerance", 1), ("ics.max_iterations", 0),
     ("ics.max_iterations", -1), ("ics.strength_threshold", -0.1), ("ics.strength_threshold", 1.1),
@@ -119,6 +121,68 @@ BAD_TABLES = [
 @pytest.mark.parametrize(("path", "value"), BAD_TABLES, ids=lambda part: str(part)[:24])
 def test_a_table_that_cannot_be_asked_for(raw, path, value):
     assert_names(raw.ask("ic.get", changed(TABLE_PARAMS, path, value)), path)
+
+
+MESH_FIELDS = {
+    "preset": "paper-test3", "mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 1.2, "t1_over_hs": 0,
+    "L_over_h": 640, "diagonal": "outward", "max_dofs": 60000, "far_boundary": "half_space", "sampling": "fem",
+    "solver": "auto", "stop_test": "residual", "tolerance": 1e-8, "max_iterations": 1000, "strength_threshold": 0.5,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MESH_FIELDS)
+def test_a_mesh_does_not_go_with_an_accuracy(raw, name):
+    ics = {"source": "fem", "accuracy": 1e-3, name: MESH_FIELDS[name]}
+    answer = raw.ask("ic.get", changed(TABLE_PARAMS, "ics", ics))
+    assert_names(answer, f"ics.{name}")
+    assert "an accuracy chooses the mesh and the solver by itself" in answer.message
+
+
+FEM = {"source": "fem"}
+BLOCK = {"source": "fem", "body": "block"}
+
+
+@pytest.mark.parametrize(
+    ("ics", "field"),
+    [
+        ({"source": "analytic", "body": "block"}, "ics.body"),
+        ({"source": "analytic", "accuracy": 1e-3}, "ics.accuracy"),
+        ({"source": "analytic", "any_nu": True}, "ics.any_nu"),
+        ({**BLOCK, "far_boundary": "half_space"}, "ics.far_boundary"),
+        ({**BLOCK, "preset": "paper-test3", "far_boundary": "half_space"}, "ics.far_boundary"),
+        ({**BLOCK, "accuracy": 1e-3, "order": 2}, "ics.order"),
+        ({**BLOCK, "accuracy": 1e-3, "L_over_h": 5}, "ics.L_over_h"),
+        ({**BLOCK, "L_over_h": 5}, "ics.L_over_h"),
+        ({**FEM, "accuracy": 0}, "ics.accuracy"),
+        ({**FEM, "accuracy": 9e-5}, "ics.accuracy"),
+        ({**FEM, "accuracy": 0.2}, "ics.accuracy"),
+        ({**FEM, "accuracy": "1e-3"}, "ics.accuracy"),
+        ({**FEM, "accuracy": None}, "ics.accuracy"),
+        ({**FEM, "load_shape": "bilinear", "l_over_h": 0.5}, "ics.l_over_h"),
+        ({**FEM, "mesh": "adaptive", "solver": "direct"}, "ics.solver"),
+    ],
+    ids=lambda part: str(part)[:60],
+)
+def test_options_that_do_not_go_together(raw, ics, field):
+    assert_names(raw.ask("ic.get", changed(TABLE_PARAMS, "ics", ics)), field)
+
+
+@pytest.mark.parametrize("ics", [{**FEM, "accuracy": 1e-3}, {**FEM, "any_nu": True}, {**FEM, "f": 2, "any_nu": True}])
+def test_an_accuracy_and_a_family_end_at_a_poissons_ratio_of_049(raw, ics):
+    params = changed(changed(TABLE_PARAMS, "ics", ics), "material.nu", 0.495)
+    assert_names(raw.ask("ic.get", params), "material.nu")
+
+
+@pytest.mark.parametrize("body", ["upper", "lower"])
+def test_a_solve_names_the_body_whose_material_does_not_go_with_an_accuracy(raw, body):
+    bodies = {"upper": {"G": 200, "nu": 0.42}, "lower": {"G": 200, "nu": 0.42}, body: {"G": 200, "nu": 0.495}}
+    params = {**CATTANEO_PARAMS, "bodies": bodies, "ics": {**FEM, "accuracy": 1e-2}}
+    assert_names(raw.ask("contact.solve", params), f"bodies.{body}.nu")
+
+
+def test_an_accuracy_does_not_go_with_slender_elements(raw):
+    params = changed(changed(TABLE_PARAMS, "ics", {**FEM, "accuracy": 1e-3}), "grid.dx", 10)
+    assert_names(raw.ask("ic.get", params), "ics.accuracy")
 
 
 def test_fields_of_finite_elements_do_not_go_with_the_closed_form(raw):

@@ -31,6 +31,8 @@ ANALYTIC_TABLE = {
         ("server.describe", {}),
         ("ic.get", ANALYTIC_TABLE),
         ("ic.get", {**ANALYTIC_TABLE, "ics": {"source": "fem", "preset": "paper-test2", "order": 1, "L_over_h": 40}}),
+        ("ic.export", {**ANALYTIC_TABLE, "format": "hdf5"}),
+        ("ic.export", {**ANALYTIC_TABLE, "format": "contact"}),
         ("contact.solve", CATTANEO_PARAMS),
         ("contact.solve", {name: CATTANEO_PARAMS[name] for name in CATTANEO_PARAMS if name != "friction"}),
         ("job.list", {}),

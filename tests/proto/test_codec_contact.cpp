@@ -94,15 +94,39 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {
     ContactProblem original = problem();
     original.ic_source = IcSource::fem;
-    original.fem = *fem_preset("paper-test1");
+    original.body = BodyShape::block;
+    original.load_shape = LoadShape::bilinear;
+    original.any_nu = true;
+    original.fem = *fem_preset("paper-mesh2-test1");
     original.friction.reset();
     ArrayWriter arrays(ArrayEncoding::list);
 
     const ContactProblem read = decode_problem(sent(encode_problem(original, arrays)), {});
 
     CHECK(read.ic_source == IcSource::fem);
+    CHECK(read.body == BodyShape::block);
+    CHECK(read.load_shape == LoadShape::bilinear);
+    CHECK(read.any_nu);
+    CHECK(read.accuracy == 0);
     CHECK(read.fem == original.fem);
     CHECK_FALSE(read.friction);
+}
+
+TEST_CASE("A problem may ask for an accuracy", "[codec]") {
+    json params = wire::solve_params();
+    params["ics"] = {{"source", "fem"}, {"body", "block"}, {"L_over_h", 20}, {"accuracy", 1e-2}};
+    REQUIRE(violations_of("contact.solve.params", params).empty());
+
+    const ContactProblem read = decode_problem(params, {});
+    ArrayWriter arrays(ArrayEncoding::list);
+    const ContactProblem again = decode_problem(sent(encode_problem(read, arrays)), {});
+
+    for (const ContactProblem& problem : {read, again}) {
+        CHECK(problem.accuracy == 1e-2);
+        CHECK(problem.body == BodyShape::block);
+        CHECK(problem.fem.L_over_h == 20);
+        CHECK_FALSE(problem.any_nu);
+    }
 }
 
 TEST_CASE("What a request leaves out has its default", "[codec]") {

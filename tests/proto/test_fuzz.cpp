@@ -19,6 +19,20 @@ std::size_t below(Generator& generator, std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(generator);
 }
 
+json given_params() {
+    json params = wire::solve_params();
+    const json component = {{1, 0, 0}, {0, 0, 0}};
+    params["ics"] = {{"source", "table"}, {"table", json(3, json(3, component))}, {"dx", 0.06}, {"dy", 0.06}};
+    return params;
+}
+
+json export_params() {
+    json params = wire::ic_params();
+    params["format"] = "contact";
+    params["lower"] = params["material"];
+    return params;
+}
+
 std::string request_text(const std::string& method, const json& params) {
     return dump({{"contactd", 1}, {"id", "7f"}, {"method", method}, {"timeout_ms", 2000}, {"params", params}});
 }
@@ -91,6 +105,7 @@ void handle(const std::string& text, const std::vector<std::string>& frames, Out
         check_params(request.method, request.params);
         check_frames_used(request.params, request.frames);
         if (request.method == "ic.get") decode_ic_spec(request.params);
+        if (request.method == "ic.export") decode_ic_export(request.params);
         if (request.method == "contact.solve") decode_problem(request.params, request.frames);
         ++outcome.read;
     } catch (const StatusError& error) {
@@ -121,10 +136,13 @@ TEST_CASE("Damaged text is read or refused", "[fuzz]") {
 TEST_CASE("Damaged parameters are read or refused, with a field where a schema is broken", "[fuzz]") {
     Generator generator(4711);
     Outcome outcome;
+    const std::pair<std::string, json> requests[]{{"contact.solve", wire::solve_params()},
+                                                  {"contact.solve", given_params()},
+                                                  {"ic.get", wire::ic_params()},
+                                                  {"ic.export", export_params()}};
     for (int i = 0; i < 10'000; ++i) {
-        const bool solve = i % 2 == 0;
-        const std::string method = solve ? "contact.solve" : "ic.get";
-        json params = solve ? wire::solve_params() : wire::ic_params();
+        const auto [method, original] = requests[below(generator, std::size(requests))];
+        json params = original;
         const std::size_t times = 1 + below(generator, 3);
         for (std::size_t n = 0; n < times; ++n) damage(params, generator);
         if (params.is_object())

@@ -104,9 +104,19 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
             Case{"/material/G", "\"stiff\"", "material.G", "is \"stiff\"; it must be a number"},
             Case{"/material/E", "210000", "material.E", "is not a field of material; known fields are G, nu"},
             Case{"/ics/source", "\"magic\"", "ics.source", "is \"magic\"; it must be one of \"analytic\", \"fem\""},
-            Case{"/ics/order", "3", "ics.order", "is 3; it must be one of 1, 2"},
-            Case{"/ics/order", "\"2\"", "ics.order", "it must be one of 1, 2"},
-            Case{"/ics/mesh", "\"prism\"", "ics.mesh", "is \"prism\"; it must be \"hex\""},
+            Case{"/ics/order", "7", "ics.order", "is 7; it must be at most 6"},
+            Case{"/ics/order", "0", "ics.order", "is 0; it must be at least 1"},
+            Case{"/ics/order", "\"2\"", "ics.order", "it must be an integer from 1 to 6"},
+            Case{"/ics/mesh", "\"tet\"", "ics.mesh", "it must be one of \"hex\", \"prism\", \"adaptive\""},
+            Case{"/ics/body", "\"rail\"", "ics.body", "it must be one of \"half_space\", \"block\""},
+            Case{"/ics/load_shape", "\"cubic\"", "ics.load_shape", "one of \"constant\", \"bilinear\""},
+            Case{"/ics/diagonal", "\"up\"", "ics.diagonal", "one of \"outward\", \"across\""},
+            Case{"/ics/far_boundary", "\"free\"", "ics.far_boundary", "one of \"clamped\", \"half_space\""},
+            Case{"/ics/solver", "\"lu\"", "ics.solver", "one of \"auto\", \"amg_pcg\", \"direct\""},
+            Case{"/ics/stop_test", "\"energy\"", "ics.stop_test", "one of \"residual\", \"update\""},
+            Case{"/ics/t1_over_hs", "-1", "ics.t1_over_hs", "it must lie in [0, 1000]"},
+            Case{"/ics/max_dofs", "10", "ics.max_dofs", "it must be at least 1000"},
+            Case{"/ics/any_nu", "1", "ics.any_nu", "is 1; it must be true or false"},
             Case{"/ics/preset", "\"paper-test4\"", "ics.preset", "one of \"paper-test1\""},
             Case{"/ics/f", "0.5", "ics.f", "is 0.5; it must lie in [1, 10]"},
             Case{"/ics/h_over_hs", "1", "ics.h_over_hs", "is 1"},
@@ -143,6 +153,44 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/initial", "{\"pressure\": null}", "initial.pressure", "is null"},
             Case{"/ics/order", "2", "ics.order",
                  "does not go with source \"analytic\"; only source, body, load_shape do"}));
+}
+
+TEST_CASE("What a request for an accuracy cannot hold is named, with the reason", "[schema]") {
+    const char* mesh = "an accuracy chooses the mesh and the solver by itself";
+    const auto refused = [](const char* ics) {
+        json params = wire::ic_params();
+        params["ics"] = json::parse(ics);
+        return violations_of("ic.get.params", params);
+    };
+    for (const char* field :
+         {R"("preset": "paper-test3")", R"("mesh": "hex")", R"("order": 2)", R"("l_over_h": 1)", R"("h_over_hs": 4)",
+          R"("f": 1.2)", R"("t1_over_hs": 1)", R"("L_over_h": 640)", R"("diagonal": "across")", R"("max_dofs": 2000)",
+          R"("far_boundary": "clamped")", R"("sampling": "fem")", R"("solver": "auto")", R"("stop_test": "update")",
+          R"("tolerance": 1e-8)", R"("max_iterations": 9)", R"("strength_threshold": 0.5)"}) {
+        CAPTURE(field);
+        const auto found = refused((R"({"source": "fem", "accuracy": 1e-3, )" + std::string(field) + "}").c_str());
+        REQUIRE(found.size() == 1);
+        CHECK(R"("ics.)" + std::string(field).substr(1, std::string(field).find(':') - 2) == '"' + found[0].field);
+        CHECK_THAT(found[0].description, ContainsSubstring("does not go with accuracy") && ContainsSubstring(mesh));
+    }
+    CHECK(refused(R"({"source": "fem", "accuracy": 1e-3, "body": "block", "L_over_h": 20})").empty());
+    CHECK(refused(R"({"source": "fem", "accuracy": 1e-3, "load_shape": "bilinear", "any_nu": true})").empty());
+    CHECK(refused(R"({"source": "fem", "accuracy": 1e-3, "body": "block", "L_over_h": 20, "f": 2})").size() == 1);
+    CHECK(refused(R"({"source": "fem", "accuracy": 1e-3, "order": 3, "f": 2})").size() == 2);
+}
+
+TEST_CASE("An accuracy is 1e-4 to 0.1 and goes with finite elements", "[schema]") {
+    check_case("ic.get",
+               {{"material", {{"G", 1}, {"nu", 0}}},
+                {"grid", {{"nx", 1}, {"ny", 1}, {"dx", 1}, {"dy", 1}}},
+                {"ics", {{"source", "fem"}}}},
+               GENERATE(Case{"/ics/accuracy", "1e-5", "ics.accuracy", "it must lie in [0.0001, 0.1]"},
+                        Case{"/ics/accuracy", "1", "ics.accuracy", "is 1; it must lie in [0.0001, 0.1]"},
+                        Case{"/ics/accuracy", "\"high\"", "ics.accuracy", "it must be a number"},
+                        Case{"/ics", R"({"source": "analytic", "accuracy": 1e-3})", "ics.accuracy",
+                             "does not go with source \"analytic\""},
+                        Case{"/ics", R"({"source": "analytic", "any_nu": true})", "ics.any_nu",
+                             "does not go with source \"analytic\""}));
 }
 
 TEST_CASE("A bad reference to a frame is ARRAY_INVALID", "[schema]") {

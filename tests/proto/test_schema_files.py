@@ -39,7 +39,7 @@ def test_is_a_draft_7_schema(name: str) -> None:
     assert DOCUMENTS[name]["description"]
 
 
-@pytest.mark.parametrize("method", ["ic.get", "contact.solve"])
+@pytest.mark.parametrize("method", ["ic.get", "ic.export", "contact.solve"])
 def test_takes_the_example_of_the_documentation(method: str) -> None:
     assert is_valid(f"{method}.params.json", example_of(method))
 
@@ -52,6 +52,10 @@ def test_takes_the_example_of_the_documentation(method: str) -> None:
         (["grid", "extra"], 1),
         (["bodies", "upper", "nu"], 0.6),
         (["ics", "order"], 2),
+        (["ics"], {"source": "analytic", "accuracy": 1e-3}),
+        (["ics"], {"source": "fem", "accuracy": 1e-3, "order": 2}),
+        (["ics"], {"source": "fem", "accuracy": 1e-3, "L_over_h": 20}),
+        (["ics"], {"source": "fem", "accuracy": 1e-5}),
         (["gap", "array"], [[1.0]]),
         (["gap", "paraboloid", "Rx"], 0),
         (["friction", "rigid_shift"], [1]),
@@ -66,9 +70,40 @@ def test_refuses_what_the_daemon_refuses(path: list[str], value: object) -> None
     assert not is_valid("contact.solve.params.json", document)
 
 
+@pytest.mark.parametrize(
+    "ics",
+    [
+        {"source": "fem"},
+        {"source": "fem", "accuracy": 1e-4, "any_nu": True, "load_shape": "bilinear"},
+        {"source": "fem", "accuracy": 1e-2, "body": "block", "L_over_h": 20},
+        {"source": "fem", "mesh": "prism", "order": 6, "diagonal": "across", "stop_test": "update"},
+    ],
+)
+def test_takes_an_accuracy_or_a_mesh(ics: object) -> None:
+    assert is_valid("contact.solve.params.json", {**example_of("contact.solve"), "ics": ics})
+
+
 def test_array_is_a_list_or_a_reference() -> None:
     document = example_of("contact.solve")
     document["gap"] = {"array": {"$array": {"frame": 1, "dtype": "<f8", "shape": [40, 40]}}}
     assert is_valid("contact.solve.params.json", document)
     document["gap"] = {"array": {"frame": 1}}
     assert not is_valid("contact.solve.params.json", document)
+
+
+def test_bodies_are_required_unless_the_request_holds_its_coefficients() -> None:
+    document = example_of("contact.solve")
+    del document["bodies"]
+    assert not is_valid("contact.solve.params.json", document)
+    document["ics"] = {"source": "table", "table": [[[[1.0]]]], "dx": 0.06, "dy": 0.06}
+    assert is_valid("contact.solve.params.json", document)
+    document["ics"]["order"] = 2
+    assert not is_valid("contact.solve.params.json", document)
+
+
+def test_a_second_body_goes_with_contacts_text_only() -> None:
+    document = example_of("ic.export")
+    document["format"] = "hdf5"
+    assert not is_valid("ic.export.params.json", document)
+    del document["lower"]
+    assert is_valid("ic.export.params.json", document)

@@ -59,3 +59,17 @@ TEST_CASE("A table larger than the budget is not kept and pushes nothing out") {
     CHECK(cache.find("a", 4, 4));
     CHECK_FALSE(cache.find("b", 1, 1));
 }
+
+TEST_CASE("The tables of a family count") {
+    IcRecord family;
+    family.table = IcTable(4, 4);
+    family.family.assign(3, IcTable(4, 4));
+    IcCache cache(4 * bytes_of(4, 4));
+
+    cache.insert("a", std::make_shared<const IcRecord>(family));
+    CHECK(cache.usage().bytes == 4 * bytes_of(4, 4));
+
+    family.family.emplace_back(4, 4);
+    cache.insert("b", std::make_shared<const IcRecord>(family));
+    CHECK_FALSE(cache.find("b", 1, 1));
+}

@@ -1,5 +1,6 @@
 // The IC service with a stand-in builder: a shell script that plays the parts a real one can play.
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <csignal>
 #include <cstdlib>
@@ -9,11 +10,13 @@
 #include <thread>
 
 #include "contactd/half_space.hpp"
+#include "contactd/ic_family.hpp"
 #include "ic_service.hpp"
 
 using namespace contactd;
 using namespace contactd::server;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
 namespace fs = std::filesystem;
 
 namespace {
@@ -28,9 +31,27 @@ IcSpec fem_spec(int nx = 3, int ny = 3) {
     return spec;
 }
 
+/// A family over Poisson's ratio as a builder writes it, of closed-form tables, which are linear in it.
+IcRecord family_record() {
+    IcSpec spec = fem_spec();
+    spec.any_nu = true;
+    IcRecord record{dimensionless(spec), {}, {}, {}};
+    record.evidence.family_nu = family_points(3);
+    for (const double nu : record.evidence.family_nu) {
+        IcSpec one = record.spec;
+        one.source = IcSource::analytic;
+        one.any_nu = false;
+        one.material.nu = nu;
+        record.family.push_back(half_space_table(one));
+    }
+    record.table = record.family.front();
+    return record;
+}
+
 struct Outcome {
     std::string origin;
     proto::Status status;
+    IcAnswer answer;
 };
 
 /// A service in a folder of its own, whose builder is `script` (run by sh; $3 is the output).
@@ -48,7 +69,8 @@ class Bench {
                                           IcStore(folder / "store", [](const std::string&) {}), jobs, counters);
         // A table for scripts that succeed.
         IcSpec spec = dimensionless(fem_spec());
-        write_ic_file(folder / "good.h5", IcRecord{spec, IcTable(spec.nx, spec.ny), {}});
+        write_ic_file(folder / "good.h5", IcRecord{spec, IcTable(spec.nx, spec.ny), {}, {}});
+        write_ic_file(folder / "family.h5", family_record());
     }
     ~Bench() {
         ics.reset();
@@ -57,8 +79,8 @@ class Bench {
 
     std::future<Outcome> ask(const IcSpec& spec) {
         auto promise = std::make_shared<std::promise<Outcome>>();
-        ics->request(spec, {[promise](const IcAnswer& a) { promise->set_value({a.origin, {}}); },
-                            [promise](const proto::Status& s) { promise->set_value({"", s}); },
+        ics->request(spec, {[promise](const IcAnswer& a) { promise->set_value({a.origin, {}, a}); },
+                            [promise](const proto::Status& s) { promise->set_value({"", s, {}}); },
                             [](const Job&, const JobProgress&) {}});
         return promise->get_future();
     }
@@ -191,4 +213,26 @@ TEST_CASE("Closed-form tables need no builder") {
 
     CHECK(bench.ask(spec).get().origin == "closed_form");
     CHECK(bench.ask(spec).get().origin == "memory");
+}
+
+TEST_CASE("One build of a family serves every Poisson's ratio, every shear modulus and element size") {
+    Bench bench("cp \"$(dirname \"$0\")/family.h5\" \"$3\"");
+    IcSpec spec = fem_spec(3, 2);
+    spec.any_nu = true;
+
+    CHECK(bench.ask(spec).get().origin == "built");
+    spec.material = {200, 0.42};
+    spec.dx = spec.dy = 0.06;
+    const Outcome outcome = bench.ask(spec).get();
+    CHECK(outcome.origin == "memory");
+
+    const IcTable table = table_of(outcome.answer, spec);
+    IcSpec exact = spec;
+    exact.source = IcSource::analytic;
+    exact.any_nu = false;
+    const IcTable expected = half_space_table(exact);
+    REQUIRE(table.nx == 3);
+    REQUIRE(table.ny == 2);
+    for (std::size_t n = 0; n < table.values.size(); ++n)
+        CHECK_THAT(table.values[n], WithinAbs(expected.values[n], 1e-12 * expected.values[0]));
 }

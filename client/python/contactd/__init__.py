@@ -32,11 +32,13 @@ from .errors import (
     ProtocolError,
     ResourceExhausted,
     StatusError,
+    TableFileError,
     TimeoutExpired,
     Unavailable,
     Unimplemented,
     Violation,
 )
+from .exchange import load_table, save_table
 from .problem import (
     AnalyticIcs,
     ContactProblem,
@@ -49,6 +51,7 @@ from .problem import (
     SolverSettings,
 )
 from .solution import ContactSolution, IcEvidence, IcTable, Job, Limits, Progress, ServerInfo, SolverEvidence
+from .table_ics import TableIcs, combined_modulus
 
 __all__ = [
     "AnalyticIcs",
@@ -82,11 +85,16 @@ __all__ = [
     "SolverEvidence",
     "SolverSettings",
     "StatusError",
+    "TableFileError",
+    "TableIcs",
     "TimeoutExpired",
     "Unavailable",
     "Unimplemented",
     "Violation",
     "__version__",
+    "combined_modulus",
+    "load_table",
+    "save_table",
 ]
 
 __version__ = "0.1.0"

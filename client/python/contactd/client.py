@@ -8,8 +8,9 @@ import threading
 import time
 from collections.abc import Callable, Iterable
 from types import TracebackType
-from typing import Any
+from typing import Any, Literal
 
+import numpy as np
 import zmq
 
 from . import problem as asked
@@ -99,6 +100,31 @@ class Client:
         table = read(IcTable, result)
         _check_shapes(table, ["array"], (3, 3, *grid.shape))
         return table
+
+    def export_ic(
+        self,
+        material: Material,
+        grid: Grid,
+        ics: Ics,
+        format: Literal["hdf5", "contact"] = "hdf5",
+        *,
+        lower: Material | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> bytes:
+        """The table of get_ic as the content of a file: "hdf5" (docs/ic-tables.md), or "contact", the text in which the
+        CONTACT program takes the coefficients of a pair of bodies, of which `lower` is the second (None: as the first).
+        """
+        params = {**asked.table_params(material, grid, ics), "format": format}
+        if lower is not None:
+            params["lower"] = asked.plain(lower)
+        result = self.call("ic.export", params, timeout=timeout, on_progress=on_progress)
+        content = result.get("file", result.get("text"))
+        if isinstance(content, str):
+            return content.encode()
+        if not isinstance(content, np.ndarray) or content.dtype != np.uint8:
+            raise ProtocolError("The answer to ic.export lacks its file.")
+        return content.tobytes()
 
     def solve(
         self,

@@ -8,6 +8,7 @@
     |   +-- DeadlineExceeded      ... and the daemon said so itself; also a StatusError
     +-- ProtocolError             an answer that breaks docs/protocol.md
     +-- DaemonFailed              LocalDaemon: the daemon did not start or did not end in order
+    +-- TableFileError            a file that holds no table of coefficients, or a damaged one      (ValueError)
     +-- StatusError               the daemon refused; .code, .name, .reason, .message
         +-- Cancelled             the job was cancelled
         +-- UnknownError
@@ -52,6 +53,7 @@ __all__ = [
     "ProtocolError",
     "ResourceExhausted",
     "StatusError",
+    "TableFileError",
     "TimeoutExpired",
     "Unauthenticated",
     "Unavailable",
@@ -80,6 +82,10 @@ class ProtocolError(ContactdError):
 
 class DaemonFailed(ContactdError):
     """A daemon that LocalDaemon started did not become ready, or did not end in order."""
+
+
+class TableFileError(ContactdError, ValueError):
+    """A file that holds no table of influence coefficients, or a damaged one; the message names the line or the part."""
 
 
 @dataclass(frozen=True)

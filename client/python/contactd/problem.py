@@ -6,26 +6,37 @@ use comes back as InvalidArgument naming the field.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
+
+from .table_ics import TableIcs
 
 if TYPE_CHECKING:
     from .solution import ContactSolution
 
 __all__ = [
     "AnalyticIcs",
+    "Body",
     "ContactProblem",
+    "Diagonal",
     "Estimate",
+    "FarBoundary",
     "FemIcs",
+    "FemSolver",
     "Friction",
     "Grid",
     "Ics",
+    "LoadShape",
     "Material",
+    "MeshKind",
     "Paraboloid",
+    "Preset",
+    "Sampling",
     "SolverSettings",
+    "StopTest",
 ]
 
 Array = npt.NDArray[np.float64]
@@ -80,35 +91,84 @@ def _centres(n: int, size: float, corner: float | None) -> Array:
     return np.asarray(start + (np.arange(n) + 0.5) * size, dtype=np.float64)
 
 
+Body = Literal["half_space", "block"]
+LoadShape = Literal["constant", "bilinear"]
+Preset = Literal[
+    "paper-test1", "paper-test2", "paper-test3", "paper-mesh2-test1", "paper-mesh2-test2", "paper-mesh2-test3"
+]
+MeshKind = Literal["hex", "prism", "adaptive"]
+Diagonal = Literal["outward", "across"]
+FarBoundary = Literal["clamped", "half_space"]
+Sampling = Literal["fem", "linear", "linear_nodes"]
+FemSolver = Literal["auto", "amg_pcg", "direct"]
+StopTest = Literal["residual", "update"]
+
+
 @dataclass(frozen=True)
 class AnalyticIcs:
     """Influence coefficients of the elastic half-space in closed form."""
 
-    body: str | None = None
-    load_shape: str | None = None
+    body: Literal["half_space"] | None = None  #: there is no closed form of another body
+    #: traction of the loaded element: "constant" (default), or "bilinear": the tent (1 - |x|/dx)(1 - |y|/dy)
+    load_shape: LoadShape | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class FemIcs:
-    """Influence coefficients computed with finite elements; what is None takes the preset's or the daemon's default.
+    """Influence coefficients computed with finite elements; what is None takes the daemon's default.
 
-    Lengths are ratios to the element size h of the grid (paper, Table 2): a table serves every element size.
+    There are two ways to ask (docs/ic-tables.md). Either for an accuracy, and the daemon chooses mesh and solver::
+
+        FemIcs(accuracy=1e-3)
+        FemIcs(accuracy=1e-3, body="block", L_over_h=20, load_shape="bilinear", any_nu=True)
+
+    or for a mesh, by one of the paper's presets, by fields, or both (fields win)::
+
+        FemIcs("paper-test3", L_over_h=1280)
+
+    ``FemIcs()`` asks for an accuracy of 1e-3. Lengths are ratios to the element size h of the grid (paper, Table 2), so
+    that a table serves every element size.
     """
 
-    preset: str | None = None  #: "paper-test1", "paper-test2" or "paper-test3"; named fields win over it
-    L_over_h: float | None = None  #: size of the block
-    l_over_h: float | None = None  #: size of the uniform cube below the load
-    h_over_hs: float | None = None  #: elements of the cube per element of the grid, even; l/h times it is whole
-    f: float | None = None  #: growth of the layers outside the cube, >= 1
-    order: int | None = None  #: polynomial order of the displacement, 1 or 2
-    mesh: str | None = None  #: "hex": the paper's Mesh1
-    far_boundary: str | None = None  #: "clamped": u = 0
-    sampling: str | None = None  #: "fem", "linear" or "linear_nodes": how displacements are read at the element centres
-    tolerance: float | None = None  #: true relative residual of each solve
-    max_iterations: int | None = None  #: of conjugate gradients, per load case
-    strength_threshold: float | None = None  #: of BoomerAMG
-    body: str | None = None
-    load_shape: str | None = None
+    #: a test of the paper's Table 2 on its Mesh1 or Mesh2: sets mesh, order, l_over_h, h_over_hs, f, and far_boundary
+    #: "clamped"; does not go with accuracy
+    preset: Preset | None = field(default=None, kw_only=False)
+    #: size L of the mesh over h, default 640; of a block that of the body, which goes with accuracy too
+    L_over_h: float | None = field(default=None, kw_only=False)
+
+    #: largest error, 1e-4 to 0.1: of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Of the other fields
+    #: any_nu, body, load_shape and (of a block) L_over_h go with it
+    accuracy: float | None = None
+    #: True: one build for every Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate to
+    any_nu: bool | None = None
+    #: "half_space" (default), or "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top
+    body: Body | None = None
+    #: traction of the loaded element: "constant" (default), or "bilinear": the tent (1 - |x|/dx)(1 - |y|/dy)
+    load_shape: LoadShape | None = None
+
+    # The next four are of meshes "hex" and "prism"; "adaptive" starts from a mesh of its own.
+    l_over_h: float | None = None  #: size of the uniform cube around the load over h, 0.5 to 64; default 1
+    h_over_hs: float | None = None  #: elements of the cube per element of the grid, even; l_over_h times it is whole; 4
+    f: float | None = None  #: growth of the layers outside the cube, 1 to 10; default 1.2
+    t1_over_hs: float | None = None  #: first layer's thickness over the cube's element size; default 0, which means f
+    order: int | None = None  #: polynomial order of the displacement, 1 to 6; default 2
+    mesh: MeshKind | None = None  #: "hex" (default, the paper's Mesh1), "prism" (its Mesh2) or "adaptive"
+    #: of mesh "prism": the diagonal that halves a quadrilateral starts "outward" (default) from its corner nearest to
+    #: the load, or runs "across"
+    diagonal: Diagonal | None = None
+    max_dofs: int | None = None  #: of mesh "adaptive": no refinement beyond, 1000 to 5000000; default 60000
+    #: on the mesh's far faces: "clamped" (u = 0; with a preset, and for a block), or "half_space" (the displacements of
+    #: the half-space under the load; the default otherwise)
+    far_boundary: FarBoundary | None = None
+    #: how displacements are read at the element centres: "fem" (default, the finite-element function), or linear
+    #: between the vertices ("linear") or all nodes ("linear_nodes") of the surface mesh
+    sampling: Sampling | None = None
+    solver: FemSolver | None = None  #: "auto" (default, the faster one), "amg_pcg" or "direct" (sparse Cholesky)
+    #: compared with tolerance: the true relative "residual" (default), or the relative "update" (the paper's)
+    stop_test: StopTest | None = None
+    tolerance: float | None = None  #: of the stop test, 1e-13 to 1; default 1e-8
+    max_iterations: int | None = None  #: of conjugate gradients, per load case; default 1000
+    strength_threshold: float | None = None  #: of BoomerAMG, 0 to 1; chosen for the mesh when left out
 
 
 Ics = AnalyticIcs | FemIcs
@@ -148,20 +208,28 @@ class Estimate:
     traction_y: Array | None = None
 
 
+_REQUIRED: Any = object()  # stands behind `upper`, which may be left out, without being left out itself
+
+
 @dataclass(frozen=True, eq=False)
 class ContactProblem:
     """Normal contact with the approach prescribed; with `friction`, tangential contact too."""
 
     grid: Grid
-    upper: Material
-    gap: Paraboloid | npt.ArrayLike  #: undeformed distance without the approach (mm); an array has shape [ny, nx]
-    approach: float  #: delta (mm), > 0 in compression; the gap before deformation is h - delta
+    upper: Material | None = None  #: may be left out with TableIcs, which say all about the bodies
+    gap: Paraboloid | npt.ArrayLike = _REQUIRED  #: undeformed distance without the approach (mm), or its array [ny, nx]
+    approach: float = _REQUIRED  #: delta (mm), > 0 in compression; the gap before deformation is h - delta
     lower: Material | None = None  #: None: as the upper body
-    ics: Ics = AnalyticIcs()
+    ics: Ics | TableIcs = AnalyticIcs()
     friction: Friction | None = None  #: None: frictionless
     normal: SolverSettings | None = None
     tangential: SolverSettings | None = None
     initial: Estimate | ContactSolution | None = None  #: where the solvers start: tractions of a similar problem
+
+    def __post_init__(self) -> None:
+        missing = [name for name in ("gap", "approach") if getattr(self, name) is _REQUIRED]
+        if missing:
+            raise TypeError(f"ContactProblem() lacks {' and '.join(missing)}")
 
     def replace(self, **changes: Any) -> ContactProblem:
         """The same problem with some fields changed."""
@@ -174,7 +242,7 @@ def plain(value: Any) -> dict[str, Any]:
 
 
 def ics_params(ics: Ics) -> dict[str, Any]:
-    """`ics` of ic.get and contact.solve."""
+    """`ics` of ic.get, ic.export and contact.solve."""
     source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
     return {"source": source, **plain(ics)}
 
@@ -187,15 +255,15 @@ def table_params(material: Material, grid: Grid, ics: Ics) -> dict[str, Any]:
 
 def problem_params(problem: ContactProblem) -> dict[str, Any]:
     """The parameters of contact.solve."""
-    bodies = {"upper": plain(problem.upper)}
-    if problem.lower is not None:
-        bodies["lower"] = plain(problem.lower)
-    params: dict[str, Any] = {
-        "grid": plain(problem.grid),
-        "bodies": bodies,
-        "ics": ics_params(problem.ics),
-        "approach": problem.approach,
-    }
+    params: dict[str, Any] = {"grid": plain(problem.grid), "approach": problem.approach}
+    if isinstance(problem.ics, TableIcs):
+        (ny, nx), ics = problem.grid.shape, problem.ics
+        params["ics"] = {"source": "table", "table": ics.array[:, :, :ny, :nx], "dx": ics.dx, "dy": ics.dy}
+    else:
+        bodies = {"upper": problem.upper, "lower": problem.lower}
+        if any(bodies.values()):
+            params["bodies"] = {name: plain(material) for name, material in bodies.items() if material is not None}
+        params["ics"] = ics_params(problem.ics)
     if isinstance(problem.gap, Paraboloid):
         params["gap"] = {"paraboloid": plain(problem.gap)}
     else:

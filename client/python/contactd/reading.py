@@ -7,7 +7,7 @@ import collections.abc
 import dataclasses
 import functools
 import types
-from typing import Any, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -56,4 +56,6 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
         return float(value)
     if hint in (int, str, bool) and type(value) is hint:
         return value
+    if origin is Literal and isinstance(value, str):
+        return value  # a newer daemon may know more words
     raise ProtocolError(f"The answer's {path} is a {type(value).__name__}, which does not belong there.")

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from .problem import Array, Grid, Ics, Material
+from .problem import Array, FemIcs, Grid, Ics, Material
 
 __all__ = [
     "Areas",
@@ -54,11 +54,12 @@ class LoadCase:
     residual: float  #: true relative residual ||b - A u|| / ||b||
     converged: bool
     seconds: float
+    update: float | None = None  #: relative update of the last iteration, where that is the stop test
 
 
 @dataclass(frozen=True)
 class ComponentError:
-    """Relative error against the closed form: signed at the origin (paper, (3.1)), and the largest size of all."""
+    """Relative error: signed at the origin (paper, (3.1)), and the largest size over the table."""
 
     origin: float
     largest: float
@@ -66,7 +67,10 @@ class ComponentError:
 
 @dataclass(frozen=True)
 class IcErrors:
-    """Errors against the closed form. xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy)."""
+    """Errors against the closed form, or estimated ones (IcEvidence.errors_estimated).
+
+    xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy).
+    """
 
     xx: ComponentError
     yy: ComponentError
@@ -77,7 +81,10 @@ class IcErrors:
 
 @dataclass(frozen=True)
 class IcEvidence:
-    """How a table was made. A closed-form one has no elements, no solves and no errors."""
+    """How a table was made. A closed-form one has no elements, no solves and no errors.
+
+    Read `warnings` first. `errors` is None where nothing is known of them: of a block on a mesh that was named.
+    """
 
     source: str
     version: str = ""
@@ -87,6 +94,12 @@ class IcEvidence:
     seconds: Mapping[str, float] = field(default_factory=dict)  #: "assembly", "setup", "solve", "total"
     load_cases: tuple[LoadCase, ...] = ()
     errors: IcErrors | None = None
+    errors_estimated: bool = False  #: of a block, by the difference to the next lower order
+    warnings: tuple[str, ...] = ()  #: sentences, e.g. that the mesh is outside of the ranges the paper recommends
+    solver: str | None = None  #: "amg_pcg" or "direct"
+    mesh: FemIcs | None = None  #: what was chosen for an accuracy; not of a block
+    family_nu: tuple[float, ...] = ()  #: of a family: Poisson's ratios of its tables
+    interpolation_error: float | None = None  #: of a family: what interpolation between them adds at most, estimated
 
 
 @dataclass(frozen=True)
@@ -110,8 +123,8 @@ class IcTable:
     follow from symmetry: xx, yy, zz are even in both, xy, yx odd in both, xz, zx odd in x, yz, zy odd in y.
     """
 
-    key: str  #: equal for every shear modulus, element size and extent of the same dimensionless problem
-    origin: str  #: "closed_form", "memory", "disk" or "built"
+    key: str  #: equal for every shear modulus, element size and extent of the same dimensionless problem; "" of a file .h5
+    origin: str  #: "closed_form", "memory", "disk" or "built"; "file" when load_table read it
     spec: IcSpec
     array: Array  #: shape [3, 3, ny, nx] (mm^3/N)
     evidence: IcEvidence
@@ -145,7 +158,10 @@ class IcUse:
 
 @dataclass(frozen=True)
 class ContactEvidence:
-    """How a contact problem was solved; `tangential` is None without friction, `ics` has "upper" and "lower"."""
+    """How a contact problem was solved; `tangential` is None without friction.
+
+    `ics` has "upper" and "lower", or "pair" when the problem brought its coefficients along (TableIcs).
+    """
 
     normal: SolverEvidence
     ics: Mapping[str, IcUse]

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "contactd/given_ics.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/material.hpp"
@@ -42,9 +43,13 @@ struct Friction {
 struct ContactProblem {
     Grid grid;
     BodyPair bodies;
-    IcSource ic_source = IcSource::analytic;
+    IcSource ic_source = IcSource::analytic;  ///< this and the next five as in IcSpec, for both bodies
+    BodyShape body = BodyShape::half_space;
     LoadShape load_shape = LoadShape::constant;
-    FemSpec fem;                              ///< when ic_source is fem
+    double accuracy = 0;
+    bool any_nu = false;
+    FemSpec fem;
+    std::optional<GivenIcs> given_ics;        ///< instead of computed ones; bodies and the six above mean nothing then
     std::vector<double> undeformed_distance;  ///< h without the approach, shape [ny, nx] (mm)
     double approach = 0;                      ///< delta (mm); the gap before deformation is h - delta
     std::optional<Friction> friction;         ///< absent: frictionless

@@ -2,6 +2,8 @@
 // chapter 3; Kalker 1990, section 5.A).
 #pragma once
 
+#include <array>
+
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 
@@ -11,10 +13,31 @@ namespace contactd {
 /// over the rectangle dx x dy centred at the origin. Any sign of x and y, axes and edges included.
 double half_space_coefficient(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material);
 
-/// All nine components for the offsets of `spec` (whose source must be analytic), in mm^3/N.
+/// The same for the tent of bilinear tractions, (1 - |x|/dx)(1 - |y|/dy) on |x| <= dx, |y| <= dy (paper, Remark 1): the
+/// coefficient of the constant load averaged over an element. Relative accuracy 1e-12 of the largest component there.
+double half_space_tent_coefficient(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material);
+
+/// Displacement (x, y, z; mm) at the point (x, y, z), z <= 0, of the half-space under the load of `spec` along `load`
+/// at the origin, by Boussinesq's and Cerruti's point loads (Johnson, section 3.2 and 3.6) at Gauss points of the load.
+/// Meant for points that are farther from the load than its size: relative error 1e-8 from three times max(dx, dy) on.
+/// Throws InvalidArgument ("point") above the surface; `spec` is not checked otherwise.
+std::array<double, 3> half_space_displacement(const IcSpec& spec, Axis load, const std::array<double, 3>& point);
+
+/// All nine components, for the load shape and the offsets of `spec` (whose source must be analytic), in mm^3/N.
 IcTable half_space_table(const IcSpec& spec);
 
-/// Fills the error fields of `evidence` for a table made from `spec` by another method.
+/// Near the clamped faces of a block coefficients vanish, and those of a nearly incompressible one change their sign on
+/// the way: errors of a block are relative to no less than this share of the half-space's coefficient.
+inline constexpr double block_error_floor = 0.05;
+
+/// What errors of xx, yy and zz are relative to: |exact|, and for a block no less than the floor.
+IcTable error_unit(const IcSpec& spec, const IcTable& exact);
+
+/// Fills the error fields of `evidence` by the difference of `table` to a better one of the same spec.
+void compare_tables(const IcSpec& spec, const IcTable& table, const IcTable& exact, IcEvidence& evidence);
+
+/// The same against the closed form, for a table made from `spec` by another method. Throws InvalidArgument when the
+/// table has another extent, or the body is a block.
 void compare_with_half_space(const IcSpec& spec, const IcTable& table, IcEvidence& evidence);
 
 }  // namespace contactd

@@ -4,76 +4,125 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "contactd/material.hpp"
 
 namespace contactd {
 
-enum class LoadShape { constant };      ///< unit traction over one element
+/// The elastic body: the half-space z <= 0, or the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top.
+enum class BodyShape { half_space, block };
+/// Traction of the loaded element: 1 over it, or the "tent" of bilinear tractions (paper, Remark 1): 1 at its centre,
+/// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
+enum class LoadShape { constant, bilinear };
 enum class IcSource { analytic, fem };  ///< closed form of the half-space, or finite elements
-enum class MeshKind { hex };            ///< Mesh1 of the paper (section 3.1)
-enum class FarBoundary { clamped };     ///< u = 0 on the three far faces (Table 1)
+/// Mesh1 of the paper (hexahedra, section 3.1), Mesh2 (prisms, extruded along x), or hexahedra refined where an
+/// a-posteriori estimate of the error asks for it.
+enum class MeshKind { hex, prism, adaptive };
+/// On the three far faces: u = 0 (Table 1), or the displacements of the half-space under the load (Boussinesq,
+/// Cerruti).
+enum class FarBoundary { clamped, half_space };
 /// How displacements are read at the element centres: the finite-element function itself, or linear interpolation, of
 /// which the paper (section 2.2) does not say between what: between the vertices of the surface mesh, or between all
 /// finite-element nodes, those on edges and faces included.
 enum class Sampling { fem, linear, linear_nodes };
+/// BoomerAMG-preconditioned conjugate gradients, sparse Cholesky (one process only), or the one that is faster.
+enum class Solver { automatic, amg_pcg, direct };
+/// What conjugate gradients compare with the tolerance: the true relative residual ||b - A u|| / ||b||, or the relative
+/// update ||u_new - u|| / ||u_new|| (the paper, section 3).
+enum class StopTest { residual, update };
+/// Of Mesh2: which diagonal divides a quadrilateral of the cross-section into triangles. `outward` runs from the corner
+/// nearest to the origin to the farthest one, `across` joins the other two.
+enum class Diagonal { outward, across };
 
 /// The words for these on the wire and in files: "constant", "analytic", "hex", "clamped", "linear", ...
+std::string_view name_of(BodyShape value);
 std::string_view name_of(LoadShape value);
 std::string_view name_of(IcSource value);
 std::string_view name_of(MeshKind value);
 std::string_view name_of(FarBoundary value);
 std::string_view name_of(Sampling value);
+std::string_view name_of(Solver value);
+std::string_view name_of(StopTest value);
+std::string_view name_of(Diagonal value);
 
 /// The reverse: sets `value` and returns true, or returns false when no value has that name.
+bool from_name(std::string_view name, BodyShape& value);
 bool from_name(std::string_view name, LoadShape& value);
 bool from_name(std::string_view name, IcSource& value);
 bool from_name(std::string_view name, MeshKind& value);
 bool from_name(std::string_view name, FarBoundary& value);
 bool from_name(std::string_view name, Sampling& value);
+bool from_name(std::string_view name, Solver& value);
+bool from_name(std::string_view name, StopTest& value);
+bool from_name(std::string_view name, Diagonal& value);
 
 /// Mesh and solver of a finite-element table. Lengths are ratios to the element size: along x and y the loaded cube
-/// is (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy).
+/// is (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy). Mesh adaptive starts from a mesh of its
+/// own: cube and layers mean nothing to it.
 struct FemSpec {
     MeshKind mesh = MeshKind::hex;
-    int order = 2;          ///< polynomial order of the displacement, 1 or 2
+    int order = 2;          ///< polynomial order of the displacement, 1 to 6
     double l_over_h = 1;    ///< size of the uniform cube over the element size
     double h_over_hs = 4;   ///< element size of the contact grid over that of the cube's mesh, an even integer
     double f = 1.2;         ///< growth of the layers outside the cube, >= 1
+    double t1_over_hs = 0;  ///< thickness of the first layer over the cube's element size; 0 means f, as in the paper
     double L_over_h = 640;  ///< size of the block over the element size
-    FarBoundary far_boundary = FarBoundary::clamped;
+    Diagonal diagonal = Diagonal::outward;  ///< of mesh prism only
+    long long max_dofs = 60'000;            ///< of mesh adaptive only: no refinement beyond
+    FarBoundary far_boundary = FarBoundary::half_space;
     Sampling sampling = Sampling::fem;
-    double tolerance = 1e-8;          ///< on the true relative residual ||b - A u|| / ||b||
-    int max_iterations = 1000;        ///< of conjugate gradients, per load case
-    double strength_threshold = 0.5;  ///< of BoomerAMG
+    Solver solver = Solver::automatic;
+    StopTest stop_test = StopTest::residual;
+    double tolerance = 1e-8;                   ///< of the stop test
+    int max_iterations = 1000;                 ///< of conjugate gradients, per load case
+    std::optional<double> strength_threshold;  ///< of BoomerAMG; left out, it is chosen for the mesh
 
     bool operator==(const FemSpec&) const = default;
 };
 
-/// The presets of the paper's Table 2: "paper-test1", "paper-test2", "paper-test3". Empty when the name is unknown.
+/// The presets of the paper's Table 2, u = 0 on the far faces and conjugate gradients: "paper-test1", "paper-test2",
+/// "paper-test3" on Mesh1, and "paper-mesh2-test1", ... on Mesh2. Empty when the name is unknown.
 std::optional<FemSpec> fem_preset(std::string_view name);
 
 struct IcSpec {
-    Material material;
-    double dx = 0;  ///< element size along x (mm)
-    double dy = 0;  ///< element size along y (mm)
-    int nx = 0;     ///< extent: offsets 0..nx-1 along x
-    int ny = 0;     ///< extent: offsets 0..ny-1 along y
+    Material material;  ///< nu has no meaning when any_nu is set
+    double dx = 0;      ///< element size along x (mm)
+    double dy = 0;      ///< element size along y (mm)
+    int nx = 0;         ///< extent: offsets 0..nx-1 along x
+    int ny = 0;         ///< extent: offsets 0..ny-1 along y
+    BodyShape body = BodyShape::half_space;
     LoadShape load_shape = LoadShape::constant;
     IcSource source = IcSource::analytic;
-    FemSpec fem;  ///< of no meaning when source is analytic
+    /// > 0: the largest error asked for, of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Mesh and
+    /// solver are then chosen when the table is built; of `fem` only L_over_h of a block means something.
+    double accuracy = 0;
+    bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
+    FemSpec fem;          ///< of no meaning when source is analytic
 
     bool operator==(const IcSpec&) const = default;
 };
 
+/// Range of the accuracy that may be asked for, and the bounds of Poisson's ratio a family covers.
+inline constexpr double finest_accuracy = 1e-4, coarsest_accuracy = 1e-1;
+inline constexpr double largest_family_nu = 0.49;
+/// Below and above it a family interpolates, and the choice of meshes decides, separately: nearly incompressible
+/// materials need finer meshes.
+inline constexpr double family_break = 0.3;
+
 /// Throws InvalidArgument naming the field (as on the wire, e.g. "fem.h_over_hs") when no table can be made from it.
 void validate(const IcSpec& spec);
 
-/// The size of Mesh1 for a spec.
+/// What the paper advises against (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1 and from
+/// 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces: a sentence for each, none when all
+/// is well.
+std::vector<std::string> warnings(const IcSpec& spec);
+
+/// The size of Mesh1 or Mesh2 for a spec; that of mesh adaptive is known only when it is built.
 struct MeshSize {
     int elements_per_edge;  ///< m, of the cube and of every layer
     int layers;             ///< k, of growing thickness
-    long long elements;     ///< m^3 + 3 m^2 k
+    long long elements;     ///< m^3 + 3 m^2 k of Mesh1, 2 (m^2 + 2 m k)(m + k) of Mesh2
 };
 MeshSize mesh_size(const IcSpec& spec);
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "contactd/ic_spec.hpp"
@@ -18,6 +19,8 @@ struct IcRecord {
     IcSpec spec;  ///< dimensionless, its extent that of the table
     IcTable table;
     IcEvidence evidence;
+    /// When spec.any_nu: one table for each of evidence.family_nu; `table` then is the first of them.
+    std::vector<IcTable> family;
 };
 
 /// SHA-256 (hex) of the canonical JSON text of the dimensionless spec without its extent: equal for every shear

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "contactd/material.hpp"
+#include "contactd/ic_spec.hpp"
 
 namespace contactd {
 
@@ -51,7 +51,9 @@ struct LoadCaseEvidence {
     int iterations = 0;
     double residual = 0;  ///< true relative residual ||b - A u|| / ||b||
     bool converged = false;
-    double seconds = 0;  ///< of the solve
+    double seconds = 0;            ///< of the solve
+    std::optional<double> update;  ///< relative update ||u_new - u|| / ||u_new|| of the last iteration, when it is the
+                                   ///< stop test
 };
 
 /// Relative errors against the closed form: the paper's measure (3.1) at the origin, signed (FEM/closed form - 1), and
@@ -73,11 +75,20 @@ struct IcEvidence {
     double solve_seconds = 0;
     double total_seconds = 0;
     std::vector<LoadCaseEvidence> load_cases;
-    // Where a closed form exists (half-space):
+    std::string solver;                 ///< "amg_pcg" or "direct"; empty for a closed form
+    std::optional<FemSpec> mesh;        ///< what was chosen for IcSpec::accuracy; not of a block
+    std::vector<std::string> warnings;  ///< sentences: what a user of the table should know
+    /// Errors over the table: against the closed form where there is one (half-space); of a block whose accuracy was
+    /// asked for, estimated by the difference to the next lower order, and `errors_estimated` says so.
     std::optional<ComponentError> error_xx, error_yy, error_zz;
     /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets but the origin, for the components that
-    /// change sign, whose relative errors mean nothing on the axes.
+    /// change sign, whose relative errors mean nothing on the axes: xy and yx, and xz, zx, yz and zy.
     std::optional<double> scaled_error_xy, scaled_error_xz;
+    bool errors_estimated = false;
+    /// Of a family over Poisson's ratio: the Poisson's ratios computed, and the largest error that interpolation
+    /// between them adds, in the measures above.
+    std::vector<double> family_nu;
+    std::optional<double> interpolation_error;
 };
 
 /// Every value times `factor`: A of G and dx from the dimensionless table with factor = dx/G.

@@ -83,7 +83,22 @@ TEST_CASE("A table is asked for and read", "[client]") {
         return {{fake::reply(request, result), arrays.take_frames()[0]}};
     });
     Client client(daemon.endpoint());
-    IcSpec spec{{82000, 0.28}, 0.8, 0.8, 2, 1, LoadShape::constant, IcSource::fem, {}};
+    IcSpec spec;
+    spec.material = {82000, 0.28};
+    spec.dx = spec.dy = 0.8;
+    spec.nx = 2;
+    spec.ny = 1;
+    spec.source = IcSource::fem;
+    SECTION("of a mesh") {
+        spec.fem.mesh = MeshKind::prism;
+    }
+    SECTION("of an accuracy, for every Poisson's ratio of a block") {
+        spec.body = BodyShape::block;
+        spec.load_shape = LoadShape::bilinear;
+        spec.accuracy = 1e-2;
+        spec.any_nu = true;
+        spec.fem.L_over_h = 20;
+    }
 
     const proto::IcReply reply = client.get_ic(spec);
 

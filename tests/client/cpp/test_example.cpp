@@ -91,7 +91,11 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     CHECK(client.describe()["openrpc"].is_string());
     CHECK(client.jobs().empty());
     CHECK_THROWS_AS(client.cancel_job("build-77"), contactd::proto::StatusError);
-    const contactd::IcSpec spec{{82000, 0.28}, 0.8, 0.8, 4, 3, {}, contactd::IcSource::analytic, {}};
+    contactd::IcSpec spec;
+    spec.material = {82000, 0.28};
+    spec.dx = spec.dy = 0.8;
+    spec.nx = 4;
+    spec.ny = 3;
     const auto reply = client.get_ic(spec);
     CHECK(reply.origin == "closed_form");
     CHECK(reply.spec == spec);

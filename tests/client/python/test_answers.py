@@ -10,6 +10,7 @@ from contactd import (
     ContactdError,
     DeadlineExceeded,
     FailedPrecondition,
+    FemIcs,
     Grid,
     InternalError,
     InvalidArgument,
@@ -25,7 +26,7 @@ from contactd import (
     Violation,
 )
 from contactd.reading import read
-from contactd.solution import ContactSolution, IcEvidence, ServerInfo
+from contactd.solution import ContactSolution, IcEvidence, IcSpec, ServerInfo
 from support import answers
 from support.fake_server import FakeServer
 
@@ -111,7 +112,36 @@ def test_evidence_of_finite_elements_is_read_to_its_depth():
         },
     )  # fmt: skip
     assert evidence.load_cases[1].iterations == 13
+    assert evidence.load_cases[1].update is None
     assert evidence.errors.zz.largest == 1e-2
+    assert (evidence.warnings, evidence.solver, evidence.mesh, evidence.family_nu) == ((), None, None, ())
+
+
+def test_evidence_of_an_accuracy_and_a_family_is_read():
+    case = {"load": "z", "iterations": 1, "residual": 1e-9, "converged": True, "seconds": 1, "update": 2e-9}
+    evidence = read(
+        IcEvidence,
+        {
+            "source": "fem", "load_cases": [case], "errors": {}, "errors_estimated": True, "solver": "direct",
+            "warnings": ["Beware."], "mesh": {"mesh": "hex", "order": 4, "L_over_h": 40, "solver": "auto"},
+            "family_nu": [0, 0.245, 0.49], "interpolation_error": 1e-6,
+        },
+    )  # fmt: skip
+    assert evidence.load_cases[0].update == 2e-9
+    assert evidence.errors is None
+    assert evidence.errors_estimated
+    assert evidence.warnings == ("Beware.",)
+    assert evidence.solver == "direct"
+    assert evidence.mesh == FemIcs(mesh="hex", order=4, L_over_h=40, solver="auto")
+    assert evidence.family_nu == (0, 0.245, 0.49)
+    assert evidence.interpolation_error == 1e-6
+
+
+def test_a_spec_of_finite_elements_is_read_as_it_was_asked_for():
+    ics = {"source": "fem", "body": "block", "accuracy": 1e-3, "any_nu": True, "L_over_h": 20}
+    grid = {"nx": 2, "ny": 2, "dx": 1, "dy": 1}
+    spec = read(IcSpec, {"material": {"G": 1, "nu": 0}, "grid": grid, "ics": ics})
+    assert spec.ics == FemIcs(body="block", accuracy=1e-3, any_nu=True, L_over_h=20)
 
 
 @pytest.mark.parametrize(

@@ -45,6 +45,14 @@ def test_a_table_request_holds_only_what_was_given():
     }
 
 
+def test_an_accuracy_is_asked_for_without_a_mesh():
+    ics = FemIcs(accuracy=1e-3, body="block", L_over_h=20, load_shape="bilinear", any_nu=True)
+    assert table_params(STEEL, GRID, ics)["ics"] == {
+        "source": "fem", "accuracy": 1e-3, "body": "block", "L_over_h": 20, "load_shape": "bilinear", "any_nu": True
+    }  # fmt: skip
+    assert table_params(STEEL, GRID, FemIcs())["ics"] == {"source": "fem"}
+
+
 def test_a_table_request_does_not_say_where_the_grid_lies():
     grid = Grid(3, 2, 0.5, 1.0, x0=7, y0=8)
     assert table_params(STEEL, grid, AnalyticIcs()) == table_params(STEEL, GRID, AnalyticIcs())

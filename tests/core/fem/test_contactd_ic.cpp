@@ -151,6 +151,15 @@ TEST_CASE("A spec that cannot be used is named", "[contactd-ic]") {
     refused(with(R"("preset")", R"("prest")"), "ics.prest");
 }
 
+TEST_CASE("An adaptive mesh is refused to several processes, by all of them", "[contactd-ic]") {
+    const Folder folder;
+    std::string spec = quick;
+    folder.write("spec.json", spec.replace(spec.find(R"("preset")"), 0, R"("mesh": "adaptive", )"));
+    CHECK(folder.run(launcher(2) + program + " spec.json --output table.h5") == 2);
+    CHECK_THAT(folder.read("out.txt"), ContainsSubstring(R"("field":"ics.mesh")"));
+    CHECK_FALSE(fs::exists(folder / "table.h5"));
+}
+
 TEST_CASE("A command line that cannot be used is named", "[contactd-ic]") {
     const Folder folder;
     folder.write("spec.json", quick);

@@ -2,6 +2,8 @@
 // written and read in one place.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,8 +50,22 @@ struct IcUse {
 struct SolveReply {
     ContactSolution solution;
     IcUse upper, lower;
+    std::optional<IcUse> pair;  ///< instead of these, when the request held the coefficients
 };
 nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays);
 SolveReply decode_solve_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
+
+// --- ic.export -------------------------------------------------------------------------------------------------------
+enum class FileFormat { hdf5, contact };
+
+struct IcExport {
+    IcSpec spec;
+    std::optional<Material> lower;  ///< of the second body, for CONTACT's text; else it is as the first
+    FileFormat format = FileFormat::hdf5;
+};
+/// `params` has passed its schema.
+IcExport decode_ic_export(const nlohmann::json& params);
+nlohmann::json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays);
+nlohmann::json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse& lower);
 
 }  // namespace contactd::proto

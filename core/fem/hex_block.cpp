@@ -1,6 +1,8 @@
-#include "quarter_block.hpp"
+#include "hex_block.hpp"
 
 #include <algorithm>
+
+#include "shells.hpp"
 
 namespace contactd::fem {
 namespace {
@@ -43,7 +45,8 @@ void add_vertices(mfem::Mesh& mesh, const Shells& shells) {
 }
 
 void add_element(mfem::Mesh& mesh, const Shells& shells, const VertexNumbers& number, const Place& place) {
-    // Sides along X, Y, Z of the corners in MFEM's order, (xi, eta, zeta) = (Y, X, Z).
+    // Sides along X, Y, Z of the corners in MFEM's order, (xi, eta, zeta) = (Y, X, Z): two axes swapped, since the
+    // quarter block is the mirror image of the positive octant.
     static constexpr std::array<std::array<int, 3>, 8> sides{
         {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}};
     std::array<int, 8> vertices;
@@ -69,41 +72,24 @@ void add_elements(mfem::Mesh& mesh, const Shells& shells) {
         }
 }
 
-BoundaryPart boundary_part(const mfem::Mesh& mesh, const Shells& shells, int boundary_element) {
-    mfem::Array<int> vertices;
-    mesh.GetBdrElementVertices(boundary_element, vertices);
-    std::array<double, 3> farthest{};  // from the origin along each axis
-    for (const int vertex : vertices)
-        for (std::size_t a = 0; a < 3; ++a)
-            farthest[a] = std::max(farthest[a], -mesh.GetVertex(vertex)[static_cast<int>(a)]);
-    if (farthest[0] == 0) return BoundaryPart::front;
-    if (farthest[1] == 0) return BoundaryPart::right;
-    if (farthest[2] != 0) return BoundaryPart::far;
-    const auto under_load = [&](std::size_t a) {
-        const double end = shells.edge[a][0] * shells.load_elements[a] / shells.m;
-        return farthest[a] <= end * (1 + 1e-12);
-    };
-    return under_load(0) && under_load(1) ? BoundaryPart::loaded : BoundaryPart::free;
-}
-
 }  // namespace
 
-mfem::Mesh make_quarter_block(const Shells& shells) {
-    mfem::Mesh mesh(3, static_cast<int>(shells.vertices()), static_cast<int>(shells.elements()));
-    add_vertices(mesh, shells);
-    add_elements(mesh, shells);
-    mesh.FinalizeTopology();  // makes the boundary elements
-    for (int i = 0; i < mesh.GetNBE(); ++i) mesh.SetBdrAttribute(i, static_cast<int>(boundary_part(mesh, shells, i)));
-    mesh.SetAttributes();
+BlockMesh make_hex_block(const IcSpec& spec) {
+    const Shells shells = make_shells(spec);
+    BlockMesh block{mfem::Mesh(3, static_cast<int>(shells.vertices()), static_cast<int>(shells.elements())), {}};
+    add_vertices(block.mesh, shells);
+    add_elements(block.mesh, shells);
+    block.mesh.FinalizeTopology();  // makes the boundary elements
+    mark_boundary(block.mesh, load_extent(spec));
     // Neither refinement nor a correction of orientations may reorder the elements: element_number() counts on it.
-    mesh.Finalize(false, false);
-    return mesh;
-}
-
-mfem::IntegrationPoint reference_point(const SurfacePoint& point) {
-    mfem::IntegrationPoint result;
-    result.Set3(point.local[1], point.local[0], point.local[2]);
-    return result;
+    block.mesh.Finalize(false, false);
+    block.locate = [shells](double X, double Y) {
+        const SurfacePoint at = contactd::fem::locate(shells, X, Y);
+        ElementPoint result{element_number(shells, at.place), {}};
+        result.point.Set3(at.local[1], at.local[0], at.local[2]);  // xi along Y, eta along X
+        return result;
+    };
+    return block;
 }
 
 }  // namespace contactd::fem

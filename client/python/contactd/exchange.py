@@ -1,0 +1,124 @@
+"""Tables as files, by the end of their name (docs/ic-tables.md, Exchange):
+
+========  ====================================  ==========================================================
+``.npz``  IcTable or TableIcs                   numpy's archive: the array, and what it is as JSON
+``.txt``  TableIcs (IcTable: two such bodies)   what the CONTACT program reads
+``.h5``   IcTable, loading only (needs h5py)    contactd's IC file; `Client.export_ic` gives its bytes
+========  ====================================  ==========================================================
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .errors import ProtocolError, TableFileError
+from .problem import table_params
+from .reading import read
+from .solution import IcEvidence, IcSpec, IcTable
+from .table_ics import TableIcs
+
+__all__ = ["load_table", "save_table"]
+
+PathLike = str | os.PathLike[str]
+
+
+def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = None) -> None:
+    """Writes `table` to a file `.npz` or `.txt`; `G`, for the latter, as in TableIcs.to_contact_text.
+
+    The file is whole or not there: it is written under another name first.
+    """
+    suffix = _suffix(path)
+    if suffix == ".npz":
+        return _write(path, lambda file: np.savez(file, **_members(table)))
+    if suffix == ".txt":
+        pair = table if isinstance(table, TableIcs) else TableIcs.from_table(table)
+        text = pair.to_contact_text(G)
+        return _write(path, lambda file: file.write(text.encode("ascii")))
+    raise ValueError(
+        f"{os.fspath(path)!r} would be an HDF5 file, which the daemon writes: save the bytes of "
+        'Client.export_ic(material, grid, ics, "hdf5").'
+    )
+
+
+def load_table(path: PathLike, *, G: float | None = None) -> IcTable | TableIcs:
+    """Reads what save_table or Client.export_ic wrote; `G`, for `.txt`, as in TableIcs.from_contact_text.
+
+    Raises TableFileError when the file holds no table, or a damaged one, and OSError when it cannot be read.
+    """
+    suffix = _suffix(path)
+    if suffix == ".txt":
+        return TableIcs.from_contact_text(path, G)
+    if suffix == ".npz":
+        return _read_npz(path)
+    from .hdf5 import read_hdf5
+
+    return read_hdf5(path)
+
+
+def _suffix(path: PathLike) -> str:
+    suffix = Path(path).suffix.lower()
+    if suffix not in (".npz", ".txt", ".h5"):
+        raise ValueError(f"{os.fspath(path)!r} must end in .npz, .txt or .h5, which says what the file is.")
+    return suffix
+
+
+def _write(path: PathLike, write: Any) -> None:
+    part = Path(f"{os.fspath(path)}.part")
+    try:
+        with part.open("wb") as file:
+            write(file)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _members(table: IcTable | TableIcs) -> dict[str, Any]:
+    if isinstance(table, TableIcs):
+        pair = {"dx": table.dx, "dy": table.dy, "G": table.G}
+        return {"array": table.array, "pair": json.dumps(pair)}
+    spec = table_params(table.spec.material, table.spec.grid, table.spec.ics)
+    evidence = asdict(table.evidence)
+    return {"array": table.array, "key": table.key, "spec": json.dumps(spec), "evidence": json.dumps(evidence)}
+
+
+def _read_npz(path: PathLike) -> IcTable | TableIcs:
+    name = os.fspath(path)
+    content = io.BytesIO(Path(path).read_bytes())
+    try:
+        archive = np.load(content, allow_pickle=False)
+        members = {} if isinstance(archive, np.ndarray) else {member: archive[member] for member in archive.files}
+    except Exception as error:  # there is no end of what zipfile and numpy raise for a damaged archive
+        raise TableFileError(f"{name} is no archive of numpy, or damaged: {error}") from None
+    array = members.get("array")
+    if array is None or array.dtype.kind != "f" or array.ndim != 4 or array.shape[:2] != (3, 3):
+        raise TableFileError(f'{name} holds no table; there must be an array "array" of shape [3, 3, ny, nx]')
+    if "pair" in members:
+        pair = _json(members, "pair", name)
+        try:
+            return TableIcs(array, float(pair["dx"]), float(pair["dy"]), pair.get("G"))
+        except (KeyError, TypeError, ValueError, AttributeError):
+            raise TableFileError(f'{name}: "pair" must hold dx and dy') from None
+    try:
+        spec = read(IcSpec, _json(members, "spec", name), "spec")
+        evidence = read(IcEvidence, _json(members, "evidence", name), "evidence")
+    except ProtocolError as error:
+        raise TableFileError(f"{name}: {str(error).replace('answer', 'file')}") from None
+    if array.shape[2:] != spec.grid.shape:
+        raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid says {list(spec.grid.shape)}")
+    return IcTable(str(members.get("key", "")), "file", spec, array, evidence)
+
+
+def _json(members: dict[str, Any], member: str, name: str) -> Any:
+    if member not in members:
+        raise TableFileError(f'{name} lacks "{member}", JSON that says what the array is')
+    try:
+        return json.loads(str(members[member]))
+    except ValueError:
+        raise TableFileError(f'{name}: "{member}" is no JSON') from None

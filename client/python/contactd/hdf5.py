@@ -1,0 +1,112 @@
+"""Reading contactd's IC files (docs/ic-tables.md). Needs h5py, which nothing else in this package does."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .errors import ContactdError, TableFileError
+from .problem import AnalyticIcs, FemIcs, Grid, Material
+from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase
+
+__all__ = ["read_hdf5"]
+
+_USER_BLOCK = 512
+_DIGEST = b"sha256 of the bytes after this block: "
+_FORMAT = 2
+
+
+def read_hdf5(path: str | os.PathLike[str]) -> IcTable:
+    """The table of an IC file: in mm^3/N when it came from Client.export_ic, for dx = 1 and G = 1 from the store."""
+    try:
+        import h5py
+    except ImportError:
+        raise ContactdError(
+            "Reading HDF5 files needs the package h5py: pip install h5py, or on Debian python3-h5py. "
+            "Files .npz and .txt can be read without it."
+        ) from None
+    name, content = os.fspath(path), Path(path).read_bytes()
+    _check_digest(name, content)
+    try:
+        with h5py.File(io.BytesIO(content[_USER_BLOCK:]), "r") as file:
+            return _table(file, name)
+    except (OSError, KeyError, ValueError, TypeError, IndexError, RuntimeError) as error:
+        if isinstance(error, TableFileError):
+            raise
+        raise TableFileError(f"{name} is no IC file that this version can read: {error}") from None
+
+
+def _check_digest(name: str, content: bytes) -> None:
+    _, mark, rest = content[:_USER_BLOCK].partition(_DIGEST)
+    if not mark or len(content) <= _USER_BLOCK:
+        raise TableFileError(f"{name} is no IC file of contactd, or its beginning is lost")
+    if hashlib.sha256(content[_USER_BLOCK:]).hexdigest().encode() != rest[:64]:
+        raise TableFileError(f"{name} is damaged: it does not match its digest")
+
+
+def _table(file: Any, name: str) -> IcTable:
+    if _attributes(file).get("contactd_format") != _FORMAT:
+        raise TableFileError(f"{name} has another format than {_FORMAT}, which this version reads")
+    spec, evidence = _attributes(file["spec"]), file["evidence"]
+    if spec.get("any_nu"):
+        raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
+    array = np.asarray(file["influence_coefficients"], dtype=np.float64)
+    if array.ndim != 4 or array.shape[:2] != (3, 3):
+        raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
+    dx = spec.get("dx", 1.0)
+    grid = Grid(array.shape[3], array.shape[2], dx, spec.get("dy", dx * spec["dy_over_dx"]))
+    kind: type[Any] = FemIcs if spec["source"] == "fem" else AnalyticIcs
+    ics = kind(**{f.name: spec[f.name] for f in fields(kind) if f.name in spec and f.name != "any_nu"})
+    material = Material(spec.get("G", 1.0), spec["nu"])
+    return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(evidence))
+
+
+def _evidence(group: Any) -> IcEvidence:
+    said = _attributes(group)
+    stages = ("assembly", "setup", "solve", "total")
+    cases = [_attributes(group[f"load_case_{n}"]) for n in range(sum(k.startswith("load_case_") for k in group))]
+    mesh = _attributes(group["mesh"]) if "mesh" in group else None
+    return IcEvidence(
+        source=said["source"],
+        version=said["version"],
+        elements=said["elements"],
+        dofs=said["dofs"],
+        processes=said["processes"],
+        seconds={stage: said[f"{stage}_seconds"] for stage in stages},
+        load_cases=tuple(
+            LoadCase(
+                load="xyz"[case["load_axis"]],
+                iterations=case["iterations"],
+                residual=case["residual"],
+                converged=bool(case["converged"]),
+                seconds=case["seconds"],
+                update=case.get("update"),
+            )
+            for case in cases
+        ),
+        errors=_errors(said),
+        errors_estimated=bool(said["errors_estimated"]),
+        warnings=tuple(said.get("warnings", ())),
+        solver=said.get("solver"),
+        mesh=None if mesh is None else FemIcs(**{f.name: mesh[f.name] for f in fields(FemIcs) if f.name in mesh}),
+        family_nu=tuple(said.get("family_nu", ())),
+        interpolation_error=said.get("interpolation_error"),
+    )
+
+
+def _errors(said: dict[str, Any]) -> IcErrors | None:
+    if "error_zz_origin" not in said:
+        return None
+    xx, yy, zz = (ComponentError(said[f"error_{c}_origin"], said[f"error_{c}_largest"]) for c in ("xx", "yy", "zz"))
+    return IcErrors(xx, yy, zz, said["scaled_error_xy"], said["scaled_error_xz"])
+
+
+def _attributes(at: Any) -> dict[str, Any]:
+    """Attributes as plain values of Python; lists as lists."""
+    return {name: value.tolist() if hasattr(value, "tolist") else value for name, value in at.attrs.items()}

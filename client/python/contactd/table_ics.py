@@ -1,0 +1,108 @@
+"""Influence coefficients that the caller brings along instead of asking the daemon for them."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .contact_text import format_text, parse_text
+from .errors import TableFileError
+
+if TYPE_CHECKING:
+    from .problem import Array, Material
+    from .solution import IcTable
+
+__all__ = ["TableIcs", "combined_modulus"]
+
+_AXES = "xyz"
+#: Largest relative difference of element sizes that counts as rounding.
+_SIZE_TOLERANCE = 1e-6
+
+
+def combined_modulus(upper: Material, lower: Material | None = None) -> float:
+    """The modulus that CONTACT multiplies the coefficients of a pair by: 1/G = (1/G_upper + 1/G_lower)/2 (N/mm^2)."""
+    if lower is None or lower.G == upper.G:
+        return upper.G
+    return 2 / (1 / upper.G + 1 / lower.G)
+
+
+@dataclass(frozen=True, eq=False)
+class TableIcs:
+    """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then.
+
+    `array[i, j, l, k]` (mm^3/N) is the difference (upper less lower body) of the displacements along axis i at an element
+    whose offset from the loaded element is (k dx, l dy), for unit tractions along axis j, positive on the upper body;
+    axes x, y, z with z from the lower to the upper body. For bodies whose own tables (IcTable) are U and L this is L + U,
+    but L - U for xz, zx, yz and zy. Offsets start at 0; at least as many as the grid has elements are needed.
+
+    With friction, xz, zx, yz and zy must be below 1e-6 of zz at the origin.
+    """
+
+    array: Array  #: shape [3, 3, ny, nx]
+    dx: float  #: element size along x that the table is for (mm); that of the grid, to 1e-6
+    dy: float  #: element size along y (mm)
+    G: float | None = None  #: combined_modulus of the bodies (N/mm^2): for writing CONTACT's text only
+
+    def __post_init__(self) -> None:
+        array = np.asarray(self.array, dtype=np.float64)
+        if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
+            raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
+        object.__setattr__(self, "array", array)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Extent (ny, nx) of the offsets."""
+        return (self.array.shape[2], self.array.shape[3])
+
+    def __getitem__(self, component: str) -> Array:
+        """One component, shape [ny, nx]: ``ics["zx"]`` is the displacement along z for a load along x."""
+        if len(component) != 2 or not set(component) <= set(_AXES):
+            raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
+        part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
+        return part
+
+    @classmethod
+    def from_table(cls, upper: IcTable, lower: IcTable | None = None) -> TableIcs:
+        """The pair of two bodies with these tables; two equal ones when `lower` is left out.
+
+        Where the extents differ the smaller one counts.
+        """
+        lower = upper if lower is None else lower
+        grid, other = upper.spec.grid, lower.spec.grid
+        for name in ("dx", "dy"):
+            size, of_other = getattr(grid, name), getattr(other, name)
+            if abs(size - of_other) > _SIZE_TOLERANCE * size:
+                raise ValueError(f"the tables have different {name}, {size} and {of_other}; a pair must have the same")
+        ny = min(upper.array.shape[2], lower.array.shape[2])
+        nx = min(upper.array.shape[3], lower.array.shape[3])
+        array = lower.array[:, :, :ny, :nx] + upper.array[:, :, :ny, :nx]
+        for i, j in ((0, 2), (2, 0), (1, 2), (2, 1)):
+            array[i, j] = lower.array[i, j, :ny, :nx] - upper.array[i, j, :ny, :nx]
+        return cls(array, grid.dx, grid.dy, combined_modulus(upper.spec.material, lower.spec.material))
+
+    @classmethod
+    def from_contact_text(
+        cls, path: str | os.PathLike[str], G: float | None = None, *, tolerance: float = 1e-6
+    ) -> TableIcs:
+        """Reads the text in which the CONTACT program takes numerical influence coefficients.
+
+        `G` is the combined modulus of CONTACT's two materials (N/mm^2), by which the values are multiplied; texts of
+        contactd tell it themselves. What contradicts the symmetry of the bodies in y by more than `tolerance` (of the
+        largest coefficient) is refused. Raises TableFileError naming the line.
+        """
+        try:
+            array, dx, dy, modulus = parse_text(Path(path).read_text(encoding="ascii", errors="replace"), G, tolerance)
+        except TableFileError as error:
+            raise TableFileError(f"{os.fspath(path)}, {error}") from None
+        return cls(array, dx, dy, modulus)
+
+    def to_contact_text(self, G: float | None = None) -> str:
+        """That text, with enough digits to read the same numbers back. `G` as in from_contact_text."""
+        modulus = self.G if G is None else G
+        if modulus is None:
+            raise ValueError("G is None; CONTACT's text holds coefficients times the combined modulus of the bodies")
+        return format_text(self.array, self.dx, self.dy, modulus)

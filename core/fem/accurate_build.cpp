@@ -1,0 +1,129 @@
+#include "accurate_build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "block_build.hpp"
+#include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
+#include "self_similarity.hpp"
+
+namespace contactd::fem {
+namespace {
+
+/// Mesh1 with two elements per edge of the load and layers that are scaled copies of each other needs few elements of
+/// high order: order and growth decide the error, the rest is geometry.
+struct Level {
+    int order;
+    double growth;
+};
+
+/// From coarse to fine; each costs about twice the one before. A build starts at first_level() and goes on while the
+/// error it finds is larger than the one asked for.
+constexpr std::array<Level, 9> levels{
+    {{2, 1.5}, {3, 1.6}, {3, 1.5}, {4, 1.5}, {4, 1.4}, {5, 1.7}, {5, 1.5}, {6, 1.8}, {6, 1.5}}};
+
+/// The level that was measured to do (docs/ic-tables.md) for offsets up to 40 x 40. Low orders lock as nu nears 1/2;
+/// the corners of a slender load need more. All Poisson's ratios of one half of a family start alike, so that a table
+/// computed for one of them and one interpolated between them have the same error.
+std::size_t first_level(const IcSpec& spec) {
+    const bool nearly_incompressible = spec.material.nu > family_break;
+    const double aspect = std::max(spec.dy, 1 / spec.dy);
+    if (spec.accuracy >= 1e-2) return nearly_incompressible ? 2 : 0;
+    if (spec.accuracy >= 1e-3) return nearly_incompressible ? 3 : 2;
+    if (aspect > 1.5 && spec.load_shape == LoadShape::constant) return 7;
+    return nearly_incompressible ? 6 : 5;
+}
+
+/// The half-space is cut off at the first layer that ends at least so far beyond the farthest offset. There
+/// displacements are prescribed in closed form: what is left is the mesh's own error. A larger extent adds layers and
+/// leaves the others as they are, so that a cropped table hardly differs from one of that extent.
+constexpr double cut_off = 1.25, nearest_cut_off = 8;
+
+FemSpec mesh_of(const IcSpec& spec, const Level& level) {
+    FemSpec fem;
+    fem.order = level.order;
+    fem.f = level.growth;
+    // The cube is the load's quarter, two elements wide.
+    fem.l_over_h = spec.load_shape == LoadShape::constant ? 0.5 : 1;
+    fem.h_over_hs = 2 / fem.l_over_h;
+    // Layers grow from the shorter edge of the cube, t_j = edge (f - 1) f^(j-1): on a cube, scaled copies of the first.
+    const double h = std::sqrt(spec.dx * spec.dy), edge = fem.l_over_h * std::min(spec.dx, spec.dy);
+    fem.t1_over_hs = (fem.f - 1) * edge * fem.h_over_hs / h;
+    const double largest = std::max(spec.dx, spec.dy), cube = fem.l_over_h * h;
+    const double farthest = std::max((spec.nx - 1) * spec.dx, (spec.ny - 1) * spec.dy);
+    const double reach = std::max(nearest_cut_off * largest, cut_off * farthest) - cube;
+    const double layers = std::ceil(std::log1p(reach / edge) / std::log(fem.f));
+    fem.L_over_h = (cube + edge * (std::pow(fem.f, layers) - 1)) / largest;
+    return fem;
+}
+
+IcRecord build_level(MPI_Comm comm, const IcSpec& spec, const Level& level, const ProgressPart& progress) {
+    const double start = MPI_Wtime();
+    IcSpec mesh_spec = spec;
+    mesh_spec.accuracy = 0;
+    const bool bilinear = spec.load_shape == LoadShape::bilinear;
+    for (int* extent : {&mesh_spec.nx, &mesh_spec.ny})
+        if (bilinear) *extent = std::max(*extent, self_similar_extent);
+    mesh_spec.fem = mesh_of(mesh_spec, level);
+    ElasticityProblem problem(comm, mesh_spec);
+    const auto case_of = [](ElasticityProblem& of, Axis load) { return of.load_case(load); };
+    IcRecord record = solve_and_sample(problem, case_of, progress);
+    if (bilinear) record.table = cropped(near_load_from_far(record.table), spec.nx, spec.ny);
+    compare_with_half_space(spec, record.table, record.evidence);
+    record.evidence.mesh = mesh_spec.fem;
+    record.spec = spec;
+    record.spec.fem = mesh_spec.fem;
+    finish_evidence(record.evidence, start, comm);
+    return record;
+}
+
+/// Time and unknowns of the meshes that were tried before count, too.
+void add_costs(IcEvidence& evidence, const IcEvidence& before) {
+    evidence.assembly_seconds += before.assembly_seconds;
+    evidence.setup_seconds += before.setup_seconds;
+    evidence.solve_seconds += before.solve_seconds;
+    evidence.total_seconds += before.total_seconds;
+}
+
+}  // namespace
+
+double largest_error(const IcEvidence& evidence) {
+    double result = std::max(evidence.scaled_error_xy.value_or(0), evidence.scaled_error_xz.value_or(0));
+    for (const auto& error : {evidence.error_xx, evidence.error_yy, evidence.error_zz})
+        if (error) result = std::max(result, error->largest);
+    return result;
+}
+
+void throw_not_reached(double accuracy, double error) {
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "The accuracy %.3g was not reached: the finest mesh that is tried has an error of %.3g. Ask for a "
+                  "coarser accuracy, or give a mesh.",
+                  accuracy, error);
+    throw NotConverged(text);
+}
+
+IcRecord build_accurate(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress) {
+    if (spec.body == BodyShape::block) return build_block(comm, spec, progress);
+    IcEvidence before;
+    double error = 0;
+    double share = 0.8;  // of what is left of the progress: more levels are rarely needed
+    ProgressPart rest = progress;
+    for (std::size_t level = first_level(spec); level < levels.size(); ++level) {
+        IcRecord record = build_level(comm, spec, levels[level], rest.part(0, share));
+        add_costs(record.evidence, before);
+        error = largest_error(record.evidence);
+        if (error <= spec.accuracy) {
+            progress.report("sampling", 1);
+            return record;
+        }
+        before = record.evidence;
+        rest = rest.part(share, 1 - share);
+    }
+    throw_not_reached(spec.accuracy, error);
+}
+
+}  // namespace contactd::fem

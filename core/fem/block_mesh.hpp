@@ -1,0 +1,43 @@
+// The meshed quarter block [-L,0]^3, whatever its kind, and the way from a surface point to the element that holds it.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include <mfem.hpp>
+
+#include "contactd/ic_spec.hpp"
+
+namespace contactd::fem {
+
+/// Attributes of the boundary. The names of faces are the paper's (Table 1).
+enum class BoundaryPart {
+    front = 1,   ///< x = 0
+    right = 2,   ///< y = 0
+    free = 3,    ///< z = 0 outside the load
+    loaded = 4,  ///< z = 0, the quarter of the loaded element (of the tent: of its support)
+    far = 5      ///< x = -L, y = -L or z = -L
+};
+
+struct ElementPoint {
+    int element = 0;               ///< number in BlockMesh::mesh
+    mfem::IntegrationPoint point;  ///< reference coordinates in it
+};
+
+struct BlockMesh {
+    mfem::Mesh mesh;  ///< boundary attributes are those of BoundaryPart; element order must stay as it is
+    /// The element that holds the surface point (-X, -Y, 0) and the point's place in it, for 0 <= X, Y <= L. The
+    /// inverse of the element map in closed form. A point on a shared face gets one element, always the same.
+    std::function<ElementPoint(double X, double Y)> locate;
+};
+
+/// Of spec.fem.mesh; `spec` must be dimensionless and valid.
+BlockMesh make_block_mesh(const IcSpec& spec);
+
+/// Gives the faces of a quarter block their BoundaryPart; `load` as from load_extent().
+void mark_boundary(mfem::Mesh& mesh, const std::array<double, 2>& load);
+
+/// Extent of the quarter of the load along x and y: dx/2, dy/2 for a constant load, dx, dy for a bilinear one.
+std::array<double, 2> load_extent(const IcSpec& spec);
+
+}  // namespace contactd::fem

@@ -1,0 +1,27 @@
+// Sparse Cholesky factorisation (CHOLMOD, supernodal) on one process. Nodes inside elements are eliminated element by
+// element before: fewer entries to hold, and no surface point needs them.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "linear_system.hpp"
+
+namespace contactd::fem {
+
+class CholeskySystem final : public LinearSystem {
+   public:
+    /// Throws InvalidArgument on more than one process.
+    CholeskySystem(ElasticityProblem& problem, const AssemblyMonitor& monitor);
+    SolveResult solve(const LoadCase& load_case, mfem::Vector& u, const SolveMonitor& monitor) override;
+
+   private:
+    using Matrix = Eigen::SparseMatrix<double>;
+
+    Matrix free_part(const std::vector<int>& free_number, Eigen::Index count) const;
+
+    double tolerance_;
+    std::vector<int> number_;  ///< of each node of the space in the matrix, -1 for those inside elements
+    Matrix lower_;             ///< lower half, three rows per numbered node, without constraints
+};
+
+}  // namespace contactd::fem

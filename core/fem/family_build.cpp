@@ -1,0 +1,100 @@
+#include "family_build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "contactd/error.hpp"
+#include "contactd/ic_family.hpp"
+
+namespace contactd::fem {
+namespace {
+
+/// Points of each half; each number's points hold those of the number before.
+constexpr std::array<int, 3> sizes{5, 9, 17};
+
+double allowed_error(const IcSpec& spec) {
+    return spec.accuracy > 0 ? spec.accuracy / 20 : 1e-5;
+}
+
+void take_larger(std::optional<ComponentError>& error, const std::optional<ComponentError>& other) {
+    if (!other) return;
+    if (!error) error = other;
+    if (std::abs(other->origin) > std::abs(error->origin)) error->origin = other->origin;
+    error->largest = std::max(error->largest, other->largest);
+}
+
+void take_larger(std::optional<double>& error, const std::optional<double>& other) {
+    if (other) error = std::max(error.value_or(0), *other);
+}
+
+/// Evidence of the whole family: that of its largest table, times summed up, errors the largest of all.
+IcEvidence combined(const std::vector<const IcRecord*>& records) {
+    const auto fewer_dofs = [](const IcRecord* a, const IcRecord* b) { return a->evidence.dofs < b->evidence.dofs; };
+    IcEvidence result = (*std::max_element(records.begin(), records.end(), fewer_dofs))->evidence;
+    result.assembly_seconds = result.setup_seconds = result.solve_seconds = result.total_seconds = 0;
+    for (const IcRecord* record : records) {
+        const IcEvidence& evidence = record->evidence;
+        result.assembly_seconds += evidence.assembly_seconds;
+        result.setup_seconds += evidence.setup_seconds;
+        result.solve_seconds += evidence.solve_seconds;
+        take_larger(result.error_xx, evidence.error_xx);
+        take_larger(result.error_yy, evidence.error_yy);
+        take_larger(result.error_zz, evidence.error_zz);
+        take_larger(result.scaled_error_xy, evidence.scaled_error_xy);
+        take_larger(result.scaled_error_xz, evidence.scaled_error_xz);
+    }
+    return result;
+}
+
+IcRecord family_of(const IcSpec& spec, const std::vector<const IcRecord*>& records) {
+    IcRecord result{spec, records.front()->table, combined(records), {}};
+    result.spec.fem = records.back()->spec.fem;
+    for (const IcRecord* record : records) {
+        result.family.push_back(record->table);
+        result.evidence.family_nu.push_back(record->spec.material.nu);
+    }
+    result.evidence.interpolation_error = interpolation_error(spec, result.family);
+    return result;
+}
+
+}  // namespace
+
+IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_one, const ProgressPart& progress) {
+    const double start = MPI_Wtime();
+    std::map<double, IcRecord> built;
+    double done = 0, error = 0;
+    for (const int size : sizes) {
+        const std::vector<double> points = family_points(size);
+        // The first size is nearly always enough; a later one shares what is left of the progress.
+        const double share = (size == sizes.front() ? 0.9 : (1 - done) / 2) / static_cast<double>(points.size());
+        std::vector<const IcRecord*> records;
+        for (const double nu : points) {
+            if (!built.contains(nu)) {
+                IcSpec one = spec;
+                one.any_nu = false;
+                one.material.nu = nu;
+                built.emplace(nu, build_one(one, progress.part(done, share)));
+                done += share;
+            }
+            records.push_back(&built.at(nu));
+        }
+        IcRecord result = family_of(spec, records);
+        error = *result.evidence.interpolation_error;
+        if (error > allowed_error(spec)) continue;
+        finish_evidence(result.evidence, start, comm);
+        progress.report("sampling", 1);
+        return result;
+    }
+    char text[300];
+    std::snprintf(
+        text, sizeof text,
+        "The family over nu did not converge: with %d tables interpolation adds an error of %.3g, and %.3g is "
+        "allowed. Ask for a coarser accuracy, or for one nu.",
+        2 * sizes.back(), error, allowed_error(spec));
+    throw NotConverged(text);
+}
+
+}  // namespace contactd::fem

@@ -1,0 +1,45 @@
+// Tables as files that leave contactd: the IC file itself, and the text in which the CONTACT program (E.A.H.
+// Vollebregt, user guide, digit C3 = 9) reads numerical influence coefficients.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contactd/given_ics.hpp"
+#include "contactd/ic_store.hpp"
+#include "contactd/material.hpp"
+
+namespace contactd {
+
+/// The bytes of an IC file, as write_ic_file writes them. The spec of `record` may have dimensions: the file then holds
+/// mm^3/N and says for which dx, dy and G.
+std::vector<unsigned char> to_ic_file(const IcRecord& record);
+
+/// CONTACT's combined modulus of rigidity, which its coefficients are multiplied by: 1/G = (1/G_upper + 1/G_lower)/2.
+double combined_modulus(const BodyPair& bodies);
+
+/// The pair's table as text; `G` is that of combined_modulus. Lines:
+///     nmatrix iaconvex     1 1: one table for every row of elements; CONTACT's body 1 is the upper one
+///     0 312                nine columns, in the order z (normal), x, y
+///     1 0                  offsets -ix follow from ix by symmetry, offsets -iy are listed
+///     mx my dx dy          extent and element sizes
+/// and for each y offset -my+1..my-1 two comment lines and mx lines `ix x Czz Czx Czy Cxz Cxx Cxy Cyz Cyx Cyy`, Cij = G
+/// times displacement i for load j, in 17 significant digits. Signs are as in pair_of, which are CONTACT's.
+std::string to_contact_text(const GivenIcs& ics, double G);
+
+/// About how long to_contact_text will be (bytes), before anything of its size is made.
+double contact_text_size(int nx, int ny);
+
+/// Reads such a text, whoever wrote it: behind what a header line must hold, and behind a %, anything may stand; the
+/// first line may consist of words; numbers may have Fortran's D exponents. `G` is needed unless the comments tell it,
+/// as ours do. Both signs of the y offset are listed but only the part that has the symmetry of IcTable is kept: what
+/// else the text holds must be below `tolerance` times the largest of xx, yy and zz at the origin.
+/// Throws InvalidArgument whose field is the line, e.g. "line 12".
+GivenIcs from_contact_text(std::string_view text, std::optional<double> G, double tolerance = 1e-6);
+
+/// SHA-256 (hex) of a table that was given, of its extent and its element sizes.
+std::string ic_key(const GivenIcs& ics);
+
+}  // namespace contactd

@@ -1,0 +1,28 @@
+// Tables for every Poisson's ratio at once: interpolation between tables at the Chebyshev-Lobatto points of two halves,
+// [0, family_break] and (family_break, largest_family_nu], each with meshes of its own (Trefethen, Approximation Theory
+// and Approximation Practice, chapters 2 and 5).
+#pragma once
+
+#include <vector>
+
+#include "contactd/ic_store.hpp"
+
+namespace contactd {
+
+/// n >= 2 Chebyshev-Lobatto points of each half, ascending, 2n in all; the upper half starts at the next number above
+/// family_break. Those of 2n - 1 hold those of n.
+std::vector<double> family_points(int n);
+
+/// Barycentric interpolation of `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu], among
+/// those of nu's half. Throws InvalidArgument: "material.nu" outside, "family" when it is no such family.
+IcTable interpolated(const std::vector<IcTable>& family, double nu);
+
+/// The table of a record for `nu`: its only one, or for a family (spec.any_nu) the interpolated one. Throws StoreError
+/// when the family was computed at other points than family_points().
+IcTable table_for(const IcRecord& record, double nu);
+
+/// What interpolation adds to the error of the tables themselves, estimated by the last two Chebyshev coefficients: of
+/// xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.
+double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family);
+
+}  // namespace contactd

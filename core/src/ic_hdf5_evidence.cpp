@@ -1,0 +1,97 @@
+// Group `evidence`: what made a table and how good it is.
+#include <array>
+#include <optional>
+#include <string>
+
+#include "hdf5_attributes.hpp"
+#include "ic_hdf5_parts.hpp"
+
+namespace contactd {
+namespace {
+
+struct ErrorName {
+    const char* origin;
+    const char* largest;
+    std::optional<ComponentError> IcEvidence::* member;
+};
+constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_largest", &IcEvidence::error_xx},
+                                                {"error_yy_origin", "error_yy_largest", &IcEvidence::error_yy},
+                                                {"error_zz_origin", "error_zz_largest", &IcEvidence::error_zz}}};
+
+}  // namespace
+
+void write_evidence(H5::Group group, const IcEvidence& evidence) {
+    put(group, "source", evidence.source);
+    put(group, "version", evidence.version);
+    put(group, "elements", evidence.elements);
+    put(group, "dofs", evidence.dofs);
+    put(group, "processes", static_cast<long long>(evidence.processes));
+    put(group, "assembly_seconds", evidence.assembly_seconds);
+    put(group, "setup_seconds", evidence.setup_seconds);
+    put(group, "solve_seconds", evidence.solve_seconds);
+    put(group, "total_seconds", evidence.total_seconds);
+    if (!evidence.solver.empty()) put(group, "solver", evidence.solver);
+    put(group, "warnings", evidence.warnings);
+    put(group, "errors_estimated", static_cast<long long>(evidence.errors_estimated));
+    put(group, "family_nu", evidence.family_nu);
+    if (evidence.interpolation_error) put(group, "interpolation_error", *evidence.interpolation_error);
+    if (evidence.mesh) {
+        H5::Group mesh = group.createGroup("mesh");
+        write_fem(mesh, *evidence.mesh);
+    }
+    for (const ErrorName& name : error_names)
+        if (const auto& error = evidence.*name.member) {
+            put(group, name.origin, error->origin);
+            put(group, name.largest, error->largest);
+        }
+    if (evidence.scaled_error_xy) put(group, "scaled_error_xy", *evidence.scaled_error_xy);
+    if (evidence.scaled_error_xz) put(group, "scaled_error_xz", *evidence.scaled_error_xz);
+    for (std::size_t n = 0; n < evidence.load_cases.size(); ++n) {
+        const LoadCaseEvidence& load_case = evidence.load_cases[n];
+        H5::Group at = group.createGroup("load_case_" + std::to_string(n));
+        put(at, "load_axis", static_cast<long long>(load_case.load));
+        put(at, "iterations", static_cast<long long>(load_case.iterations));
+        put(at, "residual", load_case.residual);
+        put(at, "converged", static_cast<long long>(load_case.converged));
+        put(at, "seconds", load_case.seconds);
+        if (load_case.update) put(at, "update", *load_case.update);
+    }
+}
+
+IcEvidence read_evidence(const H5::Group& group) {
+    IcEvidence evidence;
+    evidence.source = text(group, "source");
+    evidence.version = text(group, "version");
+    evidence.elements = long_integer(group, "elements");
+    evidence.dofs = long_integer(group, "dofs");
+    evidence.processes = integer(group, "processes");
+    evidence.assembly_seconds = number(group, "assembly_seconds");
+    evidence.setup_seconds = number(group, "setup_seconds");
+    evidence.solve_seconds = number(group, "solve_seconds");
+    evidence.total_seconds = number(group, "total_seconds");
+    if (group.attrExists("solver")) evidence.solver = text(group, "solver");
+    evidence.warnings = texts(group, "warnings");
+    evidence.errors_estimated = integer(group, "errors_estimated") != 0;
+    evidence.family_nu = numbers(group, "family_nu");
+    if (group.attrExists("interpolation_error")) evidence.interpolation_error = number(group, "interpolation_error");
+    if (group.nameExists("mesh")) evidence.mesh = read_fem(group.openGroup("mesh"));
+    for (const ErrorName& name : error_names)
+        if (group.attrExists(name.origin))
+            evidence.*name.member = ComponentError{number(group, name.origin), number(group, name.largest)};
+    if (group.attrExists("scaled_error_xy")) evidence.scaled_error_xy = number(group, "scaled_error_xy");
+    if (group.attrExists("scaled_error_xz")) evidence.scaled_error_xz = number(group, "scaled_error_xz");
+    for (int n = 0; group.nameExists("load_case_" + std::to_string(n)); ++n) {
+        const H5::Group at = group.openGroup("load_case_" + std::to_string(n));
+        LoadCaseEvidence load_case{static_cast<Axis>(integer(at, "load_axis")),
+                                   integer(at, "iterations"),
+                                   number(at, "residual"),
+                                   integer(at, "converged") != 0,
+                                   number(at, "seconds"),
+                                   {}};
+        if (at.attrExists("update")) load_case.update = number(at, "update");
+        evidence.load_cases.push_back(load_case);
+    }
+    return evidence;
+}
+
+}  // namespace contactd

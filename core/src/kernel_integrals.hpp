@@ -1,0 +1,56 @@
+// Integrals of the functions that the surface displacements of the half-space are made of, over a load of either shape.
+#pragma once
+
+#include <cmath>
+
+namespace contactd {
+
+/// Of the kernel at (x, y) - (point of the load), times the traction there; that of 1/rho is xx + yy.
+struct KernelIntegrals {
+    double xx = 0;  ///< x^2/rho^3
+    double yy = 0;  ///< y^2/rho^3
+    double xy = 0;  ///< x y/rho^3
+    double x = 0;   ///< x/rho^2
+    double y = 0;   ///< y/rho^2
+};
+
+/// Constant load, 1 on the rectangle dx x dy centred at the origin.
+KernelIntegrals constant_load_integrals(double x, double y, double dx, double dy);
+/// Bilinear load, (1 - |x|/dx)(1 - |y|/dy).
+KernelIntegrals tent_load_integrals(double x, double y, double dx, double dy);
+
+/// Mean over the product of two Gauss rules on (x +- half_x) x (y +- half_y).
+template <class RuleX, class RuleY>
+KernelIntegrals gauss_mean(const RuleX& rule_x, const RuleY& rule_y, double x, double y, double half_x, double half_y) {
+    KernelIntegrals sum;
+    for (const auto& along_x : rule_x)
+        for (const auto& along_y : rule_y) {
+            const double X = x + along_x.node * half_x, Y = y + along_y.node * half_y;
+            const double per_rho2 = 1 / (X * X + Y * Y);
+            const double weighted2 = along_x.weight * along_y.weight * per_rho2;
+            const double weighted3 = weighted2 * std::sqrt(per_rho2);
+            sum.xx += weighted3 * X * X;
+            sum.yy += weighted3 * Y * Y;
+            sum.xy += weighted3 * X * Y;
+            sum.x += weighted2 * X;
+            sum.y += weighted2 * Y;
+        }
+    return sum;
+}
+
+/// The integrals are homogeneous of degree one and even or odd: `at(|x|, |y|, dx, dy)` is called with lengths over
+/// sqrt(dx dy) and must return them for a unit force (dx dy = 1). Those that are odd are exactly zero on the axes.
+template <class Function>
+KernelIntegrals by_symmetry(const Function& at, double x, double y, double dx, double dy) {
+    const double scale = std::sqrt(dx) * std::sqrt(dy);
+    KernelIntegrals result = at(std::abs(x) / scale, std::abs(y) / scale, dx / scale, dy / scale);
+    const double sign_x = x < 0 ? -1 : x > 0 ? 1 : 0, sign_y = y < 0 ? -1 : y > 0 ? 1 : 0;
+    result.xx *= scale;
+    result.yy *= scale;
+    result.xy *= scale * sign_x * sign_y;
+    result.x *= scale * sign_x;
+    result.y *= scale * sign_y;
+    return result;
+}
+
+}  // namespace contactd

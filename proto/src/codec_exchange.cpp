@@ -1,0 +1,75 @@
+// Tables that leave and enter: ic.export, and coefficients given with contact.solve.
+#include "codec_parts.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+using Shape = std::vector<std::size_t>;
+
+constexpr const char* table_field = "ics.table";
+constexpr std::size_t table_axes = 4;
+
+/// The shape that an array claims to have; of a nested list, by the first entry at each depth.
+Shape claimed_shape(const json& array) {
+    if (array.is_object()) return array["$array"]["shape"].get<Shape>();
+    Shape shape;
+    for (const json* list = &array; list->is_array() && shape.size() < table_axes; list = &list->front()) {
+        shape.push_back(list->size());
+        if (list->empty()) break;
+    }
+    return shape;
+}
+
+std::string text_of(const Shape& shape) {
+    return json(shape).dump();
+}
+
+}  // namespace
+
+json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays) {
+    const auto nx = static_cast<std::size_t>(ics.table.nx), ny = static_cast<std::size_t>(ics.table.ny);
+    return {{"source", "table"},
+            {"table", arrays.write(std::span<const double>(ics.table.values), {3, 3, ny, nx})},
+            {"dx", finite(ics.dx, "ics.dx")},
+            {"dy", finite(ics.dy, "ics.dy")}};
+}
+
+GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& frames, const Grid& grid) {
+    const Shape shape = claimed_shape(source["table"]);
+    const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
+    if (shape.size() != table_axes || shape[0] != 3 || shape[1] != 3 || shape[2] < ny || shape[3] < nx)
+        throw invalid_field(table_field,
+                            "has shape " + text_of(shape) + "; it must be [3,3,ny,nx] with at least the grid's ny, " +
+                                std::to_string(ny) + ", and nx, " + std::to_string(nx),
+                            reason::array_invalid);
+    GivenIcs ics;
+    ics.table.values = read_array(source["table"], frames, shape, table_field);
+    ics.table.ny = static_cast<int>(shape[2]);
+    ics.table.nx = static_cast<int>(shape[3]);
+    ics.dx = source["dx"].get<double>();
+    ics.dy = source["dy"].get<double>();
+    return ics;
+}
+
+IcExport decode_ic_export(const json& params) {
+    IcExport wanted;
+    wanted.spec = decode_ic_spec(params);
+    wanted.format = params["format"] == "hdf5" ? FileFormat::hdf5 : FileFormat::contact;
+    if (params.contains("lower")) wanted.lower = decode_material(params["lower"]);
+    return wanted;
+}
+
+json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays) {
+    return {{"format", "hdf5"}, {"file", arrays.write(file, {file.size()})}, {"ics", {{"upper", encode_use(body)}}}};
+}
+
+json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse& lower) {
+    return {{"format", "contact"},
+            {"text", std::move(text)},
+            {"ics", {{"upper", encode_use(upper)}, {"lower", encode_use(lower)}}}};
+}
+
+}  // namespace contactd::proto

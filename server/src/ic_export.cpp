@@ -1,0 +1,98 @@
+#include "ic_export.hpp"
+
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "contact_solve.hpp"
+#include "contactd/ic_exchange.hpp"
+#include "contactd/proto/codec.hpp"
+
+namespace contactd::server {
+namespace {
+
+using proto::FileFormat;
+
+/// A file on its way: first the table of the (upper) body, then that of the lower one, then the worker.
+struct Export {
+    CallPtr call;
+    FileFormat format = FileFormat::hdf5;
+    std::array<IcSpec, 2> specs;  // upper, lower; equal for one body
+    std::array<IcAnswer, 2> answers;
+};
+using ExportPtr = std::shared_ptr<Export>;
+
+proto::IcUse use_of(const IcAnswer& answer) {
+    return {answer.origin, answer.key, answer.record->evidence};
+}
+
+void answer_with_ic_file(const Export& work) {
+    IcRecord record{work.specs[0], table_of(work.answers[0], work.specs[0]), work.answers[0].record->evidence, {}};
+    record.spec.any_nu = false;  // what leaves is one table of the family
+    proto::ArrayWriter arrays(work.call->request.arrays);
+    const nlohmann::json result = proto::encode_hdf5_reply(to_ic_file(record), use_of(work.answers[0]), arrays);
+    work.call->succeed(result, arrays.take_frames());
+}
+
+void answer_with_contact_text(const Export& work) {
+    const auto& [upper, lower] = work.specs;
+    const GivenIcs pair{pair_of(table_of(work.answers[0], upper), table_of(work.answers[1], lower)), upper.dx,
+                        upper.dy};
+    work.call->succeed(
+        proto::encode_contact_text_reply(to_contact_text(pair, combined_modulus({upper.material, lower.material})),
+                                         use_of(work.answers[0]), use_of(work.answers[1])));
+}
+
+void answer(const ExportPtr& work) {
+    guarded(work->call, [&] {
+        if (work->format == FileFormat::hdf5)
+            answer_with_ic_file(*work);
+        else
+            answer_with_contact_text(*work);
+    });
+}
+
+void fetch(const ExportPtr& work, std::size_t body, IcService& ics, WorkerPool& workers) {
+    if (body == work->specs.size()) return workers.post([work] { answer(work); });
+    // Dimensionless tables know nothing of a material but nu, and families not even that.
+    if (body == 1 &&
+        (work->specs[0].material.nu == work->specs[1].material.nu || work->answers[0].record->spec.any_nu)) {
+        work->answers[1] = work->answers[0];
+        return fetch(work, 2, ics, workers);
+    }
+    ics.request(work->specs[body], {[work, body, &ics, &workers](const IcAnswer& found) {
+                                        work->answers[body] = found;
+                                        guarded(work->call, [&] { fetch(work, body + 1, ics, workers); });
+                                    },
+                                    [work](const proto::Status& status) { work->call->fail(status); },
+                                    [work](const Job& job, const JobProgress& progress) {
+                                        work->call->progress(to_json(job, progress));
+                                    }});
+}
+
+void check_size(const IcSpec& spec, std::size_t most_bytes) {
+    const double size = contact_text_size(spec.nx, spec.ny);
+    if (size > static_cast<double>(most_bytes))
+        throw proto::invalid_field("grid.nx",
+                                   "and ny make a text of " + std::to_string(static_cast<long long>(size)) +
+                                       " bytes; at most " + std::to_string(most_bytes) +
+                                       " are allowed (limits.max_frame_bytes)",
+                                   proto::reason::limit_exceeded);
+}
+
+}  // namespace
+
+void start_export(const CallPtr& call, IcService& ics, WorkerPool& workers, std::size_t most_bytes) {
+    const proto::IcExport wanted = proto::decode_ic_export(call->request.params);
+    auto work = std::make_shared<Export>();
+    work->call = call;
+    work->format = wanted.format;
+    work->specs.fill(wanted.spec);
+    if (wanted.lower) work->specs[1].material = *wanted.lower;
+    validate_body(work->specs[0], "material");
+    validate_body(work->specs[1], "lower");
+    if (wanted.format == FileFormat::contact) check_size(wanted.spec, most_bytes);
+    fetch(work, 0, ics, workers);
+}
+
+}  // namespace contactd::server

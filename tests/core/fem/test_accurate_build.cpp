@@ -1,0 +1,107 @@
+// Tables of an accuracy asked for, and families over Poisson's ratio.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "contactd/error.hpp"
+#include "contactd/fem/ic_builder.hpp"
+#include "contactd/half_space.hpp"
+#include "contactd/ic_family.hpp"
+#include "fem_specs.hpp"
+
+using namespace contactd;
+
+namespace {
+
+IcSpec accurate_spec(double accuracy, double nu, double dy, int n) {
+    IcSpec spec;
+    spec.material = {1, nu};
+    spec.dx = 1;
+    spec.dy = dy;
+    spec.nx = spec.ny = n;
+    spec.source = IcSource::fem;
+    spec.accuracy = accuracy;
+    return spec;
+}
+
+IcRecord build(const IcSpec& spec) {
+    Observer observer;
+    return fem::build_ic_table(spec, observer);
+}
+
+/// The largest difference in the measures of IcSpec::accuracy.
+double difference(const IcSpec& spec, const IcTable& table, const IcTable& other) {
+    IcEvidence evidence;
+    compare_tables(spec, table, other, evidence);
+    return std::max({evidence.error_xx->largest, evidence.error_yy->largest, evidence.error_zz->largest,
+                     *evidence.scaled_error_xy, *evidence.scaled_error_xz});
+}
+
+IcTable closed_form(IcSpec spec) {
+    spec.source = IcSource::analytic;
+    spec.accuracy = 0;
+    return half_space_table(spec);
+}
+
+}  // namespace
+
+TEST_CASE("The accuracy asked for is met on a half-space", "[fem][accuracy]") {
+    const double accuracy = GENERATE(1e-2, 1e-3);
+    const double nu = GENERATE(0.0, 0.3, 0.35, 0.49);
+    const double dy = GENERATE(1.0, 0.25);
+    IcSpec spec = accurate_spec(accuracy, nu, dy, 12);
+    spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
+    CAPTURE(accuracy, nu, dy, name_of(spec.load_shape));
+    const IcRecord record = build(spec);
+    const double error = difference(spec, record.table, closed_form(spec));
+    CHECK(error <= accuracy);
+    CHECK(record.evidence.mesh.has_value());
+    CHECK(record.evidence.warnings.empty());
+    CHECK_FALSE(record.evidence.errors_estimated);
+}
+
+TEST_CASE("Four digits are reached", "[fem][accuracy]") {
+    IcSpec spec = accurate_spec(1e-4, 0.28, 1, 12);
+    spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
+    CHECK(difference(spec, build(spec).table, closed_form(spec)) <= 1e-4);
+}
+
+TEST_CASE("A larger extent changes the coefficients by less than the accuracy's tenth", "[fem][accuracy]") {
+    const IcSpec small = accurate_spec(1e-3, 0.28, 1, 8), large = accurate_spec(1e-3, 0.28, 1, 24);
+    CHECK(difference(small, cropped(build(large).table, 8, 8), build(small).table) < 1e-4);
+}
+
+TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy]") {
+    IcSpec spec = accurate_spec(1e-2, GENERATE(0.28, 0.42), 1, 8);
+    spec.body = BodyShape::block;
+    spec.fem.L_over_h = 16;
+    const IcRecord record = build(spec);
+    CHECK(record.evidence.errors_estimated);
+
+    // The general way: finite elements of the whole displacement, graded towards the load.
+    IcSpec general = spec;
+    general.accuracy = 0;
+    general.fem.far_boundary = FarBoundary::clamped;
+    general.fem.order = 5;
+    general.fem.l_over_h = 0.5;
+    general.fem.f = 1.5;
+    general.fem.t1_over_hs = 1;
+    const IcRecord reference = build(general);
+    CHECK(difference(spec, record.table, reference.table) <= 1e-2);
+    CHECK(difference(spec, closed_form(accurate_spec(1e-2, spec.material.nu, 1, 8)), reference.table) > 1e-2);
+}
+
+TEST_CASE("A family differs from a direct computation by less than a tenth of the accuracy", "[fem][family]") {
+    IcSpec family = accurate_spec(1e-2, 0, 1, 6);
+    family.any_nu = true;
+    const IcRecord record = build(family);
+    REQUIRE(record.family.size() == record.evidence.family_nu.size());
+    CHECK(record.evidence.interpolation_error < 1e-3);
+    for (const double nu : {0.05, 0.17, 0.3, 0.33, 0.41, 0.49}) {
+        const IcSpec one = accurate_spec(1e-2, nu, 1, 6);
+        CAPTURE(nu);
+        CHECK(difference(one, table_for(record, nu), build(one).table) < 1e-3);
+    }
+}
