@@ -23,7 +23,7 @@ struct Level {
 /// From coarse to fine; each costs about twice the one before. A build starts at first_level() and goes on while the
 /// error it finds is larger than the one asked for.
 constexpr std::array<Level, 9> levels{
-    {{2, 1.5}, {3, 1.6}, {3, 1.5}, {4, 1.5}, {4, 1.4}, {5, 1.7}, {5, 1.5}, {6, 1.8}, {6, 1.5}}};
+    {{2, 1.5}, {3, 1.6}, {3, 1.5}, {4, 1.5}, {4, 1.4}, {5, 1.6}, {5, 1.5}, {6, 1.8}, {6, 1.5}}};
 
 /// The level that was measured to do (docs/ic-tables.md) for offsets up to 40 x 40. Low orders lock as nu nears 1/2;
 /// the corners of a slender load need more. All Poisson's ratios of one half of a family start alike, so that a table

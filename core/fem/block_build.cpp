@@ -16,7 +16,7 @@ struct Level {
     int order;
     int intervals;  ///< along each axis
 };
-constexpr std::array<Level, 6> levels{{{3, 4}, {4, 5}, {5, 6}, {5, 7}, {6, 7}, {6, 8}}};
+constexpr std::array<Level, 5> levels{{{3, 4}, {4, 5}, {5, 6}, {5, 7}, {6, 7}}};
 
 /// The error of order p over the difference of orders p-1 and p. One order more was never seen to lower the error less
 /// than threefold on these meshes (by comparison of gradings: four- to sixfold).
