@@ -40,7 +40,7 @@ std::size_t first_level(const IcSpec& spec) {
 /// The half-space is cut off at the first layer that ends at least so far beyond the farthest offset. There
 /// displacements are prescribed in closed form: what is left is the mesh's own error. A larger extent adds layers and
 /// leaves the others as they are, so that a cropped table hardly differs from one of that extent.
-constexpr double cut_off = 1.25, nearest_cut_off = 8;
+constexpr double cut_off = 1.1, nearest_cut_off = 10;
 
 FemSpec mesh_of(const IcSpec& spec, const Level& level) {
     FemSpec fem;

@@ -17,7 +17,7 @@ namespace {
 /// 1106-1124, 1996). With 0.3 there are twice as many steps, to meshes that are no better.
 constexpr double share_of_error = 0.5;
 
-/// A mesh that fills the bound so far is the last one: another step would cost more than it gains.
+/// A mesh that fills so much of max_dofs is the last one: another step would cost more than it gains.
 constexpr double full = 0.8;
 
 /// Of the solves whose displacements only mark elements.
@@ -65,18 +65,23 @@ std::vector<int> marked(const std::vector<double>& errors) {
     return order;
 }
 
-/// Divides `elements`, or as many of the first of them as max_dofs allows; says whether there is room for more.
-bool refine(RefinedBlock& block, std::vector<int> elements, const FemSpec& fem) {
-    const std::size_t wanted = elements.size();
-    for (; !elements.empty(); elements.resize(elements.size() / 2)) {
-        RefinedBlock refined(block);
-        refined.refine(elements);
-        const long long dofs = dofs_of(refined, fem.order);
+/// Divides `elements`, or as many of the first of them as max_dofs allows, found by bisection; says whether there is
+/// room for more.
+bool refine(RefinedBlock& block, const std::vector<int>& elements, const FemSpec& fem) {
+    const RefinedBlock before(block);
+    const std::size_t all = elements.size();
+    std::size_t taken = 0;
+    double filled = 1;
+    for (std::size_t step = all; step > all / 16 && taken < all; step /= 2) {
+        RefinedBlock trial(before);
+        trial.refine({elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(taken + step)});
+        const long long dofs = dofs_of(trial, fem.order);
         if (dofs > fem.max_dofs) continue;
-        block = std::move(refined);
-        return elements.size() == wanted && static_cast<double>(dofs) < full * static_cast<double>(fem.max_dofs);
+        block = std::move(trial);
+        taken += step;
+        filled = static_cast<double>(dofs) / static_cast<double>(fem.max_dofs);
     }
-    return false;
+    return taken == all && filled < full;
 }
 
 /// Solves all loads, for marking only, and estimates what each element adds to the table's relative errors.

@@ -154,7 +154,7 @@ TEST_CASE("Refined faces keep the part of the boundary they belong to", "[fem][a
 
 TEST_CASE("More unknowns give smaller errors, and no more than allowed are used", "[fem][adaptive]") {
     std::vector<IcEvidence> evidence;
-    for (const long long max_dofs : {2000, 8000, 24000}) {
+    for (const long long max_dofs : {2000, 6000, 16000}) {
         evidence.push_back(build(adaptive_spec(max_dofs)).evidence);
         CAPTURE(max_dofs);
         CHECK(evidence.back().dofs <= max_dofs);
@@ -165,18 +165,18 @@ TEST_CASE("More unknowns give smaller errors, and no more than allowed are used"
     }
     for (std::size_t i = 1; i < evidence.size(); ++i) {
         CHECK(evidence[i].elements > evidence[i - 1].elements);
-        CHECK(std::abs(evidence[i].error_zz->origin) < 0.5 * std::abs(evidence[i - 1].error_zz->origin));
-        CHECK(std::abs(evidence[i].error_xx->origin) < 0.5 * std::abs(evidence[i - 1].error_xx->origin));
+        CHECK(std::abs(evidence[i].error_zz->origin) < 0.7 * std::abs(evidence[i - 1].error_zz->origin));
+        CHECK(std::abs(evidence[i].error_xx->origin) < 0.7 * std::abs(evidence[i - 1].error_xx->origin));
         CHECK(evidence[i].error_zz->largest < evidence[i - 1].error_zz->largest);
         CHECK(evidence[i].error_xx->largest < evidence[i - 1].error_xx->largest);
     }
-    // Half of what the coarsest layers around the table would leave (7e-3).
+    // A third of what the coarsest layers around the table would leave (7e-3).
     CHECK(evidence.back().error_zz->largest < 2e-3);
     CHECK(evidence.back().error_xx->largest < 2e-3);
 }
 
 TEST_CASE("Any load and any shape of the elements is refined for", "[fem][adaptive]") {
-    IcSpec spec = adaptive_spec(8000, 1, GENERATE(0.4, 2.0));
+    IcSpec spec = adaptive_spec(6000, 1, GENERATE(0.4, 2.0));
     spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     CAPTURE(spec.dy, name_of(spec.load_shape));
     const IcEvidence evidence = build(spec).evidence;
@@ -189,7 +189,7 @@ TEST_CASE("Any load and any shape of the elements is refined for", "[fem][adapti
 }
 
 TEST_CASE("A refined block, clamped, is the block of Mesh1", "[fem][adaptive]") {
-    IcSpec spec = adaptive_spec(8000);
+    IcSpec spec = adaptive_spec(4000);
     spec.body = BodyShape::block;
     spec.fem.far_boundary = FarBoundary::clamped;
     spec.fem.L_over_h = 4;

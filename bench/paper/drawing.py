@@ -1,0 +1,65 @@
+"""What all pictures have in common: colours, axes, the target line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+INK = "#1d1d2b"
+# Okabe and Ito: told apart with any colour vision; markers differ, too.
+BLUE, RED, GREEN, ORANGE, PURPLE, SKY, GREY = (
+    "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9", "#7a7a85",
+)  # fmt: skip
+TARGET = 0.01  # the paper's (3.1)
+
+
+@dataclass(frozen=True)
+class Look:
+    label: str
+    colour: str
+    marker: str
+    line: str = "-"
+
+
+def new_figure(panels: int, width: float = 5.2, height: float = 4.4) -> tuple[Any, list[Any]]:
+    figure, axes = plt.subplots(1, panels, figsize=(width * panels, height), layout="constrained", squeeze=False)
+    return figure, list(axes[0])
+
+
+def save(figure: Any, path: Path) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Without the software's version: the same rows give the same file.
+    figure.savefig(path, dpi=110, metadata={"Software": None})
+    plt.close(figure)
+
+
+def finish(axes: Any, title: str, ylabel: str) -> None:
+    axes.set_title(title, fontsize=11)
+    axes.set_ylabel(ylabel)
+    axes.grid(True, which="major", color="#dcdce2", linewidth=0.7)
+    axes.set_axisbelow(True)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def draw_target(axes: Any) -> None:
+    axes.axhline(TARGET, color=INK, linestyle=(0, (6, 4)), linewidth=1.1)
+    # Beside the axes, where no curve is.
+    place = {"xycoords": ("axes fraction", "data"), "xytext": (3, -3), "textcoords": "offset points"}
+    axes.annotate("1 %", (1, TARGET), fontsize=9, **place)
+
+
+def plain_log(axis: Any, unit: str = "") -> None:
+    """1, 2, 5, 10 instead of powers of ten; with the unit "k" in thousands."""
+    size = 1000 if unit == "k" else 1
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value / size:g}{unit}"))
+    axis.set_minor_formatter(NullFormatter())

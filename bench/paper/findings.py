@@ -1,0 +1,31 @@
+"""What the paper's statements come to with our numbers: values for the page, and verdicts computed from the rows.
+
+Every function takes the rows of all parts and gives (values, verdicts); a verdict is True where we agree.
+"""
+
+from __future__ import annotations
+
+from . import findings_mesh1, findings_mesh2, tables
+from .finding import Found, Rows
+
+FUNCTIONS = (
+    findings_mesh1.elements_and_origin,
+    findings_mesh1.truncation,
+    findings_mesh1.tests_of_mesh1,
+    findings_mesh1.cost,
+    findings_mesh1.finer_grids,
+    findings_mesh2.mesh2,
+    findings_mesh2.table3,
+    findings_mesh2.other_conclusions,
+    tables.beyond,
+)
+
+
+def find(rows: Rows) -> Found:
+    values: dict[str, str] = {}
+    verdicts: dict[str, bool] = {}
+    for function in FUNCTIONS:
+        more, judged = function(rows)
+        values.update(more)
+        verdicts.update(judged)
+    return values, verdicts

@@ -1,0 +1,137 @@
+"""One computation: contactd-ic as a child process, its CPU time, and the errors of its table."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from contactd import load_table
+
+from .cases import GRIDS, STEEL, Spec
+
+Array = npt.NDArray[np.float64]
+_AXES = {"x": 0, "y": 1, "z": 2}
+_NOT_CONVERGED = 3  # exit status of contactd-ic
+
+
+class BuildFailed(Exception):
+    """contactd-ic ended with an error; its text says which."""
+
+
+class Builder:
+    """Measures requests with a contactd-ic, one after the other, each on one thread."""
+
+    def __init__(self, program: Path) -> None:
+        self._program = program
+        self._environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+        self._closed_forms: dict[str, Array] = {}
+
+    def version(self) -> str:
+        command = [str(self._program), "--version"]
+        output = subprocess.run(command, check=True, capture_output=True, text=True, env=self._environment)
+        return output.stdout.strip()
+
+    def digest(self) -> str:
+        """Tells builds of one version apart."""
+        return hashlib.sha256(self._program.read_bytes()).hexdigest()[:16]
+
+    def measure(self, spec: Spec) -> dict[str, Any]:
+        """Evidence, costs, and errors by extent. A solve that did not converge is a result, too: {"failure": text}."""
+        last, array, usage = self._build(spec)
+        if array is None:
+            return {"failure": last["error"]["message"]}
+        evidence = last["evidence"]
+        reference = self._closed_form(spec["ics"].get("load_shape", "constant"))
+        extents = sorted({n for n in GRIDS if n <= array.shape[-1]})
+        return {
+            "elements": evidence["elements"],
+            "dofs": evidence["dofs"],
+            "solver": evidence.get("solver", ""),
+            "iterations": {case["load"]: case["iterations"] for case in evidence["load_cases"]},
+            "seconds": evidence["seconds"],
+            "cpu_seconds": usage.ru_utime + usage.ru_stime,
+            "memory_mib": usage.ru_maxrss / 1024,
+            "mesh": evidence.get("mesh"),
+            "errors": {str(n): errors(array, reference, n) for n in extents},
+        }
+
+    def _closed_form(self, load_shape: str) -> Array:
+        """contactd-ic writes it in the same way."""
+        if load_shape not in self._closed_forms:
+            n = GRIDS[-1]
+            grid, material = {"nx": n, "ny": n, "dx": 1, "dy": 1}, {"G": 1, "nu": STEEL["nu"]}
+            spec = {"material": material, "grid": grid, "ics": {"source": "analytic", "load_shape": load_shape}}
+            array = self._build(spec)[1]
+            assert array is not None
+            self._closed_forms[load_shape] = array
+        return self._closed_forms[load_shape]
+
+    def _build(self, spec: Spec) -> tuple[dict[str, Any], Array | None, Any]:
+        """The last line of contactd-ic, the table of dx = 1 and G = 1 unless a solve failed, and what was used up."""
+        with tempfile.TemporaryDirectory(prefix="contactd-paper-") as folder:
+            path, noise = Path(folder, "table.h5"), Path(folder, "noise.txt")
+            command = [str(self._program), "-", "--output", str(path), "--exit-with-stdin"]
+            text, exit_code, usage = self._run(command, json.dumps(spec), noise)
+            last = _last_object(text.splitlines())
+            if exit_code == 0 and "evidence" in last:
+                return last, np.asarray(load_table(path).array), usage
+            if exit_code == _NOT_CONVERGED and "error" in last:
+                return last, None, usage
+            error = last.get("error", {})
+            message = f"{error.get('field', '')} {error.get('message', '')}".strip() or noise.read_text().strip()
+            raise BuildFailed(f"contactd-ic ended with status {exit_code}: {message or 'no word of why'}")
+
+    def _run(self, command: list[str], line: str, noise: Path) -> tuple[str, int, Any]:
+        """Standard output, exit status and resource usage."""
+        with noise.open("wb") as stderr:
+            process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr, text=True, env=self._environment
+            )
+        with process:
+            assert process.stdin is not None and process.stdout is not None
+            # Standard input stays open until the end: a build must not survive this process.
+            process.stdin.write(line + "\n")
+            process.stdin.flush()
+            text = process.stdout.read()
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        return text, process.returncode, usage
+
+
+def _last_object(lines: list[str]) -> dict[str, Any]:
+    for line in reversed(lines):
+        try:
+            value = json.loads(line)
+        except ValueError:
+            continue
+        if isinstance(value, dict):
+            return value
+    return {}
+
+
+def errors(array: Array, reference: Array, extent: int) -> dict[str, Any]:
+    """Errors over extent x extent offsets: of xx, yy, zz relative, at the origin (signed) and the largest; of the
+    others times 2 pi rho, which compares them with a point load's displacement (dx = dy = 1, G = 1)."""
+    part, exact = array[:, :, :extent, :extent], reference[:, :, :extent, :extent]
+    y, x = np.mgrid[0:extent, 0:extent]
+    rho = np.hypot(x, y)
+
+    def relative(name: str) -> dict[str, float]:
+        i = _AXES[name[0]]
+        error = part[i, i] / exact[i, i] - 1
+        return {"origin": float(error[0, 0]), "largest": float(np.abs(error).max())}
+
+    def scaled(*names: str) -> float:
+        axes = [(_AXES[name[0]], _AXES[name[1]]) for name in names]
+        return max(float((np.abs(part[axis] - exact[axis]) * 2 * np.pi * rho).max()) for axis in axes)
+
+    result: dict[str, Any] = {name: relative(name) for name in ("xx", "yy", "zz")}
+    return {**result, "scaled_xy": scaled("xy", "yx"), "scaled_xz": scaled("xz", "zx", "yz", "zy")}

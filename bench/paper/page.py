@@ -1,0 +1,41 @@
+"""The page: bench/paper/fem.md.in with numbers and verdicts from the rows of the CSV files filled in.
+
+{{name}} is a number or a text of `findings`. [[agrees name]] or [[differs name]] is a finding's verdict, written out
+as it came ([[yes name]], [[no name]] in those words); where it is not the word that stands in the template, the text
+beside it was written for another outcome, and the page says so.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from .findings import find
+from .rows import Row
+
+TEMPLATE = Path(__file__).with_name("fem.md.in")
+WORDS = {"agrees": True, "differs": False, "yes": True, "no": False}
+DOUBT = "*(With these numbers the outcome is not the one that the text beside it was written for.)*"
+
+
+def render(rows: Mapping[str, Sequence[Row]], version: str) -> tuple[str, list[str]]:
+    """The page, and the names of the verdicts that its text was not written for."""
+    values, verdicts = find(rows)
+    return fill(TEMPLATE.read_text(), {**values, "version": version}, verdicts)
+
+
+def fill(template: str, values: Mapping[str, str], verdicts: Mapping[str, bool]) -> tuple[str, list[str]]:
+    surprises: list[str] = []
+
+    def verdict(match: re.Match[str]) -> str:
+        word, name = match.groups()
+        if verdicts[name] == WORDS[word]:
+            return f"**{word.capitalize()}.**"
+        word = {"agrees": "differs", "differs": "agrees", "yes": "no", "no": "yes"}[word]
+        surprises.append(name)
+        return f"**{word.capitalize()}.** {DOUBT}"
+
+    text = re.sub(r"\[\[(agrees|differs|yes|no) (\w+)\]\]", verdict, template)
+    text = re.sub(r"\{\{(\w+)\}\}", lambda match: values[match.group(1)], text)
+    return text, surprises
