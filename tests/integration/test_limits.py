@@ -82,6 +82,7 @@ def test_an_interrupted_wait_leaves_client_and_daemon_usable(daemon):
         with pytest.raises(KeyboardInterrupt):
             client.get_ic(STEEL, GRID, LONG)
         killer.join()
+        eventually(client.jobs)
         (job,) = client.jobs()
         client.cancel_job(job.job)
         assert client.solve(CATTANEO).converged
