@@ -12,8 +12,6 @@ namespace {
 /// rounding.
 constexpr int futile_restarts = 3;
 
-constexpr int assembly_chunks = 16;
-
 struct Iteration {
     const mfem::HypreParMatrix& A;
     const mfem::HypreBoomerAMG& preconditioner;
@@ -110,19 +108,13 @@ double default_strength_threshold(MeshKind mesh) {
 
 AmgSystem::AmgSystem(ElasticityProblem& problem, const AssemblyMonitor& monitor) : fem_(problem.spec().fem) {
     mfem::ParFiniteElementSpace& space = problem.space();
-    ElementStiffness stiffness(problem.spec().material);
     mfem::ParBilinearForm form(&space);
     mfem::Array<int> vdofs;
-    const int count = space.GetNE();
-    int element = 0;
-    for (int chunk = 1; chunk <= assembly_chunks; ++chunk) {
-        for (const auto end = static_cast<int>(1LL * count * chunk / assembly_chunks); element < end; ++element) {
-            Eigen::MatrixXd K = stiffness.of(*space.GetFE(element), *space.GetElementTransformation(element));
-            const auto size = static_cast<int>(K.rows());
-            form.AssembleElementMatrix(element, mfem::DenseMatrix(K.data(), size, size), vdofs);
-        }
-        monitor(static_cast<double>(chunk) / assembly_chunks);
-    }
+    const auto visit = [&](int element, Eigen::MatrixXd stiffness) {  // a copy: MFEM wants it writable
+        const auto size = static_cast<int>(stiffness.rows());
+        form.AssembleElementMatrix(element, mfem::DenseMatrix(stiffness.data(), size, size), vdofs);
+    };
+    for_each_stiffness(space, problem.spec().material, visit, monitor);
     form.Finalize();
     unconstrained_.reset(form.ParallelAssemble());
 }

@@ -19,7 +19,7 @@ struct Level {
 constexpr std::array<Level, 5> levels{{{3, 4}, {4, 5}, {5, 6}, {5, 7}, {6, 7}}};
 
 /// The error of order p over the difference of orders p-1 and p. One order more was never seen to lower the error less
-/// than threefold on these meshes (by comparison of gradings: four- to sixfold).
+/// than threefold on these meshes (by comparison of gradings: three- to sixfold).
 constexpr double error_over_difference = 0.5;
 
 /// Each interval over the one before, towards the edges where clamped faces and free surface meet.

@@ -27,6 +27,15 @@ BoundaryPart boundary_part(const mfem::Mesh& mesh, int boundary_element, const s
 
 }  // namespace
 
+Interval find_interval(const std::vector<double>& lines, double position) {
+    // A closed search: the offset (1,0) is a line where l = h, and the last line, L, belongs to the block.
+    const auto upper =
+        std::clamp(std::lower_bound(lines.begin(), lines.end(), position), lines.begin() + 1, lines.end() - 1);
+    const double low = *(upper - 1);
+    const double local = (position - low) / (*upper - low);
+    return {static_cast<int>(upper - lines.begin()) - 1, std::clamp(local, 0.0, 1.0)};
+}
+
 void mark_boundary(mfem::Mesh& mesh, const std::array<double, 2>& load) {
     for (int i = 0; i < mesh.GetNBE(); ++i) mesh.SetBdrAttribute(i, static_cast<int>(boundary_part(mesh, i, load)));
     mesh.SetAttributes();

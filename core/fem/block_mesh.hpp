@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include <mfem.hpp>
 
@@ -30,6 +31,13 @@ struct BlockMesh {
     /// inverse of the element map in closed form. A point on a shared face gets one element, always the same.
     std::function<ElementPoint(double X, double Y)> locate;
 };
+
+/// The interval of ascending `lines` that holds `position`, the lower one of two, and how far it lies into it, 0 to 1.
+struct Interval {
+    int number = 0;
+    double local = 0;
+};
+Interval find_interval(const std::vector<double>& lines, double position);
 
 /// Of spec.fem.mesh; `spec` must be dimensionless and valid.
 BlockMesh make_block_mesh(const IcSpec& spec);

@@ -8,8 +8,6 @@
 namespace contactd::fem {
 namespace {
 
-constexpr int assembly_chunks = 16;
-
 /// Displacements of `outer` nodes, component by component, as indices into the element's matrix of `n` nodes.
 std::vector<int> displacements(int first, int last, int n) {
     std::vector<int> result;
@@ -113,19 +111,11 @@ void CondensedAssembly::add(const std::vector<int>& nodes, const Eigen::MatrixXd
 
 Eigen::SparseMatrix<double> CondensedAssembly::assemble(const Material& material, const AssemblyMonitor& monitor) {
     Eigen::SparseMatrix<double> lower = empty_matrix();
-    ElementStiffness stiffness(material);
-    const int count = space_.GetNE();
-    int element = 0;
-    for (int chunk = 1; chunk <= assembly_chunks; ++chunk) {
-        for (const auto end = static_cast<int>(1LL * count * chunk / assembly_chunks); element < end; ++element) {
-            const std::vector<int> nodes = outer_nodes(element);
-            add(nodes,
-                condensed(stiffness.of(*space_.GetFE(element), *space_.GetElementTransformation(element)),
-                          static_cast<int>(nodes.size())),
-                lower);
-        }
-        monitor(static_cast<double>(chunk) / assembly_chunks);
-    }
+    const auto visit = [&](int element, const Eigen::MatrixXd& stiffness) {
+        const std::vector<int> nodes = outer_nodes(element);
+        add(nodes, condensed(stiffness, static_cast<int>(nodes.size())), lower);
+    };
+    for_each_stiffness(space_, material, visit, monitor);
     below_.clear();
     return lower;
 }

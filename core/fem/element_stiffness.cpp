@@ -48,4 +48,17 @@ const Eigen::MatrixXd& ElementStiffness::of(const mfem::FiniteElement& element,
     return stiffness_;
 }
 
+void for_each_stiffness(mfem::ParFiniteElementSpace& space, const Material& material, const VisitStiffness& visit,
+                        const std::function<void(double fraction)>& monitor) {
+    constexpr int chunks = 16;
+    ElementStiffness stiffness(material);
+    const int count = space.GetNE();
+    int element = 0;
+    for (int chunk = 1; chunk <= chunks; ++chunk) {
+        for (const auto end = static_cast<int>(1LL * count * chunk / chunks); element < end; ++element)
+            visit(element, stiffness.of(*space.GetFE(element), *space.GetElementTransformation(element)));
+        monitor(static_cast<double>(chunk) / chunks);
+    }
+}
+
 }  // namespace contactd::fem

@@ -8,7 +8,7 @@ namespace contactd::fem {
 
 namespace {
 
-/// Up to here the factor is built faster than BoomerAMG converges, and takes less than 4 GB. Elements of higher order
+/// Up to here the factor was built faster than BoomerAMG converged; at the end it takes 5 GB. Elements of higher order
 /// have denser rows, with which BoomerAMG fares far worse than a factor.
 long long direct_dofs(int order) {
     return order <= 2 ? 150'000 : 250'000;

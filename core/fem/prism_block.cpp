@@ -81,20 +81,6 @@ std::vector<double> make_lines(const Shells& shells, std::size_t axis) {
     return lines;
 }
 
-/// The interval that holds `position`, the lower one of two, and how far it lies into it, from 0 to 1.
-struct Interval {
-    int number = 0;
-    double local = 0;
-};
-Interval find_interval(const std::vector<double>& lines, double position) {
-    // A closed search: the offset (1,0) is a line where l = h, and the last line, L, belongs to the block.
-    const auto upper =
-        std::clamp(std::lower_bound(lines.begin(), lines.end(), position), lines.begin() + 1, lines.end() - 1);
-    const double low = *(upper - 1);
-    const double local = (position - low) / (*upper - low);
-    return {static_cast<int>(upper - lines.begin()) - 1, std::clamp(local, 0.0, 1.0)};
-}
-
 mfem::Mesh extrude(const CrossSection& section, const std::vector<double>& X, const std::array<double, 2>& load) {
     const auto count = static_cast<int>(section.vertices.size());
     const auto slices = static_cast<int>(X.size()) - 1;

@@ -1,20 +1,6 @@
 #include "tensor_block.hpp"
 
-#include <algorithm>
-
 namespace contactd::fem {
-namespace {
-
-/// The interval of `planes` that holds `at`, and the place in it, 0..1.
-std::pair<int, double> interval(const std::vector<double>& planes, double at) {
-    const auto above = std::upper_bound(planes.begin() + 1, planes.end() - 1, at);
-    const auto i = above - planes.begin() - 1;
-    const double low = planes[static_cast<std::size_t>(i)], high = *above;
-    return {static_cast<int>(i), std::clamp((at - low) / (high - low), 0.0, 1.0)};
-}
-
-}  // namespace
-
 BlockMesh make_tensor_block(const std::array<std::vector<double>, 3>& planes, const std::array<double, 2>& load) {
     std::array<int, 3> n;  // intervals
     for (std::size_t a = 0; a < 3; ++a) n[a] = static_cast<int>(planes[a].size()) - 1;
@@ -35,8 +21,8 @@ BlockMesh make_tensor_block(const std::array<std::vector<double>, 3>& planes, co
     mark_boundary(block.mesh, load);
     block.mesh.Finalize(false, false);
     block.locate = [planes, n](double X, double Y) {
-        const auto [x, along_x] = interval(planes[0], X);
-        const auto [y, along_y] = interval(planes[1], Y);
+        const auto [x, along_x] = find_interval(planes[0], X);
+        const auto [y, along_y] = find_interval(planes[1], Y);
         ElementPoint result{(x * n[1] + y) * n[2], {}};
         result.point.Set3(along_y, along_x, 0);
         return result;

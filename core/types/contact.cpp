@@ -53,7 +53,7 @@ void validate(const ContactProblem& problem) {
     if (problem.given_ics) {
         validate(*problem.given_ics, problem.grid);
     } else {
-        const bool incompressible_allowed = problem.ic_source == IcSource::analytic;
+        const bool incompressible_allowed = problem.ics.source == IcSource::analytic;
         validate(problem.bodies.upper, "bodies.upper", incompressible_allowed);
         validate(problem.bodies.lower, "bodies.lower", incompressible_allowed);
     }

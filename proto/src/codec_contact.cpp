@@ -131,13 +131,7 @@ void decode_ics_of_bodies(const json& params, ContactProblem& problem) {
     const json& bodies = params["bodies"];
     problem.bodies.upper = decode_material(bodies["upper"]);
     problem.bodies.lower = bodies.contains("lower") ? decode_material(bodies["lower"]) : problem.bodies.upper;
-    const Ics ics = decode_ics(params["ics"]);
-    problem.ic_source = ics.source;
-    problem.body = ics.body;
-    problem.load_shape = ics.load_shape;
-    problem.accuracy = ics.accuracy;
-    problem.any_nu = ics.any_nu;
-    problem.fem = ics.fem;
+    problem.ics = decode_ics(params["ics"]);
 }
 
 }  // namespace
@@ -159,8 +153,7 @@ json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
         params["ics"] = encode_given_ics(*problem.given_ics, arrays);
     } else {
         params["bodies"] = encode_bodies(problem.bodies);
-        params["ics"] = encode_ics(
-            {problem.ic_source, problem.body, problem.load_shape, problem.accuracy, problem.any_nu, problem.fem});
+        params["ics"] = encode_ics(problem.ics);
     }
     if (problem.friction)
         params["friction"] = {{"mu", finite(problem.friction->mu, "friction.mu")},

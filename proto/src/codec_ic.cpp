@@ -23,24 +23,17 @@ Material decode_material(const json& source) {
 json encode_ic_spec(const IcSpec& spec) {
     return {{"material", encode_material(spec.material)},
             {"grid", {{"nx", spec.nx}, {"ny", spec.ny}, {"dx", finite(spec.dx, "dx")}, {"dy", finite(spec.dy, "dy")}}},
-            {"ics", encode_ics({spec.source, spec.body, spec.load_shape, spec.accuracy, spec.any_nu, spec.fem})}};
+            {"ics", encode_ics(spec)}};
 }
 
 IcSpec decode_ic_spec(const json& params) {
     const json& grid = params["grid"];
-    const Ics ics = decode_ics(params["ics"]);
-    IcSpec spec;
+    IcSpec spec{decode_ics(params["ics"]), {}, 0, 0, 0, 0};
     spec.material = decode_material(params["material"]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();
     spec.nx = grid["nx"].get<int>();
     spec.ny = grid["ny"].get<int>();
-    spec.body = ics.body;
-    spec.load_shape = ics.load_shape;
-    spec.source = ics.source;
-    spec.accuracy = ics.accuracy;
-    spec.any_nu = ics.any_nu;
-    spec.fem = ics.fem;
     return spec;
 }
 

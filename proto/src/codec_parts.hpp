@@ -27,15 +27,6 @@ double finite(double value, const char* what);
 nlohmann::json encode_material(const Material& material);
 Material decode_material(const nlohmann::json& json);
 
-/// What a request says about its coefficients: IcSpec and ContactProblem hold the same, each in its own place.
-struct Ics {
-    IcSource source = IcSource::analytic;
-    BodyShape body = BodyShape::half_space;
-    LoadShape load_shape = LoadShape::constant;
-    double accuracy = 0;
-    bool any_nu = false;
-    FemSpec fem;  ///< the default when source is analytic
-};
 nlohmann::json encode_ics(const Ics& ics);
 /// Applies preset and defaults.
 Ics decode_ics(const nlohmann::json& json);

@@ -1,6 +1,5 @@
 #include "contact_solve.hpp"
 
-#include <array>
 #include <chrono>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "contactd/proto/codec.hpp"
 #include "contactd/tangential.hpp"
 #include "contactd/version.hpp"
+#include "ic_pair.hpp"
 
 namespace contactd::server {
 namespace {
@@ -40,29 +40,18 @@ class SolveObserver final : public Observer {
     Clock::time_point last_ = Clock::now();
 };
 
-/// A solve on its way: first the table of the upper body, then that of the lower, then the worker.
+/// A solve on its way: first the tables of both bodies, then the worker.
 struct Solve {
     CallPtr call;
     ContactProblem problem;
     std::shared_ptr<Job> job;
-    std::array<IcAnswer, 2> ics;  // upper, lower
+    IcAnswers ics;
 };
 using SolvePtr = std::shared_ptr<Solve>;
 
 IcSpec spec_of(const ContactProblem& problem, const Material& material) {
-    IcSpec spec;
-    spec.material = material;
-    spec.dx = problem.grid.dx;
-    spec.dy = problem.grid.dy;
-    spec.nx = problem.grid.nx;
-    spec.ny = problem.grid.ny;
-    spec.body = problem.body;
-    spec.load_shape = problem.load_shape;
-    spec.source = problem.ic_source;
-    spec.accuracy = problem.accuracy;
-    spec.any_nu = problem.any_nu;
-    spec.fem = problem.fem;
-    return spec;
+    const Grid& grid = problem.grid;
+    return {problem.ics, material, grid.dx, grid.dy, grid.nx, grid.ny};
 }
 
 IcTable pair_table(const Solve& work) {
@@ -108,24 +97,6 @@ void run_solve(const SolvePtr& work) {
     }
 }
 
-void fetch(const SolvePtr& work, std::size_t body, IcService& ics, WorkerPool& workers) {
-    if (body == work->ics.size()) return workers.post([work] { run_solve(work); });
-    const BodyPair& bodies = work->problem.bodies;
-    // Dimensionless tables know nothing of a material but nu, and families not even that.
-    if (body == 1 && (bodies.lower.nu == bodies.upper.nu || work->ics[0].record->spec.any_nu)) {
-        work->ics[1] = work->ics[0];
-        return fetch(work, 2, ics, workers);
-    }
-    ics.request(
-        spec_of(work->problem, body == 0 ? bodies.upper : bodies.lower),
-        {[work, body, &ics, &workers](const IcAnswer& answer) {
-             work->ics[body] = answer;
-             guarded(work->call, [&] { fetch(work, body + 1, ics, workers); });
-         },
-         [work](const proto::Status& status) { fail(work, status); },
-         [work](const Job& job, const JobProgress& progress) { work->call->progress(to_json(job, progress)); }});
-}
-
 proto::StatusError coupled(const std::string& why) {
     return {proto::StatusCode::failed_precondition, proto::reason::bodies_coupled, why};
 }
@@ -164,7 +135,15 @@ void start_solve(const CallPtr& call, IcService& ics, WorkerPool& workers, JobTa
     else
         check_bodies(problem);
     work->job = jobs.create("solve", [call] { call->fail(status_of(Cancelled("The solve was cancelled."))); });
-    fetch(work, problem.given_ics ? work->ics.size() : 0, ics, workers);
+    const auto queue = [work, &workers] { workers.post([work] { run_solve(work); }); };
+    if (problem.given_ics) return queue();
+    fetch_pair(
+        call, ics, {spec_of(problem, problem.bodies.upper), spec_of(problem, problem.bodies.lower)},
+        [work, queue](const IcAnswers& answers) {
+            work->ics = answers;
+            queue();
+        },
+        [work](const proto::Status& status) { fail(work, status); });
 }
 
 }  // namespace contactd::server

@@ -7,18 +7,19 @@
 #include "contact_solve.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
+#include "ic_pair.hpp"
 
 namespace contactd::server {
 namespace {
 
 using proto::FileFormat;
 
-/// A file on its way: first the table of the (upper) body, then that of the lower one, then the worker.
+/// A file on its way: first the tables of both bodies, then the worker.
 struct Export {
     CallPtr call;
     FileFormat format = FileFormat::hdf5;
     std::array<IcSpec, 2> specs;  // upper, lower; equal for one body
-    std::array<IcAnswer, 2> answers;
+    IcAnswers answers;
 };
 using ExportPtr = std::shared_ptr<Export>;
 
@@ -52,24 +53,6 @@ void answer(const ExportPtr& work) {
     });
 }
 
-void fetch(const ExportPtr& work, std::size_t body, IcService& ics, WorkerPool& workers) {
-    if (body == work->specs.size()) return workers.post([work] { answer(work); });
-    // Dimensionless tables know nothing of a material but nu, and families not even that.
-    if (body == 1 &&
-        (work->specs[0].material.nu == work->specs[1].material.nu || work->answers[0].record->spec.any_nu)) {
-        work->answers[1] = work->answers[0];
-        return fetch(work, 2, ics, workers);
-    }
-    ics.request(work->specs[body], {[work, body, &ics, &workers](const IcAnswer& found) {
-                                        work->answers[body] = found;
-                                        guarded(work->call, [&] { fetch(work, body + 1, ics, workers); });
-                                    },
-                                    [work](const proto::Status& status) { work->call->fail(status); },
-                                    [work](const Job& job, const JobProgress& progress) {
-                                        work->call->progress(to_json(job, progress));
-                                    }});
-}
-
 void check_size(const IcSpec& spec, std::size_t most_bytes) {
     const double size = contact_text_size(spec.nx, spec.ny);
     if (size > static_cast<double>(most_bytes))
@@ -92,7 +75,13 @@ void start_export(const CallPtr& call, IcService& ics, WorkerPool& workers, std:
     validate_body(work->specs[0], "material");
     validate_body(work->specs[1], "lower");
     if (wanted.format == FileFormat::contact) check_size(wanted.spec, most_bytes);
-    fetch(work, 0, ics, workers);
+    fetch_pair(
+        call, ics, work->specs,
+        [work, &workers](const IcAnswers& answers) {
+            work->answers = answers;
+            workers.post([work] { answer(work); });
+        },
+        [call](const proto::Status& status) { call->fail(status); });
 }
 
 }  // namespace contactd::server

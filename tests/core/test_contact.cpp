@@ -167,7 +167,7 @@ TEST_CASE("progress of the whole computation grows from normal to tangential", "
 
 TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]") {
     ContactProblem problem = cattaneo_problem(40);
-    problem.load_shape = LoadShape::bilinear;
+    problem.ics.load_shape = LoadShape::bilinear;
     const IcTable pair = half_space_pair(problem.grid, problem.bodies.upper, LoadShape::bilinear);
     const ConvolutionOperator influence(pair, 40, 40);
     Observer observer;

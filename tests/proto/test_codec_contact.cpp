@@ -80,7 +80,7 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
 
     CHECK(read.grid == original.grid);
     CHECK(read.bodies == original.bodies);
-    CHECK(read.ic_source == IcSource::analytic);
+    CHECK(read.ics.source == IcSource::analytic);
     CHECK(read.undeformed_distance == original.undeformed_distance);
     CHECK(read.approach == original.approach);
     CHECK(read.friction == original.friction);
@@ -93,22 +93,22 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
 
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {
     ContactProblem original = problem();
-    original.ic_source = IcSource::fem;
-    original.body = BodyShape::block;
-    original.load_shape = LoadShape::bilinear;
-    original.any_nu = true;
-    original.fem = *fem_preset("paper-mesh2-test1");
+    original.ics.source = IcSource::fem;
+    original.ics.body = BodyShape::block;
+    original.ics.load_shape = LoadShape::bilinear;
+    original.ics.any_nu = true;
+    original.ics.fem = *fem_preset("paper-mesh2-test1");
     original.friction.reset();
     ArrayWriter arrays(ArrayEncoding::list);
 
     const ContactProblem read = decode_problem(sent(encode_problem(original, arrays)), {});
 
-    CHECK(read.ic_source == IcSource::fem);
-    CHECK(read.body == BodyShape::block);
-    CHECK(read.load_shape == LoadShape::bilinear);
-    CHECK(read.any_nu);
-    CHECK(read.accuracy == 0);
-    CHECK(read.fem == original.fem);
+    CHECK(read.ics.source == IcSource::fem);
+    CHECK(read.ics.body == BodyShape::block);
+    CHECK(read.ics.load_shape == LoadShape::bilinear);
+    CHECK(read.ics.any_nu);
+    CHECK(read.ics.accuracy == 0);
+    CHECK(read.ics.fem == original.ics.fem);
     CHECK_FALSE(read.friction);
 }
 
@@ -122,10 +122,10 @@ TEST_CASE("A problem may ask for an accuracy", "[codec]") {
     const ContactProblem again = decode_problem(sent(encode_problem(read, arrays)), {});
 
     for (const ContactProblem& problem : {read, again}) {
-        CHECK(problem.accuracy == 1e-2);
-        CHECK(problem.body == BodyShape::block);
-        CHECK(problem.fem.L_over_h == 20);
-        CHECK_FALSE(problem.any_nu);
+        CHECK(problem.ics.accuracy == 1e-2);
+        CHECK(problem.ics.body == BodyShape::block);
+        CHECK(problem.ics.fem.L_over_h == 20);
+        CHECK_FALSE(problem.ics.any_nu);
     }
 }
 

@@ -79,7 +79,7 @@ proto::SolveReply Client::solve(const ContactProblem& problem, const CallOptions
     validate(problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_problem(problem, arrays);
-    const bool may_build = problem.ic_source == IcSource::fem;
+    const bool may_build = problem.ics.source == IcSource::fem;
     const Reply reply = impl_->call("contact.solve", std::move(params), arrays.take_frames(), options,
                                     may_build ? impl_->options().build_timeout : impl_->options().timeout);
     return decoded([&] {

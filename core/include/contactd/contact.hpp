@@ -43,13 +43,8 @@ struct Friction {
 struct ContactProblem {
     Grid grid;
     BodyPair bodies;
-    IcSource ic_source = IcSource::analytic;  ///< this and the next five as in IcSpec, for both bodies
-    BodyShape body = BodyShape::half_space;
-    LoadShape load_shape = LoadShape::constant;
-    double accuracy = 0;
-    bool any_nu = false;
-    FemSpec fem;
-    std::optional<GivenIcs> given_ics;        ///< instead of computed ones; bodies and the six above mean nothing then
+    Ics ics;                                  ///< of both bodies
+    std::optional<GivenIcs> given_ics;        ///< instead of computed ones; bodies and ics mean nothing then
     std::vector<double> undeformed_distance;  ///< h without the approach, shape [ny, nx] (mm)
     double approach = 0;                      ///< delta (mm); the gap before deformation is h - delta
     std::optional<Friction> friction;         ///< absent: frictionless

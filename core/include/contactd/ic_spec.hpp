@@ -85,20 +85,28 @@ struct FemSpec {
 /// "paper-test3" on Mesh1, and "paper-mesh2-test1", ... on Mesh2. Empty when the name is unknown.
 std::optional<FemSpec> fem_preset(std::string_view name);
 
-struct IcSpec {
+/// Where coefficients come from, whatever material and grid: what a request calls its `ics`.
+struct Ics {
+    IcSource source = IcSource::analytic;
+    BodyShape body = BodyShape::half_space;
+    LoadShape load_shape = LoadShape::constant;
+    /// > 0: the largest error asked for, of xx, yy, zz relative (of a block to no less than a share of the
+    /// half-space's, half_space.hpp), of the others times 2 pi G rho / (dx dy). Mesh and solver are then chosen when
+    /// the table is built; of `fem` only L_over_h of a block means something.
+    double accuracy = 0;
+    bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
+    FemSpec fem;          ///< of no meaning when source is analytic
+
+    bool operator==(const Ics&) const = default;
+};
+
+/// One table: its coefficients' source, and what it is a table of.
+struct IcSpec : Ics {
     Material material;  ///< nu has no meaning when any_nu is set
     double dx = 0;      ///< element size along x (mm)
     double dy = 0;      ///< element size along y (mm)
     int nx = 0;         ///< extent: offsets 0..nx-1 along x
     int ny = 0;         ///< extent: offsets 0..ny-1 along y
-    BodyShape body = BodyShape::half_space;
-    LoadShape load_shape = LoadShape::constant;
-    IcSource source = IcSource::analytic;
-    /// > 0: the largest error asked for, of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Mesh and
-    /// solver are then chosen when the table is built; of `fem` only L_over_h of a block means something.
-    double accuracy = 0;
-    bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
-    FemSpec fem;          ///< of no meaning when source is analytic
 
     bool operator==(const IcSpec&) const = default;
 };
