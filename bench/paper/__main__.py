@@ -1,8 +1,9 @@
-"""Regenerates docs/paper: the figures of the paper's section 3, their numbers, and a page that compares.
+"""Regenerates docs/paper: the figures of one of the paper's sections, their numbers, and a page that compares.
 
     ./dev paper fem [--only fig5,fig8] [--fresh]
+    ./dev paper contact [--only fig9] [--fresh]
 
-Results are kept in build/paper/results.jsonl as soon as they are there: a run that was interrupted, or repeated, goes
+Results are kept in build/paper/<section>.jsonl as soon as they are there: a run that was interrupted, or repeated, goes
 on from them. The page is written from the CSV files when all of them are there.
 """
 
@@ -10,53 +11,72 @@ from __future__ import annotations
 
 import argparse
 import signal
+import subprocess
 import sys
 from pathlib import Path
 
-from .cases import PARTS
-from .measure import Builder, BuildFailed
-from .outputs import write_part, write_page
+from contactd import ContactdError
+
+from . import programs
+from .contact.section import SECTION as CONTACT
+from .fem.section import SECTION as FEM
+from .outputs import write_page, write_part
 from .run import compute
+from .section import ComputationFailed, Section
 from .store import ResultStore, StoreInUse
+
+SECTIONS = {section.name: section for section in (FEM, CONTACT)}
 
 
 def say(line: str) -> None:
     print(line, file=sys.stderr, flush=True)
 
 
-def parts_of(text: str) -> list[str]:
+def parts_of(section: Section, text: str | None) -> list[str]:
+    """The parts named, separated by commas; all of them when none is."""
+    if text is None:
+        return list(section.parts)
     names = [name.strip() for name in text.split(",")]
     for name in names:
-        if name not in PARTS:
-            raise argparse.ArgumentTypeError(f"'{name}' is no part; there are {', '.join(PARTS)}")
+        if name not in section.parts:
+            raise ValueError(f"'{name}' is no part of {section.name}; there are {', '.join(section.parts)}")
     return names
 
 
 def arguments_of(words: list[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="./dev paper", description=__doc__.splitlines()[0])
-    parser.add_argument("what", choices=["fem"], help="which of the paper's sections: fem is section 3")
-    parser.add_argument("--bin", type=Path, required=True, help="folder with contactd-ic")
+    parser = argparse.ArgumentParser(prog="./dev paper", description=(__doc__ or "").splitlines()[0])
+    meanings = " and ".join(f"{section.name} is section {section.number}" for section in SECTIONS.values())
+    parser.add_argument("section", choices=list(SECTIONS), metavar="SECTION", help=f"of the paper: {meanings}")
+    parser.add_argument("--bin", type=Path, required=True, help="folder with contactd and contactd-ic")
     parser.add_argument("--output", type=Path, default=Path("docs/paper"), help="default: docs/paper")
     parser.add_argument("--store", type=Path, default=Path("build/paper"), help="finished computations; build/paper")
-    parser.add_argument("--only", type=parts_of, default=list(PARTS), metavar="PART,...", help=", ".join(PARTS))
-    parser.add_argument("--fresh", action="store_true", help="forget all finished computations first")
-    return parser.parse_args(words)
+    parts = "; ".join(f"{section.name}: {', '.join(section.parts)}" for section in SECTIONS.values())
+    parser.add_argument("--only", metavar="PART,...", help=f"default: all parts of the section. {parts}")
+    parser.add_argument("--fresh", action="store_true", help="forget the section's finished computations first")
+    arguments = parser.parse_args(words)
+    arguments.section = SECTIONS[arguments.section]
+    try:
+        arguments.only = parts_of(arguments.section, arguments.only)
+    except ValueError as error:
+        parser.error(str(error))
+    return arguments
 
 
 def main(words: list[str] | None = None) -> int:
     arguments = arguments_of(words)
-    path = arguments.store / "results.jsonl"
+    section: Section = arguments.section
+    path = arguments.store / f"{section.name}.jsonl"
     for number in (signal.SIGINT, signal.SIGTERM):  # in the background of a script SIGINT would be ignored
         signal.signal(number, signal.default_int_handler)
-    builder = Builder(arguments.bin / "contactd-ic")
     try:
-        with ResultStore(path, builder.version(), builder.digest(), arguments.fresh) as store:
-            cases = [case for name in arguments.only for case in PARTS[name]()]
-            compute(cases, store, builder.measure, say)
+        version, digest = programs.version(arguments.bin), programs.digest(arguments.bin)
+        with ResultStore(path, version, digest, arguments.fresh) as store:
+            cases = [case for name in arguments.only for case in section.parts[name]()]
+            compute(cases, store, section, section.solver(arguments.bin), say)
             for name in arguments.only:
-                write_part(name, PARTS[name](), store, arguments.output, say)
-            write_page(arguments.output, builder.version(), say)
-    except (BuildFailed, StoreInUse, OSError) as error:
+                write_part(section, name, store, arguments.output, say)
+            write_page(section, arguments.output, version, say)
+    except (ComputationFailed, ContactdError, StoreInUse, OSError, subprocess.CalledProcessError) as error:
         say(f"paper: {error}")
         return 1
     except KeyboardInterrupt:

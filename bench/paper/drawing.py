@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,8 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+from .rows import Row
 
 INK = "#1d1d2b"
 # Okabe and Ito: told apart with any colour vision; markers differ, too.
@@ -62,4 +65,18 @@ def plain_log(axis: Any, unit: str = "") -> None:
     size = 1000 if unit == "k" else 1
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value / size:g}{unit}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def block_sizes(axes: Any, rows: Sequence[Row]) -> None:
+    """A logarithmic axis of block sizes with their own ticks."""
+    doubling(axes.xaxis, {row["L"] for row in rows})
+    axes.set_xlabel("block size $L$ (mm)")
+
+
+def doubling(axis: Any, values: set[float]) -> None:
+    """A logarithmic axis with a tick for each of the values."""
+    axis.axes.set_xscale("log", base=2)
+    axis.set_ticks(sorted(values))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_formatter(NullFormatter())

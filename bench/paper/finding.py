@@ -1,17 +1,29 @@
-"""How numbers are looked up and written in the page."""
+"""How numbers are looked up and written in a page."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from .rows import Row
 
 Rows = Mapping[str, Sequence[Row]]
+#: Values for the page, and verdicts computed from the rows: True where we agree.
 Found = tuple[dict[str, str], dict[str, bool]]
 
-TARGET = 0.01
-NEGLIGIBLE = TARGET / 10  # what does not show beside the target
+
+def merge(found: Iterable[Found]) -> Found:
+    """All of them as one."""
+    values: dict[str, str] = {}
+    verdicts: dict[str, bool] = {}
+    for more, judged in found:
+        values.update(more)
+        verdicts.update(judged)
+    return values, verdicts
+
+
+class PointMissing(Exception):
+    """The page speaks of a point that is in no file: its computation did not converge."""
 
 
 def percent(value: float) -> str:
@@ -25,14 +37,6 @@ def number(value: float) -> str:
     return f"{value:.3g}"
 
 
-def origin(row: Row) -> float:
-    return abs(float(row["origin_zz"]))
-
-
-class PointMissing(Exception):
-    """The page speaks of a point that is in no file: its computation did not converge."""
-
-
 def at(rows: Sequence[Row], curve: str, L: float) -> Row:
     # L comes from L/h times h, and through the digits of a file.
     for row in rows:
@@ -41,20 +45,7 @@ def at(rows: Sequence[Row], curve: str, L: float) -> Row:
     raise PointMissing(f"{curve}, L = {L:g}")
 
 
-def first_within(points: Sequence[Row]) -> Row | None:
-    """Where the target is met from there on."""
-    for i, row in enumerate(points):
-        if all(origin(later) < TARGET for later in points[i:]):
-            return row
-    return None
-
-
-def signed(points: Sequence[Row]) -> str:
-    """The errors at the origin, one behind the other."""
-    return ", ".join(f"{100 * row['origin_zz']:+.3f} %" for row in points)
-
-
-def ratio_text(*rows: Row | None) -> str:
-    """The L/h of these points, once when it is the same."""
-    found = [f"{row['L'] / row['h']:.0f}" if row else "none that was tried" for row in rows]
-    return "L/h = " + ", ".join(found if len(set(found)) > 1 else found[:1])
+def markdown(head: Sequence[str], body: Sequence[Sequence[str]]) -> str:
+    """A table."""
+    lines = [head, ["---"] * len(head), *body]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)

@@ -1,58 +1,55 @@
-"""Writes what a part has to show, and the page about all of them."""
+"""Writes what a part has to show, and the page about all parts of a section."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
-from . import diagrams, figures
-from .cases import PARTS, Case
 from .finding import PointMissing
 from .page import render
-from .recommended import RANGE_COLUMNS, ranges
-from .rows import Row, read_csv, rows_of, write_csv
+from .rows import read_csv, write_csv
+from .section import Section
 from .store import ResultStore
 
 Say = Callable[[str], None]
 
-#: Parts with a picture; the other ones are tables.
-PICTURES: dict[str, Callable[[Sequence[Row], Path], None]] = {
-    "fig5": figures.fig5, "fig6": figures.fig6, "fig7": figures.fig7, "fig8": figures.fig8,
-    "accuracy": diagrams.accuracy, "adaptive": diagrams.adaptive,
-}  # fmt: skip
 
-
-def write_part(name: str, cases: Sequence[Case], store: ResultStore, folder: Path, say: Say) -> None:
-    """The CSV file and the picture of a part, whose cases are all in the store."""
-    rows = rows_of(cases, store)
-    for case in cases:
-        if "failure" in (result := store.get(case.spec) or {}):
+def write_part(section: Section, name: str, store: ResultStore, folder: Path, say: Say) -> None:
+    """The CSV files and the picture of a part, of its cases whose results are in the store."""
+    rows = []
+    for case in section.parts[name]():
+        result = store.get(case.spec)
+        if result is not None and "failure" in result:  # there is no point then
             say(f"{name}: {case.curve}, {case.parameter} = {case.value:g} is left out: {result['failure']}")
+        elif result is not None:
+            rows.append(section.row(case, result))
     written = [folder / f"{name}.csv"]
-    write_csv(written[0], rows)
+    write_csv(written[0], rows, section.columns)
     # From the file, as the page: picture and page cannot differ.
     rows = read_csv(written[0])
-    if name in PICTURES:
+    if name in section.pictures:
         written.append(folder / f"{name}.png")
-        PICTURES[name](rows, written[-1])
-    if name == "table3":
-        written.append(folder / "table3-ranges.csv")
-        write_csv(written[-1], ranges(rows), RANGE_COLUMNS)
+        section.pictures[name](rows, written[-1])
+    if name in section.tables:
+        table = section.tables[name]
+        written.append(folder / f"{table.name}.csv")
+        write_csv(written[-1], table.make(rows), table.columns)
     say("wrote " + ", ".join(str(path) for path in written))
 
 
-def write_page(folder: Path, version: str, say: Say) -> None:
+def write_page(section: Section, folder: Path, version: str, say: Say) -> None:
     """From the CSV files in the folder, whichever run wrote them."""
-    missing = [name for name in PARTS if not (folder / f"{name}.csv").is_file()]
+    page = f"{section.name}.md"
+    missing = [name for name in section.parts if not (folder / f"{name}.csv").is_file()]
     if missing:
-        say(f"fem.md is written when these parts are there, too: {', '.join(missing)}")
+        say(f"{page} is written when these parts are there, too: {', '.join(missing)}")
         return
     try:
-        text, surprises = render({name: read_csv(folder / f"{name}.csv") for name in PARTS}, version)
+        text, surprises = render(section, {name: read_csv(folder / f"{name}.csv") for name in section.parts}, version)
     except (PointMissing, KeyError) as missing_point:
-        say(f"fem.md cannot be written without this point: {missing_point}")
+        say(f"{page} cannot be written without this point: {missing_point}")
         return
-    (folder / "fem.md").write_text(text)
-    say(f"wrote {folder / 'fem.md'}")
+    (folder / page).write_text(text)
+    say(f"wrote {folder / page}")
     for name in surprises:
-        say(f"note: '{name}' came out otherwise than its text in bench/paper/fem.md.in was written for")
+        say(f"note: '{name}' came out otherwise than its text in bench/paper/{page}.in was written for")

@@ -1,28 +1,28 @@
-"""The page: bench/paper/fem.md.in with numbers and verdicts from the rows of the CSV files filled in.
+"""The page: bench/paper/<section>.md.in with numbers and verdicts from the rows of the CSV files filled in.
 
-{{name}} is a number or a text of `findings`. [[agrees name]] or [[differs name]] is a finding's verdict, written out
-as it came ([[yes name]], [[no name]] in those words); where it is not the word that stands in the template, the text
-beside it was written for another outcome, and the page says so.
+{{name}} is a number or a text of the section's findings. [[agrees name]] or [[differs name]] is a finding's verdict,
+written out as it came ([[yes name]], [[no name]] in those words); where it is not the word that stands in the template,
+the text beside it was written for another outcome, and the page says so.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
-from .findings import find
-from .rows import Row
+from .finding import Rows
+from .section import Section
 
-TEMPLATE = Path(__file__).with_name("fem.md.in")
 WORDS = {"agrees": True, "differs": False, "yes": True, "no": False}
 DOUBT = "*(With these numbers the outcome is not the one that the text beside it was written for.)*"
 
 
-def render(rows: Mapping[str, Sequence[Row]], version: str) -> tuple[str, list[str]]:
+def render(section: Section, rows: Rows, version: str) -> tuple[str, list[str]]:
     """The page, and the names of the verdicts that its text was not written for."""
-    values, verdicts = find(rows)
-    return fill(TEMPLATE.read_text(), {**values, "version": version}, verdicts)
+    values, verdicts = section.find(rows)
+    template = Path(__file__).with_name(f"{section.name}.md.in").read_text()
+    return fill(template, {**values, "version": version}, verdicts)
 
 
 def fill(template: str, values: Mapping[str, str], verdicts: Mapping[str, bool]) -> tuple[str, list[str]]:

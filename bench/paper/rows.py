@@ -1,60 +1,18 @@
-"""One row of a CSV file for each point of a curve; everything behind (pictures, page) reads these files only."""
+"""CSV files: one row for each point of a curve. Pictures and pages read these files only."""
 
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from .cases import Case
-from .store import ResultStore
-
 Row = dict[str, Any]
 
-COLUMNS = [
-    "curve", "parameter", "value", "L", "h", "table", "elements", "dofs", "solver",
-    "iterations_z", "iterations_x", "iterations_y",
-    "origin_zz", "origin_xx", "origin_yy", "largest_zz", "largest_xx", "largest_yy", "scaled_xy", "scaled_xz",
-    "cpu_seconds", "wall_seconds", "memory_mib",
-]  # fmt: skip
 _TEXTS = {"curve", "parameter", "solver"}
 
 
-def row(case: Case, result: dict[str, Any]) -> Row | None:
-    """None when the solve did not converge: there is no point then."""
-    if "failure" in result:
-        return None
-    mesh = result["mesh"] or case.spec["ics"]  # an accuracy chooses its mesh
-    errors = result["errors"][str(case.table)]
-    relative = {
-        f"{kind}_{name}": errors[name][kind] for kind in ("origin", "largest") for name in ("zz", "xx", "yy")
-    }  # fmt: skip
-    return {
-        "curve": case.curve,
-        "parameter": case.parameter,
-        "value": case.value,
-        "L": mesh["L_over_h"] * case.h,
-        "h": case.h,
-        "table": case.table,
-        **{name: result[name] for name in ("elements", "dofs", "solver")},
-        **{f"iterations_{load}": count for load, count in result["iterations"].items()},
-        **relative,
-        **{name: errors[name] for name in ("scaled_xy", "scaled_xz")},
-        "cpu_seconds": result["cpu_seconds"],
-        "wall_seconds": result["seconds"]["total"],
-        "memory_mib": result["memory_mib"],
-    }
-
-
-def rows_of(cases: Iterable[Case], store: ResultStore) -> list[Row]:
-    """Of the cases whose results are there."""
-    pairs = [(case, store.get(case.spec)) for case in cases]
-    found = [row(case, result) for case, result in pairs if result is not None]
-    return [item for item in found if item is not None]
-
-
-def write_csv(path: Path, rows: Iterable[Row], columns: list[str] = COLUMNS) -> None:
+def write_csv(path: Path, rows: Iterable[Row], columns: Sequence[str]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(".part")
     with part.open("w", newline="") as file:

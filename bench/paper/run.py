@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Iterable
-from typing import Any
+from contextlib import AbstractContextManager
 
-from .cases import Case, Spec, effort
+from .section import Case, Measure, Section, Spec
 from .store import ResultStore
 
-Measure = Callable[[Spec], dict[str, Any]]
 Say = Callable[[str], None]
 
 
@@ -26,7 +25,9 @@ def distinct(cases: Iterable[Case]) -> list[Case]:
     return list(first.values())
 
 
-def compute(cases: Iterable[Case], store: ResultStore, measure: Measure, say: Say) -> None:
+def compute(
+    cases: Iterable[Case], store: ResultStore, section: Section, solver: AbstractContextManager[Measure], say: Say
+) -> None:
     """After it the store holds the result of every case; each is written as soon as it is there."""
     wanted = distinct(cases)
     missing = [case for case in wanted if store.get(case.spec) is None]
@@ -34,23 +35,19 @@ def compute(cases: Iterable[Case], store: ResultStore, measure: Measure, say: Sa
         say(f"{len(wanted) - len(missing)} of {len(wanted)} computations are in the store")
     if others := sum(store.is_of_another_build(case.spec) for case in wanted):
         say(f"note: {others} of them are of another build of this version; --fresh computes them again")
-    left = sum(effort(case.spec) for case in missing)
-    done, start = 0.0, time.monotonic()
-    for number, case in enumerate(missing, 1):
-        result = measure(case.spec)
-        store.put(case.spec, result)
-        done += effort(case.spec)
-        elapsed = time.monotonic() - start
-        remaining = duration(elapsed / done * max(0.0, left - done))
-        name = f"{case.part}: {case.curve}, {case.parameter} = {case.value:g}"
-        say(f"[{number:3}/{len(missing)}] {name:52} {summary(result)}; about {remaining} left")
-
-
-def summary(result: dict[str, Any]) -> str:
-    if "failure" in result:
-        return "did not converge"
-    error = next(iter(result["errors"].values()))["zz"]["origin"]
-    return f"{result['dofs']:7} dofs, {result['cpu_seconds']:6.1f} s CPU, origin {100 * error:+7.3f} %"
+    if not missing:
+        return
+    efforts = section.efforts([case.spec for case in missing])
+    left, done, start = sum(efforts), 0.0, time.monotonic()
+    with solver as measure:
+        for number, (case, effort) in enumerate(zip(missing, efforts, strict=True), 1):
+            result = measure(case.spec)
+            store.put(case.spec, result)
+            done += effort
+            remaining = duration((time.monotonic() - start) / done * max(0.0, left - done))
+            name = f"{case.part}: {case.curve}, {case.parameter} = {case.value:g}"
+            text = "did not converge" if "failure" in result else section.summary(result)
+            say(f"[{number:3}/{len(missing)}] {name:52} {text}; about {remaining} left")
 
 
 def duration(seconds: float) -> str:

@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from .cases import Spec
+Spec = dict[str, Any]
 
 
 class StoreInUse(Exception):

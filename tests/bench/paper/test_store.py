@@ -1,8 +1,11 @@
 """Finished computations stay finished, whatever ended the run."""
 
+from contextlib import nullcontext
+
 import pytest
 
-from paper.cases import Case, spec_of
+from paper.fem.cases import Case, spec_of
+from paper.fem.section import SECTION
 from paper.run import compute
 from paper.store import ResultStore, StoreInUse
 
@@ -41,9 +44,9 @@ def path(tmp_path):
 def test_an_interrupted_run_goes_on_where_it_ended(path):
     cases, first, second = [case(f) for f in (1.2, 1.5, 2)], FakeBuilder(ends_at=2), FakeBuilder()
     with pytest.raises(Interrupted), ResultStore(path, "1") as store:
-        compute(cases, store, first.measure, lambda line: None)
+        compute(cases, store, SECTION, nullcontext(first.measure), lambda line: None)
     with ResultStore(path, "1") as store:
-        compute(cases, store, second.measure, lambda line: None)
+        compute(cases, store, SECTION, nullcontext(second.measure), lambda line: None)
         found = [store.get(item.spec) for item in cases]
     assert (first.asked, second.asked) == ([1.2, 1.5], [2])
     assert found == [result(1.2), result(1.5), result(2)]
@@ -81,7 +84,7 @@ def test_results_of_another_build_are_used_and_said_to_be(path):
         store.put(case(1.2).spec, result(1.2))
     said, builder = [], FakeBuilder()
     with ResultStore(path, "1", "second build") as store:
-        compute([case(1.2), case(1.5)], store, builder.measure, said.append)
+        compute([case(1.2), case(1.5)], store, SECTION, nullcontext(builder.measure), said.append)
     assert builder.asked == [1.5]
     assert "1 of them are of another build" in said[1]
 
@@ -94,6 +97,6 @@ def test_two_runs_do_not_share_a_store(path):
 def test_progress_counts_and_names_what_is_left(path):
     said = []
     with ResultStore(path, "1") as store:
-        compute([case(1.2), case(1.2), case(1.5)], store, FakeBuilder().measure, said.append)
+        compute([case(1.2), case(1.2), case(1.5)], store, SECTION, nullcontext(FakeBuilder().measure), said.append)
     assert len(said) == 2
     assert said[0].startswith("[  1/2] table3: hex, f = 1.2") and "left" in said[0]

@@ -4,18 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from ..finding import at, markdown
+from ..rows import Row, select
 from .cases import COMPARED, H
 from .diagrams import ACCURACY, ADAPTIVE, table_error
-from .finding import at
 from .recommended import ranges
-from .rows import Row, select
 
 GOALS = (1e-2, 1e-3)
-
-
-def markdown(head: Sequence[str], body: Sequence[Sequence[str]]) -> str:
-    lines = [head, ["---"] * len(head), *body]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
 def ranges_table(scans: Sequence[Row]) -> str:

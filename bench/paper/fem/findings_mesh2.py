@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ..finding import Found, Rows, at, number, percent
+from ..rows import Row, select
 from . import tables
-from .finding import NEGLIGIBLE, TARGET, Found, Rows, at, first_within, number, origin, percent, ratio_text, signed
-from .rows import Row, select
+from .finding import NEGLIGIBLE, TARGET, first_within, origin, ratio_text, signed
 
 
 def mesh2(rows: Rows) -> Found:

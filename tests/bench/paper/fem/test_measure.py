@@ -6,8 +6,9 @@ import stat
 import numpy as np
 import pytest
 
-from paper.cases import spec_of
-from paper.measure import Builder, BuildFailed, errors
+from paper.fem.cases import spec_of
+from paper.fem.measure import Builder, errors
+from paper.section import ComputationFailed
 
 
 def tables():
@@ -50,5 +51,5 @@ def test_a_solve_that_does_not_converge_is_a_result(builder):
 
 def test_any_other_failure_is_named(builder):
     answer = {"error": {"field": "ics.f", "message": "is 0; it must be at least 1"}}
-    with pytest.raises(BuildFailed, match="status 2: ics.f is 0"):
+    with pytest.raises(ComputationFailed, match="status 2: ics.f is 0"):
         builder(2, answer).measure(spec_of(10))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import subprocess
@@ -15,15 +14,12 @@ import numpy.typing as npt
 
 from contactd import load_table
 
+from ..section import ComputationFailed
 from .cases import GRIDS, STEEL, Spec
 
 Array = npt.NDArray[np.float64]
 _AXES = {"x": 0, "y": 1, "z": 2}
 _NOT_CONVERGED = 3  # exit status of contactd-ic
-
-
-class BuildFailed(Exception):
-    """contactd-ic ended with an error; its text says which."""
 
 
 class Builder:
@@ -33,15 +29,6 @@ class Builder:
         self._program = program
         self._environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         self._closed_forms: dict[str, Array] = {}
-
-    def version(self) -> str:
-        command = [str(self._program), "--version"]
-        output = subprocess.run(command, check=True, capture_output=True, text=True, env=self._environment)
-        return output.stdout.strip()
-
-    def digest(self) -> str:
-        """Tells builds of one version apart."""
-        return hashlib.sha256(self._program.read_bytes()).hexdigest()[:16]
 
     def measure(self, spec: Spec) -> dict[str, Any]:
         """Evidence, costs, and errors by extent. A solve that did not converge is a result, too: {"failure": text}."""
@@ -87,7 +74,7 @@ class Builder:
                 return last, None, usage
             error = last.get("error", {})
             message = f"{error.get('field', '')} {error.get('message', '')}".strip() or noise.read_text().strip()
-            raise BuildFailed(f"contactd-ic ended with status {exit_code}: {message or 'no word of why'}")
+            raise ComputationFailed(f"contactd-ic ended with status {exit_code}: {message or 'no word of why'}")
 
     def _run(self, command: list[str], line: str, noise: Path) -> tuple[str, int, Any]:
         """Standard output, exit status and resource usage."""

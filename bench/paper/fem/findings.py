@@ -5,8 +5,8 @@ Every function takes the rows of all parts and gives (values, verdicts); a verdi
 
 from __future__ import annotations
 
+from ..finding import Found, Rows, merge
 from . import findings_mesh1, findings_mesh2, tables
-from .finding import Found, Rows
 
 FUNCTIONS = (
     findings_mesh1.elements_and_origin,
@@ -22,10 +22,4 @@ FUNCTIONS = (
 
 
 def find(rows: Rows) -> Found:
-    values: dict[str, str] = {}
-    verdicts: dict[str, bool] = {}
-    for function in FUNCTIONS:
-        more, judged = function(rows)
-        values.update(more)
-        verdicts.update(judged)
-    return values, verdicts
+    return merge(function(rows) for function in FUNCTIONS)

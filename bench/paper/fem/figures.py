@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter
 
-from .drawing import BLUE, GREEN, GREY, INK, ORANGE, RED, Look, draw_target, finish, new_figure, plain_log, save
-from .rows import Row, select
+from ..drawing import (
+    BLUE, GREEN, GREY, INK, ORANGE, RED, Look, block_sizes, draw_target, finish, new_figure, plain_log, save,
+)  # fmt: skip
+from ..rows import Row, select
 
 FIG5 = {"linear": Look("linear elements", RED, "s"), "quadratic": Look("quadratic elements", BLUE, "o")}
 FIG6 = {"test2": Look("TEST 2", RED, "s"), "test3": Look("TEST 3", BLUE, "o")}
@@ -23,14 +24,6 @@ FIG8 = {
 }  # fmt: skip
 
 
-def _lengths(axes: Any, rows: Sequence[Row]) -> None:
-    """A logarithmic axis of block sizes with their own ticks."""
-    axes.set_xscale("log", base=2)
-    axes.set_xticks(sorted({row["L"] for row in rows}))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.set_xlabel("block size $L$ (mm)")
-
-
 def _errors(axes: Any, rows: Sequence[Row], looks: Mapping[str, Look], title: str) -> None:
     for curve, look in looks.items():
         points = select(rows, curve=curve)
@@ -39,7 +32,7 @@ def _errors(axes: Any, rows: Sequence[Row], looks: Mapping[str, Look], title: st
         axes.plot(L, [abs(row["origin_zz"]) for row in points], linestyle=look.line, **style)
         largest = [row["largest_zz"] for row in points]
         axes.plot(L, largest, linestyle=":", markerfacecolor="white", linewidth=1.1, **style)
-    _lengths(axes, rows)
+    block_sizes(axes, rows)
     axes.set_yscale("log")
     draw_target(axes)
     finish(axes, title, "relative error of $A^{zz}$")
@@ -66,7 +59,7 @@ def _against_L(
         points = select(rows, curve=curve)
         style = {"color": look.colour, "marker": look.marker, "markersize": 6.5 if look.marker != "*" else 10}
         axes.plot([row["L"] for row in points], [row[column] for row in points], linestyle=look.line, **style)
-    _lengths(axes, rows)
+    block_sizes(axes, rows)
     if log:
         axes.set_yscale("log")
         plain_log(axes.yaxis)

@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
-from .finding import NEGLIGIBLE, TARGET, Found, Rows, at, first_within, number, origin, percent, ratio_text
-from .rows import select
+from ..finding import Found, Rows, at, number, percent
+from ..rows import select
+from .finding import NEGLIGIBLE, TARGET, first_within, origin, ratio_text
 
 
 def elements_and_origin(rows: Rows) -> Found:

@@ -1,11 +1,9 @@
 """What is asked for: the paper's meshes, each computed once."""
 
-import argparse
-
 import pytest
 
-from paper.__main__ import parts_of
-from paper.cases import GRIDS, H, LENGTHS, PARTS, TESTS, clamped, elements, full_ics
+from paper.__main__ import SECTIONS, parts_of
+from paper.fem.cases import GRIDS, H, LENGTHS, PARTS, TESTS, clamped, elements, full_ics
 from paper.run import distinct
 
 ALL = [case for part in PARTS.values() for case in part()]
@@ -76,5 +74,5 @@ def test_a_value_that_the_preset_has_anyway_makes_no_other_request():
 
 
 def test_a_part_that_is_not_there_is_refused_with_those_that_are():
-    with pytest.raises(argparse.ArgumentTypeError, match="'fig9' is no part; there are fig5"):
-        parts_of("fig5,fig9")
+    with pytest.raises(ValueError, match="'fig9' is no part of fem; there are fig5"):
+        parts_of(SECTIONS["fem"], "fig5,fig9")

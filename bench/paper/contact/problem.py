@@ -1,0 +1,53 @@
+"""The Cattaneo problem of section 4, and what is known of its solution."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from contactd import AnalyticIcs, ContactProblem, FemIcs, Friction, Grid, Material, Paraboloid, SolverSettings
+
+Spec = dict[str, Any]
+Ics = dict[str, Any]
+
+BODY = Material(G=200, nu=0.42)
+RADIUS, APPROACH, WINDOW = 50.0, 0.02, 2.4  # mm
+MU, SHIFT = 0.4, 0.00817  # rigid shift along x (mm)
+TOLERANCE = 1e-6  # of both stop tests
+
+# Hertz, two equal bodies: 1/E* = (1 - nu)/G, contact radius sqrt(R delta).
+_E_STAR = BODY.G / (1 - BODY.nu)
+FZ = 4 / 3 * _E_STAR * math.sqrt(RADIUS) * APPROACH**1.5
+PMAX = 2 * _E_STAR / math.pi * math.sqrt(APPROACH / RADIUS)
+AREA = math.pi * RADIUS * APPROACH
+#: The paper's reference; the part "limit" says how well it is met.
+FX = 3.2216
+#: Cattaneo's solution for this shift, which leaves lateral displacements out (Johnson, Contact Mechanics, 7.2).
+_FULL_SLIP = 3 * MU * FZ * (2 - BODY.nu) / (8 * BODY.G * math.sqrt(RADIUS * APPROACH))  # shift where adhesion ends (mm)
+CATTANEO_FX = MU * FZ * (1 - (1 - SHIFT / _FULL_SLIP) ** 1.5)
+
+
+def spec_of(n: int, ics: Ics, **more: Any) -> Spec:
+    """A request on n x n elements. `ics` are the fields of FemIcs, or of AnalyticIcs where they name no mesh.
+
+    `more`: tangential (the ics of xx, xy, yx, yy where they are others than those of zz), no_xy, tolerance.
+    """
+    return {"problem": "cattaneo", "n": n, "ics": ics, **more}
+
+
+def ics_of(fields: Ics) -> AnalyticIcs | FemIcs:
+    return FemIcs(**fields) if fields.keys() - {"load_shape"} else AnalyticIcs(**fields)
+
+
+def contact_problem(spec: Spec) -> ContactProblem:
+    settings = SolverSettings(tolerance=spec.get("tolerance", TOLERANCE))
+    return ContactProblem(
+        grid=Grid.centred(spec["n"], spec["n"], WINDOW, WINDOW),
+        upper=BODY,
+        gap=Paraboloid(RADIUS, RADIUS),
+        approach=APPROACH,
+        ics=ics_of(spec["ics"]),
+        friction=Friction(MU, (SHIFT, 0)),
+        normal=settings,
+        tangential=settings,
+    )

@@ -1,0 +1,1 @@
+"""Section 3 of the paper: influence coefficients by finite elements, beside the closed form."""

@@ -1,0 +1,33 @@
+"""What the findings of section 3 have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..rows import Row
+
+TARGET = 0.01  # the paper's (3.1)
+NEGLIGIBLE = TARGET / 10  # what does not show beside the target
+
+
+def origin(row: Row) -> float:
+    return abs(float(row["origin_zz"]))
+
+
+def first_within(points: Sequence[Row]) -> Row | None:
+    """Where the target is met from there on."""
+    for i, row in enumerate(points):
+        if all(origin(later) < TARGET for later in points[i:]):
+            return row
+    return None
+
+
+def signed(points: Sequence[Row]) -> str:
+    """The errors at the origin, one behind the other."""
+    return ", ".join(f"{100 * row['origin_zz']:+.3f} %" for row in points)
+
+
+def ratio_text(*rows: Row | None) -> str:
+    """The L/h of these points, once when it is the same."""
+    found = [f"{row['L'] / row['h']:.0f}" if row else "none that was tried" for row in rows]
+    return "L/h = " + ", ".join(found if len(set(found)) > 1 else found[:1])

@@ -1,0 +1,63 @@
+"""What a section of the paper brings along to be computed again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol
+
+from .finding import Found, Rows
+from .rows import Row
+
+#: A request as plain data. Equal requests are one computation.
+Spec = dict[str, Any]
+#: What is kept of a computation. One that did not converge is {"failure": text}.
+Result = dict[str, Any]
+Measure = Callable[[Spec], Result]
+
+
+class Case(Protocol):
+    """A request, and the place of its result in a figure."""
+
+    @property
+    def part(self) -> str: ...
+    @property
+    def curve(self) -> str: ...
+    @property
+    def parameter(self) -> str: ...
+    @property
+    def value(self) -> float: ...
+    @property
+    def spec(self) -> Spec: ...
+
+
+class ComputationFailed(Exception):
+    """A computation ended with an error; its text says which."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A CSV file beside that of its part."""
+
+    name: str
+    columns: Sequence[str]
+    make: Callable[[Sequence[Row]], Sequence[Row]]
+
+
+@dataclass(frozen=True)
+class Section:
+    """Parts are named after their CSV files; the page is <name>.md, and finished computations are in <name>.jsonl."""
+
+    name: str
+    number: int  #: of the paper's section
+    parts: Mapping[str, Callable[[], Sequence[Any]]]  #: cases of each, in the order of computation
+    columns: Sequence[str]
+    row: Callable[[Any, Result], Row]  #: of a case and its result, which is no failure
+    pictures: Mapping[str, Callable[[Sequence[Row], Path], None]]  #: parts without one are tables
+    find: Callable[[Rows], Found]  #: numbers and verdicts of the page
+    efforts: Callable[[Sequence[Spec]], Sequence[float]]  #: guesses of the CPU seconds, for the time left
+    summary: Callable[[Result], str]  #: one line of progress
+    solver: Callable[[Path], AbstractContextManager[Measure]]  #: what computes, of the folder with the programs
+    tables: Mapping[str, Table] = field(default_factory=dict)  #: by part
