@@ -2,7 +2,8 @@
 
 Machines are noisy and differ: compare the ratios, not the times.
 
-    ./dev bench [--quick] [--json FILE]
+    ./dev bench [--quick] [--only PROGRAM ...] [--json FILE]
+    ./dev bench --plot    cost against grid size instead: docs/performance.csv and docs/performance.png (some minutes)
 """
 
 from __future__ import annotations
@@ -17,11 +18,14 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+import scaling
 from contactd.daemon import LocalDaemon
 
+PROGRAMS = ["bench_core", "bench_rolling", "bench_contact", "bench_quick", "bench_fem", "bench_request"]
 #: Rows whose name matches the first are divided by the row that the second names (groups filled in).
 BASELINES = [
-    (r"bench_core\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
+    (r"(bench_(?:core|rolling|contact))\.\w+/n:(\d+).*", "{0}.A_p/n:{1}", "A*p"),
+    (r"bench_quick\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
     (r"bench_fem\.build/([\w-]+)/\w+.*", "bench_fem.build/{0}/total", "of the build"),
     (r"bench_fem\.table/\w+.*", "bench_fem.table/paper", "the paper's way"),
     (r"bench_request\.\w+.*", "bench_request.zeromq_echo", "ZeroMQ echos"),
@@ -83,15 +87,23 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bin", type=Path, required=True, help="folder with the programs")
     parser.add_argument("--quick", action="store_true", help="shorter runs, more noise")
+    parser.add_argument("--only", nargs="+", choices=PROGRAMS, metavar="PROGRAM", help=f"of {', '.join(PROGRAMS)}")
+    parser.add_argument("--plot", action="store_true", help="cost against grid size, for docs/performance.md")
     parser.add_argument("--json", type=Path, help="write the rows to this file, too")
     arguments = parser.parse_args()
 
     environment = dict(os.environ)
-    rows = run(arguments.bin / "bench_core", arguments.quick, environment)
-    rows += run(arguments.bin / "bench_fem", arguments.quick, environment)
-    with LocalDaemon(arguments.bin / "contactd", config={"log": {"level": "warn"}}) as daemon:
-        environment["CONTACTD_ENDPOINT"] = daemon.endpoint
-        rows += run(arguments.bin / "bench_request", arguments.quick, environment)
+    if arguments.plot:
+        scaling.write(run(arguments.bin / "bench_scaling", arguments.quick, environment))
+        return 0
+    rows = []
+    for name in arguments.only or PROGRAMS:
+        if name == "bench_request":
+            with LocalDaemon(arguments.bin / "contactd", config={"log": {"level": "warn"}}) as daemon:
+                environment["CONTACTD_ENDPOINT"] = daemon.endpoint
+                rows += run(arguments.bin / name, arguments.quick, environment)
+        else:
+            rows += run(arguments.bin / name, arguments.quick, environment)
     print_table(rows)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1))

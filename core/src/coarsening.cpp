@@ -26,6 +26,19 @@ Between between(int i, int factor, int coarse_n) {
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(first + 1, coarse_n - 1)), weight};
 }
 
+// Mean of `at(a, b)` over the pairs of fine elements in two coarse ones, times the number of loaded ones: how often an
+// offset of fine elements occurs between two coarse ones, over the number of observed elements.
+template <class At>
+double mean_offset(int factor_x, int factor_y, const At& at) {
+    const auto weight = [](int difference, int factor) {
+        return static_cast<double>(factor - std::abs(difference)) / factor;
+    };
+    double sum = 0;
+    for (int b = 1 - factor_y; b < factor_y; ++b)
+        for (int a = 1 - factor_x; a < factor_x; ++a) sum += weight(a, factor_x) * weight(b, factor_y) * at(a, b);
+    return sum;
+}
+
 }  // namespace
 
 Coarsening::Coarsening(int nx, int ny)
@@ -36,25 +49,34 @@ Coarsening::Coarsening(int nx, int ny)
       coarse_nx_((nx + factor_x_ - 1) / factor_x_),
       coarse_ny_((ny + factor_y_ - 1) / factor_y_) {}
 
-IcTable Coarsening::coarse(const IcTable& fine) const {
+IcTable Coarsening::coarse(const IcTable& fine, bool coupled) const {
     using enum Axis;
-    constexpr std::array<std::array<Axis, 2>, 5> components = {{{x, x}, {y, y}, {z, z}, {x, y}, {y, x}}};
-    // How often an offset of fine elements occurs between two coarse ones, over the number of observed elements.
-    const auto weight = [](int difference, int factor) {
-        return static_cast<double>(factor - std::abs(difference)) / factor;
-    };
+    constexpr std::array<std::array<Axis, 2>, 9> all = {
+        {{x, x}, {y, y}, {z, z}, {x, y}, {y, x}, {x, z}, {y, z}, {z, x}, {z, y}}};
+    const auto components = std::span(all).first(coupled ? 9 : 5);
     IcTable result(coarse_nx_, coarse_ny_);
     for (const auto& [i, j] : components)
         for (int L = 0; L < coarse_ny_; ++L)
             for (int K = 0; K < coarse_nx_; ++K) {
-                double sum = 0;
-                for (int b = 1 - factor_y_; b < factor_y_; ++b)
-                    for (int a = 1 - factor_x_; a < factor_x_; ++a)
-                        sum += weight(a, factor_x_) * weight(b, factor_y_) *
-                               fine.at(i, j, std::min(K * factor_x_ + a, fine.nx - 1),
-                                       std::min(L * factor_y_ + b, fine.ny - 1));
-                result(i, j, K, L) = sum;
+                result(i, j, K, L) = mean_offset(factor_x_, factor_y_, [&](int a, int b) {
+                    return fine.at(i, j, std::min(K * factor_x_ + a, fine.nx - 1),
+                                   std::min(L * factor_y_ + b, fine.ny - 1));
+                });
             }
+    return result;
+}
+
+ShiftedTable Coarsening::coarse(const ShiftedTable& fine) const {
+    using enum Axis;
+    const auto inside = [](int offset, int n) { return std::clamp(offset, 1 - n, n - 1); };
+    ShiftedTable result(coarse_nx_, coarse_ny_);
+    for (const Axis i : {x, y})
+        for (const Axis j : {x, y, z})
+            for (int L = 1 - coarse_ny_; L < coarse_ny_; ++L)
+                for (int K = 1 - coarse_nx_; K < coarse_nx_; ++K)
+                    result(i, j, K, L) = mean_offset(factor_x_, factor_y_, [&](int a, int b) {
+                        return fine(i, j, inside(K * factor_x_ + a, fine.nx), inside(L * factor_y_ + b, fine.ny));
+                    });
     return result;
 }
 
@@ -68,6 +90,13 @@ void Coarsening::average(std::span<const double> fine, std::span<double> coarse)
             ++count[static_cast<std::size_t>(to)];
         }
     for (std::size_t i = 0; i < coarse.size(); ++i) coarse[i] /= count[i];
+}
+
+void Coarsening::copy(std::span<const double> coarse, std::span<double> fine) const {
+    for (int iy = 0; iy < ny_; ++iy)
+        for (int ix = 0; ix < nx_; ++ix)
+            fine[static_cast<std::size_t>(iy * nx_ + ix)] =
+                coarse[static_cast<std::size_t>(iy / factor_y_ * coarse_nx_ + ix / factor_x_)];
 }
 
 void Coarsening::interpolate(std::span<const double> coarse, std::span<double> fine) const {

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "contactd/ic_table.hpp"
+#include "contactd/shifted_operator.hpp"
 
 namespace contactd {
 
@@ -15,11 +16,16 @@ class Coarsening {
 
     bool useful() const { return factor_x_ * factor_y_ > 1; }  ///< false: the grid is small already
 
-    /// Mean displacement over a coarse element for a unit traction on another, for the components xx, yy, zz, xy, yx.
-    IcTable coarse(const IcTable& fine) const;
+    /// Mean displacement over a coarse element for a unit traction on another, for the components xx, yy, zz, xy, yx
+    /// and, where asked for, xz, yz, zx, zy.
+    IcTable coarse(const IcTable& fine, bool coupled) const;
+    ShiftedTable coarse(const ShiftedTable& fine) const;
     void average(std::span<const double> fine, std::span<double> coarse) const;
     /// Bilinear between centres, constant beyond the outermost ones.
     void interpolate(std::span<const double> coarse, std::span<double> fine) const;
+    /// The value of the coarse element that a fine one belongs to.
+    void copy(std::span<const double> coarse, std::span<double> fine) const;
+    int ratio() const { return factor_x_ * factor_y_; }  ///< fine elements in a coarse one
 
    private:
     int nx_, ny_, factor_x_, factor_y_, coarse_nx_, coarse_ny_;

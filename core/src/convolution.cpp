@@ -4,21 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <mutex>
 #include <string>
 
 #include "coarsening.hpp"
 #include "contactd/error.hpp"
+#include "contactd/given_ics.hpp"
 #include "padded_fft.hpp"
+#include "padded_size.hpp"
 
 namespace contactd {
 namespace {
-
-// 2n where n has small prime factors only; for other n a smaller smooth number is several times faster.
-int padded_size(int n) {
-    if (n == 1) return 1;
-    return smooth_size(n) == n ? 2 * n : smooth_size(2 * n - 1);
-}
 
 // The inverse of a convolution decays as rho^-3, so opposite edges hardly feel each other without any padding.
 int preconditioner_size(int n) {
@@ -28,53 +25,147 @@ int preconditioner_size(int n) {
 // The symbol of a half-space stays above 0.08 times the diagonal even for elements of 1:1000. This part of the diagonal
 // is its least value here: the reciprocal stays positive where truncation or errors of the table made it negative.
 constexpr double smallest_symbol = 0.02;
+// Most of the symbol of xy in units of sqrt(xx yy): a half-space has nu/(2 - nu), 1/3 at most.
+constexpr double largest_coupling = 0.6;
+
+bool is_zero(const IcTable& table, Axis i, Axis j) {
+    const double* values = &table.values[table.index(i, j, 0, 0)];
+    return std::all_of(values, values + table.component_size(), [](double value) { return value == 0; });
+}
+
+// A box is worth a transform of its own when it has at most this part of the elements.
+constexpr double small_box = 0.7;
+constexpr std::size_t most_boxes_kept = 8;
+
+// Made when it is first needed, by any thread.
+template <class T>
+class Lazy {
+   public:
+    template <class Make>
+    const T& get(const Make& make) {
+        std::call_once(made_, [&] { value_ = make(); });
+        return value_;
+    }
+
+   private:
+    std::once_flag made_;
+    T value_;
+};
+
+// A size >= n whose transform takes little time for its size: few of them, so that few transforms are made.
+int quick_size(int n) {
+    int least = 2 * n;
+    for (int size : {1, 5, 7, 9, 25}) {
+        while (size < n) size *= 2;
+        least = std::min(least, size);
+    }
+    return least;
+}
+
+// Columns or rows first .. first + n - 1 with a margin for the contact to grow, shifted into 0 .. all - 1.
+struct Interval {
+    int first, n;
+};
+Interval convenient(Interval needed, int all) {
+    const int n = std::min(quick_size(needed.n + 2), all);
+    return {std::clamp(needed.first - (n - needed.n) / 2, 0, all - n), n};
+}
 
 }  // namespace
+
+int padded_size(int n) {
+    if (n == 1) return 1;
+    return smooth_size(n) == n ? 2 * n : smooth_size(2 * n - 1);
+}
 
 struct ConvolutionOperator::Impl {
     int nx, ny;
     PaddedFft product, inverse;
-    PaddedFft::Symbol xx, yy, zz, xy, yx;
-    std::array<PaddedFft::Symbol, 3> reciprocal;
-    std::array<double, 3> diagonal;
+    const IcTable table;
+    const bool coupled;
     Coarsening coarsening;
-    IcTable coarse_table;
-    std::once_flag coarse_made;
-    std::unique_ptr<ConvolutionOperator> coarse;
+
+    struct Tangential {
+        PaddedFft::Symbol xx, yy, xy, yx;  // xy and yx are empty when both are zero
+    };
+    struct TangentialInverse {
+        PaddedFft::Symbol xx, yy, xy;
+    };
+    struct Coupling {
+        PaddedFft::Symbol xz, yz, zx, zy;
+    };
+    Lazy<PaddedFft::Symbol> zz;
+    Lazy<Tangential> tangential;
+    Lazy<Coupling> coupling;
+    Lazy<TangentialInverse> tangential_inverse;
+    std::array<Lazy<PaddedFft::Symbol>, 3> reciprocal;
+    Lazy<std::unique_ptr<ConvolutionOperator>> coarse;
+
+    std::mutex boxes_mutex;
+    std::deque<std::shared_ptr<const ConvolutionOperator>> boxes;  // of different sizes, the oldest first
 
     Impl(const IcTable& larger_table, int nx_, int ny_)
         : nx(nx_),
           ny(ny_),
           product(nx, ny, padded_size(nx), padded_size(ny)),
           inverse(nx, ny, preconditioner_size(nx), preconditioner_size(ny)),
-          coarsening(nx, ny) {
-        const IcTable table = cropped(larger_table, nx, ny);
+          table(cropped(larger_table, nx, ny)),
+          coupled(contactd::coupling(table) > coupling_tolerance),
+          coarsening(nx, ny) {}
+
+    const Tangential& tangential_symbols() {
+        return tangential.get([&] {
+            using enum Axis;
+            Tangential made{symbol(x, x), symbol(y, y), {}, {}};
+            if (is_zero(table, x, y) && is_zero(table, y, x)) return made;
+            made.xy = symbol(x, y);
+            made.yx = symbol(y, x);
+            return made;
+        });
+    }
+
+    const Coupling& coupling_symbols() {
         using enum Axis;
-        xx = symbol(table, x, x);
-        yy = symbol(table, y, y);
-        zz = symbol(table, z, z);
-        xy = symbol(table, x, y);
-        yx = symbol(table, y, x);
-        for (const Axis i : {x, y, z}) {
-            reciprocal[static_cast<std::size_t>(i)] = reciprocal_symbol(table, i);
-            diagonal[static_cast<std::size_t>(i)] = table(i, i, 0, 0);
-        }
-        if (coarsening.useful()) coarse_table = coarsening.coarse(table);
+        return coupling.get([&] { return Coupling{symbol(x, z), symbol(y, z), symbol(z, x), symbol(z, y)}; });
     }
 
-    static PaddedFft::Kernel kernel(const IcTable& table, Axis i, Axis j) {
-        return {&table.values[table.index(i, j, 0, 0)], table.nx, table.ny, i != j};
+    const PaddedFft::Symbol& reciprocal_symbol(Axis i) {
+        return reciprocal[static_cast<std::size_t>(i)].get([&] {
+            PaddedFft::Symbol values = inverse.symbol(kernel(i, i));
+            const double factor = inverse.norm_factor();
+            const double least = smallest_symbol * table(i, i, 0, 0) * factor;
+            for (double& value : values) value = factor * factor / std::max(value, least);
+            return values;
+        });
     }
 
-    PaddedFft::Symbol symbol(const IcTable& table, Axis i, Axis j) const { return product.symbol(kernel(table, i, j)); }
-
-    PaddedFft::Symbol reciprocal_symbol(const IcTable& table, Axis i) const {
-        PaddedFft::Symbol symbol = inverse.symbol(kernel(table, i, i));
-        const double factor = inverse.norm_factor();
-        const double least = smallest_symbol * table(i, i, 0, 0) * factor;
-        for (double& value : symbol) value = factor * factor / std::max(value, least);
-        return symbol;
+    // Inverse of the 2 x 2 symbol of the tangential components, made symmetric and positive definite.
+    const TangentialInverse& tangential_inverse_symbols() {
+        return tangential_inverse.get([&] {
+            using enum Axis;
+            TangentialInverse made{inverse.symbol(kernel(x, x)), inverse.symbol(kernel(y, y)),
+                                   inverse.symbol(kernel(x, y))};
+            const PaddedFft::Symbol yx = inverse.symbol(kernel(y, x));
+            const double factor = inverse.norm_factor();
+            const double least_x = smallest_symbol * table(x, x, 0, 0) * factor;
+            const double least_y = smallest_symbol * table(y, y, 0, 0) * factor;
+            for (std::size_t at = 0; at < yx.size(); ++at) {
+                const double a = std::max(made.xx[at], least_x), b = std::max(made.yy[at], least_y);
+                const double most = largest_coupling * std::sqrt(a * b);
+                const double c = std::clamp(0.5 * (made.xy[at] + yx[at]), -most, most);
+                const double scale = factor * factor / (a * b - c * c);
+                made.xx[at] = scale * b;
+                made.yy[at] = scale * a;
+                made.xy[at] = -scale * c;
+            }
+            return made;
+        });
     }
+
+    PaddedFft::Kernel kernel(Axis i, Axis j) const {
+        return {&table.values[table.index(i, j, 0, 0)], table.nx, table.ny, parity(i, j)};
+    }
+    PaddedFft::Symbol symbol(Axis i, Axis j) const { return product.symbol(kernel(i, j)); }
 };
 
 ConvolutionOperator::ConvolutionOperator(const IcTable& table, int nx, int ny) {
@@ -97,30 +188,56 @@ std::size_t ConvolutionOperator::size() const {
 }
 
 void ConvolutionOperator::normal(std::span<const double> pz, std::span<double> uz) const {
-    impl_->product.apply(impl_->zz, pz, uz);
+    Impl& impl = *impl_;
+    impl.product.apply(impl.zz.get([&] { return impl.symbol(Axis::z, Axis::z); }), pz, uz);
 }
 
 void ConvolutionOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                      std::span<double> uy) const {
-    impl_->product.apply({impl_->xx, impl_->xy, impl_->yx, impl_->yy}, px, py, ux, uy);
+    const auto& symbols = impl_->tangential_symbols();
+    impl_->product.apply({symbols.xx, symbols.xy, symbols.yx, symbols.yy}, px, py, ux, uy);
+}
+
+bool ConvolutionOperator::coupled() const {
+    return impl_->coupled;
+}
+
+void ConvolutionOperator::normal_of_tangential(std::span<const double> px, std::span<const double> py,
+                                               std::span<double> uz) const {
+    if (!coupled()) return InfluenceOperator::normal_of_tangential(px, py, uz);
+    const auto& symbols = impl_->coupling_symbols();
+    impl_->product.gather(symbols.zx, symbols.zy, px, py, uz);
+}
+
+void ConvolutionOperator::tangential_of_normal(std::span<const double> pz, std::span<double> ux,
+                                               std::span<double> uy) const {
+    if (!coupled()) return InfluenceOperator::tangential_of_normal(pz, ux, uy);
+    const auto& symbols = impl_->coupling_symbols();
+    impl_->product.spread(symbols.xz, symbols.yz, pz, ux, uy);
 }
 
 double ConvolutionOperator::diagonal(Axis i) const {
-    return impl_->diagonal[static_cast<std::size_t>(i)];
+    return impl_->table(i, i, 0, 0);
 }
 
 void ConvolutionOperator::precondition(Axis i, std::span<const double> r, std::span<double> z) const {
-    impl_->inverse.apply(impl_->reciprocal[static_cast<std::size_t>(i)], r, z);
+    impl_->inverse.apply(impl_->reciprocal_symbol(i), r, z);
+}
+
+void ConvolutionOperator::precondition_tangential(std::span<const double> rx, std::span<const double> ry,
+                                                  std::span<double> zx, std::span<double> zy) const {
+    const auto& symbols = impl_->tangential_inverse_symbols();
+    impl_->inverse.apply({symbols.xx, symbols.xy, symbols.xy, symbols.yy}, rx, ry, zx, zy);
 }
 
 const InfluenceOperator* ConvolutionOperator::coarser() const {
     Impl& impl = *impl_;
     if (!impl.coarsening.useful()) return nullptr;
-    std::call_once(impl.coarse_made, [&] {
-        impl.coarse =
-            std::make_unique<ConvolutionOperator>(impl.coarse_table, impl.coarse_table.nx, impl.coarse_table.ny);
-    });
-    return impl.coarse.get();
+    const auto make = [&] {
+        const IcTable coarse_table = impl.coarsening.coarse(impl.table, impl.coupled);
+        return std::make_unique<ConvolutionOperator>(coarse_table, coarse_table.nx, coarse_table.ny);
+    };
+    return impl.coarse.get(make).get();
 }
 
 void ConvolutionOperator::to_coarser(std::span<const double> fine, std::span<double> coarse) const {
@@ -129,6 +246,34 @@ void ConvolutionOperator::to_coarser(std::span<const double> fine, std::span<dou
 
 void ConvolutionOperator::from_coarser(std::span<const double> coarse, std::span<double> fine) const {
     impl_->coarsening.interpolate(coarse, fine);
+}
+
+void ConvolutionOperator::copy_from_coarser(std::span<const double> coarse, std::span<double> fine) const {
+    impl_->coarsening.copy(coarse, fine);
+}
+
+int ConvolutionOperator::elements_per_coarser() const {
+    return impl_->coarsening.ratio();
+}
+
+ElementBox ConvolutionOperator::extent() const {
+    return {0, 0, impl_->nx, impl_->ny};
+}
+
+ElementBox ConvolutionOperator::convenient_box(const ElementBox& needed) const {
+    const Interval columns = convenient({needed.first_x, needed.nx}, impl_->nx);
+    const Interval rows = convenient({needed.first_y, needed.ny}, impl_->ny);
+    const ElementBox box{columns.first, rows.first, columns.n, rows.n};
+    return static_cast<double>(box.size()) <= small_box * static_cast<double>(size()) ? box : extent();
+}
+
+std::shared_ptr<const InfluenceOperator> ConvolutionOperator::restricted(const ElementBox& box) const {
+    Impl& impl = *impl_;
+    const std::scoped_lock lock(impl.boxes_mutex);
+    for (const auto& kept : impl.boxes)
+        if (kept->impl_->nx == box.nx && kept->impl_->ny == box.ny) return kept;
+    if (impl.boxes.size() == most_boxes_kept) impl.boxes.pop_front();
+    return impl.boxes.emplace_back(std::make_shared<const ConvolutionOperator>(impl.table, box.nx, box.ny));
 }
 
 int smooth_size(int n) {

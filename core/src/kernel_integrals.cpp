@@ -26,13 +26,12 @@ KernelIntegrals by_antiderivatives(double x, double y, double dx, double dy) {
     for (const int sx : {-1, 1})
         for (const int sy : {-1, 1}) {
             const double sign = sx * sy;
-            const double X = x + 0.5 * sx * dx, Y = y + 0.5 * sy * dy;
-            const double rho = std::hypot(X, Y);
-            sum.xx += sign * y_log(X, Y);
-            sum.yy += sign * y_log(Y, X);
-            sum.xy -= sign * rho;
-            sum.x += sign * (product_with_log(Y, rho) + product_with_atan(X, Y));
-            sum.y += sign * (product_with_log(X, rho) + product_with_atan(Y, X));
+            const KernelIntegrals corner = corner_antiderivatives(x + 0.5 * sx * dx, y + 0.5 * sy * dy, true);
+            sum.xx += sign * corner.xx;
+            sum.yy += sign * corner.yy;
+            sum.xy += sign * corner.xy;
+            sum.x += sign * corner.x;
+            sum.y += sign * corner.y;
         }
     return sum;
 }
@@ -47,6 +46,15 @@ KernelIntegrals unit_force(double x, double y, double dx, double dy) {
 }
 
 }  // namespace
+
+KernelIntegrals corner_antiderivatives(double x, double y, bool coupled) {
+    const double rho = std::hypot(x, y);
+    KernelIntegrals k{y_log(x, y), y_log(y, x), -rho, 0, 0};
+    if (!coupled) return k;
+    k.x = product_with_log(y, rho) + product_with_atan(x, y);
+    k.y = product_with_log(x, rho) + product_with_atan(y, x);
+    return k;
+}
 
 KernelIntegrals constant_load_integrals(double x, double y, double dx, double dy) {
     return by_symmetry(unit_force, x, y, dx, dy);

@@ -16,6 +16,8 @@ struct KernelIntegrals {
 
 /// Constant load, 1 on the rectangle dx x dy centred at the origin.
 KernelIntegrals constant_load_integrals(double x, double y, double dx, double dy);
+/// Antiderivatives in x and y; `x` and `y` of the result, which only coupling needs, are left out unless `coupled`.
+KernelIntegrals corner_antiderivatives(double x, double y, bool coupled);
 /// Bilinear load, (1 - |x|/dx)(1 - |y|/dy).
 KernelIntegrals tent_load_integrals(double x, double y, double dx, double dy);
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "norm.hpp"
+#include "restriction.hpp"
 #include "solver_support.hpp"
 
 namespace contactd {
@@ -11,201 +12,112 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int patience = 8;  // changes of the set that do not lower f
 constexpr double coarse_tolerance = 1e-4;
+constexpr double poor_estimate = 0.3;  // relative error from which a coarser grid gives a better start
 constexpr double rounding = 1e-14;
 
-// Minimises f(p) = p'Ap/2 + h'p over p >= 0, whose optimality conditions are the contact conditions: preconditioned
-// conjugate gradients on the contact set; after each step negative pressures leave the set and elements with a negative
-// gap enter it. A watch on f keeps the set from changing for ever.
-class Norm {
-   public:
-    Norm(const InfluenceOperator& influence, std::span<const double> gap, const SolverSettings& settings,
-         Observer& observer)
-        : influence_(influence), h_(gap), settings_(settings), observer_(observer), n_(gap.size()) {
-        for (Values* values : {&p_, &u_, &r_, &z_, &v_, &q_}) values->resize(n_);
-        in_contact_.resize(n_);
-    }
-
-    NormalSolution solve(std::span<const double> initial) {
-        start(initial);
-        NormalSolution result;
-        bool stalled = false;
-        for (int iteration = 0;; ++iteration) {
-            observer_.throw_if_cancelled();
-            const Check check = check_conditions();
-            report(iteration, check.residual);
-            result.evidence.iterations = iteration;
-            result.evidence.residual = check.residual;
-            result.evidence.converged = check.residual <= settings_.tolerance && check.right_set();
-            if (result.evidence.converged || iteration == settings_.max_iterations || stalled) break;
-            if (!check.right_set()) change_set();
-            stalled = !step();
-        }
-        if (!result.evidence.converged) result.evidence.residual = clip().residual;
-        result.pressure = std::move(p_);
-        return result;
-    }
-
-   private:
-    struct Check {
-        double residual = 0;
-        int negative_pressures = 0;
-        int overlaps = 0;
-        bool right_set() const { return negative_pressures == 0 && overlaps == 0; }
-    };
-
-    double gap(std::size_t i) const { return u_[i] + h_[i]; }
-    bool overlaps(std::size_t i) const { return gap(i) < -rounding * (std::abs(u_[i]) + std::abs(h_[i])); }
-
-    void start(std::span<const double> initial) {
-        if (!initial.empty()) take_multiple_of(initial);
-        for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = p_[i] > 0 || overlaps(i);
-        watch();
-    }
-
-    // The multiple of the estimate with the lowest f; zero when f rises along it.
-    void take_multiple_of(std::span<const double> initial) {
-        const double unit = *std::max_element(initial.begin(), initial.end());
-        if (!(unit > 0)) return;
-        for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(initial[i] / unit, 0.0);
-        influence_.normal(p_, u_);
-        const double energy = dot(p_, u_), work = -dot(p_, h_);
-        const double factor = energy > 0 && work > 0 ? work / energy : 0;
-        for (std::size_t i = 0; i < n_; ++i) {
-            p_[i] *= factor;
-            u_[i] *= factor;
-        }
-    }
-
-    Check check_conditions() const {
-        Check check;
-        double defect = 0, reference = 0;
-        for (std::size_t i = 0; i < n_; ++i) {
-            if (in_contact_[i]) {
-                defect += gap(i) * gap(i);
-                reference += h_[i] * h_[i];
-                if (p_[i] < 0) ++check.negative_pressures;
-            } else if (overlaps(i)) {
-                ++check.overlaps;
-            }
-        }
-        check.residual = reference > 0 ? std::sqrt(defect / reference) : 0;
-        return check;
-    }
-
-    void report(int iteration, double residual) {
-        if (iteration == 0) first_residual_ = residual;
-        if (iteration % 4 != 0) return;
-        observer_.on_progress(
-            {"normal", log_fraction(first_residual_, residual, settings_.tolerance), iteration, residual});
-    }
-
-    double f() const {
-        double sum = 0;
-        for (std::size_t i = 0; i < n_; ++i) sum += p_[i] * (0.5 * u_[i] + h_[i]);
-        return sum;
-    }
-
-    // Keeps the pressures of the lowest f. Removing pressures may raise f for a while; when it does so too often in a
-    // row, a step that cannot raise f starts again from the best.
-    void watch() {
-        const double value = f();
-        if (value < best_f_) {
-            failures_ = 0;
-        } else if (++failures_ > patience) {
-            failures_ = 0;
-            projected_gradient_step();
-        } else {
-            return;
-        }
-        best_p_ = p_;
-        best_u_ = u_;
-        best_f_ = f();
-    }
-
-    // Takes negative pressures out of the set.
-    Check clip() {
-        for (std::size_t i = 0; i < n_; ++i) {
-            if (p_[i] > 0) continue;
-            p_[i] = 0;
-            in_contact_[i] = false;
-        }
-        influence_.normal(p_, u_);
-        return check_conditions();
-    }
-
-    void change_set() {
-        if (std::any_of(p_.begin(), p_.end(), [](double p) { return p < 0; })) clip();
-        watch();
-        for (std::size_t i = 0; i < n_; ++i)
-            if (!in_contact_[i] && overlaps(i)) in_contact_[i] = true;
-        steps_ = 0;
-    }
-
-    // From the best pressures, with a step no longer than 1/||A||: f cannot rise.
-    void projected_gradient_step() {
-        if (norm_of_A_ == 0) {
-            const Values ones(n_, 1.0);
-            influence_.normal(ones, q_);
-            norm_of_A_ = *std::max_element(q_.begin(), q_.end());
-        }
-        for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(best_p_[i] - (best_u_[i] + h_[i]) / norm_of_A_, 0.0);
-        for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = p_[i] > 0;
-        influence_.normal(p_, u_);
-    }
-
-    // One step of conjugate gradients on the set; false when rounding or an indefinite table leaves no way down.
-    bool step() {
-        for (std::size_t i = 0; i < n_; ++i) r_[i] = in_contact_[i] ? -gap(i) : 0;
-        influence_.precondition(Axis::z, r_, z_);
-        for (std::size_t i = 0; i < n_; ++i)
-            if (!in_contact_[i]) z_[i] = 0;
-        const double beta = steps_ == 0 ? 0 : -dot(z_, q_) / curvature_;
-        for (std::size_t i = 0; i < n_; ++i) v_[i] = z_[i] + beta * v_[i];
-        influence_.normal(v_, q_);
-        curvature_ = dot(v_, q_);
-        const double slope = dot(r_, v_);
-        if (!(curvature_ > 0) || !(slope > 0)) return false;
-        const double alpha = slope / curvature_;
-        for (std::size_t i = 0; i < n_; ++i) {
-            p_[i] += alpha * v_[i];
-            u_[i] += alpha * q_[i];
-        }
-        ++steps_;
-        return true;
-    }
-
-    const InfluenceOperator& influence_;
-    const std::span<const double> h_;
-    const SolverSettings& settings_;
-    Observer& observer_;
-    const std::size_t n_;
-    Values p_, u_, r_, z_, v_, q_;  // u = A p
-    std::vector<char> in_contact_;
-    Values best_p_, best_u_;
-    double best_f_ = std::numeric_limits<double>::infinity();  // lowest at a change of the set
-    int failures_ = 0;
-    double curvature_ = 0;
-    int steps_ = 0;  // since the last change of the set
-    double norm_of_A_ = 0;
-    double first_residual_ = 0;
+struct Task {
+    const InfluenceOperator& influence;
+    NormProblem problem;
+    const SolverSettings& settings;
 };
 
-// Coarser grids find the contact set for a small part of the cost.
-Values estimate_on_coarser_grid(const InfluenceOperator& influence, std::span<const double> gap,
-                                const SolverSettings& settings, Observer& observer) {
-    const InfluenceOperator* coarser = influence.coarser();
-    if (coarser == nullptr) return {};
-    Values coarse_gap(coarser->size());
-    influence.to_coarser(gap, coarse_gap);
+bool any_pressure(std::span<const double> p) {
+    return std::any_of(p.begin(), p.end(), [](double value) { return value > 0; });
+}
+
+enum class Estimate { none, from_coarser, given };
+
+NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Observer& observer);
+NormalSolution solve_from_coarser(const Task& task, Observer& observer);
+
+// Coarse pressures on the finer grid: the square of the pressure is smooth up to the edge of the contact, so that is
+// interpolated, no element beyond the coarse contact gets any, and every coarse element keeps its force, without which
+// the displacements far from it would be wrong.
+Values refined(const InfluenceOperator& fine, const Values& coarse) {
+    Values squares = coarse, factors(coarse.size()), result(fine.size()), copied(fine.size());
+    for (double& value : squares) value = std::max(value, 0.0) * std::max(value, 0.0);
+    fine.from_coarser(squares, result);
+    for (double& value : result) value = std::sqrt(value);
+    fine.to_coarser(result, factors);
+    for (std::size_t i = 0; i < coarse.size(); ++i) factors[i] = coarse[i] > 0 ? coarse[i] / factors[i] : 0;
+    fine.copy_from_coarser(factors, copied);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] *= copied[i];
+    return result;
+}
+
+Values estimate_on_coarser_grid(const Task& task, const Observer& observer) {
+    const InfluenceOperator& coarser = *task.influence.coarser();
+    Values distance(coarser.size());
+    task.influence.to_coarser(task.problem.distance, distance);
+    SolverSettings settings = task.settings;
+    settings.tolerance = std::max(settings.tolerance, coarse_tolerance);
+    NormProblem problem{distance, task.problem.pressure_sum, true};
+    if (problem.pressure_sum) *problem.pressure_sum /= task.influence.elements_per_coarser();
     SilentObserver silent(observer);
-    SolverSettings coarse_settings = settings;
-    coarse_settings.tolerance = std::max(settings.tolerance, coarse_tolerance);
-    const NormalSolution coarse = solve_normal(*coarser, coarse_gap, coarse_settings, {}, silent);
-    Values estimate(influence.size());
-    influence.from_coarser(coarse.pressure, estimate);
-    return estimate;
+    return refined(task.influence, solve_from_coarser({coarser, problem, settings}, silent).pressure);
+}
+
+NormalSolution solve_from_coarser(const Task& task, Observer& observer) {
+    if (task.influence.coarser() == nullptr) return solve_from(task, {}, Estimate::none, observer);
+    return solve_from(task, estimate_on_coarser_grid(task, observer), Estimate::from_coarser, observer);
+}
+
+// Elements outside the box that overlap under the pressures within it.
+ElementBox overlaps_outside(const Task& task, const Restriction& restriction, const NormalSolution& solution) {
+    Values u(task.influence.size());
+    task.influence.normal(solution.pressure, u);
+    const auto& h = task.problem.distance;
+    return bounding_box(task.influence.extent(), [&](std::size_t i) {
+        const double gap = u[i] + h[i] - solution.approach;
+        return gap < -rounding * (std::abs(u[i]) + std::abs(h[i]) + std::abs(solution.approach)) &&
+               !restriction.contains(i);
+    });
+}
+
+// Solves on a box around the estimate, or where the undeformed bodies overlap without one, and makes it larger as long
+// as the contact conditions are violated outside.
+NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Observer& observer) {
+    const ElementBox extent = task.influence.extent();
+    NormalSolution solution;
+    const bool anywhere = task.problem.pressure_sum && !any_pressure(estimate);
+    if (!any_pressure(estimate)) estimate.assign(task.influence.size(), 0.0);
+    ElementBox needed = anywhere ? extent : bounding_box(extent, [&](std::size_t i) { return estimate[i] > 0; });
+    if (needed.nx == 0) needed = bounding_box(extent, [&](std::size_t i) { return task.problem.distance[i] < 0; });
+    solution.pressure = std::move(estimate);
+    SolverSettings settings = task.settings;
+    for (int iterations = 0;;) {
+        const Restriction restriction(task.influence, needed);
+        const Values distance = restriction.crop(task.problem.distance);
+        NormProblem problem = task.problem;
+        problem.distance = distance;
+        Norm norm(restriction.influence(), problem, settings, observer);
+        const double error = norm.start(restriction.crop(solution.pressure), kind == Estimate::from_coarser);
+        if (kind == Estimate::given && error > poor_estimate && task.influence.coarser() != nullptr)
+            return solve_from_coarser(task, observer);
+        solution.evidence = norm.solve();
+        iterations += solution.evidence.iterations;
+        solution.evidence.iterations = iterations;
+        solution.approach = norm.approach();
+        std::fill(solution.pressure.begin(), solution.pressure.end(), 0.0);
+        restriction.paste(norm.pressure(), solution.pressure);
+        if (restriction.is_whole() || problem.estimate_only || !solution.evidence.converged) return solution;
+        const ElementBox outside = overlaps_outside(task, restriction, solution);
+        if (outside.nx == 0) return solution;
+        needed = united(restriction.box(), outside);
+        settings.max_iterations = std::max(task.settings.max_iterations - iterations, 0);
+        kind = Estimate::none;
+    }
+}
+
+NormalSolution solve(const Task& task, std::span<const double> initial, Observer& observer) {
+    if (!initial.empty()) require_size(initial, task.influence.size(), "initial.pressure");
+    const Stopwatch stopwatch;
+    NormalSolution solution = any_pressure(initial)
+                                  ? solve_from(task, Values(initial.begin(), initial.end()), Estimate::given, observer)
+                                  : solve_from_coarser(task, observer);
+    solution.evidence.seconds = stopwatch.seconds();
+    return solution;
 }
 
 }  // namespace
@@ -213,13 +125,39 @@ Values estimate_on_coarser_grid(const InfluenceOperator& influence, std::span<co
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
                             const SolverSettings& settings, std::span<const double> initial, Observer& observer) {
     require_size(gap, influence.size(), "gap");
-    if (!initial.empty()) require_size(initial, influence.size(), "initial.pressure");
-    const Stopwatch stopwatch;
-    Values estimate(initial.begin(), initial.end());
-    if (estimate.empty()) estimate = estimate_on_coarser_grid(influence, gap, settings, observer);
-    NormalSolution solution = Norm(influence, gap, settings, observer).solve(estimate);
-    solution.evidence.seconds = stopwatch.seconds();
+    return solve({influence, {gap, {}}, settings}, initial, observer);
+}
+
+NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
+                                  double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
+                                  Observer& observer) {
+    require_size(undeformed_distance, influence.size(), "undeformed_distance");
+    if (!(pressure_sum >= 0) || !std::isfinite(pressure_sum))
+        throw InvalidArgument("Fn", "must be finite and not negative: bodies in contact do not pull at each other");
+    // Only differences of the distance matter.
+    const double least = *std::min_element(undeformed_distance.begin(), undeformed_distance.end());
+    Values distance(undeformed_distance.begin(), undeformed_distance.end());
+    for (double& h : distance) h -= least;
+    NormalSolution solution;
+    if (pressure_sum > 0) {
+        solution = solve({influence, {distance, pressure_sum}, settings}, initial, observer);
+    } else {
+        solution.pressure.resize(distance.size());
+        solution.evidence.converged = true;
+    }
+    solution.approach += least;
     return solution;
+}
+
+int border_elements(const Grid& grid, std::span<const double> pressure) {
+    require_size(pressure, grid.size(), "pressure");
+    int count = 0;
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+            const bool inside = ix > 0 && ix < grid.nx - 1 && iy > 0 && iy < grid.ny - 1;
+            count += !inside && pressure[static_cast<std::size_t>(iy * grid.nx + ix)] > 0;
+        }
+    return count;
 }
 
 }  // namespace contactd

@@ -42,6 +42,29 @@ class SilentObserver final : public Observer {
     const Observer& outer_;
 };
 
+/// Shows the progress of one solver as a part of the whole computation.
+class PartObserver : public Observer {
+   public:
+    PartObserver(Observer& whole, double first, double last) : whole_(whole), first_(first), last_(last) {}
+    void on_progress(const Progress& part) override {
+        Progress progress = part;
+        progress.fraction = first_ + part.fraction * (last_ - first_);
+        whole_.on_progress(progress);
+    }
+    bool cancelled() const override { return whole_.cancelled(); }
+
+   private:
+    Observer& whole_;
+    const double first_, last_;
+};
+
+/// The same for iterations of unknown number, 1, 2, ...: each takes a share of what is left.
+class IterationObserver final : public PartObserver {
+   public:
+    IterationObserver(Observer& whole, int iteration, double share = 0.3)
+        : PartObserver(whole, 1 - std::pow(1 - share, iteration - 1), 1 - std::pow(1 - share, iteration)) {}
+};
+
 class Stopwatch {
    public:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

@@ -8,16 +8,21 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int patience = 3;         // checks that do not lower f
-constexpr double on_bound = 1e-9;   // relative distance from the bound that counts as being on it
-constexpr double rounding = 1e-12;  // of the slip distance
+constexpr int patience = 3;          // refreshes that do not lower f
+constexpr int steps_to_settle = 2;   // before slip elements may adhere
+constexpr double on_bound = 1e-9;    // relative distance from the bound that counts as being on it
+constexpr double near_bound = 1e-3;  // the same of an estimate
+constexpr double rounding = 1e-12;   // of the slip distance
 constexpr double largest_slack = 1e-3;
 constexpr double negligible = 1e-12;  // traction over bound that counts as none
+constexpr double stale = 0.1;         // drift over update from which the slip distance is computed anew
+constexpr double stale_at_end = 0.1;  // drift over tolerance
+constexpr double stale_at_start = 1e-2;
 
-// Where turning costs more than this many times the influence of an element on itself, it rules the Jacobian.
-constexpr double stiff = 5;
-constexpr double stiff_self = 2;  // what neighbours add there, in the same unit
-constexpr double soft_self = 4;   // and elsewhere
+// The preconditioner's mean, tuned on the spectra of Cattaneo shifts and spin: condition numbers of 3 to 4 for any part
+// of slip. In units of the influence of an element on itself: the turning term at which A and D have equal say, and
+// what neighbours add to the diagonal where D rules.
+constexpr double soft = 3;
 constexpr double start_self = 8;  // stiffness that turns slip into traction for the first division
 
 }  // namespace
@@ -33,39 +38,39 @@ TangCg::TangCg(const InfluenceOperator& influence, const Contact& contact, const
       m_(contact.size()),
       self_(0.5 * (influence.diagonal(Axis::x) + influence.diagonal(Axis::y))) {
     for (Field* field : {&p_, &s_, &r_, &z_, &v_, &q_, &jv_, &tangent_}) *field = Field(m_);
-    for (Values* values : {&turning_, &scale_, &diagonal_}) values->resize(m_);
+    for (Values* values : {&turning_, &scale_, &diagonal_, &inverse_g_}) values->resize(m_);
     slips_.resize(m_);
     full_in_ = Field(influence.size());
     full_out_ = Field(influence.size());
+    for (std::size_t e = 0; e < m_; ++e) {
+        inverse_g_[e] = 1 / g_[e];
+        noise_ = std::max({noise_, rounding * std::abs(w_.x[e]), rounding * std::abs(w_.y[e])});
+    }
 }
 
 double TangCg::start(const Field& estimate) {
     set_tractions(estimate);
+    stands_ = true;
+    released_ = !any_pushed_back();
     linearise();
-    precondition();
-    return relative_to_traction(inner(z_, z_));
+    return error_;
 }
 
 TangentialSolution TangCg::solve() {
     TangentialSolution result;
-    bool fresh = true, stands = true;  // slip distance and division
-    double update = 0;
+    double update = error_;
     for (int iteration = 0;; ++iteration) {
         observer_.throw_if_cancelled();
-        // The preconditioned residual estimates the error: a small update alone may only mean slow progress.
-        const double error = relative_to_traction(inner(z_, z_));
-        if (iteration == 0) update = error;
-        const double figure = std::max(error, update);
+        // A small update alone may only mean slow progress.
+        const double figure = std::max(error_, update);
         report(iteration, figure);
-        result.evidence = {iteration, update, fresh && stands && figure <= settings_.tolerance, 0};
+        const bool is_final = stands_ && released_ && drift_ <= stale_at_end * settings_.tolerance;
+        result.evidence = {iteration, figure, is_final && figure <= settings_.tolerance, 0};
         if (result.evidence.converged || iteration == settings_.max_iterations) break;
         update = step();
-        fresh = steps_ % steps_per_check_ == 0 || update <= settings_.tolerance;
-        if (fresh) stands = check_division();
+        update_division(update);
         linearise();
-        precondition();
     }
-    if (!fresh) check_division();
     finish(result);
     return result;
 }
@@ -73,36 +78,45 @@ TangentialSolution TangCg::solve() {
 void TangCg::set_tractions(const Field& estimate) {
     contact_.gather(estimate.x, p_.x);
     contact_.gather(estimate.y, p_.y);
-    for (std::size_t e = 0; e < m_; ++e) bring_to_bound(e);
     slips_.assign(m_, false);
+    for (std::size_t e = 0; e < m_; ++e) {
+        bring_to_bound(e);
+        if (size(e) >= g_[e] * (1 - near_bound)) let_slip(e);
+    }
+    drift_ = 0;
     if (inner(p_, p_) == 0) {
         s_ = w_;
         keep_best();
         return;
     }
     update_slip_distance();
-    // Slip is where the traction minus the slip distance, turned into a traction, lies beyond the bound: finds
-    // slip also when the bound has grown a little since the estimate.
+    // Slip is also where the traction minus the slip distance, turned into a traction, lies beyond the bound: finds
+    // slip when the bound has grown a little since the estimate.
+    double change = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         const double x = p_.x[e] - s_.x[e] / (start_self * self_), y = p_.y[e] - s_.y[e] / (start_self * self_);
-        if (std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound)) let_slip(e);
+        if (!slips_[e] && std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound)) change += let_slip(e);
     }
-    update_slip_distance();
-    keep_best();
-    hold_pushed_back();
+    drift_ = relative_to_traction(change);
+    if (drift_ > stale_at_start) update_slip_distance();
+    best_f_ = std::numeric_limits<double>::infinity();
+    if (drift_ == 0) keep_best();
 }
 
-void TangCg::let_slip(std::size_t e) {
+double TangCg::let_slip(std::size_t e) {
     double length = size(e);
-    if (!(length > 0)) {
+    const bool is_zero = !(length > 0);
+    if (is_zero) {
         p_.x[e] = -w_.x[e];
         p_.y[e] = -w_.y[e];
         length = size(e);
     }
     slips_[e] = length > 0;
-    if (!slips_[e]) return;
+    if (!slips_[e]) return 0;
     p_.x[e] *= g_[e] / length;
     p_.y[e] *= g_[e] / length;
+    const double change = is_zero ? g_[e] : length - g_[e];
+    return change * change;
 }
 
 void TangCg::apply(const Field& in, Field& out) {
@@ -119,6 +133,8 @@ void TangCg::update_slip_distance() {
         s_.x[e] += w_.x[e];
         s_.y[e] += w_.y[e];
     }
+    drift_ = 0;
+    steps_since_refresh_ = 0;
 }
 
 double TangCg::relative_to_traction(double change_squared) const {
@@ -133,46 +149,50 @@ void TangCg::project(Field& a, std::size_t e) const {
 }
 
 void TangCg::linearise() {
+    const double to_self = 1 / self_;
     for (std::size_t e = 0; e < m_; ++e) {
         r_.x[e] = -s_.x[e];
         r_.y[e] = -s_.y[e];
         scale_[e] = 1;
         diagonal_[e] = 0;
-        if (!slips_[e]) continue;
-        tangent_.x[e] = -p_.y[e] / g_[e];
-        tangent_.y[e] = p_.x[e] / g_[e];
-        project(r_, e);
-        turning_[e] = std::max(-work(e) / (g_[e] * g_[e]), 0.0);
-        const bool is_stiff = turning_[e] > stiff * self_;
-        scale_[e] = is_stiff ? 0 : std::sqrt(soft_self * self_ / (soft_self * self_ + turning_[e]));
-        diagonal_[e] = is_stiff ? 1 / (turning_[e] + stiff_self * self_) : 0;
+        if (slips_[e]) {
+            tangent_.x[e] = -p_.y[e] * inverse_g_[e];
+            tangent_.y[e] = p_.x[e] * inverse_g_[e];
+            project(r_, e);
+            turning_[e] = std::max(-work(e) * inverse_g_[e] * inverse_g_[e], 0.0);
+            const double part = 1 / (soft + turning_[e] * to_self);
+            scale_[e] = soft * part;
+            diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self;
+        }
+        full_in_.x[contact_.elements[e]] = scale_[e] * r_.x[e];
+        full_in_.y[contact_.elements[e]] = scale_[e] * r_.y[e];
     }
-}
-
-void TangCg::precondition() {
-    const auto one_direction = [&](Axis axis, const Values& r, Values& full_in, Values& full_out, Values& z) {
-        for (std::size_t e = 0; e < m_; ++e) full_in[contact_.elements[e]] = scale_[e] * r[e];
-        influence_.precondition(axis, full_in, full_out);
-        for (std::size_t e = 0; e < m_; ++e) z[e] = scale_[e] * full_out[contact_.elements[e]] + diagonal_[e] * r[e];
-    };
-    one_direction(Axis::x, r_.x, full_in_.x, full_out_.x, z_.x);
-    one_direction(Axis::y, r_.y, full_in_.y, full_out_.y, z_.y);
-    for (std::size_t e = 0; e < m_; ++e)
+    influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
+    double square = 0;
+    for (std::size_t e = 0; e < m_; ++e) {
+        z_.x[e] = scale_[e] * full_out_.x[contact_.elements[e]] + diagonal_[e] * r_.x[e];
+        z_.y[e] = scale_[e] * full_out_.y[contact_.elements[e]] + diagonal_[e] * r_.y[e];
         if (slips_[e]) project(z_, e);
+        square += z_.x[e] * z_.x[e] + z_.y[e] * z_.y[e];
+    }
+    error_ = relative_to_traction(square);
 }
 
 double TangCg::step() {
-    choose_direction();
-    apply(v_, q_);
-    jv_ = q_;
+    const double slope = choose_direction();
+    influence_.tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
+    double curvature = 0;
     for (std::size_t e = 0; e < m_; ++e) {
-        if (!slips_[e]) continue;
-        project(jv_, e);
-        jv_.x[e] += turning_[e] * v_.x[e];
-        jv_.y[e] += turning_[e] * v_.y[e];
+        jv_.x[e] = q_.x[e] = full_out_.x[contact_.elements[e]];
+        jv_.y[e] = q_.y[e] = full_out_.y[contact_.elements[e]];
+        if (slips_[e]) {
+            project(jv_, e);
+            jv_.x[e] += turning_[e] * v_.x[e];
+            jv_.y[e] += turning_[e] * v_.y[e];
+        }
+        curvature += v_.x[e] * jv_.x[e] + v_.y[e] * jv_.y[e];
     }
-    curvature_ = inner(v_, jv_);
-    const double slope = inner(r_, v_);
+    curvature_ = curvature;
     if (!(slope > 0 && curvature_ > 0)) {  // nothing left to do, or a table that is not positive
         steps_ = 0;
         return 0;
@@ -181,22 +201,29 @@ double TangCg::step() {
     return move(slope / curvature_);
 }
 
-void TangCg::choose_direction() {
-    const double beta = steps_ > 0 ? -inner(z_, jv_) / curvature_ : 0;
-    for (std::size_t e = 0; e < m_; ++e) {
-        v_.x[e] = z_.x[e] + beta * v_.x[e];
-        v_.y[e] = z_.y[e] + beta * v_.y[e];
-        if (slips_[e]) project(v_, e);
+double TangCg::choose_direction() {
+    double beta = steps_ > 0 ? -inner(z_, jv_) / curvature_ : 0;
+    for (;; beta = 0) {
+        double slope = 0;
+        for (std::size_t e = 0; e < m_; ++e) {
+            v_.x[e] = z_.x[e] + beta * v_.x[e];
+            v_.y[e] = z_.y[e] + beta * v_.y[e];
+            if (slips_[e]) project(v_, e);
+            slope += r_.x[e] * v_.x[e] + r_.y[e] * v_.y[e];
+            full_in_.x[contact_.elements[e]] = v_.x[e];
+            full_in_.y[contact_.elements[e]] = v_.y[e];
+        }
+        if (slope > 0 || beta == 0) return slope;
     }
-    if (!(inner(r_, v_) > 0)) v_ = z_;
 }
 
 double TangCg::move(double alpha) {
-    double change = 0;
+    double change = 0, scaling = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         double x = p_.x[e] + alpha * v_.x[e], y = p_.y[e] + alpha * v_.y[e];
         if (slips_[e]) {
-            const double factor = g_[e] / std::sqrt(x * x + y * y);
+            const double length = std::sqrt(x * x + y * y), factor = g_[e] / length;
+            scaling += (length - g_[e]) * (length - g_[e]);
             x *= factor;
             y *= factor;
         }
@@ -206,48 +233,66 @@ double TangCg::move(double alpha) {
         s_.x[e] += alpha * q_.x[e];
         s_.y[e] += alpha * q_.y[e];
     }
+    drift_ += relative_to_traction(scaling);
     return relative_to_traction(change);
 }
 
-bool TangCg::check_division() {
-    bool stands = true;
+void TangCg::update_division(double update) {
+    double change = 0;
+    stands_ = true;
     for (std::size_t e = 0; e < m_; ++e) {
-        if (slips_[e] || size(e) <= g_[e] * (1 + on_bound)) continue;
-        let_slip(e);
-        stands = false;
+        if (slips_[e] || p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e] <= g_[e] * g_[e] * (1 + 2 * on_bound)) continue;
+        change += let_slip(e);
+        stands_ = false;
     }
+    drift_ += relative_to_traction(change);
+    if (!stands_) steps_since_change_ = 0;
+    refresh_if_stale(update);
+    released_ = ++steps_since_change_ >= steps_to_settle || update <= settings_.tolerance;
+    if (released_) {
+        steps_since_change_ = 0;
+        if (hold_pushed_back()) stands_ = false;
+    }
+    if (!stands_) steps_ = 0;
+}
+
+void TangCg::refresh_if_stale(double update) {
+    const bool at_end = update <= settings_.tolerance && drift_ > stale_at_end * settings_.tolerance;
+    if (++steps_since_refresh_ < steps_per_refresh_ && drift_ <= stale * update && !at_end) return;
     update_slip_distance();
-    if (!watch()) stands = false;
-    if (hold_pushed_back()) stands = false;
-    if (!stands) steps_ = 0;
-    return stands;
+    watch();
+}
+
+bool TangCg::any_pushed_back() const {
+    for (std::size_t e = 0; e < m_; ++e)
+        if (is_pushed_back(e)) return true;
+    return false;
 }
 
 bool TangCg::hold_pushed_back() {
     bool any = false;
     for (std::size_t e = 0; e < m_; ++e) {
-        const double noise = rounding * g_[e] * (std::abs(w_.x[e]) + std::abs(w_.y[e]));
-        if (!slips_[e] || work(e) <= noise) continue;
+        if (!is_pushed_back(e)) continue;
         slips_[e] = false;
         any = true;
     }
     return any;
 }
 
-bool TangCg::watch() {
+void TangCg::watch() {
     const double value = f();
     if (value <= best_f_ + slack_ * std::abs(best_f_)) {
         failures_ = 0;
     } else if (++failures_ > patience) {
         failures_ = 0;
         slack_ = std::min(10 * slack_, largest_slack);
-        steps_per_check_ = std::max(steps_per_check_ / 2, 1);
+        steps_per_refresh_ = std::max(steps_per_refresh_ / 2, 1);
         projected_gradient_step();
         keep_best();
-        return false;
+        stands_ = false;
+        return;
     }
     if (value < best_f_) keep_best();
-    return true;
 }
 
 void TangCg::keep_best() {
@@ -257,8 +302,8 @@ void TangCg::keep_best() {
 }
 
 void TangCg::projected_gradient_step() {
-    v_ = Field(m_);
     std::fill(v_.x.begin(), v_.x.end(), 1.0);
+    std::fill(v_.y.begin(), v_.y.end(), 0.0);
     apply(v_, q_);
     double norm = *std::max_element(q_.x.begin(), q_.x.end());
     std::swap(v_.x, v_.y);

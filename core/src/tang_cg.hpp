@@ -26,9 +26,9 @@ class TangCg {
     double size(std::size_t e) const { return std::sqrt(p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e]); }
     double work(std::size_t e) const { return s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e]; }
 
-    // Scales the traction to its bound. Where there is none, it opposes the rigid slip; without that either, the
-    // element stays in adhesion.
-    void let_slip(std::size_t e);
+    // Scales the traction to its bound and returns the square of the change. Where there is none, it opposes the rigid
+    // slip; without that either, the element stays in adhesion.
+    double let_slip(std::size_t e);
     void apply(const Field& in, Field& out);
     // s = A p + w
     void update_slip_distance();
@@ -37,27 +37,33 @@ class TangCg {
     // a -> (a . t) t in slip
     void project(Field& a, std::size_t e) const;
 
-    // Residual, tangents and the term -(s . n)/g of the turning direction at the present tractions.
+    // Residual, tangents and the term D = -(s . n)/g of the turning direction at the present tractions, and from them
+    // the preconditioned residual z ~ (A + D)^-1 r, which estimates the error: where A rules by the operator's own
+    // preconditioner, scaled on both sides so that it stays symmetric and positive, where D rules by the diagonal, in
+    // between by their mean.
     void linearise();
-    // z ~ (A + D)^-1 r with D the turning terms: by the operator's own preconditioner where A rules, scaled on both
-    // sides so that it stays symmetric and positive; by the diagonal where D rules.
-    void precondition();
 
     // One step; returns the relative change of the tractions.
     double step();
-    void choose_direction();
+    // Returns (r, v).
+    double choose_direction();
     // p += alpha v, in slip scaled back to the bound; the slip distance follows to first order.
     double move(double alpha);
 
-    // Brings the division and the slip distance up to date; false when the division changed.
-    bool check_division();
-    // Lets elements adhere whose slip points along their traction; true when there were any.
+    // Adhesion elements beyond the bound slip at once: they spoil the search. Slip elements are let adhere only when
+    // the tractions have had some steps to settle, since rough ones would release far too many.
+    void update_division(double update);
+    // Slip along the traction, by more than rounding.
+    bool is_pushed_back(std::size_t e) const { return slips_[e] && work(e) > noise_ * g_[e]; }
+    bool any_pushed_back() const;
     bool hold_pushed_back();
+    // Computes the slip distance anew when scaling has changed the tractions by more than the iteration has left to do.
+    void refresh_if_stale(double update);
 
     // Keeps the tractions of the lowest f. When f has not fallen for several checks, a step that cannot raise it starts
-    // again from them, and checks come more often; returns false then. The slack grows each time: tables with errors
-    // are not quite symmetric, and for them the solution is not quite the minimum.
-    bool watch();
+    // again from them, and checks come more often. The slack grows each time: tables with errors are not quite
+    // symmetric, and for them the solution is not quite the minimum.
+    void watch();
     void keep_best();
     // The step is no longer than 1/||A||: A_xy is at most half of A_xx, and the row sums of these bound the rest.
     void projected_gradient_step();
@@ -74,18 +80,25 @@ class TangCg {
     Observer& observer_;
     const std::size_t m_;
     const double self_;
+    double noise_ = 0;                  // of a slip distance
     Field p_, s_, r_, z_, v_, q_, jv_;  // q = A v, jv = J v with J the reduced Jacobian
     Field tangent_, full_in_, full_out_;
-    std::vector<double> turning_, scale_, diagonal_;  // D, and the preconditioner's factors for A and D
+    std::vector<double> turning_, scale_, diagonal_, inverse_g_;  // D, and the preconditioner's factors for A and D
     std::vector<char> slips_;
     Field best_p_, best_s_;
     double best_f_ = std::numeric_limits<double>::infinity();
     double slack_ = 1e-12;
+    double error_ = 0;      // of the tractions, estimated, relative
+    double drift_ = 0;      // change of the tractions that the slip distance does not know of, relative
+    bool stands_ = true;    // the division did not change
+    bool released_ = true;  // ... and slip elements were asked too
     double curvature_ = 0;
     double first_figure_ = 0;
     int failures_ = 0;
-    int steps_ = 0;            // since the last change of the division
-    int steps_per_check_ = 4;  // of the division
+    int steps_ = 0;               // in conjugate directions
+    int steps_since_change_ = 0;  // of the division, or since slip elements were asked
+    int steps_since_refresh_ = 0;
+    int steps_per_refresh_ = 8;  // at most
 };
 
 }  // namespace contactd

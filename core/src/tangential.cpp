@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact_elements.hpp"
+#include "restriction.hpp"
 #include "solver_support.hpp"
 #include "tang_cg.hpp"
 
@@ -11,14 +12,48 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double coarse_tolerance = 1e-3;
-constexpr double good_estimate = 0.01;  // relative error from which a coarser grid gives a better start
+constexpr double coarse_tolerance = 3e-3;
+constexpr double poor_estimate = 0.3;  // relative error from which a coarser grid gives a better start
 
-Field estimate_on_coarser_grid(const InfluenceOperator& influence, std::span<const double> bound,
-                               std::span<const double> rigid_x, std::span<const double> rigid_y,
+struct Problem {
+    Values bound, rigid_x, rigid_y;
+};
+
+bool any(std::span<const double> values) {
+    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+}
+
+Field full_size(std::span<const double> x, std::span<const double> y, std::size_t n) {
+    Field field(n);
+    std::copy(x.begin(), x.end(), field.x.begin());
+    std::copy(y.begin(), y.end(), field.y.begin());
+    return field;
+}
+
+TangentialSolution solve(const InfluenceOperator& influence, const Problem& problem, const SolverSettings& settings,
+                         const Field* initial, Observer& observer);
+
+// What is smooth up to the edge of the contact is the traction over its bound: that is interpolated, weighted with the
+// bound, so that slip on the coarser grid is slip on the finer one.
+Field refined(const InfluenceOperator& fine, const Values& fine_bound, const Values& coarse_bound,
+              const TangentialSolution& coarse) {
+    Field tractions(fine.size());
+    Values weight(fine.size());
+    fine.from_coarser(coarse.traction_x, tractions.x);
+    fine.from_coarser(coarse.traction_y, tractions.y);
+    fine.from_coarser(coarse_bound, weight);
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        const double factor = weight[i] > 0 ? fine_bound[i] / weight[i] : 0;
+        tractions.x[i] *= factor;
+        tractions.y[i] *= factor;
+    }
+    return tractions;
+}
+
+Field estimate_on_coarser_grid(const InfluenceOperator& influence, const Problem& problem,
                                const SolverSettings& settings, const Observer& observer) {
     const InfluenceOperator& coarser = *influence.coarser();
-    const auto to_coarser = [&](std::span<const double> fine) {
+    const auto to_coarser = [&](const Values& fine) {
         Values coarse(coarser.size());
         influence.to_coarser(fine, coarse);
         return coarse;
@@ -26,12 +61,21 @@ Field estimate_on_coarser_grid(const InfluenceOperator& influence, std::span<con
     SolverSettings coarse_settings = settings;
     coarse_settings.tolerance = std::max(settings.tolerance, coarse_tolerance);
     SilentObserver silent(observer);
-    const TangentialSolution coarse = solve_tangential(coarser, to_coarser(bound), to_coarser(rigid_x),
-                                                       to_coarser(rigid_y), coarse_settings, {}, {}, silent);
-    Field estimate(influence.size());
-    influence.from_coarser(coarse.traction_x, estimate.x);
-    influence.from_coarser(coarse.traction_y, estimate.y);
-    return estimate;
+    const Problem coarse{to_coarser(problem.bound), to_coarser(problem.rigid_x), to_coarser(problem.rigid_y)};
+    return refined(influence, problem.bound, coarse.bound, solve(coarser, coarse, coarse_settings, nullptr, silent));
+}
+
+TangentialSolution solve(const InfluenceOperator& influence, const Problem& problem, const SolverSettings& settings,
+                         const Field* initial, Observer& observer) {
+    const Contact contact(problem.bound, problem.rigid_x, problem.rigid_y);
+    TangCg solver(influence, contact, settings, observer);
+    const bool can_coarsen = influence.coarser() != nullptr && contact.size() > 0;
+    if (initial != nullptr && (solver.start(*initial) <= poor_estimate || !can_coarsen)) return solver.solve();
+    if (can_coarsen)
+        solver.start(estimate_on_coarser_grid(influence, problem, settings, observer));
+    else
+        solver.start(Field(influence.size()));
+    return solver.solve();
 }
 
 }  // namespace
@@ -46,16 +90,24 @@ TangentialSolution solve_tangential(const InfluenceOperator& influence, std::spa
     if (!initial_x.empty()) require_size(initial_x, influence.size(), "initial.traction_x");
     if (!initial_y.empty()) require_size(initial_y, influence.size(), "initial.traction_y");
     const Stopwatch stopwatch;
-    const Contact contact(bound, rigid_x, rigid_y);
-    TangCg solver(influence, contact, settings, observer);
-    Field estimate(influence.size());
-    std::copy(initial_x.begin(), initial_x.end(), estimate.x.begin());
-    std::copy(initial_y.begin(), initial_y.end(), estimate.y.begin());
-    const bool from_nothing = initial_x.empty() && initial_y.empty();
-    const bool can_coarsen = influence.coarser() != nullptr;
-    if ((can_coarsen && from_nothing) || (solver.start(estimate) > good_estimate && can_coarsen))
-        solver.start(estimate_on_coarser_grid(influence, bound, rigid_x, rigid_y, settings, observer));
-    TangentialSolution solution = solver.solve();
+    const Restriction restriction(influence,
+                                  bounding_box(influence.extent(), [&](std::size_t i) { return bound[i] > 0; }));
+    const Problem problem{restriction.crop(bound), restriction.crop(rigid_x), restriction.crop(rigid_y)};
+    const bool has_estimate = any(initial_x) || any(initial_y);
+    const Field whole = full_size(initial_x, initial_y, influence.size());
+    Field initial;
+    initial.x = restriction.crop(whole.x);
+    initial.y = restriction.crop(whole.y);
+    const TangentialSolution part =
+        solve(restriction.influence(), problem, settings, has_estimate ? &initial : nullptr, observer);
+    TangentialSolution solution;
+    solution.traction_x.resize(influence.size());
+    solution.traction_y.resize(influence.size());
+    solution.element_division.assign(influence.size(), ElementState::exterior);
+    restriction.paste(part.traction_x, solution.traction_x);
+    restriction.paste(part.traction_y, solution.traction_y);
+    restriction.paste(part.element_division, solution.element_division);
+    solution.evidence = part.evidence;
     solution.evidence.seconds = stopwatch.seconds();
     return solution;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/hertz.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -22,8 +23,13 @@ void check_estimate(const std::vector<double>& values, std::size_t size, const c
     if (!values.empty()) check_array(values, size, field);
 }
 
-void check_finite(double value, const char* field) {
-    if (!std::isfinite(value)) throw InvalidArgument(field, "is not finite; it must be a length");
+void check_finite(double value, const std::string& field, const char* meaning) {
+    if (!std::isfinite(value)) throw InvalidArgument(field, std::string("is not finite; it must be ") + meaning);
+}
+
+void check_positive(double value, const std::string& field) {
+    if (!(std::isfinite(value) && value > 0))
+        throw InvalidArgument(field, "is " + number_text(value) + "; it must be positive and finite");
 }
 
 void check_settings(const SolverSettings& settings, const std::string& field) {
@@ -35,17 +41,104 @@ void check_settings(const SolverSettings& settings, const std::string& field) {
                               "is " + std::to_string(settings.max_iterations) + "; it must be at least 1");
 }
 
+void check_radius(double radius, const char* field) {
+    if (std::isnan(radius) || radius == 0)
+        throw InvalidArgument(field, "is " + number_text(radius) + "; it must be a length other than zero");
+}
+
+void check_gap(const ContactProblem& problem) {
+    if (const auto* array = std::get_if<std::vector<double>>(&problem.gap))
+        check_array(*array, problem.grid.size(), "gap");
+    if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap)) {
+        check_radius(paraboloid->Rx, "gap.paraboloid.Rx");
+        check_radius(paraboloid->Ry, "gap.paraboloid.Ry");
+    }
+    if (const auto* axes = std::get_if<SemiAxes>(&problem.gap)) {
+        check_positive(axes->a, "gap.semi_axes.a");
+        check_positive(axes->b, "gap.semi_axes.b");
+        if (problem.given_ics)
+            throw InvalidArgument("gap.semi_axes",
+                                  "needs the materials of the bodies, which a table in the request does not tell; give "
+                                  "a paraboloid or an array");
+        if (!(problem.Fn ? *problem.Fn > 0 : problem.approach > 0))
+            throw InvalidArgument(
+                problem.Fn ? "Fn" : "approach",
+                "is " + number_text(problem.Fn.value_or(problem.approach)) +
+                    "; with gap.semi_axes it must be positive, because the curvatures follow from it");
+    }
+}
+
+void check_load(const ContactProblem& problem) {
+    check_finite(problem.approach, "approach", "a length");
+    if (problem.Fn && !(std::isfinite(*problem.Fn) && *problem.Fn >= 0))
+        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be a force, zero or positive");
+}
+
+void check_forces(const std::optional<double>& Fx, const std::optional<double>& Fy, const char* field) {
+    check_finite(Fx.value_or(0), field, "a force");
+    check_finite(Fy.value_or(0), field, "a force");
+}
+
+void check_motion(const Shift& shift) {
+    check_finite(shift.x, "friction.rigid_shift", "a length");
+    check_finite(shift.y, "friction.rigid_shift", "a length");
+    check_finite(shift.rotation, "friction.rotation", "an angle");
+    check_positive(shift.duration, "friction.duration");
+    check_forces(shift.Fx, shift.Fy, "friction.force");
+}
+
+void check_motion(const Rolling& rolling) {
+    check_finite(rolling.xi, "friction.rolling.xi", "a creepage");
+    check_finite(rolling.eta, "friction.rolling.eta", "a creepage");
+    check_finite(rolling.phi, "friction.rolling.phi", "a spin creepage");
+    check_finite(rolling.chi, "friction.rolling.chi", "an angle");
+    check_forces(rolling.Fx, rolling.Fy, "friction.rolling.force");
+    check_positive(rolling.velocity, "friction.rolling.velocity");
+    if (rolling.dq != 0) check_positive(rolling.dq, "friction.rolling.dq");
+    if (rolling.steps < 1)
+        throw InvalidArgument("friction.rolling.steps",
+                              "is " + std::to_string(rolling.steps) + "; it must be at least 1");
+}
+
+void check_coefficients(const Friction& friction, std::size_t size) {
+    if (friction.mu.size() != 1) check_array(friction.mu, size, "friction.mu");
+    for (std::size_t i = 0; i < friction.mu.size(); ++i) {
+        if (!std::isfinite(friction.mu[i]) || friction.mu[i] < 0)
+            throw InvalidArgument("friction.mu", "is " + number_text(friction.mu[i]) + "; it must be zero or positive");
+        if (friction.kinetic && friction.kinetic->mu > friction.mu[i])
+            throw InvalidArgument("friction.kinetic.mu", "is " + number_text(friction.kinetic->mu) +
+                                                             "; it must not exceed friction.mu, which is " +
+                                                             number_text(friction.mu[i]));
+    }
+    if (!friction.kinetic) return;
+    if (!(friction.kinetic->mu >= 0))
+        throw InvalidArgument("friction.kinetic.mu",
+                              "is " + number_text(friction.kinetic->mu) + "; it must be zero or positive");
+    check_positive(friction.kinetic->slip_velocity, "friction.kinetic.slip_velocity");
+}
+
+void check_friction(const Friction& friction, std::size_t size) {
+    check_coefficients(friction, size);
+    std::visit([](const auto& motion) { check_motion(motion); }, friction.motion);
+}
+
 }  // namespace
 
-std::vector<double> paraboloid(const Grid& grid, double Rx, double Ry) {
-    std::vector<double> h(grid.size());
-    for (int iy = 0; iy < grid.ny; ++iy)
-        for (int ix = 0; ix < grid.nx; ++ix) {
-            const double x = grid.x(ix), y = grid.y(iy);
-            h[static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix)] =
-                x * x / (2 * Rx) + y * y / (2 * Ry);
-        }
-    return h;
+double step_length(const Rolling& rolling, const Grid& grid) {
+    return rolling.dq != 0 ? rolling.dq : grid.dx;
+}
+
+std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem) {
+    if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap)) return *paraboloid;
+    const auto* axes = std::get_if<SemiAxes>(&problem.gap);
+    if (axes == nullptr) return {};
+    return problem.Fn ? radii_of_force(*axes, problem.bodies.normal_compliance(), *problem.Fn)
+                      : radii_of_approach(*axes, problem.approach);
+}
+
+std::vector<double> undeformed_distance(const ContactProblem& problem) {
+    if (const auto* array = std::get_if<std::vector<double>>(&problem.gap)) return *array;
+    return sampled(*paraboloid_of(problem), problem.grid);
 }
 
 void validate(const ContactProblem& problem) {
@@ -54,21 +147,18 @@ void validate(const ContactProblem& problem) {
         validate(*problem.given_ics, problem.grid);
     } else {
         const bool incompressible_allowed = problem.ics.source == IcSource::analytic;
-        validate(problem.bodies.upper, "bodies.upper", incompressible_allowed);
-        validate(problem.bodies.lower, "bodies.lower", incompressible_allowed);
+        validate(problem.bodies, incompressible_allowed);
     }
     const std::size_t size = problem.grid.size();
-    check_array(problem.undeformed_distance, size, "gap");
-    check_finite(problem.approach, "approach");
-    if (problem.friction) {
-        const Friction& friction = *problem.friction;
-        if (!std::isfinite(friction.mu) || friction.mu < 0)
-            throw InvalidArgument("friction.mu", "is " + number_text(friction.mu) + "; it must be zero or positive");
-        check_finite(friction.rigid_shift_x, "friction.rigid_shift");
-        check_finite(friction.rigid_shift_y, "friction.rigid_shift");
-    }
+    check_gap(problem);
+    check_load(problem);
+    if (problem.friction) check_friction(*problem.friction, size);
+    check_estimate(problem.previous.pressure, size, "previous.pressure");
+    check_estimate(problem.previous.traction_x, size, "previous.traction_x");
+    check_estimate(problem.previous.traction_y, size, "previous.traction_y");
     check_settings(problem.normal_settings, "settings.normal");
     check_settings(problem.tangential_settings, "settings.tangential");
+    check_settings(problem.outer_settings, "settings.outer");
     check_estimate(problem.initial_pressure, size, "initial.pressure");
     check_estimate(problem.initial_traction_x, size, "initial.traction_x");
     check_estimate(problem.initial_traction_y, size, "initial.traction_y");

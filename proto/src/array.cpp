@@ -1,6 +1,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <type_traits>
 
@@ -53,7 +54,7 @@ json nested_list(std::span<const T> values, std::span<const std::size_t> shape) 
 }
 
 template <class T>
-json write_array(std::span<const T> values, Shape shape, ArrayEncoding encoding, std::vector<std::string>& frames) {
+void check_array(std::span<const T> values, const Shape& shape) {
     if (shape.empty() || count_of(shape) != values.size())
         throw Error("An array of " + std::to_string(values.size()) + " values cannot have the shape " + text_of(shape) +
                     ".");
@@ -61,9 +62,11 @@ json write_array(std::span<const T> values, Shape shape, ArrayEncoding encoding,
         for (std::size_t i = 0; i < values.size(); ++i)
             if (!std::isfinite(values[i]))
                 throw Error("An array to be sent is not finite at " + text_of(index_of(i, shape)) + ".");
-    if (encoding == ArrayEncoding::list) return nested_list<T>(values, shape);
-    frames.emplace_back(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-    return {{"$array", {{"frame", frames.size()}, {"dtype", dtype<T>}, {"shape", std::move(shape)}}}};
+}
+
+template <class T>
+std::string_view bytes_of(std::span<const T> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
 [[noreturn]] void invalid(const std::string& field, const std::string& problem) {
@@ -188,11 +191,36 @@ void collect_frames(const json& node, std::vector<bool>& used) {
 }  // namespace
 
 json ArrayWriter::write(std::span<const double> values, Shape shape) {
-    return write_array(values, std::move(shape), encoding_, frames_);
+    check_array(values, shape);
+    if (encoding_ == ArrayEncoding::list) return nested_list<double>(values, shape);
+    return add_frame(bytes_of(values), dtype<double>, std::move(shape));
 }
 
 json ArrayWriter::write(std::span<const unsigned char> values, Shape shape) {
-    return write_array(values, std::move(shape), encoding_, frames_);
+    check_array(values, shape);
+    if (encoding_ == ArrayEncoding::list) return nested_list<unsigned char>(values, shape);
+    return add_frame(bytes_of(values), dtype<unsigned char>, std::move(shape));
+}
+
+json ArrayWriter::add_frame(std::string_view bytes, const char* type, Shape shape) {
+    return {{"$array", {{"frame", frame_with(bytes)}, {"dtype", type}, {"shape", std::move(shape)}}}};
+}
+
+std::size_t ArrayWriter::frame_with(std::string_view bytes) {
+    if (equal_ == EqualArrays::shared) {
+        const std::size_t hash = std::hash<std::string_view>()(bytes);
+        const auto [first, last] = frames_by_hash_.equal_range(hash);
+        for (auto at = first; at != last; ++at)
+            if (frames_[at->second - 1] == bytes) return at->second;
+        frames_by_hash_.emplace(hash, frames_.size() + 1);
+    }
+    frames_.emplace_back(bytes);
+    return frames_.size();
+}
+
+void ArrayWriter::drop_frames_beyond(std::size_t count) {
+    if (count < frames_.size()) frames_.resize(count);
+    std::erase_if(frames_by_hash_, [&](const auto& entry) { return entry.second > count; });
 }
 
 std::vector<double> read_array(const json& source, const std::vector<std::string>& frames, const Shape& shape,

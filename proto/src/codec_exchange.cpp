@@ -12,17 +12,6 @@ using Shape = std::vector<std::size_t>;
 constexpr const char* table_field = "ics.table";
 constexpr std::size_t table_axes = 4;
 
-/// The shape that an array claims to have; of a nested list, by the first entry at each depth.
-Shape claimed_shape(const json& array) {
-    if (array.is_object()) return array["$array"]["shape"].get<Shape>();
-    Shape shape;
-    for (const json* list = &array; list->is_array() && shape.size() < table_axes; list = &list->front()) {
-        shape.push_back(list->size());
-        if (list->empty()) break;
-    }
-    return shape;
-}
-
 std::string text_of(const Shape& shape) {
     return json(shape).dump();
 }
@@ -38,7 +27,7 @@ json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays) {
 }
 
 GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& frames, const Grid& grid) {
-    const Shape shape = claimed_shape(source["table"]);
+    const Shape shape = claimed_shape(source["table"], table_axes);
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
     if (shape.size() != table_axes || shape[0] != 3 || shape[1] != 3 || shape[2] < ny || shape[3] < nx)
         throw invalid_field(table_field,

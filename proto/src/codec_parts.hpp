@@ -1,7 +1,11 @@
 // Pieces that several messages have in common.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -21,8 +25,40 @@ void read_name(const nlohmann::json& word, Enum& value) {
     if (!from_name(word.get<std::string>(), value)) throw Error("The word " + word.dump() + " is unknown.");
 }
 
+/// The words that stand for enumerators on the wire, where nothing else needs them.
+template <class Enum, std::size_t n>
+using Words = std::array<std::pair<std::string_view, Enum>, n>;
+
+template <class Enum, std::size_t n>
+std::string_view word_for(const Words<Enum, n>& words, Enum value) {
+    for (const auto& [word, meaning] : words)
+        if (meaning == value) return word;
+    throw Error("An enumerator has no word on the wire.");
+}
+
+/// The enumerator for `word`, which has passed its schema.
+template <class Enum, std::size_t n>
+Enum meaning_of(const nlohmann::json& word, const Words<Enum, n>& words) {
+    for (const auto& [known, meaning] : words)
+        if (word.get_ref<const std::string&>() == known) return meaning;
+    throw Error("The word " + word.dump() + " is unknown.");
+}
+
+/// The shape [ny, nx] of arrays over a grid.
+inline std::vector<std::size_t> shape_of(const Grid& grid) {
+    return {static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
+}
+
 /// `value`, which must be finite: JSON would silently turn anything else into null. Throws Error naming `what`.
 double finite(double value, const char* what);
+
+nlohmann::json encode_grid(const Grid& grid);
+/// Throws StatusError naming the field, before anything of the grid's size is allocated.
+Grid decode_grid(const nlohmann::json& json);
+
+/// The shape that an array, which has passed its schema, claims to have; of a nested list, by the first entry at each
+/// depth, down to `most_axes`.
+std::vector<std::size_t> claimed_shape(const nlohmann::json& array, std::size_t most_axes);
 
 nlohmann::json encode_material(const Material& material);
 Material decode_material(const nlohmann::json& json);
@@ -41,5 +77,12 @@ nlohmann::json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays);
 GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
 
 nlohmann::json encode_use(const IcUse& use);
+
+nlohmann::json encode_friction(const Friction& friction, const Grid& grid, ArrayWriter& arrays);
+Friction decode_friction(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
+
+/// Motion as it stands in a result.
+nlohmann::json encode_motion(const Motion& motion);
+Motion decode_motion(const nlohmann::json& json);
 
 }  // namespace contactd::proto

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "expected.hpp"
@@ -22,23 +23,39 @@ std::size_t characters(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
 }
 
+const json& nothing() {
+    static const json none = json::object();
+    return none;
+}
+
+/// A member of a schema, or an empty object.
+const json& member(const json& schema, std::string_view name) {
+    const auto at = schema.find(name);
+    return at == schema.end() ? nothing() : *at;
+}
+
 class Explainer {
    public:
     explicit Explainer(const json& root) : root_(root) {}
 
     void visit(const json& schema, const json& value, const std::string& path) {
+        visit(schema, member(schema, "properties"), value, path);
+    }
+
+    std::vector<Violation> take() { return std::move(violations_); }
+
+   private:
+    /// `known` describes the fields of an object: its schema's properties, also in the branches of that schema.
+    void visit(const json& schema, const json& known, const json& value, const std::string& path) {
         if (full() || !schema.is_object()) return;
         if (!has_type(schema, value) || !is_choice(schema, value))
             return report(path, "is " + shown(value) + "; it must be " + expected(schema));
         if (value.is_number()) visit_number(schema, value, path);
         if (value.is_string()) visit_text(schema, value.get_ref<const std::string&>(), path);
         if (value.is_array()) visit_list(schema, value, path);
-        if (value.is_object()) visit_object(schema, value, path);
+        if (value.is_object()) visit_object(schema, known, value, path);
     }
 
-    std::vector<Violation> take() { return std::move(violations_); }
-
-   private:
     bool full() const { return violations_.size() >= max_violations; }
 
     void report(const std::string& path, const std::string& description) {
@@ -73,36 +90,60 @@ class Explainer {
                                                             : "at most " + std::to_string(most);
             return report(path, "has " + std::to_string(value.size()) + " values; it must have " + rule);
         }
-        const auto items = schema.find("items");
-        if (items == schema.end()) return;
+        if (const json& wanted = member(schema, "contains"); !wanted.empty()) {
+            if (std::none_of(value.begin(), value.end(), [&](const json& entry) { return has_type(wanted, entry); }))
+                return report(path, "has no value that is " + expected(wanted) + "; it must have at least one");
+        }
+        const json& items = member(schema, "items");
+        if (items.empty()) return;
         for (std::size_t i = 0; i < value.size() && !full(); ++i)
-            visit(*items, value[i], path + "[" + std::to_string(i) + "]");
+            visit(items, value[i], path + "[" + std::to_string(i) + "]");
     }
 
-    void visit_object(const json& schema, const json& value, const std::string& path) {
-        const json properties = schema.value("properties", json::object());
-        for (const json& name : schema.value("required", json::array()))
-            if (!value.contains(name))
-                report(joined(path, name),
-                       "is missing; it must be " + expected(properties.value(name, json::object())));
+    void visit_object(const json& schema, const json& known, const json& value, const std::string& path) {
+        const json& properties = member(schema, "properties");
+        for (const json& entry : member(schema, "required")) {
+            const auto& name = entry.get_ref<const std::string&>();
+            const json& field = member(properties.contains(name) ? properties : known, name);
+            if (!value.contains(name)) report(joined(path, name), "is missing; it must be " + expected(field));
+        }
         visit_members(schema, properties, value, path);
         visit_size(schema, properties, value, path);
-        visit_condition(schema, value, path);
-        for (const json& part : schema.value("allOf", json::array())) visit(part, value, path);
+        visit_alternatives(schema, known, value, path);
+        visit_condition(schema, known, value, path);
+        for (const json& part : member(schema, "allOf")) visit(part, known, value, path);
+    }
+
+    /// anyOf, oneOf: each requires one field. oneOf takes exactly one of them, anyOf at least one.
+    void visit_alternatives(const json& schema, const json& known, const json& value, const std::string& path) {
+        const bool exclusive = schema.contains("oneOf");
+        std::vector<std::string> there, lacking;
+        for (const json& choice : member(schema, exclusive ? "oneOf" : "anyOf")) {
+            const auto name = choice["required"][0].get<std::string>();
+            (value.contains(name) ? there : lacking).push_back(name);
+        }
+        if (there.empty() && !lacking.empty()) {
+            const std::vector<std::string> others(lacking.begin() + 1, lacking.end());
+            report(joined(path, lacking[0]), "is missing; it must be " + expected(member(known, lacking[0])) +
+                                                 ", unless " + listed(others, " or ") + " is there");
+        }
+        if (exclusive && there.size() > 1)
+            report(joined(path, there[1]), "does not go with " + there[0] + "; one of the two must be left out");
     }
 
     void visit_members(const json& schema, const json& properties, const json& value, const std::string& path) {
-        const json others = schema.value("additionalProperties", json(true));
-        for (const auto& member : value.items()) {
+        const auto at = schema.find("additionalProperties");
+        const json& others = at == schema.end() ? nothing() : *at;
+        for (const auto& entry : value.items()) {
             if (full()) return;
-            const std::string field = joined(path, member.key());
-            if (properties.contains(member.key()))
-                visit(properties[member.key()], member.value(), field);
+            const std::string field = joined(path, entry.key());
+            if (properties.contains(entry.key()))
+                visit(properties[entry.key()], entry.value(), field);
             else if (others == false)
                 report(field, "is not a field of " + (path.empty() ? root_.value("title", "the message") : path) +
                                   "; " + known_fields(properties));
             else
-                visit(others, member.value(), field);
+                visit(others, entry.value(), field);
         }
     }
 
@@ -123,21 +164,21 @@ class Explainer {
 
     /// if: fields that are there, constants of some; then: the names of the fields that go with them, and perhaps, as
     /// its description, why others do not.
-    void visit_condition(const json& schema, const json& value, const std::string& path) {
+    void visit_condition(const json& schema, const json& known, const json& value, const std::string& path) {
         if (!schema.contains("if")) return;
         Explainer condition(root_);
         condition.visit(schema["if"], value, path);
-        if (!condition.violations_.empty()) return visit(schema.value("else", json()), value, path);
+        if (!condition.violations_.empty()) return visit(member(schema, "else"), known, value, path);
         if (!schema.contains("then")) return;
         const json& then = schema["then"];
-        visit(then, value, path);
-        const json allowed = then.value("propertyNames", json::object());
+        visit(then, known, value, path);
+        const json& allowed = member(then, "propertyNames");
         const std::string reason = then.value("description", std::string());
-        for (const auto& member : value.items())
-            if (!is_choice(allowed, member.key()))
-                report(joined(path, member.key()), "does not go with " + conditions_of(schema["if"]) + "; only " +
-                                                       listed(allowed["enum"].get<std::vector<std::string>>()) + " do" +
-                                                       (reason.empty() ? "" : ": " + reason));
+        for (const auto& entry : value.items())
+            if (!is_choice(allowed, entry.key()))
+                report(joined(path, entry.key()), "does not go with " + conditions_of(schema["if"]) + "; only " +
+                                                      listed(allowed["enum"].get<std::vector<std::string>>()) + " do" +
+                                                      (reason.empty() ? "" : ": " + reason));
     }
 
     static std::string conditions_of(const json& condition) {

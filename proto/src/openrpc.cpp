@@ -14,7 +14,6 @@ namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
-using Documents = std::map<std::string, json, std::less<>>;
 
 constexpr const char* place = "#/components/schemas/";
 
@@ -29,8 +28,12 @@ constexpr Summary summaries[]{
     {"ic.get", "The influence coefficients of one body; requests for the same table join one build."},
     {"ic.export",
      "The influence coefficients of one body, or of two, as a file: HDF5, or text for the CONTACT program."},
-    {"contact.solve", "Normal contact with the approach prescribed and, with friction, tangential contact."},
-    {"job.list", "The builds and solves that wait and run."},
+    {"contact.solve",
+     "Normal contact with the approach or the force prescribed and, with friction, tangential contact: a shift or "
+     "rolling."},
+    {"contact.solve_many", "Many problems of contact.solve at once; one that fails does not fail the others."},
+    {"contact.subsurface", "Stresses inside a body, a half-space, under the tractions of a contact."},
+    {"job.list", "The work that waits and runs."},
     {"job.cancel", "Ends a job; everyone waiting for it gets CANCELLED."},
 };
 
@@ -42,13 +45,11 @@ json error(StatusCode code) {
 json errors_of(std::string_view method) {
     json errors{error(StatusCode::invalid_argument), error(StatusCode::unavailable), error(StatusCode::internal)};
     const auto add = [&](StatusCode code) { errors.push_back(error(code)); };
-    const bool solve = method == "contact.solve";
-    if (solve || method == "ic.get" || method == "ic.export") {
+    if (method.starts_with("contact.") || method == "ic.get" || method == "ic.export") {
         add(StatusCode::cancelled);
         add(StatusCode::deadline_exceeded);
         add(StatusCode::resource_exhausted);
     }
-    if (solve) add(StatusCode::failed_precondition);
     if (method == "job.cancel") add(StatusCode::not_found);
     return errors;
 }

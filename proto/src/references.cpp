@@ -1,38 +1,57 @@
 #include "references.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
 
-/// The path of the definition: its name, or a place within it such as "ics/properties/order".
-std::string path_in(const std::string& reference) {
-    const std::string place = "definitions.json#/definitions/";
-    if (!reference.starts_with(place)) throw std::logic_error("A schema refers to " + reference + ".");
-    return reference.substr(place.size());
+struct Reference {
+    std::string document;  ///< name of the file
+    std::string pointer;   ///< JSON pointer within it, empty for all of it
+};
+
+Reference parsed(const std::string& text) {
+    constexpr std::string_view suffix = ".json";
+    const std::size_t hash = std::min(text.find('#'), text.size());
+    const std::string file = text.substr(0, hash);
+    if (!file.ends_with(suffix)) throw std::logic_error("A schema refers to " + text + ".");
+    return {file.substr(0, file.size() - suffix.size()), hash == text.size() ? "" : text.substr(hash + 1)};
+}
+
+/// Where the parts of the files lie in the OpenRPC document: definitions under their own names.
+std::string path_of(const Reference& reference) {
+    const std::string_view definitions = "/definitions/";
+    if (reference.document != "definitions") return reference.document + reference.pointer;
+    return reference.pointer.substr(definitions.size());
 }
 
 }  // namespace
 
-json inlined(const json& schema, const json& definitions) {
+json inlined(const json& schema, const Documents& documents) {
     if (!schema.is_structured()) return schema;
     json result = schema;
     if (schema.is_object() && schema.contains("$ref")) {
-        const auto reference = schema["$ref"].get<std::string>();
-        result = definitions.at(json::json_pointer("/" + path_in(reference)));
+        const Reference reference = parsed(schema["$ref"].get<std::string>());
+        result = documents.at(reference.document).at(json::json_pointer(reference.pointer));
+        result.erase("$schema");
         for (const auto& beside : schema.items())
             if (beside.key() != "$ref") result[beside.key()] = beside.value();
     }
-    for (json& child : result) child = inlined(child, definitions);
+    // What was referred to may be a reference itself.
+    if (result.is_object() && result.contains("$ref")) return inlined(result, documents);
+    for (json& child : result) child = inlined(child, documents);
     return result;
 }
 
 json redirected(const json& schema, const std::string& prefix) {
     if (!schema.is_structured()) return schema;
     json result = schema;
-    if (schema.is_object() && schema.contains("$ref")) result["$ref"] = prefix + path_in(schema["$ref"]);
+    if (schema.is_object() && schema.contains("$ref"))
+        result["$ref"] = prefix + path_of(parsed(schema["$ref"].get<std::string>()));
     for (json& child : result) child = redirected(child, prefix);
     return result;
 }

@@ -34,12 +34,12 @@ void compile(CompiledSchema& entry) {
 }
 
 Registry compile_all() {
-    std::map<std::string, json, std::less<>> documents;
+    Documents documents;
     for (const SchemaText& source : schema_texts()) documents.emplace(source.name, json::parse(source.text));
     Registry registry;
     for (const auto& [name, document] : documents) {
         CompiledSchema& entry = registry[name];
-        entry.document = inlined(document, documents.at("definitions")["definitions"]);
+        entry.document = inlined(document, documents);
         compile(entry);
     }
     return registry;
@@ -82,8 +82,9 @@ std::vector<Violation> violations(const CompiledSchema& rules, const json& docum
 }  // namespace
 
 const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{"server.info", "server.health", "server.describe", "ic.get",
-                                                "ic.export",   "contact.solve", "job.list",        "job.cancel"};
+    static const std::vector<std::string> names{
+        "server.info",   "server.health",      "server.describe",    "ic.get",   "ic.export",
+        "contact.solve", "contact.solve_many", "contact.subsurface", "job.list", "job.cancel"};
     return names;
 }
 

@@ -43,6 +43,14 @@ void Call::progress(const json& progress) {
     post_({route_, proto::dump(message), {}, true, {}, {}, {}, 0});
 }
 
+void guarded(const CallPtr& call, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        call->fail(status_of(error));
+    }
+}
+
 Answer refusal(Route route, const std::string& id, const Status& status) {
     json reply = envelope(id.empty() ? json(nullptr) : json(id));
     reply["status"] = proto::to_json(status);

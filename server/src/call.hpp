@@ -65,6 +65,9 @@ using CallPtr = std::shared_ptr<Call>;
 /// The reply to a request whose envelope could not be read; `id` is empty when it is not known.
 Answer refusal(Route route, const std::string& id, const proto::Status& status);
 
+/// Runs `work`; what it throws becomes the answer of the call.
+void guarded(const CallPtr& call, const std::function<void()>& work);
+
 /// What a thrown exception means on the wire.
 proto::Status status_of(const std::exception& error);
 

@@ -53,7 +53,7 @@ Config config_from_json(const json& given) {
     config.workers = all["workers"];
     const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
     config.store = {folder.empty() ? default_store_folder() : std::filesystem::path(folder),
-                    all["store"]["memory_budget_bytes"]};
+                    all["store"]["memory_budget_bytes"], all["store"]["influence_budget_bytes"]};
     config.builds = {all["builds"]["concurrent"], all["builds"]["launcher"],
                      program.empty() ? default_builder() : std::filesystem::path(program)};
     const json& limits = all["limits"];
@@ -83,7 +83,9 @@ json to_json(const Config& config) {
     return {{"endpoint", config.endpoint},
             {"workers", config.workers},
             {"store",
-             {{"folder", config.store.folder.string()}, {"memory_budget_bytes", config.store.memory_budget_bytes}}},
+             {{"folder", config.store.folder.string()},
+              {"memory_budget_bytes", config.store.memory_budget_bytes},
+              {"influence_budget_bytes", config.store.influence_budget_bytes}}},
             {"builds",
              {{"concurrent", config.builds.concurrent},
               {"launcher", config.builds.launcher},

@@ -19,6 +19,7 @@ struct Config {
     struct {
         std::filesystem::path folder;
         std::size_t memory_budget_bytes;
+        std::size_t influence_budget_bytes;
     } store;
     struct {
         int concurrent;

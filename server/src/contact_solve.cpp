@@ -1,149 +1,101 @@
 #include "contact_solve.hpp"
 
-#include <chrono>
+#include <atomic>
 #include <utility>
 
-#include "contactd/convolution.hpp"
-#include "contactd/ic_exchange.hpp"
-#include "contactd/observer.hpp"
-#include "contactd/proto/codec.hpp"
-#include "contactd/tangential.hpp"
-#include "contactd/version.hpp"
-#include "ic_pair.hpp"
+#include "contactd/error.hpp"
+#include "job_reports.hpp"
 
 namespace contactd::server {
 namespace {
 
-using Clock = Call::Clock;
-
-/// Short solves need no progress: the first message comes after this time, and then one in each interval.
-constexpr auto progress_interval = std::chrono::milliseconds(200);
-
-/// Hands progress to the job and to the caller; ends the solve when the job is cancelled or nobody waits any more.
-class SolveObserver final : public Observer {
-   public:
-    SolveObserver(const CallPtr& call, Job& job) : call_(call), job_(job) {}
-
-    void on_progress(const Progress& progress) override {
-        const auto now = Clock::now();
-        if (now - last_ < progress_interval) return;
-        last_ = now;
-        const JobProgress shown{std::string(progress.stage), progress.fraction, progress.iteration, progress.residual};
-        job_.set_progress(shown);
-        call_->progress(to_json(job_, shown));
-    }
-    bool cancelled() const override { return job_.cancelled() || call_->answered(); }
-
-   private:
-    const CallPtr& call_;
-    Job& job_;
-    Clock::time_point last_ = Clock::now();
-};
-
-/// A solve on its way: first the tables of both bodies, then the worker.
-struct Solve {
+/// Several problems of one call.
+struct Batch {
     CallPtr call;
-    ContactProblem problem;
+    SolveTools tools;
     std::shared_ptr<Job> job;
-    IcAnswers ics;
+    std::vector<proto::ProblemOrStatus> problems;
+    std::vector<Grid> grids;
+    std::vector<proto::ReplyOrStatus> replies{problems.size()};
+    Reporter reporter{call, job};
+    std::atomic<std::size_t> next = 0, finished = 0;
+
+    std::size_t size() const { return problems.size(); }
 };
-using SolvePtr = std::shared_ptr<Solve>;
+using BatchPtr = std::shared_ptr<Batch>;
 
-IcSpec spec_of(const ContactProblem& problem, const Material& material) {
-    const Grid& grid = problem.grid;
-    return {problem.ics, material, grid.dx, grid.dy, grid.nx, grid.ny};
+void answer(const BatchPtr& batch) {
+    batch->job->end();
+    guarded(batch->call, [&] {
+        proto::ArrayWriter arrays(batch->call->request.arrays);
+        const nlohmann::json result = proto::encode_solve_replies(batch->replies, batch->grids, arrays);
+        batch->call->succeed(result, arrays.take_frames());
+    });
 }
 
-IcTable pair_table(const Solve& work) {
-    const ContactProblem& problem = work.problem;
-    if (problem.given_ics) return problem.given_ics->table;
-    return pair_of(table_of(work.ics[0], spec_of(problem, problem.bodies.upper)),
-                   table_of(work.ics[1], spec_of(problem, problem.bodies.lower)));
+void solve_next(const BatchPtr& batch);
+
+void finish(const BatchPtr& batch, std::size_t index, proto::ReplyOrStatus reply) {
+    batch->replies[index] = std::move(reply);
+    const std::size_t finished = ++batch->finished;
+    batch->reporter.report(
+        {"batch", static_cast<double>(finished) / static_cast<double>(batch->size()), static_cast<int>(finished), 0});
+    if (finished == batch->size()) return answer(batch);
+    solve_next(batch);
 }
 
-void solve(const SolvePtr& work) {
-    const CallPtr& call = work->call;
-    const ContactProblem& problem = work->problem;
-    SolveObserver observer(call, *work->job);
-    observer.throw_if_cancelled();
-    work->job->set_running();
-    const ConvolutionOperator influence(pair_table(*work), problem.grid.nx, problem.grid.ny);
-    proto::SolveReply reply;
-    reply.solution = solve_contact(problem, influence, observer);
-    if (problem.given_ics) {
-        reply.pair = {"given", ic_key(*problem.given_ics), {}};
-        reply.pair->evidence.source = "table";
-        reply.pair->evidence.version = "contactd " + version();
-    } else {
-        reply.upper = {work->ics[0].origin, work->ics[0].key, work->ics[0].record->evidence};
-        reply.lower = {work->ics[1].origin, work->ics[1].key, work->ics[1].record->evidence};
-    }
-    proto::ArrayWriter arrays(call->request.arrays);
-    const nlohmann::json result = proto::encode_solve_reply(reply, problem.grid, arrays);
-    work->job->end();
-    call->succeed(result, arrays.take_frames());
-}
-
-void fail(const SolvePtr& work, const proto::Status& status) {
-    work->job->end();
-    work->call->fail(status);
-}
-
-void run_solve(const SolvePtr& work) {
+/// Takes problems that cannot be solved as stated off the list, and starts the first one that can.
+void solve_next(const BatchPtr& batch) {
+    const std::size_t index = batch->next++;
+    if (index >= batch->size()) return;
+    const auto failed = [batch, index](const proto::Status& status) { finish(batch, index, status); };
+    if (const auto* status = std::get_if<proto::Status>(&batch->problems[index])) return failed(*status);
+    ContactProblem& problem = std::get<ContactProblem>(batch->problems[index]);
     try {
-        solve(work);
+        if (batch->job->cancelled() || batch->call->answered()) throw Cancelled("The batch was cancelled.");
+        check(problem);
+        start(batch->tools, {batch->call, std::move(problem), batch->job, [](const Progress&) {},
+                             [batch, index](const proto::SolveReply& reply) { finish(batch, index, reply); }, failed});
     } catch (const std::exception& error) {
-        fail(work, status_of(error));
+        failed(status_of(error));
     }
-}
-
-proto::StatusError coupled(const std::string& why) {
-    return {proto::StatusCode::failed_precondition, proto::reason::bodies_coupled, why};
-}
-
-void check_bodies(const ContactProblem& problem) {
-    validate_body(spec_of(problem, problem.bodies.upper), "bodies.upper");
-    validate_body(spec_of(problem, problem.bodies.lower), "bodies.lower");
-    if (problem.friction && !problem.bodies.quasi_identical())
-        throw coupled(
-            "bodies.lower differs from bodies.upper so that normal and tangential contact influence "
-            "each other, (1-2nu)/G being unequal; with friction this is not solved yet. Leave out "
-            "friction, or take quasi-identical bodies.");
-}
-
-void check_given(const ContactProblem& problem) {
-    if (!problem.friction) return;
-    const double found = coupling(problem.given_ics->table);
-    if (found > coupling_tolerance)
-        throw coupled("ics.table couples normal and tangential contact: its largest xz, zx, yz or zy is " +
-                      proto::dump(found) + " of zz at the origin, above " + proto::dump(coupling_tolerance) +
-                      ", and with friction this is not solved yet. Leave out friction, or set these four components "
-                      "to zero if they are nothing but errors.");
 }
 
 }  // namespace
 
-void start_solve(const CallPtr& call, IcService& ics, WorkerPool& workers, JobTable& jobs) {
-    auto work = std::make_shared<Solve>();
-    work->call = call;
-    work->problem = proto::decode_problem(call->request.params, call->request.frames);
+void start_solve(const CallPtr& call, const SolveTools& tools) {
+    ContactProblem problem = proto::decode_problem(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
-    const ContactProblem& problem = work->problem;
-    validate(problem);
-    if (problem.given_ics)
-        check_given(problem);
-    else
-        check_bodies(problem);
-    work->job = jobs.create("solve", [call] { call->fail(status_of(Cancelled("The solve was cancelled."))); });
-    const auto queue = [work, &workers] { workers.post([work] { run_solve(work); }); };
-    if (problem.given_ics) return queue();
-    fetch_pair(
-        call, ics, {spec_of(problem, problem.bodies.upper), spec_of(problem, problem.bodies.lower)},
-        [work, queue](const IcAnswers& answers) {
-            work->ics = answers;
-            queue();
-        },
-        [work](const proto::Status& status) { fail(work, status); });
+    check(problem);
+    const auto job = make_job("solve", call, tools.jobs);
+    const auto reporter = std::make_shared<Reporter>(call, job);
+    const Grid grid = problem.grid;
+    start(tools, {call, std::move(problem), job,
+                  [reporter](const Progress& progress) { reporter->report(to_job_progress(progress)); },
+                  [call, job, grid](const proto::SolveReply& reply) {
+                      proto::ArrayWriter arrays(call->request.arrays);
+                      const nlohmann::json result = proto::encode_solve_reply(reply, grid, arrays);
+                      job->end();
+                      call->succeed(result, arrays.take_frames());
+                  },
+                  [call, job](const proto::Status& status) {
+                      job->end();
+                      call->fail(status);
+                  }});
+}
+
+void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const proto::Limits& limits) {
+    std::vector<proto::ProblemOrStatus> problems =
+        proto::decode_problems(call->request.params, call->request.frames, limits);
+    proto::check_frames_used(call->request.params, call->request.frames);
+    std::vector<Grid> grids;
+    for (const auto& problem : problems) {
+        const auto* valid = std::get_if<ContactProblem>(&problem);
+        grids.push_back(valid ? valid->grid : Grid{});
+    }
+    const auto job = make_job("solve", call, tools.jobs);
+    const auto batch = BatchPtr(new Batch{call, tools, job, std::move(problems), std::move(grids)});
+    for (int thread = 0; thread < threads; ++thread) solve_next(batch);
 }
 
 }  // namespace contactd::server

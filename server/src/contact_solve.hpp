@@ -1,21 +1,16 @@
-// contact.solve: fetch the coefficients of both bodies, then solve on a worker.
+// contact.solve and contact.solve_many.
 #pragma once
 
-#include <functional>
-
 #include "call.hpp"
-#include "ic_service.hpp"
-#include "job.hpp"
-#include "worker_pool.hpp"
+#include "solve_task.hpp"
 
 namespace contactd::server {
 
-/// Answers `call` now (bad problem) or when the solve has ended. Throws for a problem that cannot be solved as stated.
-void start_solve(const CallPtr& call, IcService& ics, WorkerPool& workers, JobTable& jobs);
+/// Answers `call` when the solve has ended. Throws for a problem that cannot be solved as stated.
+void start_solve(const CallPtr& call, const SolveTools& tools);
 
-/// Runs `work`; what it throws becomes the answer of the call.
-void guarded(const CallPtr& call, const std::function<void()>& work);
-
-nlohmann::json to_json(const Job& job, const JobProgress& progress);
+/// Answers `call` when all solves have ended; what cannot be solved fails alone. `threads` of them run at a time, so
+/// that other requests get their turn in between.
+void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const proto::Limits& limits);
 
 }  // namespace contactd::server

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "contact_solve.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
 #include "ic_pair.hpp"
@@ -76,7 +75,7 @@ void start_export(const CallPtr& call, IcService& ics, WorkerPool& workers, std:
     validate_body(work->specs[1], "lower");
     if (wanted.format == FileFormat::contact) check_size(wanted.spec, most_bytes);
     fetch_pair(
-        call, ics, work->specs,
+        call, ics, {work->specs[0], work->specs[1]},
         [work, &workers](const IcAnswers& answers) {
             work->answers = answers;
             workers.post([work] { answer(work); });

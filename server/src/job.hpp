@@ -1,4 +1,4 @@
-// Work that takes its time, builds and solves: what job.list shows and job.cancel ends.
+// Work that takes its time, builds, solves and stresses: what job.list shows and job.cancel ends.
 #pragma once
 
 #include <atomic>
@@ -9,6 +9,8 @@
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace contactd::server {
 
@@ -26,7 +28,7 @@ class Job {
         : name(std::move(job_name)), kind(std::move(job_kind)), on_cancel_(std::move(on_cancel)) {}
 
     const std::string name;  ///< "build-3"
-    const std::string kind;  ///< "build" or "solve"
+    const std::string kind;  ///< "build", "solve" or "subsurface"
     const std::chrono::steady_clock::time_point created = std::chrono::steady_clock::now();
 
     void cancel() {
@@ -57,6 +59,9 @@ class Job {
     mutable std::mutex mutex_;
     JobProgress progress_;
 };
+
+/// As on the wire, proto/schema/progress.json.
+nlohmann::json to_json(const Job& job, const JobProgress& progress);
 
 /// The jobs that are queued or running. Thread-safe; a job is listed until it ends or nobody holds it any more.
 class JobTable {

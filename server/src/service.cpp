@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "contact_solve.hpp"
+#include "contact_subsurface.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
@@ -48,10 +49,14 @@ double seconds_since(Call::Clock::time_point start) {
     return std::chrono::duration<double>(Call::Clock::now() - start).count();
 }
 
+long long elements_of(const json& params) {
+    const json& grid = params.at("grid");
+    return grid.at("nx").get<long long>() * grid.at("ny").get<long long>();  // each at most 4e6
+}
+
 /// Grids are limited before anything the size of a grid is made of them. `params` has passed its schema.
 void check_grid_limit(const json& params, std::size_t most) {
-    const json& grid = params.at("grid");
-    const auto elements = grid.at("nx").get<long long>() * grid.at("ny").get<long long>();  // each at most 4e6
+    const long long elements = elements_of(params);
     if (elements > static_cast<long long>(most))
         throw proto::invalid_field("grid.nx",
                                    "times ny is " + std::to_string(elements) + " elements; at most " +
@@ -59,15 +64,17 @@ void check_grid_limit(const json& params, std::size_t most) {
                                    proto::reason::limit_exceeded);
 }
 
-}  // namespace
-
-json to_json(const Job& job, const JobProgress& progress) {
-    return {{"job", job.name},
-            {"stage", progress.stage},
-            {"fraction", progress.fraction},
-            {"iteration", progress.iteration},
-            {"residual", std::isfinite(progress.residual) ? progress.residual : 0.0}};
+void check_grid_limits(const json& problems, std::size_t most) {
+    long long elements = 0;
+    for (const json& problem : problems) elements += elements_of(problem);  // at most 1000 times 1.6e13
+    if (elements > static_cast<long long>(most))
+        throw proto::invalid_field("problems",
+                                   "have " + std::to_string(elements) + " elements together; at most " +
+                                       std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                   proto::reason::limit_exceeded);
 }
+
+}  // namespace
 
 Service::Service(const Config& config)
     : config_(config),
@@ -77,11 +84,14 @@ Service::Service(const Config& config)
                {"ic.get", {&Service::ic_get, false}},
                {"ic.export", {&Service::ic_export, false}},
                {"contact.solve", {&Service::contact_solve, false}},
+               {"contact.solve_many", {&Service::contact_solve_many, false}},
+               {"contact.subsurface", {&Service::contact_subsurface, false}},
                {"job.list", {&Service::job_list, true}},
                {"job.cancel", {&Service::job_cancel, true}}},
       ics_(
           {{config.builds.launcher, config.builds.program}, config.builds.concurrent, config.store.memory_budget_bytes},
           open_store(config, counters_), jobs_, counters_),
+      influences_(config.store.influence_budget_bytes),
       workers_(config.workers) {}
 
 bool Service::is_quick(const std::string& method) const {
@@ -192,7 +202,18 @@ void Service::ic_export(const CallPtr& call) {
 void Service::contact_solve(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
     ++counters_.solves;
-    start_solve(call, ics_, workers_, jobs_);
+    start_solve(call, {ics_, workers_, influences_, jobs_});
+}
+
+void Service::contact_solve_many(const CallPtr& call) {
+    check_grid_limits(call->request.params.at("problems"), config_.max_grid_elements);
+    counters_.solves += static_cast<long long>(call->request.params.at("problems").size());
+    start_solve_many(call, {ics_, workers_, influences_, jobs_}, config_.workers, config_.limits);
+}
+
+void Service::contact_subsurface(const CallPtr& call) {
+    check_grid_limit(call->request.params, config_.max_grid_elements);
+    answer_subsurface(call, jobs_, config_.limits);
 }
 
 void Service::job_list(const CallPtr& call) {
@@ -218,14 +239,6 @@ void Service::job_cancel(const CallPtr& call) {
                           "There is no job " + json(name).dump() + "; job.list names those that wait or run.");
     job->cancel();
     call->succeed({{"job", name}});
-}
-
-void guarded(const CallPtr& call, const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const std::exception& error) {
-        call->fail(status_of(error));
-    }
 }
 
 }  // namespace contactd::server

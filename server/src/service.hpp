@@ -9,6 +9,7 @@
 #include "config.hpp"
 #include "counters.hpp"
 #include "ic_service.hpp"
+#include "influence_cache.hpp"
 #include "job.hpp"
 #include "worker_pool.hpp"
 
@@ -50,6 +51,8 @@ class Service {
     void ic_get(const CallPtr& call);
     void ic_export(const CallPtr& call);
     void contact_solve(const CallPtr& call);
+    void contact_solve_many(const CallPtr& call);
+    void contact_subsurface(const CallPtr& call);
     void job_list(const CallPtr& call);
     void job_cancel(const CallPtr& call);
 
@@ -60,6 +63,7 @@ class Service {
     std::map<std::string, Entry> methods_;
     std::atomic<bool> stopping_ = false;
     IcService ics_;
+    InfluenceCache influences_;
     WorkerPool workers_;  // last: its threads use everything above
 };
 

@@ -9,6 +9,7 @@
 #include "contactd/contact.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/solve_contact.hpp"
 
 namespace contactd::test {
 
@@ -28,6 +29,22 @@ inline IcTable half_space_pair(const Grid& grid, const Material& material, LoadS
 
 inline std::size_t at(const Grid& grid, int ix, int iy) {
     return static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
+}
+
+/// Of half-spaces; none of a rigid body.
+inline IcTable body_table(const Grid& grid, const Material& material) {
+    if (material.is_rigid()) return IcTable(grid.nx, grid.ny);
+    return half_space_table({{}, material, grid.dx, grid.dy, grid.nx, grid.ny});
+}
+
+/// Of the bodies of the problem.
+inline IcTable pair_table(const ContactProblem& problem) {
+    return pair_of(body_table(problem.grid, problem.bodies.upper), body_table(problem.grid, problem.bodies.lower));
+}
+
+inline ContactSolution solve_half_spaces(const ContactProblem& problem) {
+    Observer observer;
+    return solve_contact(problem, make_influence(problem, pair_table(problem)), observer);
 }
 
 /// u_i = A[i,j] p_j, element by element.
@@ -65,9 +82,9 @@ inline ContactProblem cattaneo_problem(int n) {
     ContactProblem problem;
     problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
-    problem.undeformed_distance = paraboloid(problem.grid, 50, 50);
+    problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
-    problem.friction = Friction{0.4, 0.00817, 0};
+    problem.friction = Friction{{0.4}, {}, Shift{0.00817, 0}};
     return problem;
 }
 

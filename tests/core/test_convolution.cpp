@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -13,9 +14,22 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
+IcTable dissimilar_pair(const Grid& grid) {
+    const auto body = [&](const Material& material) {
+        IcSpec spec;
+        spec.material = material;
+        spec.dx = grid.dx;
+        spec.dy = grid.dy;
+        spec.nx = grid.nx;
+        spec.ny = grid.ny;
+        return half_space_table(spec);
+    };
+    return pair_of(body({3, 0.4}), body({1, 0.1}));
+}
+
 // A table that no closed form made: every component its own values, odd ones zero on the axes.
 IcTable rough_table(const Grid& grid) {
-    IcTable table = half_space_pair(grid, {1, 0.3});
+    IcTable table = dissimilar_pair(grid);
     const Values noise = random_values(table.values.size(), 7, 0.9, 1.1);
     for (std::size_t i = 0; i < noise.size(); ++i) table.values[i] *= noise[i];
     return table;
@@ -40,6 +54,18 @@ void check_against_dense_sums(const ConvolutionOperator& influence, const IcTabl
                         dense_product(table, Axis::y, Axis::y, nx, ny, py)));
 }
 
+void check_coupling_against_dense_sums(const InfluenceOperator& influence, const IcTable& table, int nx, int ny) {
+    const std::size_t n = influence.size();
+    const Values px = random_values(n, 4), py = random_values(n, 5), pz = random_values(n, 6);
+    Values ux(n), uy(n), uz(n);
+    influence.normal_of_tangential(px, py, uz);
+    influence.tangential_of_normal(pz, ux, uy);
+    check_equal(uz, sum(dense_product(table, Axis::z, Axis::x, nx, ny, px),
+                        dense_product(table, Axis::z, Axis::y, nx, ny, py)));
+    check_equal(ux, dense_product(table, Axis::x, Axis::z, nx, ny, pz));
+    check_equal(uy, dense_product(table, Axis::y, Axis::z, nx, ny, pz));
+}
+
 }  // namespace
 
 TEST_CASE("convolution equals the dense sum", "[convolution]") {
@@ -50,6 +76,29 @@ TEST_CASE("convolution equals the dense sum", "[convolution]") {
     const ConvolutionOperator influence(table, nx, ny);
     CHECK(influence.diagonal(Axis::y) == table(Axis::y, Axis::y, 0, 0));
     check_against_dense_sums(influence, table, nx, ny);
+    check_coupling_against_dense_sums(influence, table, nx, ny);
+    CHECK(influence.coupled() == (nx * ny > 1));
+}
+
+TEST_CASE("without Poisson's effect the tangential directions are on their own", "[convolution]") {
+    IcTable table = rough_table(Grid::centred(7, 5, 1, 0.7));
+    for (const auto& [i, j] : {std::pair{Axis::x, Axis::y}, {Axis::y, Axis::x}})
+        std::fill_n(&table(i, j, 0, 0), table.component_size(), 0.0);
+    check_against_dense_sums(ConvolutionOperator(table, 7, 5), table, 7, 5);
+}
+
+TEST_CASE("an uncoupled operator gives no displacements across", "[convolution]") {
+    IcTable table = half_space_pair(Grid::centred(6, 4, 1, 1), {1, 0.3});
+    table(Axis::x, Axis::z, 2, 1) = 1e-9;  // rounding
+    const ConvolutionOperator influence(table, 6, 4);
+    CHECK_FALSE(influence.coupled());
+    const Values p = random_values(24, 1);
+    Values u(24, 7.0), uy(24, 7.0);
+    influence.normal_of_tangential(p, p, u);
+    CHECK(u == Values(24));
+    influence.tangential_of_normal(p, u, uy);
+    CHECK(u == Values(24));
+    CHECK(uy == Values(24));
 }
 
 TEST_CASE("convolution skips rows without traction correctly", "[convolution]") {
@@ -111,10 +160,11 @@ TEST_CASE("preconditioner is symmetric and positive on any contact set", "[convo
 TEST_CASE("coarser operator stands for elements of twice the size", "[convolution]") {
     const int nx = 40, ny = 21;
     const Grid grid = Grid::centred(nx, ny, 1, 1);
-    const ConvolutionOperator fine(half_space_pair(grid, {1, 0.3}), nx, ny);
+    const ConvolutionOperator fine(dissimilar_pair(grid), nx, ny);
     const InfluenceOperator* coarse = fine.coarser();
     REQUIRE(coarse != nullptr);
     REQUIRE(coarse->size() == 20 * 11);
+    REQUIRE(coarse->coupled());
     Values p_coarse(coarse->size()), u_coarse(coarse->size()), p(fine.size()), u(fine.size()), mean(coarse->size());
     p_coarse[3 * 20 + 4] = 1;
     for (const int iy : {6, 7})
@@ -124,6 +174,11 @@ TEST_CASE("coarser operator stands for elements of twice the size", "[convolutio
     fine.normal(p, u);
     fine.to_coarser(u, mean);
 
+    for (std::size_t i = 0; i < 20 * 10; ++i) CHECK_THAT(u_coarse[i], WithinAbs(mean[i], 1e-13));
+    Values other_coarse(coarse->size()), other(fine.size());
+    coarse->tangential_of_normal(p_coarse, u_coarse, other_coarse);
+    fine.tangential_of_normal(p, u, other);
+    fine.to_coarser(u, mean);
     for (std::size_t i = 0; i < 20 * 10; ++i) CHECK_THAT(u_coarse[i], WithinAbs(mean[i], 1e-13));
 }
 

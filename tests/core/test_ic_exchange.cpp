@@ -10,11 +10,10 @@
 #include <sstream>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/tangential.hpp"
+#include "contactd/solve_contact.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -162,11 +161,11 @@ TEST_CASE("a table that went through the text solves to the same forces", "[exch
     const GivenIcs ics{half_space_pair(problem.grid, problem.bodies.upper), problem.grid.dx, problem.grid.dy};
     const GivenIcs read = from_contact_text(to_contact_text(ics, 200), std::nullopt);
     Observer observer;
-    const auto expected = solve_contact(problem, ConvolutionOperator(ics.table, 20, 20), observer);
+    const auto expected = solve_contact(problem, make_influence(problem, ics.table), observer);
     ContactProblem given = problem;
     given.bodies = {};
     given.given_ics = read;
-    const auto solution = solve_contact(given, ConvolutionOperator(read.table, 20, 20), observer);
+    const auto solution = solve_contact(given, make_influence(given, read.table), observer);
     CHECK_THAT(solution.Fn, WithinRel(expected.Fn, 1e-12));
     CHECK_THAT(solution.Fx, WithinRel(expected.Fx, 1e-12));
     CHECK(solution.slip_elements == expected.slip_elements);

@@ -15,14 +15,14 @@ namespace {
 
 const Material material{200, 0.42};
 
-struct Shift {
+struct ShiftCase {
     Grid grid;
     IcTable table;
     ConvolutionOperator influence;
     Values bound, rigid_x, rigid_y;
 
     // An elliptic bound that fills the window, uniform shift.
-    Shift(const Grid& grid_, double largest_bound, double wx, double wy)
+    ShiftCase(const Grid& grid_, double largest_bound, double wx, double wy)
         : grid(grid_),
           table(half_space_pair(grid, material)),
           influence(table, grid.nx, grid.ny),
@@ -47,7 +47,7 @@ struct Counts {
 };
 
 // Coulomb's law element by element, with displacements from dense sums. `accuracy`: of slip and traction.
-Counts check_friction_law(const Shift& shift, const TangentialSolution& solution, double accuracy) {
+Counts check_friction_law(const ShiftCase& shift, const TangentialSolution& solution, double accuracy) {
     REQUIRE(solution.evidence.converged);
     const int nx = shift.grid.nx, ny = shift.grid.ny;
     const auto &px = solution.traction_x, &py = solution.traction_y;
@@ -96,13 +96,13 @@ TEST_CASE("friction law holds for shifts in any direction and size", "[tangentia
     const double angle = GENERATE(0.0, 1.1, 3.9);
     const double size = GENERATE(0.0005, 0.003, 0.008, 0.1);
     CAPTURE(nx, ny, angle, size);
-    const Shift shift(Grid::centred(nx, ny, 2.0 / nx, 2.0 / nx / aspect), 1.7, size * std::cos(angle),
-                      size * std::sin(angle));
+    const ShiftCase shift(Grid::centred(nx, ny, 2.0 / nx, 2.0 / nx / aspect), 1.7, size * std::cos(angle),
+                          size * std::sin(angle));
     check_friction_law(shift, shift.solve(), law_accuracy);
 }
 
 TEST_CASE("friction law holds for rigid slip that differs by element", "[tangential]") {
-    Shift shift(Grid::centred(19, 16, 0.1, 0.12), 1.5, 0, 0);
+    ShiftCase shift(Grid::centred(19, 16, 0.1, 0.12), 1.5, 0, 0);
     SECTION("spin") {
         const double shift_x = GENERATE(0.0, 0.002);
         for (int iy = 0; iy < 16; ++iy)
@@ -124,12 +124,12 @@ TEST_CASE("friction law holds for rigid slip that differs by element", "[tangent
 
 TEST_CASE("small shifts adhere everywhere, large ones slip everywhere", "[tangential]") {
     const Grid grid = Grid::centred(14, 14, 0.15, 0.15);
-    Shift small(grid, 1.7, 1e-3, 0);
+    ShiftCase small(grid, 1.7, 1e-3, 0);
     for (double& g : small.bound)
         if (g > 0) g = 1e3;
     CHECK(check_friction_law(small, small.solve(), law_accuracy).slip == 0);
 
-    const Shift large(grid, 1.7, 0.5, -0.5);
+    const ShiftCase large(grid, 1.7, 0.5, -0.5);
     const auto solution = large.solve();
     CHECK(check_friction_law(large, solution, law_accuracy).adhesion == 0);
     CHECK_THAT(total(solution.traction_x), WithinRel(-std::sqrt(0.5) * total(large.bound), 1e-3));
@@ -137,7 +137,7 @@ TEST_CASE("small shifts adhere everywhere, large ones slip everywhere", "[tangen
 }
 
 TEST_CASE("no shift, no traction", "[tangential]") {
-    const Shift shift(Grid::centred(12, 12, 0.1, 0.1), 1.7, 0, 0);
+    const ShiftCase shift(Grid::centred(12, 12, 0.1, 0.1), 1.7, 0, 0);
     const std::size_t n = shift.bound.size();
     const bool estimate = GENERATE(false, true);
     const auto solution = estimate ? shift.solve(random_values(n, 1), random_values(n, 2)) : shift.solve();
@@ -149,7 +149,7 @@ TEST_CASE("no shift, no traction", "[tangential]") {
 }
 
 TEST_CASE("no bound, no traction", "[tangential]") {
-    const Shift shift(Grid::centred(6, 6, 0.1, 0.1), 0, 0.01, 0.01);
+    const ShiftCase shift(Grid::centred(6, 6, 0.1, 0.1), 0, 0.01, 0.01);
     const auto solution = shift.solve();
     CHECK(solution.evidence.converged);
     CHECK(largest(solution.traction_x) == 0);
@@ -157,7 +157,7 @@ TEST_CASE("no bound, no traction", "[tangential]") {
 }
 
 TEST_CASE("the estimate does not change the tractions", "[tangential]") {
-    const Shift shift(Grid::centred(20, 20, 0.1, 0.1), 1.7, 0.004, 0.003);
+    const ShiftCase shift(Grid::centred(20, 20, 0.1, 0.1), 1.7, 0.004, 0.003);
     const std::size_t n = shift.bound.size();
     const auto reference = shift.solve({}, {}, {1e-11, 1000});
     const auto same = [&](const Values& x, const Values& y) {
@@ -187,14 +187,14 @@ TEST_CASE("the estimate does not change the tractions", "[tangential]") {
 
 TEST_CASE("an opposite shift gives opposite tractions", "[tangential]") {
     const Grid grid = Grid::centred(15, 12, 0.1, 0.1);
-    const auto one = Shift(grid, 1.7, 0.004, 0.001).solve(), other = Shift(grid, 1.7, -0.004, -0.001).solve();
+    const auto one = ShiftCase(grid, 1.7, 0.004, 0.001).solve(), other = ShiftCase(grid, 1.7, -0.004, -0.001).solve();
     CHECK(total(one.traction_x) < 0);
     CHECK(one.element_division == other.element_division);
     for (std::size_t i = 0; i < grid.size(); ++i) CHECK_THAT(one.traction_x[i], WithinAbs(-other.traction_x[i], 1e-10));
 }
 
 TEST_CASE("tractions that missed the tolerance say so and keep the bound", "[tangential]") {
-    const Shift shift(Grid::centred(16, 16, 0.125, 0.125), 1.7, 0.006, 0.002);
+    const ShiftCase shift(Grid::centred(16, 16, 0.125, 0.125), 1.7, 0.006, 0.002);
     const auto solution = shift.solve({}, {}, {1e-6, 3});
     CHECK_FALSE(solution.evidence.converged);
     CHECK(solution.evidence.iterations == 3);
@@ -206,7 +206,7 @@ TEST_CASE("tangential contact can be cancelled", "[tangential]") {
     struct : Observer {
         bool cancelled() const override { return true; }
     } observer;
-    const Shift shift(Grid::centred(24, 24, 0.1, 0.1), 1.7, 0.004, 0.001);
+    const ShiftCase shift(Grid::centred(24, 24, 0.1, 0.1), 1.7, 0.004, 0.001);
     CHECK_THROWS_AS(solve_tangential(shift.influence, shift.bound, shift.rigid_x, shift.rigid_y, {}, {}, {}, observer),
                     Cancelled);
 }

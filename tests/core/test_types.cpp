@@ -29,7 +29,7 @@ ContactProblem good_problem() {
     ContactProblem problem;
     problem.grid = Grid::centred(4, 3, 0.5, 0.5);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
-    problem.undeformed_distance = paraboloid(problem.grid, 50, 50);
+    problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
     return problem;
 }
@@ -163,11 +163,11 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.grid.dx = -1; }) == "grid.dx");
     CHECK(refused_problem([](ContactProblem& p) { p.grid.x0 = no_number; }) == "grid.x0");
     CHECK(refused_problem([](ContactProblem& p) { p.bodies.lower.nu = 0.6; }) == "bodies.lower.nu");
-    CHECK(refused_problem([](ContactProblem& p) { p.undeformed_distance.pop_back(); }) == "gap");
-    CHECK(refused_problem([](ContactProblem& p) { p.undeformed_distance[3] = infinity; }) == "gap");
+    CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(3); }) == "gap");
+    CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(p.grid.size(), infinity); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.approach = no_number; }) == "approach");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{-0.1, 0, 0}; }) == "friction.mu");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{0.1, no_number, 0}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{-0.1}, {}, Shift{0, 0}}; }) == "friction.mu");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Shift{no_number, 0}}; }) ==
           "friction.rigid_shift");
     CHECK(refused_problem([](ContactProblem& p) { p.normal_settings.tolerance = 0; }) == "settings.normal.tolerance");
     CHECK(refused_problem([](ContactProblem& p) { p.tangential_settings.max_iterations = 0; }) ==

@@ -20,6 +20,12 @@ ANALYTIC_TABLE = {
     "grid": {"nx": 6, "ny": 6, "dx": 0.8, "dy": 0.8},
     "ics": {"source": "analytic"},
 }
+SUBSURFACE_PARAMS = {
+    "grid": {"nx": 2, "ny": 1, "dx": 1, "dy": 1},
+    "nu": 0.3,
+    "pressure": [[1, 2]],
+    "block": {"x": [0, 1], "y": [0], "z": [0, -1]},
+}
 
 
 @pytest.mark.parametrize("arrays", ["frame", "list"])
@@ -35,6 +41,7 @@ ANALYTIC_TABLE = {
         ("ic.export", {**ANALYTIC_TABLE, "format": "contact"}),
         ("contact.solve", CATTANEO_PARAMS),
         ("contact.solve", {name: CATTANEO_PARAMS[name] for name in CATTANEO_PARAMS if name != "friction"}),
+        ("contact.subsurface", SUBSURFACE_PARAMS),
         ("job.list", {}),
     ],
     ids=lambda part: part if isinstance(part, str) else "",

@@ -1,6 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
-#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <limits>
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
@@ -8,54 +9,50 @@
 
 using namespace contactd;
 using namespace contactd::proto;
-using Catch::Matchers::ContainsSubstring;
 using nlohmann::json;
 
 namespace {
+
+Shift shift(double x, double y) {
+    Shift shift;
+    shift.x = x;
+    shift.y = y;
+    return shift;
+}
+
+Friction friction() {
+    return {{0.4}, {}, shift(0.00817, -1e-9)};
+}
 
 ContactProblem problem() {
     ContactProblem problem;
     problem.grid = Grid{3, 2, 0.1, 1.0 / 3, -7, 0.3};
     problem.bodies = {{200, 0.42}, {100.1, 0.3}};
-    problem.undeformed_distance = {0.1, 0.2, 0.3, -0.4, 1.0 / 7, 6e-5};
+    problem.gap = std::vector<double>{0.1, 0.2, 0.3, -0.4, 1.0 / 7, 6e-5};
     problem.approach = 0.02;
-    problem.friction = Friction{0.4, 0.00817, -1e-9};
+    problem.friction = friction();
+    problem.previous = {{1, 0, 0, 0, 0, 2}, {}, {0, 0, 0.1 + 0.2, 0, 0, 0}};
     problem.normal_settings = {1e-9, 50};
     problem.tangential_settings = {1e-5, 70};
+    problem.outer_settings = {1e-4, 7};
     problem.initial_traction_y = {1, 2, 3, 4, 5, 6};
     return problem;
-}
-
-SolveReply solve_reply() {
-    SolveReply reply;
-    ContactSolution& solution = reply.solution;
-    solution.Fn = 9.195402;
-    solution.Fx = -3.2216;
-    solution.Fy = 1e-17;
-    solution.pmax = 4.39;
-    solution.contact_area = 3.1;
-    solution.adhesion_area = 1.1;
-    solution.slip_area = 2.0;
-    solution.contact_elements = 3;
-    solution.adhesion_elements = 1;
-    solution.slip_elements = 2;
-    solution.element_division = {ElementState::exterior, ElementState::adhesion, ElementState::slip,
-                                 ElementState::exterior, ElementState::slip,     ElementState::exterior};
-    solution.pressure = {0, 1, 2, 0, 3, 0};
-    solution.traction_x = {0, -0.1, -0.2, 0, -0.3, 0};
-    solution.traction_y = {0, 0.1 + 0.2, 0, 0, 1e-300, 0};
-    solution.normal = {12, 3e-7, true, 0.01};
-    solution.tangential = SolverEvidence{40, 2e-3, false, 0.02};
-    reply.upper = {"closed_form", "abc", {}};
-    reply.upper.evidence.source = "analytic";
-    reply.lower = reply.upper;
-    reply.lower.key = "def";
-    return reply;
 }
 
 json sent(const json& message) {
     return json::parse(dump(message));
 }
+
+/// What arrives of a problem, sent with its arrays as frames.
+ContactProblem arrived(const ContactProblem& original) {
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = sent(encode_problem(original, arrays));
+    CAPTURE(params.dump());
+    CHECK(violations_of("contact.solve.params", params).empty());
+    return decode_problem(params, arrays.take_frames());
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string refused_field(const json& params, const std::vector<std::string>& frames = {}) {
     REQUIRE(violations_of("contact.solve.params", params).empty());
@@ -81,11 +78,15 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
     CHECK(read.grid == original.grid);
     CHECK(read.bodies == original.bodies);
     CHECK(read.ics.source == IcSource::analytic);
-    CHECK(read.undeformed_distance == original.undeformed_distance);
+    CHECK(read.gap == original.gap);
     CHECK(read.approach == original.approach);
+    CHECK_FALSE(read.Fn);
+    CHECK(read.model == Model::full);
     CHECK(read.friction == original.friction);
+    CHECK(read.previous == original.previous);
     CHECK(read.normal_settings == original.normal_settings);
     CHECK(read.tangential_settings == original.tangential_settings);
+    CHECK(read.outer_settings == original.outer_settings);
     CHECK(read.initial_pressure.empty());
     CHECK(read.initial_traction_x.empty());
     CHECK(read.initial_traction_y == original.initial_traction_y);
@@ -134,8 +135,26 @@ TEST_CASE("What a request leaves out has its default", "[codec]") {
 
     CHECK(read.grid == Grid::centred(3, 2, 0.06, 0.06));
     CHECK(read.bodies.lower == read.bodies.upper);
-    CHECK(read.normal_settings == SolverSettings{});
-    CHECK(read.undeformed_distance == paraboloid(read.grid, 50, 50));
+    CHECK(read.normal_settings == ContactProblem{}.normal_settings);
+    CHECK(read.tangential_settings == ContactProblem{}.tangential_settings);
+    CHECK(read.outer_settings == ContactProblem{}.outer_settings);
+    CHECK(read.gap == Gap{Paraboloid{50, 50}});
+    CHECK(read.model == Model::full);
+    CHECK(read.friction == Friction{{0.4}, {}, shift(0.00817, 0)});
+    CHECK(read.previous.empty());
+}
+
+TEST_CASE("The schema tells the defaults of the solvers as they are", "[codec]") {
+    const ContactProblem defaults;
+    const json& solvers = schema("contact.solve.params")["properties"]["settings"]["properties"];
+    const auto told = [&](const char* solver) {
+        const json& fields = solvers[solver]["properties"];
+        return SolverSettings{fields["tolerance"]["default"].get<double>(),
+                              fields["max_iterations"]["default"].get<int>()};
+    };
+    CHECK(told("normal") == defaults.normal_settings);
+    CHECK(told("tangential") == defaults.tangential_settings);
+    CHECK(told("outer") == defaults.outer_settings);
 }
 
 TEST_CASE("A radius left out is a flat direction, one corner may be given", "[codec]") {
@@ -147,8 +166,7 @@ TEST_CASE("A radius left out is a flat direction, one corner may be given", "[co
 
     CHECK(read.grid.x0 == 100);
     CHECK(read.grid.y0 == Grid::centred(3, 2, 0.06, 0.06).y0);
-    CHECK(read.undeformed_distance[0] == 0.03 * 0.03 / (2 * -10.0));
-    CHECK(read.undeformed_distance[2] == read.undeformed_distance[0]);
+    CHECK(read.gap == Gap{Paraboloid{infinity, -10}});
 }
 
 TEST_CASE("A grid that is too large is refused before it is allocated", "[codec]") {
@@ -166,58 +184,110 @@ TEST_CASE("Arrays of a problem that do not fit are named", "[codec]") {
     params["initial"]["traction_x"] = json::parse(R"({"$array": {"frame": 2, "dtype": "<f8", "shape": [2, 3]}})");
     CHECK(refused_field(params, {"short"}) == "initial.traction_x");
     CHECK(refused_field(params, {"", "short"}) == "initial.traction_x");
+
+    params = wire::solve_params();
+    params["friction"]["mu"] = {{0.1, 0.2}};
+    CHECK(refused_field(params) == "friction.mu");
+
+    params = wire::solve_params();
+    params["previous"]["pressure"] = {{1, 2, 3}, {4, 5, "6"}};
+    CHECK(refused_field(params) == "previous.pressure");
 }
 
-TEST_CASE("A solution comes back exactly", "[codec]") {
-    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
-    const bool friction = GENERATE(true, false);
-    SolveReply reply = solve_reply();
-    if (!friction) reply.solution.tangential.reset();
-    ArrayWriter arrays(encoding);
-    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
-
-    CHECK(violations_of("contact.solve.result", result).empty());
-    const SolveReply read = decode_solve_reply(sent(result), arrays.take_frames());
-
-    CHECK(read.solution.Fn == reply.solution.Fn);
-    CHECK(read.solution.Fx == reply.solution.Fx);
-    CHECK(read.solution.Fy == reply.solution.Fy);
-    CHECK(read.solution.pmax == reply.solution.pmax);
-    CHECK(read.solution.contact_area == reply.solution.contact_area);
-    CHECK(read.solution.adhesion_area == reply.solution.adhesion_area);
-    CHECK(read.solution.slip_area == reply.solution.slip_area);
-    CHECK(read.solution.contact_elements == 3);
-    CHECK(read.solution.adhesion_elements == 1);
-    CHECK(read.solution.slip_elements == 2);
-    CHECK(read.solution.element_division == reply.solution.element_division);
-    CHECK(read.solution.pressure == reply.solution.pressure);
-    CHECK(read.solution.traction_x == reply.solution.traction_x);
-    CHECK(read.solution.traction_y == reply.solution.traction_y);
-    CHECK(read.solution.normal.iterations == 12);
-    CHECK(read.solution.tangential.has_value() == friction);
-    CHECK(read.solution.converged() == !friction);
-    CHECK(result["converged"] == !friction);
-    CHECK(read.upper.origin == "closed_form");
-    CHECK(read.lower.key == "def");
+TEST_CASE("Every way to state gap and load comes back", "[codec]") {
+    ContactProblem original = problem();
+    SECTION("paraboloid") {
+        original.gap = GENERATE(Paraboloid{50, 1.0 / 3}, Paraboloid{infinity, -7}, Paraboloid{1e12, infinity});
+    }
+    SECTION("semi-axes") {
+        original.gap = SemiAxes{0.1 + 0.2, 7};
+    }
+    SECTION("force") {
+        original.Fn = 1.0 / 7;
+        original.approach = 0;
+    }
+    const ContactProblem read = arrived(original);
+    CHECK(read.gap == original.gap);
+    CHECK(read.Fn == original.Fn);
+    CHECK(read.approach == original.approach);
 }
 
-TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
-    ArrayWriter arrays(ArrayEncoding::list);
-    json result = encode_solve_reply(solve_reply(), Grid::centred(3, 2, 1, 1), arrays);
-    SECTION("shape") {
-        result["traction_x"].erase(0);
+TEST_CASE("A paraboloid flatter than the wire takes arrives as an array", "[codec]") {
+    ContactProblem original = problem();
+    const Paraboloid paraboloid = GENERATE(Paraboloid{infinity, infinity}, Paraboloid{50, 1e13});
+    original.gap = paraboloid;
+    CHECK(arrived(original).gap == Gap{sampled(paraboloid, original.grid)});
+}
+
+TEST_CASE("A rigid body stays rigid", "[codec]") {
+    ContactProblem original = problem();
+    SECTION("upper") {
+        original.bodies.upper = Material::rigid();
     }
-    SECTION("element state") {
-        result["element_division"][0][0] = 3;
+    SECTION("lower") {
+        original.bodies.lower = Material::rigid();
     }
-    SECTION("no rows") {
-        result["pressure"] = json::array();
+    CHECK(arrived(original).bodies == original.bodies);
+}
+
+TEST_CASE("A quick model needs bodies and no coefficients", "[codec]") {
+    ContactProblem original = problem();
+    original.model = GENERATE(Model::hertz, Model::fastsim);
+    original.gap = SemiAxes{1, 2};
+    const ContactProblem read = arrived(original);
+    CHECK(read.model == original.model);
+    CHECK(read.bodies == original.bodies);
+
+    json params = wire::solve_params();
+    params["model"] = "hertz";
+    params["ics"] = {{"source", "table"}, {"table", {1}}, {"dx", 0.06}, {"dy", 0.06}};
+    REQUIRE(violations_of("contact.solve.params", params).empty());
+    CHECK_FALSE(decode_problem(params, {}).given_ics);
+}
+
+TEST_CASE("Every friction comes back exactly", "[codec]") {
+    ContactProblem original = problem();
+    Friction& friction = *original.friction;
+    SECTION("coefficient per element") {
+        friction.mu = {0.1, 0.2, 0.3, 0.4, 0, 1.0 / 3};
     }
-    SECTION("dimensions") {
-        result["pressure"] = json::parse(R"({"$array": {"frame": 1, "dtype": "<f8", "shape": [6]}})");
+    SECTION("kinetic") {
+        friction.kinetic = {GENERATE(SlipLaw::linear, SlipLaw::exponential), 0.1, 1.0 / 7};
     }
-    SECTION("huge shape") {
-        result["pressure"] = json::parse(R"({"$array": {"frame": 1, "dtype": "<f8", "shape": [4000000, 4000000]}})");
+    SECTION("shift") {
+        Shift shift{1e-3, -2e-3, 1.0 / 3, {}, {}, 0.25};
+        SECTION("prescribed") {}
+        SECTION("one force") {
+            shift.Fy = -1.0 / 3;
+        }
+        SECTION("two forces") {
+            shift.Fx = 0;
+            shift.Fy = 1e-300;
+        }
+        friction.motion = shift;
     }
-    CHECK(wire::status_thrown_by([&] { decode_solve_reply(result, {""}); }));
+    SECTION("rolling") {
+        Rolling rolling;
+        SECTION("with every default") {}
+        SECTION("with every field") {
+            rolling = {1e-3, -2e-3, 3e-4, 1.0 / 3, 0.1, false, 77, 3e4, 5.5, {}};
+        }
+        friction.motion = rolling;
+    }
+    CHECK(arrived(original).friction == original.friction);
+}
+
+TEST_CASE("What a friction leaves out has its default", "[codec]") {
+    json params = wire::solve_params();
+    const auto friction_of = [&](const char* text) {
+        params["friction"] = json::parse(text);
+        CHECK(violations_of("contact.solve.params", params).empty());
+        return *decode_problem(params, {}).friction;
+    };
+    Shift pulled;
+    pulled.Fx = -3;
+    CHECK(friction_of(R"({"mu": 0.3, "force": [-3, null]})") == Friction{{0.3}, {}, pulled});
+    CHECK(friction_of(R"({"mu": 0.3, "rolling": {}})") == Friction{{0.3}, {}, Rolling{}});
+    const KineticFriction kinetic{SlipLaw::exponential, 0.2, 5};
+    CHECK(friction_of(R"({"mu": 0.3, "kinetic": {"mu": 0.2, "slip_velocity": 5}, "rolling": {}})").kinetic == kinetic);
 }

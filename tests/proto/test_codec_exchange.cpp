@@ -25,7 +25,7 @@ GivenIcs given(int nx = 3, int ny = 2) {
 ContactProblem problem(const GivenIcs& ics) {
     ContactProblem problem;
     problem.grid = Grid::centred(3, 2, 0.06, 0.06);
-    problem.undeformed_distance.assign(6, 0.1);
+    problem.gap = std::vector<double>(6, 0.1);
     problem.approach = 0.2;
     problem.given_ics = ics;
     return problem;
@@ -174,8 +174,6 @@ TEST_CASE("The answer says that coefficients were given", "[codec]") {
     CHECK(read.pair->key == "abc");
     json both = result;
     both["evidence"]["ics"]["upper"] = both["evidence"]["ics"]["pair"];
-    CHECK_FALSE(violations_of("contact.solve.result", both).empty());
-    both["evidence"]["ics"].erase("pair");
     CHECK_FALSE(violations_of("contact.solve.result", both).empty());
 }
 

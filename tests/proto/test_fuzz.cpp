@@ -5,6 +5,7 @@
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
+#include "solve_replies.hpp"
 #include "wire.hpp"
 
 using namespace contactd;
@@ -23,6 +24,20 @@ json given_params() {
     json params = wire::solve_params();
     const json component = {{1, 0, 0}, {0, 0, 0}};
     params["ics"] = {{"source", "table"}, {"table", json(3, json(3, component))}, {"dx", 0.06}, {"dy", 0.06}};
+    return params;
+}
+
+json rolling_params() {
+    json params = wire::solve_params();
+    params.erase("approach");
+    params["Fn"] = 9.2;
+    params["model"] = "full";
+    params["gap"] = {{"semi_axes", {{"a", 1}, {"b", 2}}}};
+    params["bodies"]["lower"] = {{"rigid", true}};
+    params["friction"] = json::parse(R"({"mu": [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]],
+        "kinetic": {"law": "linear", "mu": 0.1, "slip_velocity": 3},
+        "rolling": {"xi": 1e-3, "kind": "transient", "steps": 3, "force": [null, 1.5]}})");
+    params["previous"]["pressure"] = {{1, 2, 3}, {4, 5, 6}};
     return params;
 }
 
@@ -78,9 +93,10 @@ void damage(json& node, Generator& generator) {
         else
             damage(*at, generator);
     } else if (node.is_object() && below(generator, 2) == 0) {
-        static const char* names[]{"nx",    "array", "paraboloid", "$array", "source",
-                                   "order", "other", "lower",      "initial"};
-        node[names[below(generator, 9)]] = odd_value(generator);
+        static const char* names[]{"nx",    "array",   "paraboloid", "$array",   "source",   "order",
+                                   "other", "lower",   "initial",    "Fn",       "model",    "rigid",
+                                   "force", "rolling", "semi_axes",  "previous", "approach", "rigid_shift"};
+        node[names[below(generator, std::size(names))]] = odd_value(generator);
     } else {
         node = odd_value(generator);
     }
@@ -107,6 +123,8 @@ void handle(const std::string& text, const std::vector<std::string>& frames, Out
         if (request.method == "ic.get") decode_ic_spec(request.params);
         if (request.method == "ic.export") decode_ic_export(request.params);
         if (request.method == "contact.solve") decode_problem(request.params, request.frames);
+        if (request.method == "contact.solve_many") decode_problems(request.params, request.frames);
+        if (request.method == "contact.subsurface") decode_subsurface_request(request.params, request.frames);
         ++outcome.read;
     } catch (const StatusError& error) {
         CHECK_FALSE(error.status().ok());
@@ -136,11 +154,15 @@ TEST_CASE("Damaged text is read or refused", "[fuzz]") {
 TEST_CASE("Damaged parameters are read or refused, with a field where a schema is broken", "[fuzz]") {
     Generator generator(4711);
     Outcome outcome;
-    const std::pair<std::string, json> requests[]{{"contact.solve", wire::solve_params()},
-                                                  {"contact.solve", given_params()},
-                                                  {"ic.get", wire::ic_params()},
-                                                  {"ic.export", export_params()}};
-    for (int i = 0; i < 10'000; ++i) {
+    const std::pair<std::string, json> requests[]{
+        {"contact.solve", wire::solve_params()},
+        {"contact.solve", given_params()},
+        {"contact.solve", rolling_params()},
+        {"contact.solve_many", {{"problems", json::array({rolling_params(), given_params()})}}},
+        {"contact.subsurface", wire::subsurface_params()},
+        {"ic.get", wire::ic_params()},
+        {"ic.export", export_params()}};
+    for (int i = 0; i < 4'000; ++i) {
         const auto [method, original] = requests[below(generator, std::size(requests))];
         json params = original;
         const std::size_t times = 1 + below(generator, 3);
@@ -154,24 +176,18 @@ TEST_CASE("Damaged parameters are read or refused, with a field where a schema i
         const std::vector<std::string> frames(below(generator, 2), std::string(48, '\0'));
         handle(request_text(method, params), frames, outcome);
     }
-    CHECK(outcome.read + outcome.refused == 10'000);
+    CHECK(outcome.read + outcome.refused == 4'000);
     CHECK(outcome.read > 100);
     CHECK(outcome.refused > 1000);
 }
 
 TEST_CASE("Damaged answers are read or refused", "[fuzz]") {
     Generator generator(99);
-    SolveReply reply;
-    reply.solution.element_division.assign(6, ElementState::slip);
-    reply.solution.pressure.assign(6, 1);
-    reply.solution.traction_x = reply.solution.traction_y = reply.solution.pressure;
-    reply.upper.origin = reply.lower.origin = "closed_form";
-    reply.upper.evidence.source = reply.lower.evidence.source = "analytic";
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    const json result = encode_solve_reply(wire::solve_reply(), Grid::centred(3, 2, 1, 1), arrays);
     const auto frames = arrays.take_frames();
     int read = 0;
-    for (int i = 0; i < 5'000; ++i) {
+    for (int i = 0; i < 2'000; ++i) {
         json bad = result;
         damage(bad, generator);
         if (!violations_of("contact.solve.result", bad).empty()) continue;

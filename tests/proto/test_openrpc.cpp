@@ -39,8 +39,9 @@ TEST_CASE("Parameters are listed one by one, the required ones first", "[openrpc
         if (param["required"].get<bool>()) CHECK(optional.empty());
         (param["required"].get<bool>() ? required : optional).push_back(param["name"]);
     }
-    CHECK(required == std::vector<std::string>{"approach", "gap", "grid", "ics"});
-    CHECK(optional == std::vector<std::string>{"bodies", "friction", "initial", "settings"});
+    CHECK(required == std::vector<std::string>{"gap", "grid"});
+    CHECK(optional == std::vector<std::string>{"Fn", "approach", "bodies", "friction", "ics", "initial", "model",
+                                               "previous", "settings"});
 }
 
 TEST_CASE("Every reference of the document can be followed", "[openrpc]") {

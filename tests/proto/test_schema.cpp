@@ -66,6 +66,7 @@ TEST_CASE("Schemas stand alone and describe every field", "[schema]") {
 TEST_CASE("Good parameters pass", "[schema]") {
     CHECK_NOTHROW(check_params("ic.get", wire::ic_params()));
     CHECK_NOTHROW(check_params("contact.solve", wire::solve_params()));
+    CHECK_NOTHROW(check_params("contact.solve_many", {{"problems", json(3, wire::solve_params())}}));
     CHECK_NOTHROW(check_params("job.cancel", {{"job", "build-3"}}));
     for (const char* method : {"server.info", "server.health", "server.describe", "job.list"})
         CHECK_NOTHROW(check_params(method, json::object()));
@@ -135,7 +136,14 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/bodies/upper/nu", "0.6", "bodies.upper.nu", "is 0.6; it must lie in [0, 0.5]"},
             Case{"/bodies/lower", "{\"G\": 1}", "bodies.lower.nu", "is missing; it must be a number"},
             Case{"/bodies/middle", "{}", "bodies.middle", "known fields are lower, upper"},
-            Case{"/gap", "{}", "gap", "it must hold exactly one of array, paraboloid"},
+            Case{"/bodies/lower", "5", "bodies.lower",
+                 "must be a material, an object with G and nu, or {\"rigid\": true}"},
+            Case{"/bodies/lower", "{\"rigid\": false}", "bodies.lower.rigid", "is false; it must be true"},
+            Case{"/bodies/lower", "{\"rigid\": true, \"nu\": 0.3}", "bodies.lower.nu",
+                 "does not go with rigid; only rigid do: a rigid body has no material"},
+            Case{"/gap", "{}", "gap", "it must hold exactly one of array, paraboloid, semi_axes"},
+            Case{"/gap", "{\"semi_axes\": {\"a\": 1}}", "gap.semi_axes.b", "is missing; it must be a number"},
+            Case{"/gap", "{\"semi_axes\": {\"a\": 1, \"b\": 0}}", "gap.semi_axes.b", "is 0; it must be positive"},
             Case{"/gap/array", "[[1,2,3],[4,5,6]]", "gap", "is an object with 2 fields; it must hold exactly one"},
             Case{"/gap", "{\"array\": 5}", "gap.array", "is 5; it must be a list of numbers or {\"$array\""},
             Case{"/gap/paraboloid", "{}", "gap.paraboloid", "it must hold at least one of Rx, Ry"},
@@ -143,16 +151,103 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/gap/paraboloid/Rx", "-0.0", "gap.paraboloid.Rx", "it must not be"},
             Case{"/gap/paraboloid/Rz", "5", "gap.paraboloid.Rz", "known fields are Rx, Ry"},
             Case{"/approach", "\"deep\"", "approach", "is \"deep\"; it must be a number"},
+            Case{"/Fn", "9.2", "Fn", "does not go with approach; one of the two must be left out"},
+            Case{"/Fn", "-1", "Fn", "is -1; it must lie in [0, 1000000000000000000]"},
+            Case{"/model", "\"exact\"", "model", "it must be one of \"full\", \"hertz\", \"fastsim\""},
+            Case{"/friction/mu", "\"high\"", "friction.mu",
+                 "is \"high\"; it must be a number, a list of numbers or {\"$array\": ...}"},
+            Case{"/friction/mu", "{}", "friction.mu.$array", "is missing"},
+            Case{"/friction/rolling", "{}", "friction.rigid_shift",
+                 "does not go with rolling; only mu, kinetic, rolling"},
+            Case{"/friction/rotation", "null", "friction.rotation", "is null; it must be a number"},
+            Case{"/friction/duration", "0", "friction.duration", "is 0; it must be positive"},
+            Case{"/friction/force", "[1]", "friction.force", "has 1 values; it must have 2"},
+            Case{"/friction/force", "[null, null]", "friction.force",
+                 "has no value that is a number; it must have at least one"},
+            Case{"/friction/force", "[\"1\", 2]", "friction.force[0]", "is \"1\"; it must be a number or null"},
+            Case{"/friction/kinetic", "{\"mu\": 0.1}", "friction.kinetic.slip_velocity",
+                 "is missing; it must be a number"},
+            Case{"/friction/kinetic", R"({"mu": 0.1, "slip_velocity": 1, "law": "cubic"})", "friction.kinetic.law",
+                 "it must be one of \"linear\", \"exponential\""},
+            Case{"/previous", "{\"pressures\": []}", "previous.pressures",
+                 "known fields are pressure, traction_x, traction_y"},
+            Case{"/previous", "{\"pressure\": 1}", "previous.pressure", "is 1; it must be a list of numbers"},
             Case{"/friction/mu", "-0.1", "friction.mu", "is -0.1; it must lie in [0, 1000]"},
-            Case{"/friction", "{\"mu\": 0.4}", "friction.rigid_shift", "is missing; it must be a list of 2 values"},
+            Case{"/friction", "{\"mu\": 0.4}", "friction.rigid_shift",
+                 "is missing; it must be a list of 2 values, unless force or rolling is there"},
             Case{"/friction/rigid_shift", "[1]", "friction.rigid_shift", "has 1 values; it must have 2"},
             Case{"/friction/rigid_shift", "[1, 2, 3]", "friction.rigid_shift", "has 3 values; it must have 2"},
             Case{"/friction/rigid_shift", "[1, \"2\"]", "friction.rigid_shift[1]", "is \"2\"; it must be a number"},
             Case{"/settings", "{\"normal\": {\"tolerance\": 0}}", "settings.normal.tolerance", "it must be positive"},
-            Case{"/settings", "{\"norm\": {}}", "settings.norm", "known fields are normal, tangential"},
+            Case{"/settings", "{\"norm\": {}}", "settings.norm", "known fields are normal, outer, tangential"},
+            Case{"/settings", "{\"outer\": {\"max_iterations\": 0}}", "settings.outer.max_iterations", "at least 1"},
             Case{"/initial", "{\"pressure\": null}", "initial.pressure", "is null"},
             Case{"/ics/order", "2", "ics.order",
                  "does not go with source \"analytic\"; only source, body, load_shape do"}));
+}
+
+TEST_CASE("A bad value of rolling is named with what would be right", "[schema]") {
+    json params = wire::solve_params();
+    params["friction"] = {{"mu", 0.3}, {"rolling", json::object()}};
+    check_case(
+        "contact.solve", params,
+        GENERATE(
+            Case{"/friction/rolling/xi", "\"1\"", "friction.rolling.xi", "is \"1\"; it must be a number"},
+            Case{"/friction/rolling/spin", "1", "friction.rolling.spin",
+                 "known fields are chi, dq, eta, force, kind, phi, steps, velocity, xi"},
+            Case{"/friction/rolling/dq", "0", "friction.rolling.dq", "is 0; it must be positive"},
+            Case{"/friction/rolling/kind", "\"slow\"", "friction.rolling.kind", "one of \"steady\", \"transient\""},
+            Case{"/friction/rolling/steps", "100001", "friction.rolling.steps", "it must be at most 100000"},
+            Case{"/friction/rolling/velocity", "-1", "friction.rolling.velocity", "is -1; it must be positive"},
+            Case{"/friction/rolling/force", "[1e19, 0]", "friction.rolling.force[0]", "it must lie in"},
+            Case{"/friction/force", "[1, 2]", "friction.force",
+                 "does not go with rolling; only mu, kinetic, rolling do: rolling has its creepages and forces"},
+            Case{"/friction/duration", "2", "friction.duration", "does not go with rolling"}));
+}
+
+TEST_CASE("The full model needs coefficients, the quick ones need bodies only", "[schema]") {
+    json params = wire::solve_params();
+    params.erase("ics");
+    const auto missing = violations_of("contact.solve.params", params);
+    REQUIRE(missing.size() == 1);
+    CHECK(missing[0].field == "ics");
+    CHECK_THAT(missing[0].description, ContainsSubstring("is missing; it must be an object with source"));
+    for (const char* model : {"hertz", "fastsim"}) {
+        params["model"] = model;
+        CHECK_NOTHROW(check_params("contact.solve", params));
+        json without = params;
+        without.erase("bodies");
+        REQUIRE(violations_of("contact.solve.params", without).size() == 1);
+        CHECK(violations_of("contact.solve.params", without)[0].field == "bodies");
+        params["ics"] = {{"source", "analytic"}};
+        CHECK_NOTHROW(check_params("contact.solve", params));
+        params.erase("ics");
+    }
+}
+
+TEST_CASE("Either the approach or the force is given", "[schema]") {
+    json params = wire::solve_params();
+    params.erase("approach");
+    const auto missing = violations_of("contact.solve.params", params);
+    REQUIRE(missing.size() == 1);
+    CHECK(missing[0].field == "approach");
+    CHECK(missing[0].description == "is missing; it must be a number, unless Fn is there");
+    params["Fn"] = 0;
+    CHECK_NOTHROW(check_params("contact.solve", params));
+}
+
+TEST_CASE("A bad list of problems is named with what would be right", "[schema]") {
+    check_case("contact.solve_many", {{"problems", json::array({wire::solve_params()})}},
+               GENERATE(Case{"/problems", "[]", "problems", "has 0 values; it must have at least 1"},
+                        Case{"/problems", "{}", "problems", "it must be a list"},
+                        Case{"/problems/0", "5", "problems[0]",
+                             "is 5; it must be an object with the parameters of contact.solve"},
+                        Case{"/problems/0/approach", "null", "problems[0].approach", "is null; it must be a number"},
+                        Case{"/problems/0/aproach", "1", "problems[0].aproach", "is not a field of problems[0]"},
+                        Case{"/timeout", "1", "timeout", "is not a field of contact.solve_many"}));
+    const auto many = violations_of("contact.solve_many.params", {{"problems", json(1001, wire::solve_params())}});
+    REQUIRE(many.size() == 1);
+    CHECK(many[0].description == "has 1001 values; it must have at most 1000");
 }
 
 TEST_CASE("What a request for an accuracy cannot hold is named, with the reason", "[schema]") {

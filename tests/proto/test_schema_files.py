@@ -39,7 +39,7 @@ def test_is_a_draft_7_schema(name: str) -> None:
     assert DOCUMENTS[name]["description"]
 
 
-@pytest.mark.parametrize("method", ["ic.get", "ic.export", "contact.solve"])
+@pytest.mark.parametrize("method", ["ic.get", "ic.export", "contact.solve", "contact.solve_many", "contact.subsurface"])
 def test_takes_the_example_of_the_documentation(method: str) -> None:
     assert is_valid(f"{method}.params.json", example_of(method))
 
@@ -58,7 +58,20 @@ def test_takes_the_example_of_the_documentation(method: str) -> None:
         (["ics"], {"source": "fem", "accuracy": 1e-5}),
         (["gap", "array"], [[1.0]]),
         (["gap", "paraboloid", "Rx"], 0),
+        (["gap", "semi_axes"], {"a": 1, "b": 1}),
+        (["gap"], {"semi_axes": {"a": 1, "b": 0}}),
+        (["Fn"], 9.2),
+        (["model"], "exact"),
+        (["bodies", "lower"], {"rigid": False}),
+        (["bodies", "lower", "rigid"], True),
         (["friction", "rigid_shift"], [1]),
+        (["friction", "mu"], "high"),
+        (["friction", "force"], [None, None]),
+        (["friction", "rolling"], {}),
+        (["friction"], {"mu": 0.4}),
+        (["friction"], {"mu": 0.4, "rolling": {"kind": "slow"}}),
+        (["friction", "kinetic"], {"mu": 0.1}),
+        (["previous"], {"traction_z": [[1.0]]}),
     ],
 )
 def test_refuses_what_the_daemon_refuses(path: list[str], value: object) -> None:
@@ -67,6 +80,39 @@ def test_refuses_what_the_daemon_refuses(path: list[str], value: object) -> None
     for key in path[:-1]:
         target = target[key]
     target[path[-1]] = value
+    assert not is_valid("contact.solve.params.json", document)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"gap": {"semi_axes": {"a": 1, "b": 2}}},
+        {"bodies": {"upper": {"rigid": True}, "lower": {"G": 1, "nu": 0}}},
+        {"friction": {"mu": [[0.1, 0.2]], "force": [1, None]}},
+        {"friction": {"mu": 0.1, "rigid_shift": [0, 0], "force": [None, 1], "rotation": 1, "duration": 2}},
+        {"friction": {"mu": 0.1, "rolling": {}, "kinetic": {"law": "linear", "mu": 0, "slip_velocity": 1}}},
+        {"previous": {"pressure": [[1.0]]}, "settings": {"outer": {"max_iterations": 1}}, "model": "full"},
+    ],
+)
+def test_takes_every_kind_of_contact(changes: dict[str, object]) -> None:
+    assert is_valid("contact.solve.params.json", {**example_of("contact.solve"), **changes})
+
+
+def test_takes_either_the_approach_or_the_force() -> None:
+    document = example_of("contact.solve")
+    del document["approach"]
+    assert not is_valid("contact.solve.params.json", document)
+    document["Fn"] = 0
+    assert is_valid("contact.solve.params.json", document)
+
+
+def test_coefficients_are_required_for_the_full_model_only() -> None:
+    document = example_of("contact.solve")
+    del document["ics"]
+    assert not is_valid("contact.solve.params.json", document)
+    document["model"] = "fastsim"
+    assert is_valid("contact.solve.params.json", document)
+    del document["bodies"]
     assert not is_valid("contact.solve.params.json", document)
 
 
@@ -107,3 +153,34 @@ def test_a_second_body_goes_with_contacts_text_only() -> None:
     assert not is_valid("ic.export.params.json", document)
     del document["lower"]
     assert is_valid("ic.export.params.json", document)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"body": "upper"},
+        {"traction_y": [[0.0, 0.0]]},
+        {"points": {"$array": {"frame": 1, "dtype": "<f8", "shape": [7, 3]}}, "block": None},
+    ],
+)
+def test_takes_points_or_a_block_inside_either_body(changes: dict[str, object]) -> None:
+    document = {**example_of("contact.subsurface"), **changes}
+    assert is_valid("contact.subsurface.params.json", {k: v for k, v in document.items() if v is not None})
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"points": [[0, 0, -1]]},
+        {"block": None},
+        {"block": {"x": [0], "y": [0]}},
+        {"nu": 0.6},
+        {"nu": None},
+        {"pressure": None},
+        {"body": "both"},
+        {"G": 82000},
+    ],
+)
+def test_refuses_stresses_that_are_not_well_asked_for(changes: dict[str, object]) -> None:
+    document = {**example_of("contact.subsurface"), **changes}
+    assert not is_valid("contact.subsurface.params.json", {k: v for k, v in document.items() if v is not None})

@@ -28,6 +28,15 @@ inline nlohmann::json solve_params() {
         "friction": {"mu": 0.4, "rigid_shift": [0.00817, 0]}})");
 }
 
+inline nlohmann::json subsurface_params() {
+    return nlohmann::json::parse(R"({
+        "grid": {"nx": 3, "ny": 2, "dx": 0.06, "dy": 0.06},
+        "nu": 0.28,
+        "pressure": [[0, 1, 2], [0, 3, 0]],
+        "traction_x": [[0, -0.1, -0.2], [0, -0.3, 0]],
+        "block": {"x": [0], "y": [0], "z": [0, -0.05]}})");
+}
+
 /// The status that `act` throws, or nothing.
 inline std::optional<contactd::proto::Status> status_thrown_by(const std::function<void()>& act) {
     try {

@@ -42,15 +42,44 @@ def solution(ny, nx):
     solver = {"iterations": 7, "residual": 1e-7, "converged": True, "seconds": 0.1}
     use = {"origin": "closed_form", "key": "", "evidence": {"source": "analytic"}}
     result = {
-        "forces": {"Fn": 9.2, "Fx": -3.2, "Fy": 0},
+        "approach": 0.02,
+        "forces": {"Fn": 9.2, "Fx": -3.2, "Fy": 0, "Mz": 0.5},
         "pmax": 4.4,
         "area": {"contact": 3.0, "adhesion": 1.0, "slip": 2.0},
-        "elements": {"contact": 3, "adhesion": 1, "slip": 2},
+        "elements": {"contact": 3, "adhesion": 1, "slip": 2, "border": 0},
         "element_division": array(1, (ny, nx), "|u1"),
         "pressure": array(2, (ny, nx)),
         "traction_x": array(3, (ny, nx)),
         "traction_y": array(4, (ny, nx)),
+        "warnings": [],
         "converged": True,
         "evidence": {"normal": solver, "tangential": solver, "ics": {"upper": use, "lower": use}},
     }
     return result, bytes(ny * nx), *[bytes(8 * ny * nx)] * 3
+
+
+def solutions(*entries):
+    """Result and frames of contact.solve_many: each entry the shape of a solution, or a status."""
+    listed, frames = [], []
+    for entry in entries:
+        if isinstance(entry, dict):
+            listed.append({"status": entry})
+            continue
+        result, *own = solution(*entry)
+        for name in ["element_division", "pressure", "traction_x", "traction_y"]:
+            result[name]["$array"]["frame"] += len(frames)
+        listed.append({"status": {"code": 0, "name": "OK", "message": ""}, "result": result})
+        frames += own
+    return {"solutions": listed}, *frames
+
+
+def stresses(*shape):
+    """Result and frames of contact.subsurface; the components are 0 to 5 everywhere, von Mises' stress is 6."""
+    names = ["xx", "yy", "zz", "xy", "xz", "yz"]
+    result = {
+        "shape": list(shape),
+        "stress": {name: array(frame, shape) for frame, name in enumerate(names, 1)},
+        "von_mises": array(7, shape),
+        "largest": {"von_mises": 6, "x": 0, "y": 0, "z": -1, "depth": 1},
+    }
+    return result, *[np.full(shape, float(n)).tobytes() for n in range(7)]

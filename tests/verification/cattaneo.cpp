@@ -6,9 +6,8 @@
 #include <cstdlib>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
 #include "contactd/reference.hpp"
-#include "contactd/tangential.hpp"
+#include "contactd/solve_contact.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -23,13 +22,6 @@ struct Row {
     int adhesion, slip, elements_off;
 };
 
-ContactSolution solve(const ContactProblem& problem) {
-    const Grid& grid = problem.grid;
-    const ConvolutionOperator influence(half_space_pair(grid, problem.bodies.upper), grid.nx, grid.ny);
-    Observer observer;
-    return solve_contact(problem, influence, observer);
-}
-
 }  // namespace
 
 TEST_CASE("Cattaneo problem agrees with the half-space code", "[verification]") {
@@ -38,7 +30,7 @@ TEST_CASE("Cattaneo problem agrees with the half-space code", "[verification]") 
                              Row{160, 9.19552945, 3.22162302, 4.39029695, 3.1545, 3464, 10556, 8});
     CAPTURE(row.n);
     const ContactProblem problem = cattaneo_problem(row.n);
-    const auto solution = solve(problem);
+    const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fn, WithinRel(row.Fn, 1e-5));
     CHECK_THAT(solution.Fx, WithinRel(-row.Fx, 1e-5));
@@ -52,7 +44,7 @@ TEST_CASE("Cattaneo problem agrees with the half-space code", "[verification]") 
 }
 
 TEST_CASE("lateral tractions vanish in their sum only", "[verification]") {
-    const auto solution = solve(cattaneo_problem(40));
+    const auto solution = solve_half_spaces(cattaneo_problem(40));
     CHECK(largest(solution.traction_y) > 0.005 * largest(solution.traction_x));
     CHECK_THAT(solution.Fy, WithinAbs(0, 1e-6));
 }
@@ -64,8 +56,8 @@ TEST_CASE("without lateral effects the problem is Cattaneo's", "[verification]")
     const auto hertz = reference::hertz(problem.bodies, 50, 0.02);
     const double Fx = 0.7 * 0.4 * hertz.Fn;
     const auto cattaneo = reference::cattaneo(problem.bodies, hertz, 0.4, Fx);
-    problem.friction->rigid_shift_x = cattaneo.rigid_shift;
-    const auto solution = solve(problem);
+    problem.friction->motion = Shift{cattaneo.rigid_shift, 0};
+    const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fx, WithinRel(-Fx, 2e-3));
     const double adhesion_area = std::acos(-1) * cattaneo.adhesion_radius * cattaneo.adhesion_radius;

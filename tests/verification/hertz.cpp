@@ -6,9 +6,8 @@
 #include <numbers>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
 #include "contactd/reference.hpp"
-#include "contactd/tangential.hpp"
+#include "contactd/solve_contact.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -25,10 +24,9 @@ TEST_CASE("ellipses agree with Hertz", "[verification]") {
     ContactProblem problem;
     problem.grid = Grid::centred(100, 96, 2.2 * a / 100, 2.2 * b / 96);
     problem.bodies = {steel, steel};
-    problem.undeformed_distance =
-        paraboloid(problem.grid, 0.5 / (common * (K - E)), 0.5 / (common * (a * a / (b * b) * E - K)));
+    problem.gap = Paraboloid{0.5 / (common * (K - E)), 0.5 / (common * (a * a / (b * b) * E - K))};
     problem.approach = p0 * b * K / modulus;
-    const ConvolutionOperator influence(half_space_pair(problem.grid, steel), 100, 96);
+    const ContactInfluence influence = make_influence(problem, half_space_pair(problem.grid, steel));
     Observer observer;
 
     const auto solution = solve_contact(problem, influence, observer);
@@ -45,7 +43,7 @@ TEST_CASE("spheres of different materials agree with Hertz", "[verification]") {
     ContactProblem problem;
     problem.grid = Grid::centred(90, 75, 2.4 * hertz.radius / 90, 2.4 * hertz.radius / 75);
     problem.bodies = bodies;
-    problem.undeformed_distance = paraboloid(problem.grid, 20, 20);
+    problem.gap = Paraboloid{20, 20};
     problem.approach = 0.01;
     IcSpec spec;
     spec.dx = problem.grid.dx;
@@ -55,7 +53,7 @@ TEST_CASE("spheres of different materials agree with Hertz", "[verification]") {
     spec.material = bodies.upper;
     const IcTable upper = half_space_table(spec);
     spec.material = bodies.lower;
-    const ConvolutionOperator influence(pair_of(upper, half_space_table(spec)), 90, 75);
+    const ContactInfluence influence = make_influence(problem, pair_of(upper, half_space_table(spec)));
     Observer observer;
 
     const auto solution = solve_contact(problem, influence, observer);

@@ -13,11 +13,13 @@ int main(int argc, char** argv) {
     }
     try {
         contactd::ContactProblem problem;
-        problem.grid = contactd::Grid::centred(40, 40, 0.06, 0.06);                // mm
-        problem.bodies = {{200, 0.42}, {200, 0.42}};                               // G (N/mm^2), nu
-        problem.undeformed_distance = contactd::paraboloid(problem.grid, 50, 50);  // radius 50 mm
-        problem.approach = 0.02;                                                   // mm
-        problem.friction = contactd::Friction{0.4, 0.00817, 0};                    // mu, rigid shift (mm)
+        problem.grid = contactd::Grid::centred(40, 40, 0.06, 0.06);  // mm
+        problem.bodies = {{200, 0.42}, {200, 0.42}};                 // G (N/mm^2), nu
+        problem.gap = contactd::Paraboloid{50, 50};                  // radii (mm)
+        problem.approach = 0.02;                                     // mm; or problem.Fn, a force (N)
+        contactd::Shift shift;
+        shift.x = 0.00817;  // mm
+        problem.friction = contactd::Friction{{0.4}, {}, shift};
 
         contactd::client::Client client(argv[1]);
         const auto reply = client.solve(problem);
@@ -29,7 +31,7 @@ int main(int argc, char** argv) {
         std::printf("normal: %d iterations, residual %.1e; tangential: %d iterations, residual %.1e\n",
                     solution.normal.iterations, solution.normal.residual, solution.tangential->iterations,
                     solution.tangential->residual);
-        std::printf("coefficients: %s\n", reply.upper.evidence.version.c_str());
+        std::printf("coefficients: %s\n", reply.upper->evidence.version.c_str());
         return solution.converged() ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

@@ -1,5 +1,6 @@
 #include "contactd/client/client.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "connection.hpp"
@@ -75,18 +76,90 @@ proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
     return decoded([&] { return proto::decode_ic_reply(reply.result, reply.frames); });
 }
 
+namespace {
+
+bool may_build(const ContactProblem& problem) {
+    return problem.model == Model::full && !problem.given_ics && problem.ics.source == IcSource::fem;
+}
+
+void check_size(const proto::SolveReply& reply, const ContactProblem& problem) {
+    if (reply.solution.pressure.size() != problem.grid.size())
+        throw ProtocolError("The daemon's answer has " + std::to_string(reply.solution.pressure.size()) +
+                            " pressures; the grid has " + std::to_string(problem.grid.size()) + " elements.");
+}
+
+void validate_each(std::span<const ContactProblem> problems) {
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        try {
+            validate(problems[i]);
+        } catch (const InvalidArgument& error) {
+            throw InvalidArgument("problems[" + std::to_string(i) + "]." + error.field(),
+                                  std::string(error.what()).substr(error.field().size() + 1));
+        }
+    }
+}
+
+}  // namespace
+
 proto::SolveReply Client::solve(const ContactProblem& problem, const CallOptions& options) {
     validate(problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_problem(problem, arrays);
-    const bool may_build = problem.ics.source == IcSource::fem;
-    const Reply reply = impl_->call("contact.solve", std::move(params), arrays.take_frames(), options,
-                                    may_build ? impl_->options().build_timeout : impl_->options().timeout);
+    const auto timeout = may_build(problem) ? impl_->options().build_timeout : impl_->options().timeout;
+    const Reply reply = impl_->call("contact.solve", std::move(params), arrays.take_frames(), options, timeout);
     return decoded([&] {
         proto::SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
-        if (result.solution.pressure.size() != problem.grid.size())
-            throw ProtocolError("The daemon's answer has " + std::to_string(result.solution.pressure.size()) +
-                                " pressures; the grid has " + std::to_string(problem.grid.size()) + " elements.");
+        check_size(result, problem);
+        return result;
+    });
+}
+
+std::vector<proto::ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> problems,
+                                                     const CallOptions& options) {
+    validate_each(problems);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
+    json params = proto::encode_problems(problems, arrays);
+    const bool builds = std::any_of(problems.begin(), problems.end(), may_build);
+    const auto timeout = builds ? impl_->options().build_timeout : impl_->options().timeout;
+    const Reply reply = impl_->call("contact.solve_many", std::move(params), arrays.take_frames(), options, timeout);
+    return decoded([&] {
+        std::vector<proto::ReplyOrStatus> results = proto::decode_solve_replies(reply.result, reply.frames);
+        if (results.size() != problems.size())
+            throw ProtocolError("The daemon's answer has " + std::to_string(results.size()) + " solutions; " +
+                                std::to_string(problems.size()) + " problems were sent.");
+        for (std::size_t i = 0; i < results.size(); ++i)
+            if (const auto* solved = std::get_if<proto::SolveReply>(&results[i])) check_size(*solved, problems[i]);
+        return results;
+    });
+}
+
+namespace {
+
+void check_arrays(const proto::SubsurfaceRequest& request) {
+    const auto check = [&](const std::vector<double>& values, const char* field) {
+        if (values.size() != request.grid.size())
+            throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
+                                             std::to_string(request.grid.size()) + " elements");
+    };
+    check(request.pressure, "pressure");
+    if (!request.traction_x.empty()) check(request.traction_x, "traction_x");
+    if (!request.traction_y.empty()) check(request.traction_y, "traction_y");
+}
+
+}  // namespace
+
+proto::SubsurfaceReply Client::subsurface(const proto::SubsurfaceRequest& request, const CallOptions& options) {
+    validate(request.grid, "grid");
+    check_arrays(request);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_subsurface_request(request, arrays);
+    const Reply reply =
+        impl_->call("contact.subsurface", std::move(params), arrays.take_frames(), options, impl_->options().timeout);
+    return decoded([&] {
+        proto::SubsurfaceReply result = proto::decode_subsurface_reply(reply.result, reply.frames);
+        if (result.shape != request.shape())
+            throw ProtocolError("The daemon's answer has the shape " + json(result.shape).dump() + "; " +
+                                json(request.shape()).dump() + " was asked for.");
         return result;
     });
 }

@@ -39,18 +39,21 @@ from .errors import (
     Violation,
 )
 from .exchange import load_table, save_table
+from .friction import Friction, KineticFriction, Rolling, Shift
 from .problem import (
     AnalyticIcs,
     ContactProblem,
     Estimate,
     FemIcs,
-    Friction,
     Grid,
     Material,
     Paraboloid,
+    RigidBody,
+    SemiAxes,
     SolverSettings,
 )
 from .solution import ContactSolution, IcEvidence, IcTable, Job, Limits, Progress, ServerInfo, SolverEvidence
+from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
 
 __all__ = [
@@ -73,6 +76,8 @@ __all__ = [
     "InternalError",
     "InvalidArgument",
     "Job",
+    "KineticFriction",
+    "LargestStress",
     "Limits",
     "LocalDaemon",
     "Material",
@@ -81,10 +86,16 @@ __all__ = [
     "Progress",
     "ProtocolError",
     "ResourceExhausted",
+    "RigidBody",
+    "Rolling",
+    "SemiAxes",
     "ServerInfo",
+    "Shift",
     "SolverEvidence",
     "SolverSettings",
     "StatusError",
+    "StressBlock",
+    "SubsurfaceStress",
     "TableFileError",
     "TableIcs",
     "TimeoutExpired",

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
 
 from .errors import InvalidArgument, ProtocolError, Violation
 
-__all__ = ["decode", "encode", "invalid"]
+__all__ = ["Frames", "decode", "encode", "invalid", "plain"]
 
 # What may come back: double precision and bytes. Both are little-endian on every machine.
 _DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
@@ -21,8 +22,29 @@ def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidA
     return InvalidArgument(f"{field} {problem}", reason=reason, violations=(Violation(field, problem),))
 
 
-def encode(value: Any, field: str, frames: list[bytes]) -> Any:
-    """`value` as JSON. An array of any real dtype, byte order or memory layout is appended to `frames`.
+def plain(value: Any) -> dict[str, Any]:
+    """The fields of a dataclass that are not None, as the wire names them."""
+    return {f.name: item for f in fields(value) if (item := getattr(value, f.name)) is not None}
+
+
+class Frames(list[bytes]):
+    """The array frames of a request. Arrays that are the same memory, such as the table of many problems, are one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._numbers: dict[Any, int] = {}
+
+    def number_of(self, array: np.ndarray[Any, Any], field: str) -> int:
+        """The frame that holds `array`, which must live as long as this; raises InvalidArgument naming `field`."""
+        memory = array.__array_interface__["data"][0], array.dtype.str, array.shape, array.strides
+        if memory not in self._numbers:
+            self.append(_bytes_of(array, field))
+            self._numbers[memory] = len(self)
+        return self._numbers[memory]
+
+
+def encode(value: Any, field: str, frames: Frames) -> Any:
+    """`value` as JSON. An array of any real dtype, byte order or memory layout goes to `frames`.
 
     Numbers that are not finite are refused: JSON has no word for them, and no contact problem has a use for them.
     """
@@ -41,7 +63,11 @@ def encode(value: Any, field: str, frames: list[bytes]) -> Any:
     raise invalid(field, f"is a {type(value).__name__}, which has no form in JSON")
 
 
-def _encode_array(array: np.ndarray[Any, Any], field: str, frames: list[bytes]) -> Any:
+def _encode_array(array: np.ndarray[Any, Any], field: str, frames: Frames) -> Any:
+    return {"$array": {"frame": frames.number_of(array, field), "dtype": "<f8", "shape": list(array.shape)}}
+
+
+def _bytes_of(array: np.ndarray[Any, Any], field: str) -> bytes:
     if array.dtype.kind not in "fiub":
         raise invalid(field, f"has dtype {array.dtype}; it must hold real numbers", "ARRAY_INVALID")
     data = np.ascontiguousarray(array, dtype="<f8")
@@ -49,8 +75,7 @@ def _encode_array(array: np.ndarray[Any, Any], field: str, frames: list[bytes]) 
     if not finite.all():
         first = tuple(int(i) for i in np.argwhere(~finite)[0])
         raise invalid(field, f"holds {data[first]} at {list(first)}; every value must be finite", "ARRAY_INVALID")
-    frames.append(data.tobytes())
-    return {"$array": {"frame": len(frames), "dtype": "<f8", "shape": list(array.shape)}}
+    return data.tobytes()
 
 
 def decode(value: Any, frames: Sequence[bytes]) -> Any:

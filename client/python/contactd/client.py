@@ -11,15 +11,17 @@ from types import TracebackType
 from typing import Any, Literal
 
 import numpy as np
+import numpy.typing as npt
 import zmq
 
 from . import problem as asked
-from .arrays import decode, encode, invalid
-from .connection import PROTOCOL_VERSION, Connection, Reply
+from .arrays import Frames, decode, encode, invalid, plain
+from .connection import PROTOCOL_VERSION, Connection, Reply, status_error_of
 from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired
-from .problem import ContactProblem, Grid, Ics, Material
+from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
 from .solution import ContactSolution, IcTable, Job, Limits, Progress, ServerInfo
+from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
 
 __all__ = ["Client"]
 
@@ -117,7 +119,7 @@ class Client:
         """
         params = {**asked.table_params(material, grid, ics), "format": format}
         if lower is not None:
-            params["lower"] = asked.plain(lower)
+            params["lower"] = plain(lower)
         result = self.call("ic.export", params, timeout=timeout, on_progress=on_progress)
         content = result.get("file", result.get("text"))
         if isinstance(content, str):
@@ -141,13 +143,73 @@ class Client:
         elif fields:
             raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
         params = asked.problem_params(problem)
-        solution = read(ContactSolution, self.call("contact.solve", params, timeout=timeout, on_progress=on_progress))
-        names = ["element_division", "pressure", "traction_x", "traction_y"]
-        _check_shapes(solution, names, problem.grid.shape)
-        return solution
+        result = self.call("contact.solve", params, timeout=timeout, on_progress=on_progress)
+        return _solution(result, problem, "result")
+
+    def solve_many(
+        self,
+        problems: Iterable[ContactProblem],
+        *,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> list[ContactSolution | StatusError]:
+        """Solves 1 to 1000 problems at once, on all workers of the daemon; the answers are in the order of the problems.
+
+        Where a problem fails, its answer is the exception that `solve` would have raised, and the others are solved all
+        the same::
+
+            for answer in client.solve_many(problems):
+                if isinstance(answer, StatusError):
+                    print(answer.message, answer.violations)
+                else:
+                    print(answer.Fx, answer.converged)
+
+        Raises InvalidArgument for the whole when a problem lacks a field or has one out of its range, which it names
+        like ``problems[3].grid.nx``, and LIMIT_EXCEEDED when their grids or arrays are too large together. An array that
+        several problems share (a gap, TableIcs) is sent once.
+        """
+        problems = list(problems)
+        if not problems:
+            return []
+        params = {"problems": [asked.problem_params(problem) for problem in problems]}
+        result = self.call("contact.solve_many", params, timeout=timeout, on_progress=on_progress)
+        answers = result.get("solutions")
+        if not isinstance(answers, list) or len(answers) != len(problems):
+            raise ProtocolError(f"The answer to contact.solve_many lacks its {len(problems)} solutions.")
+        return [_outcome(*pair, f"result.solutions[{i}]") for i, pair in enumerate(zip(answers, problems, strict=True))]
+
+    def subsurface(
+        self,
+        problem: ContactProblem,
+        solution: ContactSolution | Estimate,
+        *,
+        body: Literal["lower", "upper"] = "lower",
+        points: npt.ArrayLike | None = None,
+        block: StressBlock | None = None,
+        nu: float | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> SubsurfaceStress:
+        """Stresses inside a body, a half-space, under the tractions of the `solution` of a `problem`.
+
+        They are wanted either at `points`, shape [n, 3] (x, y, z in mm), or on a `block`::
+
+            stress = client.subsurface(problem, solution, block=StressBlock(x=grid.x, y=0, z=-np.linspace(0, 5, 51)))
+            print(stress.largest.von_mises, stress.largest.depth)
+
+        Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
+        SubsurfaceStress. `nu` is Poisson's ratio of the body, needed only where the problem has no material for it
+        (TableIcs). Nearer to the surface than an element the steps of the tractions show.
+        """
+        params, shape = subsurface_params(problem, solution, body, points, block, nu)
+        result = self.call("contact.subsurface", params, timeout=timeout, on_progress=on_progress)
+        components = result.pop("stress", None)
+        stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
+        _check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
+        return stress
 
     def jobs(self, *, timeout: float | None = None) -> tuple[Job, ...]:
-        """Builds and solves that wait or run."""
+        """Work that waits or runs."""
         jobs = self.call("job.list", timeout=timeout).get("jobs")
         if not isinstance(jobs, list):
             raise ProtocolError("The answer to job.list lacks its jobs.")
@@ -170,7 +232,7 @@ class Client:
         if not 0 < seconds <= 86_400:
             raise ValueError(f"timeout is {seconds}; it must be more than 0 and at most 86400 seconds.")
         deadline = time.monotonic() + seconds
-        frames: list[bytes] = []
+        frames = Frames()
         envelope = {
             "contactd": PROTOCOL_VERSION,
             "id": secrets.token_hex(8),
@@ -234,6 +296,21 @@ class Client:
             _check_limit(f"array frame {n}", len(frame), limits.max_frame_bytes, "bytes")
         _check_limit("the request", len(frames) + 1, limits.max_frames, "frames")
         _check_limit("the request", sum(map(len, frames)), limits.max_message_bytes, "bytes")
+
+
+def _solution(result: Any, problem: ContactProblem, path: str) -> ContactSolution:
+    solution = read(ContactSolution, result, path)
+    names = ["element_division", "pressure", "traction_x", "traction_y"]
+    names += [name for name in ("slip_x", "slip_y") if getattr(solution, name) is not None]
+    _check_shapes(solution, names, problem.grid.shape)
+    return solution
+
+
+def _outcome(answer: Any, problem: ContactProblem, path: str) -> ContactSolution | StatusError:
+    status = answer.get("status") if isinstance(answer, dict) else None
+    if (error := status_error_of(status)) is not None:
+        return error
+    return _solution(answer.get("result"), problem, f"{path}.result")
 
 
 def _check_limit(what: str, size: int, limit: int, unit: str) -> None:

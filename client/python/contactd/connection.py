@@ -13,7 +13,7 @@ from zmq.utils.monitor import recv_monitor_message
 
 from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired, Violation, status_error
 
-__all__ = ["Connection", "Reply"]
+__all__ = ["Connection", "Reply", "status_error_of"]
 
 PROTOCOL_VERSION = 1
 
@@ -120,21 +120,25 @@ def _parse(text: bytes) -> dict[str, Any]:
 
 
 def _reply(answer: dict[str, Any], frames: Sequence[bytes]) -> Reply:
-    status = answer["status"]
+    if (error := status_error_of(answer["status"])) is not None:
+        raise error
+    if not isinstance(answer.get("result"), dict):
+        raise _unreadable(answer)
+    return Reply(answer["result"], frames)
+
+
+def status_error_of(status: Any) -> StatusError | None:
+    """The exception that a status stands for; None when it is OK. Raises ProtocolError when it is no status."""
     try:
-        code, message = status["code"], status["message"]
-        if code != 0:
-            raise _error(code, message, status.get("details", {}))
-        if not isinstance(answer["result"], dict):
-            raise TypeError
-        return Reply(answer["result"], frames)
-    except (KeyError, TypeError, AttributeError, ValueError) as error:
-        if isinstance(error, StatusError):
-            raise
-        raise ProtocolError(f"The answer's status or result cannot be read: {answer!r:.200}") from None
+        if status["code"] == 0:
+            return None
+        details = status.get("details", {})
+        violations = [Violation(str(v["field"]), str(v["description"])) for v in details.get("violations", [])]
+        reason, delay = str(details.get("reason", "")), float(details.get("retry_delay_ms", 0)) / 1000
+        return status_error(status["code"], status["message"], reason=reason, violations=violations, retry_delay=delay)
+    except (KeyError, TypeError, AttributeError, ValueError):
+        raise _unreadable(status) from None
 
 
-def _error(code: int, message: str, details: dict[str, Any]) -> StatusError:
-    violations = [Violation(str(v["field"]), str(v["description"])) for v in details.get("violations", [])]
-    reason, delay = str(details.get("reason", "")), float(details.get("retry_delay_ms", 0)) / 1000
-    return status_error(code, message, reason=reason, violations=violations, retry_delay=delay)
+def _unreadable(part: Any) -> ProtocolError:
+    return ProtocolError(f"The answer's status or result cannot be read: {part!r:.200}")

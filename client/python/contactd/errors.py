@@ -18,7 +18,7 @@
         +-- AlreadyExists
         +-- PermissionDenied
         +-- ResourceExhausted     the queue is full; .retry_delay (s)
-        +-- FailedPrecondition    e.g. friction between bodies that are not quasi-identical
+        +-- FailedPrecondition
         +-- Aborted
         +-- OutOfRange
         +-- Unimplemented         no such method

@@ -6,12 +6,14 @@ use comes back as InvalidArgument naming the field.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
+from .arrays import plain
+from .friction import Friction
 from .table_ics import TableIcs
 
 if TYPE_CHECKING:
@@ -26,15 +28,17 @@ __all__ = [
     "FarBoundary",
     "FemIcs",
     "FemSolver",
-    "Friction",
     "Grid",
     "Ics",
     "LoadShape",
     "Material",
     "MeshKind",
+    "Model",
     "Paraboloid",
     "Preset",
+    "RigidBody",
     "Sampling",
+    "SemiAxes",
     "SolverSettings",
     "StopTest",
 ]
@@ -48,6 +52,11 @@ class Material:
 
     G: float  #: shear modulus (N/mm^2), > 0
     nu: float  #: Poisson's ratio, 0 to 0.5; 0.5 itself only with closed-form influence coefficients
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """A body that does not deform; the other one must be elastic. Influence coefficients mean nothing to it."""
 
 
 @dataclass(frozen=True)
@@ -184,24 +193,25 @@ class Paraboloid:
 
 
 @dataclass(frozen=True)
-class Friction:
-    """Coulomb friction in a shift problem: the slip is the elastic displacement plus the rigid shift."""
+class SemiAxes:
+    """The paraboloid whose Hertzian contact, under the approach or force of the problem, has these semi-axes."""
 
-    mu: float  #: coefficient of friction, >= 0
-    rigid_shift: tuple[float, float]  #: (w_x, w_y) of the upper body (mm); the traction on it opposes the slip
+    a: float  #: along x (mm), > 0
+    b: float  #: along y (mm), > 0
 
 
 @dataclass(frozen=True)
 class SolverSettings:
     """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2)."""
 
-    tolerance: float | None = None  #: the daemon's default is 1e-6
-    max_iterations: int | None = None  #: the daemon's default is 1000
+    tolerance: float | None = None  #: the daemon's default is 1e-6, of `normal` 1e-8
+    max_iterations: int | None = None  #: the daemon's default is 1000, of `outer` 100
 
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """Tractions (N/mm^2), each of shape [ny, nx], for the solvers to start from. A ContactSolution serves as well."""
+    """Tractions (N/mm^2) on the upper body, each of shape [ny, nx]: for the solvers to start from (`initial`), or of the
+    step before (`previous`). A ContactSolution serves as well."""
 
     pressure: Array | None = None
     traction_x: Array | None = None
@@ -210,35 +220,43 @@ class Estimate:
 
 _REQUIRED: Any = object()  # stands behind `upper`, which may be left out, without being left out itself
 
+Model = Literal["full", "hertz", "fastsim"]
+
 
 @dataclass(frozen=True, eq=False)
 class ContactProblem:
-    """Normal contact with the approach prescribed; with `friction`, tangential contact too."""
+    """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too."""
 
     grid: Grid
-    upper: Material | None = None  #: may be left out with TableIcs, which say all about the bodies
-    gap: Paraboloid | npt.ArrayLike = _REQUIRED  #: undeformed distance without the approach (mm), or its array [ny, nx]
-    approach: float = _REQUIRED  #: delta (mm), > 0 in compression; the gap before deformation is h - delta
-    lower: Material | None = None  #: None: as the upper body
+    upper: Material | RigidBody | None = None  #: may be left out with TableIcs, which say all about the bodies
+    #: undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx]
+    gap: Paraboloid | SemiAxes | npt.ArrayLike = _REQUIRED
+    approach: float | None = None  #: delta (mm), > 0 in compression; the gap before deformation is h - delta
+    lower: Material | RigidBody | None = None  #: None: as the upper body
     ics: Ics | TableIcs = AnalyticIcs()
     friction: Friction | None = None  #: None: frictionless
-    normal: SolverSettings | None = None
-    tangential: SolverSettings | None = None
+    normal: SolverSettings | None = None  #: of NORM, for the pressures
+    tangential: SolverSettings | None = None  #: of TangCG or steady rolling, for the tractions
     initial: Estimate | ContactSolution | None = None  #: where the solvers start: tractions of a similar problem
+    Fn: float | None = None  #: normal force (N), >= 0, instead of the approach, which is found then
+    #: "full": boundary elements; "hertz": closed forms of elliptic contact; "fastsim": Hertzian contact and Kalker's
+    #: simplified theory of rolling. The quick ones need a paraboloid or semi-axes, and materials
+    model: Model | None = None
+    previous: Estimate | ContactSolution | None = None  #: the step before, where a shift or transient rolling starts
+    outer: SolverSettings | None = None  #: of the loop that bodies that differ, kinetic friction and forces need
 
     def __post_init__(self) -> None:
-        missing = [name for name in ("gap", "approach") if getattr(self, name) is _REQUIRED]
-        if missing:
-            raise TypeError(f"ContactProblem() lacks {' and '.join(missing)}")
+        if self.gap is _REQUIRED:
+            raise TypeError("ContactProblem() lacks gap")
+        if (self.approach is None) == (self.Fn is None):
+            raise TypeError("ContactProblem() takes either approach or Fn")
 
     def replace(self, **changes: Any) -> ContactProblem:
-        """The same problem with some fields changed."""
+        """The same problem with some fields changed; Fn takes the place of the approach, and the other way round."""
+        for given, other in (("Fn", "approach"), ("approach", "Fn")):
+            if changes.get(given) is not None:
+                changes.setdefault(other, None)
         return replace(self, **changes)
-
-
-def plain(value: Any) -> dict[str, Any]:
-    """The fields of a dataclass that are not None, as the wire names them."""
-    return {f.name: item for f in fields(value) if (item := getattr(value, f.name)) is not None}
 
 
 def ics_params(ics: Ics) -> dict[str, Any]:
@@ -253,28 +271,53 @@ def table_params(material: Material, grid: Grid, ics: Ics) -> dict[str, Any]:
     return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}
 
 
+def body_params(body: Material | RigidBody) -> dict[str, Any]:
+    """`bodies.upper` or `bodies.lower`."""
+    return {"rigid": True} if isinstance(body, RigidBody) else plain(body)
+
+
 def problem_params(problem: ContactProblem) -> dict[str, Any]:
     """The parameters of contact.solve."""
-    params: dict[str, Any] = {"grid": plain(problem.grid), "approach": problem.approach}
-    if isinstance(problem.ics, TableIcs):
-        (ny, nx), ics = problem.grid.shape, problem.ics
-        params["ics"] = {"source": "table", "table": ics.array[:, :, :ny, :nx], "dx": ics.dx, "dy": ics.dy}
-    else:
-        bodies = {"upper": problem.upper, "lower": problem.lower}
-        if any(bodies.values()):
-            params["bodies"] = {name: plain(material) for name, material in bodies.items() if material is not None}
-        params["ics"] = ics_params(problem.ics)
-    if isinstance(problem.gap, Paraboloid):
-        params["gap"] = {"paraboloid": plain(problem.gap)}
-    else:
-        params["gap"] = {"array": np.asarray(problem.gap)}
+    params = {"grid": plain(problem.grid), "gap": _gap_params(problem.gap)}
+    for name in ("approach", "Fn", "model"):
+        if (value := getattr(problem, name)) is not None:
+            params[name] = value
+    params.update(_influence_params(problem))
     if problem.friction is not None:
-        params["friction"] = {"mu": problem.friction.mu, "rigid_shift": list(problem.friction.rigid_shift)}
-    settings = {name: plain(s) for name in ("normal", "tangential") if (s := getattr(problem, name)) is not None}
+        params["friction"] = problem.friction.params()
+    settings = {
+        name: plain(s) for name in ("normal", "tangential", "outer") if (s := getattr(problem, name)) is not None
+    }
     if settings:
         params["settings"] = settings
-    if problem.initial is not None:
-        names = ("pressure", "traction_x", "traction_y")
-        estimates = {name: getattr(problem.initial, name) for name in names}
-        params["initial"] = {name: np.asarray(e) for name, e in estimates.items() if e is not None}
+    for name in ("initial", "previous"):
+        if (tractions := getattr(problem, name)) is not None:
+            params[name] = traction_params(tractions)
     return params
+
+
+def _gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
+    if isinstance(gap, Paraboloid):
+        return {"paraboloid": plain(gap)}
+    if isinstance(gap, SemiAxes):
+        return {"semi_axes": plain(gap)}
+    return {"array": np.asarray(gap)}
+
+
+def _influence_params(problem: ContactProblem) -> dict[str, Any]:
+    if isinstance(problem.ics, TableIcs) and problem.model in (None, "full"):
+        (ny, nx), ics = problem.grid.shape, problem.ics
+        return {"ics": {"source": "table", "table": ics.array[:, :, :ny, :nx], "dx": ics.dx, "dy": ics.dy}}
+    bodies = {"upper": problem.upper, "lower": problem.lower}
+    params: dict[str, Any] = {}
+    if any(bodies.values()):
+        params["bodies"] = {name: body_params(body) for name, body in bodies.items() if body is not None}
+    if not isinstance(problem.ics, TableIcs):
+        params["ics"] = ics_params(problem.ics)
+    return params
+
+
+def traction_params(tractions: Estimate | ContactSolution) -> dict[str, Any]:
+    """The arrays of `previous`, `initial` and contact.subsurface that are there."""
+    arrays = {name: getattr(tractions, name) for name in ("pressure", "traction_x", "traction_y")}
+    return {name: np.asarray(array) for name, array in arrays.items() if array is not None}

@@ -6,12 +6,14 @@ from __future__ import annotations
 import collections.abc
 import dataclasses
 import functools
+import operator
 import types
 from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 
 from .errors import ProtocolError
+from .friction import Motion, Rolling, Shift
 from .problem import AnalyticIcs, FemIcs, Ics
 
 __all__ = ["read"]
@@ -42,10 +44,14 @@ def _convert(hint: Any, value: Any, path: str) -> Any:
         return read(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs, value, path)
     if dataclasses.is_dataclass(hint):
         return read(hint, value, path)  # type: ignore[arg-type]
+    if hint == Motion:
+        return read(Shift if isinstance(value, dict) and "rigid_shift" in value else Rolling, value, path)
     origin, inner = get_origin(hint), get_args(hint)
     if origin in (Union, types.UnionType):
         # A closed-form table says {} of its errors: it has none to speak of.
-        return None if value in (None, {}) else _convert(next(t for t in inner if t is not type(None)), value, path)
+        if value is None or (isinstance(value, dict) and not value):
+            return None
+        return _convert(functools.reduce(operator.or_, (t for t in inner if t is not type(None))), value, path)
     if origin is tuple and isinstance(value, list):
         return tuple(_convert(inner[0], item, f"{path}[{i}]") for i, item in enumerate(value))
     if origin is collections.abc.Mapping and isinstance(value, dict):

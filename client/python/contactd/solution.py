@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from .friction import Motion
 from .problem import Array, FemIcs, Grid, Ics, Material
 
 __all__ = [
@@ -158,14 +159,19 @@ class IcUse:
 
 @dataclass(frozen=True)
 class ContactEvidence:
-    """How a contact problem was solved; `tangential` is None without friction.
+    """How a contact problem was solved; `tangential` is None without friction, `outer` and `force` where they did not run.
 
-    `ics` has "upper" and "lower", or "pair" when the problem brought its coefficients along (TableIcs).
+    `ics` has "upper" and "lower" (not of a rigid body), or "pair" when the problem brought its coefficients along
+    (TableIcs). It is empty for models other than "full".
     """
 
     normal: SolverEvidence
     ics: Mapping[str, IcUse]
     tangential: SolverEvidence | None = None
+    #: the loop that bodies that differ and kinetic friction need; its residual is the last relative change of tractions
+    outer: SolverEvidence | None = None
+    #: the search for the motion of a prescribed force; its residual is the error of the force over the friction bound
+    force: SolverEvidence | None = None
 
 
 @dataclass(frozen=True)
@@ -184,24 +190,28 @@ class Counts:
     contact: int
     adhesion: int
     slip: int
+    border: int  #: in contact at the border of the potential contact area, which should not be; see `warnings`
 
 
 @dataclass(frozen=True)
 class Forces:
-    """Total force on the upper body (N)."""
+    """Total force on the upper body (N), and its moment about z."""
 
     Fn: float
     Fx: float
     Fy: float
+    Mz: float  #: at the origin: sum of x p_y - y p_x over the elements (N mm)
 
 
 @dataclass(frozen=True, eq=False)
 class ContactSolution:
     """The solution of a ContactProblem. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
-    A solve that did not converge is a solution too: ask `converged`.
+    A solve that did not converge is a solution too: ask `converged`. Read `warnings`. A solution may be `previous` or
+    `initial` of the next problem.
     """
 
+    approach: float  #: delta (mm), prescribed or found
     forces: Forces
     pmax: float  #: largest pressure (N/mm^2)
     area: Areas
@@ -212,6 +222,15 @@ class ContactSolution:
     traction_y: Array  #: N/mm^2
     converged: bool
     evidence: ContactEvidence
+    warnings: tuple[str, ...] = ()  #: sentences, e.g. that the contact touches the border of the potential contact area
+    # The following are None without friction.
+    #: slip of the upper body over the lower, zero outside contact: of a shift the distance over the step (mm), of rolling
+    #: the relative slip, per distance rolled
+    slip_x: Array | None = None
+    slip_y: Array | None = None
+    frictional_work: float | None = None  #: of a shift: what friction dissipates in the step (N mm)
+    frictional_power: float | None = None  #: of rolling: what friction dissipates (N mm/s)
+    motion: Motion | None = None  #: as asked for, with what a prescribed force made of it
 
     @property
     def Fn(self) -> float:
@@ -227,6 +246,11 @@ class ContactSolution:
     def Fy(self) -> float:
         """Tangential force along y (N)."""
         return self.forces.Fy
+
+    @property
+    def Mz(self) -> float:
+        """Moment of the tractions on the upper body about z at the origin (N mm)."""
+        return self.forces.Mz
 
 
 @dataclass(frozen=True)
@@ -256,10 +280,10 @@ class ServerInfo:
 
 @dataclass(frozen=True)
 class Job:
-    """A build or a solve that waits or runs."""
+    """A build, a solve or stresses that wait or run."""
 
     job: str  #: what cancel_job takes
-    kind: str  #: "build" or "solve"
+    kind: str  #: "build", "solve" or "subsurface"
     state: str  #: "queued" or "running"
     stage: str
     fraction: float

@@ -39,7 +39,8 @@ class TableIcs:
     axes x, y, z with z from the lower to the upper body. For bodies whose own tables (IcTable) are U and L this is L + U,
     but L - U for xz, zx, yz and zy. Offsets start at 0; at least as many as the grid has elements are needed.
 
-    With friction, xz, zx, yz and zy must be below 1e-6 of zz at the origin.
+    Where xz, zx, yz and zy are below 1e-6 of zz at the origin they are taken for rounding; larger ones couple normal and
+    tangential contact.
     """
 
     array: Array  #: shape [3, 3, ny, nx]

@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "contactd/friction.hpp"
+#include "contactd/gap.hpp"
 #include "contactd/given_ics.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/ic_spec.hpp"
@@ -30,50 +33,81 @@ struct SolverEvidence {
     double seconds = 0;
 };
 
-/// The tangential part: a shift problem with Coulomb friction, the rigid shift prescribed.
-struct Friction {
-    double mu = 0;             ///< coefficient of friction, >= 0
-    double rigid_shift_x = 0;  ///< w_x (mm); slip = A p + w
-    double rigid_shift_y = 0;  ///< w_y (mm)
+/// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. fastsim: Hertzian
+/// contact with Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes.
+enum class Model { full, hertz, fastsim };
 
-    bool operator==(const Friction&) const = default;
+/// Tractions at the end of the step before, each empty (zero) or of shape [ny, nx] (N/mm^2), on the upper body.
+struct PreviousState {
+    std::vector<double> pressure, traction_x, traction_y;
+
+    bool empty() const { return pressure.empty() && traction_x.empty() && traction_y.empty(); }
+    bool operator==(const PreviousState&) const = default;
 };
 
-/// Normal contact with the approach prescribed, and tangential contact where `friction` is given.
+/// Normal contact, the approach or the force prescribed, and tangential contact where `friction` is given.
 struct ContactProblem {
     Grid grid;
     BodyPair bodies;
-    Ics ics;                                  ///< of both bodies
-    std::optional<GivenIcs> given_ics;        ///< instead of computed ones; bodies and ics mean nothing then
-    std::vector<double> undeformed_distance;  ///< h without the approach, shape [ny, nx] (mm)
-    double approach = 0;                      ///< delta (mm); the gap before deformation is h - delta
-    std::optional<Friction> friction;         ///< absent: frictionless
-    SolverSettings normal_settings;           ///< ||d||_rms / ||h||_rms
-    SolverSettings tangential_settings;       ///< ||p_t - p_t,old|| / ||p_t||
-    std::vector<double> initial_pressure;     ///< empty, or an estimate, shape [ny, nx]
+    Ics ics;                            ///< of both bodies
+    std::optional<GivenIcs> given_ics;  ///< instead of computed ones; bodies and ics mean nothing then
+    Gap gap;                            ///< undeformed distance h without the approach
+    double approach = 0;                ///< delta (mm); the gap before deformation is h - delta
+    std::optional<double> Fn;           ///< normal force (N, >= 0) prescribed instead: the approach is found then
+    Model model = Model::full;
+    std::optional<Friction> friction;            ///< absent: frictionless
+    PreviousState previous;                      ///< where a shift or a transient step starts
+    SolverSettings normal_settings{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
+    SolverSettings tangential_settings;          ///< ||p_t - p_t,old|| / ||p_t||
+    SolverSettings outer_settings{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
+    std::vector<double> initial_pressure;        ///< empty, or an estimate, shape [ny, nx]
     std::vector<double> initial_traction_x, initial_traction_y;  ///< empty, or estimates
 };
 
 /// Arrays have shape [ny, nx]. Tractions act on the upper body.
 struct ContactSolution {
+    double approach = 0;      ///< (mm), prescribed or found
     double Fn = 0;            ///< normal force (N), > 0 in compression
     double Fx = 0, Fy = 0;    ///< tangential force on the upper body (N)
+    double Mz = 0;            ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
     double pmax = 0;          ///< largest pressure (N/mm^2)
     double contact_area = 0;  ///< (mm^2)
     double adhesion_area = 0, slip_area = 0;
     int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
+    int border_elements = 0;  ///< contact elements at the border of the potential contact area
     std::vector<ElementState> element_division;
     std::vector<double> pressure;                ///< (N/mm^2), >= 0
     std::vector<double> traction_x, traction_y;  ///< (N/mm^2); zero without friction
+    /// Slip of the upper body over the lower: of a shift the distance over the step (mm), of rolling the slip over the
+    /// step divided by dq. Empty without friction; zero outside contact.
+    std::vector<double> slip_x, slip_y;
+    /// Of a shift what friction dissipates in the step (N mm); of rolling its power (N mm/s).
+    std::optional<double> frictional_work, frictional_power;
+    std::optional<Motion> motion;       ///< as asked, with what a prescribed force made of it
+    std::vector<std::string> warnings;  ///< sentences: what a user of the solution should know
     SolverEvidence normal;
     std::optional<SolverEvidence> tangential;
+    /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, the
+    /// last relative change of the tractions.
+    std::optional<SolverEvidence> outer;
+    std::optional<SolverEvidence> force;  ///< of the search for the motion: the last |F - prescribed| over the bound
 
     /// True when every solver that ran reached its tolerance.
-    bool converged() const { return normal.converged && (!tangential || tangential->converged); }
+    bool converged() const {
+        for (const auto& evidence : {tangential, outer, force})
+            if (evidence && !evidence->converged) return false;
+        return normal.converged;
+    }
 };
 
-/// h(x, y) = x^2/(2 Rx) + y^2/(2 Ry) at the element centres (mm); an infinite radius is a flat direction.
-std::vector<double> paraboloid(const Grid& grid, double Rx, double Ry);
+/// Of one step (mm): dq, or dx where dq is 0.
+double step_length(const Rolling& rolling, const Grid& grid);
+
+/// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array.
+std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem);
+
+/// h at the element centres, shape [ny, nx] (mm), of any gap the problem has.
+std::vector<double> undeformed_distance(const ContactProblem& problem);
 
 /// Throws InvalidArgument naming the field as on the wire when the problem cannot be solved as stated.
 void validate(const ContactProblem& problem);

@@ -1,11 +1,16 @@
 // Linear elastic, homogeneous, isotropic material, and the pair of bodies in contact.
 #pragma once
 
+#include <limits>
+
 namespace contactd {
 
 struct Material {
-    double G = 0;   ///< shear modulus, force/length^2 (N/mm^2), > 0
+    double G = 0;   ///< shear modulus, force/length^2 (N/mm^2), > 0; infinite: a rigid body
     double nu = 0;  ///< Poisson's ratio, 0 <= nu <= 0.5
+
+    static constexpr Material rigid() { return {std::numeric_limits<double>::infinity(), 0}; }
+    bool is_rigid() const { return G == std::numeric_limits<double>::infinity(); }
 
     bool operator==(const Material&) const = default;
 };
@@ -18,6 +23,8 @@ struct BodyPair {
     /// True when normal and tangential contact do not influence each other: (1-2nu)/G is the same for both bodies
     /// ("quasi-identical", paper section 4). The pair's xz, zx, yz, zy coefficients vanish then.
     bool quasi_identical() const;
+    /// Sum of (1-nu)/(2G), which is 1/E*: all that normal contact of half-spaces knows of them (mm^2/N).
+    double normal_compliance() const;
 
     bool operator==(const BodyPair&) const = default;
 };
@@ -25,5 +32,7 @@ struct BodyPair {
 /// Throws InvalidArgument naming `field`.G or `field`.nu when the material cannot be used.
 /// nu = 0.5 is allowed only where `incompressible_allowed`: displacement-based finite elements cannot take it.
 void validate(const Material& material, const char* field, bool incompressible_allowed);
+/// The same for both bodies, of which one may be rigid.
+void validate(const BodyPair& bodies, bool incompressible_allowed);
 
 }  // namespace contactd

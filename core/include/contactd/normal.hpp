@@ -12,6 +12,7 @@ namespace contactd {
 
 struct NormalSolution {
     std::vector<double> pressure;  ///< (N/mm^2), > 0 in contact, 0 outside
+    double approach = 0;           ///< found by solve_normal_force (mm); 0 where it was prescribed
     SolverEvidence evidence;       ///< residual: ||A p + h||_rms / ||h||_rms over the contact (section 4.1)
 };
 
@@ -21,5 +22,17 @@ struct NormalSolution {
 /// Throws Cancelled through the observer and InvalidArgument for arrays of the wrong size.
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
                             const SolverSettings& settings, std::span<const double> initial, Observer& observer);
+
+/// The same with the force prescribed: finds p and the approach delta with sum(p) = `pressure_sum`, which is
+/// Fn / element area, for the gap h = `undeformed_distance` - delta (mm). There is always a solution: at most, all
+/// elements are in contact. Without a force p = 0 and delta is the least undeformed distance, where bodies just touch.
+/// Throws also InvalidArgument ("Fn") for a negative force or one that is not finite.
+NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
+                                  double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
+                                  Observer& observer);
+
+/// Elements with pressure in the first or last column or row: where there are any, the contact may reach beyond the
+/// potential contact area, and the solution is that of bodies cut off there.
+int border_elements(const Grid& grid, std::span<const double> pressure);
 
 }  // namespace contactd

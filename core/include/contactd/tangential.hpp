@@ -25,8 +25,4 @@ TangentialSolution solve_tangential(const InfluenceOperator& influence, std::spa
                                     const SolverSettings& settings, std::span<const double> initial_x,
                                     std::span<const double> initial_y, Observer& observer);
 
-/// Normal contact, then tangential contact where the problem has friction, for quasi-identical bodies. `pair` holds the
-/// coefficients of the pair (pair_of). Throws InvalidArgument when the problem is invalid or the table is too small.
-ContactSolution solve_contact(const ContactProblem& problem, const InfluenceOperator& influence, Observer& observer);
-
 }  // namespace contactd

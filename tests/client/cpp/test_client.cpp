@@ -26,23 +26,48 @@ ContactProblem problem() {
     ContactProblem problem;
     problem.grid = Grid::centred(3, 2, 0.1, 0.1);
     problem.bodies = {{200, 0.42}, {200, 0.42}};
-    problem.undeformed_distance = paraboloid(problem.grid, 50, 50);
+    problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
     return problem;
 }
 
 /// Solves by returning the gap as the pressure.
-std::vector<Frames> echo_gap(const json& request, const Frames& frames) {
-    const ContactProblem read = proto::decode_problem(request["params"], frames);
+proto::SolveReply gap_as_pressure(const ContactProblem& read) {
     proto::SolveReply reply;
-    reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = read.undeformed_distance;
+    reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = undeformed_distance(read);
     reply.solution.element_division.assign(read.grid.size(), ElementState::slip);
-    reply.upper.origin = reply.lower.origin = "closed_form";
-    reply.upper.evidence.source = reply.lower.evidence.source = "analytic";
-    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    Frames message{fake::reply(request, proto::encode_solve_reply(reply, read.grid, arrays))};
+    reply.upper = {"closed_form", "", {}};
+    reply.upper->evidence.source = "analytic";
+    reply.lower = reply.upper;
+    return reply;
+}
+
+std::vector<Frames> message_of(const json& request, const json& result, proto::ArrayWriter& arrays) {
+    Frames message{fake::reply(request, result)};
     for (std::string& frame : arrays.take_frames()) message.push_back(std::move(frame));
     return {message};
+}
+
+std::vector<Frames> echo_gap(const json& request, const Frames& frames) {
+    const ContactProblem read = proto::decode_problem(request["params"], frames);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    return message_of(request, proto::encode_solve_reply(gap_as_pressure(read), read.grid, arrays), arrays);
+}
+
+/// The same for many; fails those without contact.
+std::vector<Frames> echo_gaps(const json& request, const Frames& frames) {
+    std::vector<proto::ReplyOrStatus> replies;
+    std::vector<Grid> grids;
+    for (const auto& problem : proto::decode_problems(request["params"], frames)) {
+        const auto& read = std::get<ContactProblem>(problem);
+        grids.push_back(read.grid);
+        if (read.approach > 0)
+            replies.emplace_back(gap_as_pressure(read));
+        else
+            replies.emplace_back(proto::Status{proto::StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
+    }
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    return message_of(request, proto::encode_solve_replies(replies, grids, arrays), arrays);
 }
 
 }  // namespace
@@ -69,8 +94,93 @@ TEST_CASE("A problem goes out and its solution comes back", "[client]") {
 
     const auto reply = client.solve(problem());
 
-    CHECK(reply.solution.pressure == problem().undeformed_distance);
-    CHECK(reply.upper.origin == "closed_form");
+    CHECK(reply.solution.pressure == undeformed_distance(problem()));
+    CHECK(reply.upper->origin == "closed_form");
+}
+
+TEST_CASE("Many problems go out and their outcomes come back in order", "[client]") {
+    std::size_t frames_sent = 0;
+    fake::Daemon daemon([&](const json& request, const Frames& frames) {
+        CHECK(request["method"] == "contact.solve_many");
+        frames_sent = frames.size();
+        return echo_gaps(request, frames);
+    });
+    Client client(daemon.endpoint());
+    std::vector<ContactProblem> problems(3, problem());
+    problems[0].gap = problems[2].gap = std::vector<double>{1, 2, 3, 4, 5, 6};
+    problems[1].approach = -1;
+
+    const auto replies = client.solve_many(problems);
+
+    REQUIRE(replies.size() == 3);
+    CHECK(std::get<proto::SolveReply>(replies[0]).solution.pressure == std::vector<double>{1, 2, 3, 4, 5, 6});
+    CHECK(std::get<proto::Status>(replies[1]).message == "No.");
+    CHECK(std::get<proto::SolveReply>(replies[2]).solution.pressure.size() == 6);
+    CHECK(frames_sent == 1);
+}
+
+TEST_CASE("Another number of solutions than problems is the daemon's fault", "[client]") {
+    fake::Daemon daemon([](const json& request, const Frames& frames) {
+        json fewer = request;
+        fewer["params"]["problems"].erase(0);
+        return echo_gaps(fewer, frames);
+    });
+    Client client(daemon.endpoint());
+    CHECK_THROWS_AS(client.solve_many(std::vector<ContactProblem>(2, problem())), ProtocolError);
+}
+
+TEST_CASE("Of many problems the one that cannot be solved is named", "[client]") {
+    fake::Daemon daemon(echo_gaps);
+    Client client(daemon.endpoint());
+    std::vector<ContactProblem> problems(2, problem());
+    problems[1].bodies.upper.nu = 0.6;
+    try {
+        client.solve_many(problems);
+        FAIL("nothing was thrown");
+    } catch (const InvalidArgument& error) {
+        CHECK(error.field() == "problems[1].bodies.upper.nu");
+        CHECK_THAT(error.what(), ContainsSubstring("problems[1].bodies.upper.nu is 0.6; it must"));
+    }
+}
+
+TEST_CASE("Stresses are asked for and read", "[client]") {
+    proto::SubsurfaceRequest request;
+    request.grid = Grid::centred(2, 1, 0.1, 0.1);
+    request.nu = 0.3;
+    request.body = ContactBody::upper;
+    request.pressure = {1, 2};
+    request.points = StressBlock{{0, 1, 2}, {0}, {0, -1}};
+    std::vector<std::size_t> shape{2, 1, 3};
+    fake::Daemon daemon([&](const json& asked, const Frames& frames) {
+        CHECK(asked["method"] == "contact.subsurface");
+        const auto read = proto::decode_subsurface_request(asked["params"], frames);
+        CHECK(read.body == ContactBody::upper);
+        proto::SubsurfaceReply reply;
+        for (auto* values : {&reply.stress.xx, &reply.stress.yy, &reply.stress.zz, &reply.stress.xy, &reply.stress.xz,
+                             &reply.stress.yz, &reply.stress.von_mises})
+            *values = std::vector<double>(6, read.pressure[1]);
+        reply.shape = shape;
+        reply.largest = {2, read.point(0)};
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        return message_of(asked, proto::encode_subsurface_reply(reply, arrays), arrays);
+    });
+    Client client(daemon.endpoint());
+
+    SECTION("as they come") {
+        const auto reply = client.subsurface(request);
+        CHECK(reply.stress.xz == std::vector<double>(6, 2));
+        CHECK(reply.shape == request.shape());
+        CHECK(reply.largest.von_mises == 2);
+    }
+    SECTION("another shape than asked for is the daemon's fault") {
+        shape = {6};
+        CHECK_THROWS_AS(client.subsurface(request), ProtocolError);
+    }
+    SECTION("an array that does not fit the grid is named before anything is sent") {
+        request.traction_y = {1, 2, 3};
+        CHECK_THROWS_MATCHES(client.subsurface(request), InvalidArgument,
+                             MessageMatches(ContainsSubstring("traction_y has 3 values; the grid has 2 elements")));
+    }
 }
 
 TEST_CASE("A table is asked for and read", "[client]") {
@@ -232,7 +342,7 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
 
     ContactProblem large = problem();
     large.grid = Grid::centred(50, 50, 0.1, 0.1);
-    large.undeformed_distance = paraboloid(large.grid, 50, 50);
+    large.gap = Paraboloid{50, 50};
     try {
         client.solve(large);
         FAIL("nothing was thrown");

@@ -100,4 +100,28 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     CHECK(reply.origin == "closed_form");
     CHECK(reply.spec == spec);
     CHECK(reply.table(contactd::Axis::z, contactd::Axis::z, 0, 0) > 0);
+
+    contactd::ContactProblem problem;
+    problem.grid = contactd::Grid::centred(8, 8, 0.3, 0.3);
+    problem.bodies = {{200, 0.42}, contactd::Material::rigid()};
+    problem.gap = contactd::Paraboloid{50, 50};
+    problem.Fn = 9.2;
+    contactd::Shift pulled;
+    pulled.Fx = 1e6;
+    std::vector<contactd::ContactProblem> problems(2, problem);
+    problems[1].friction = contactd::Friction{{0.4}, {}, pulled};
+    const auto replies = client.solve_many(problems);
+    CHECK(std::get<contactd::proto::SolveReply>(replies[0]).solution.Fn == Approx(9.2).epsilon(1e-6));
+    CHECK(std::get<contactd::proto::Status>(replies[1]).violations[0].field == "friction.force");
+
+    contactd::proto::SubsurfaceRequest inside;
+    inside.grid = problem.grid;
+    inside.nu = 0.42;
+    inside.body = contactd::ContactBody::upper;
+    inside.pressure = std::get<contactd::proto::SolveReply>(replies[0]).solution.pressure;
+    inside.points = contactd::StressBlock{{0.15}, {0.15}, {0, -0.4, -0.8}};
+    const auto stresses = client.subsurface(inside);
+    CHECK(stresses.shape == std::vector<std::size_t>{3, 1, 1});
+    CHECK(stresses.stress.zz[0] == Approx(-inside.pressure[4 * 8 + 4]).epsilon(1e-9));
+    CHECK(stresses.largest.depth() == 0.4);
 }

@@ -8,6 +8,7 @@ from contactd import (
     Cancelled,
     Client,
     ContactdError,
+    ContactProblem,
     DeadlineExceeded,
     FailedPrecondition,
     FemIcs,
@@ -19,7 +20,10 @@ from contactd import (
     Paraboloid,
     ProtocolError,
     ResourceExhausted,
+    Rolling,
+    Shift,
     StatusError,
+    TableIcs,
     TimeoutExpired,
     Unavailable,
     Unimplemented,
@@ -69,20 +73,114 @@ def test_a_table_of_another_shape_breaks_the_protocol(tmp_path):
 
 def test_a_solution_has_forces_arrays_and_evidence(tmp_path):
     solution = ask(tmp_path, lambda request: [request.result(*answers.solution(2, 3))], solve)
-    assert (solution.Fn, solution.Fx, solution.Fy) == (9.2, -3.2, 0)
+    assert (solution.Fn, solution.Fx, solution.Fy, solution.Mz) == (9.2, -3.2, 0, 0.5)
+    assert solution.approach == 0.02
     assert solution.elements.adhesion == 1
+    assert solution.elements.border == 0
+    assert solution.warnings == ()
     assert solution.element_division.dtype == np.uint8
     assert solution.pressure.shape == (2, 3)
     assert solution.evidence.tangential.iterations == 7
     assert solution.evidence.ics["lower"].origin == "closed_form"
 
 
-def test_a_solution_without_friction_has_no_tangential_evidence():
+def solution_with(**fields):
     result, *_ = answers.solution(2, 3)
-    del result["evidence"]["tangential"]
     for name in ["element_division", "pressure", "traction_x", "traction_y"]:
         result[name] = np.zeros((2, 3))
-    assert read(ContactSolution, result).evidence.tangential is None
+    return {**result, **fields}
+
+
+def test_a_solution_without_friction_has_nothing_tangential():
+    result = solution_with()
+    del result["evidence"]["tangential"]
+    solution = read(ContactSolution, result)
+    assert solution.evidence.tangential is None
+    for name in ["slip_x", "slip_y", "motion", "frictional_work", "frictional_power"]:
+        assert getattr(solution, name) is None
+
+
+def test_a_shift_tells_its_motion_slip_and_work():
+    motion = {"rigid_shift": [0.1, 0], "rotation": 0, "duration": 2, "force": [None, -3]}
+    slip = np.ones((2, 3))
+    result = solution_with(motion=motion, slip_x=slip, slip_y=slip, frictional_work=3, warnings=["Beware."])
+    solution = read(ContactSolution, result)
+    assert solution.motion == Shift(rigid_shift=(0.1, 0), rotation=0, duration=2, force=(None, -3))
+    assert solution.slip_y is slip
+    assert (solution.frictional_work, solution.frictional_power) == (3, None)
+    assert solution.warnings == ("Beware.",)
+
+
+def test_rolling_tells_its_creepages():
+    motion = {
+        "xi": 1e-3, "eta": 0, "phi": 0.5, "chi": 0, "dq": 0.1, "kind": "transient", "steps": 4, "velocity": 2
+    }  # fmt: skip
+    solution = read(ContactSolution, solution_with(motion=motion, frictional_power=2.5))
+    assert solution.motion == Rolling(xi=1e-3, phi=0.5, dq=0.1, kind="transient", steps=4, velocity=2)
+    assert solution.frictional_power == 2.5
+
+
+def test_a_motion_of_neither_kind_breaks_the_protocol():
+    with pytest.raises(ProtocolError, match=r"result\.motion is a str"):
+        read(ContactSolution, solution_with(motion="still"))
+
+
+def test_evidence_tells_of_every_solver_that_ran():
+    solver = {"iterations": 3, "residual": 1e-9, "converged": True, "seconds": 0.1}
+    result = solution_with(evidence={"normal": solver, "outer": solver, "force": solver, "ics": {}})
+    evidence = read(ContactSolution, result).evidence
+    assert (evidence.outer.iterations, evidence.force.iterations) == (3, 3)
+    assert evidence.ics == {}
+
+
+def solve_two(client):
+    problem = ContactProblem(GRID, Material(1, 0), Paraboloid(1, 1), approach=0.1)
+    return client.solve_many([problem, problem.replace(grid=Grid(4, 5, 1, 1))])
+
+
+def test_of_many_problems_each_has_its_solution_or_its_exception(tmp_path):
+    violation = {"field": "grid.nx", "description": "is bad"}
+    status = {
+        "code": 3, "name": "INVALID_ARGUMENT", "message": "Bad.",
+        "details": {"reason": "FIELD_INVALID", "violations": [violation]},
+    }  # fmt: skip
+    solution, error = ask(tmp_path, lambda r: [r.result(*answers.solutions((2, 3), status))], solve_two)
+    assert solution.pressure.shape == (2, 3)
+    assert isinstance(error, InvalidArgument)
+    assert (error.message, error.reason) == ("Bad.", "FIELD_INVALID")
+    assert error.violations == (Violation("grid.nx", "is bad"),)
+    _, second = ask(tmp_path, lambda r: [r.result(*answers.solutions(status, (5, 4)))], solve_two)
+    assert second.pressure.shape == (5, 4)
+
+
+@pytest.mark.parametrize(
+    "result",
+    [{}, {"solutions": []}, {"solutions": [1, 2]}, {"solutions": [{}, {}]},
+     {"solutions": [{"status": {"code": 0}}, {"status": {"code": 0}}]}],
+)  # fmt: skip
+def test_solutions_that_are_none_break_the_protocol(tmp_path, result):
+    with pytest.raises(ProtocolError):
+        ask(tmp_path, lambda request: [request.result(result)], solve_two)
+
+
+def test_no_problems_have_no_solutions():
+    with Client("ipc:///nowhere") as client:
+        assert client.solve_many([]) == []
+
+
+def test_a_table_of_many_problems_is_sent_once(tmp_path):
+    table = TableIcs(np.ones((3, 3, 4, 4)), 1, 1)
+    problem = ContactProblem(GRID, gap=Paraboloid(1, 1), Fn=1, ics=table)
+    requests = []
+
+    def script(request):
+        if request.method == "server.info":
+            return [request.result(answers.INFO)]
+        requests.append(request)
+        return [request.result(*answers.solutions((2, 3), (2, 3)))]
+
+    ask(tmp_path, script, lambda client: client.solve_many([problem, problem.replace(Fn=2)]))
+    assert len(requests[0].frames) == 1
 
 
 def test_answers_of_a_newer_daemon_are_read():

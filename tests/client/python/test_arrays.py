@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from contactd import InvalidArgument, ProtocolError
-from contactd.arrays import decode, encode
+from contactd.arrays import Frames, decode, encode
 
 VALUES = np.arange(6.0).reshape(2, 3)
 
@@ -24,18 +24,32 @@ VALUES = np.arange(6.0).reshape(2, 3)
     ids=["f8", "f4", "big-endian", "integers", "fortran-order", "strided"],
 )
 def test_every_dtype_and_layout_arrives_as_little_endian_doubles_in_c_order(array):
-    frames = []
+    frames = Frames()
     reference = encode(array, "gap.array", frames)
     assert reference == {"$array": {"frame": 1, "dtype": "<f8", "shape": [2, 3]}}
     assert frames == [VALUES.astype("<f8").tobytes()]
 
 
 def test_frames_are_numbered_in_the_order_of_the_arrays():
-    frames = []
-    encoded = encode({"a": VALUES, "b": [VALUES, 1]}, "", frames)
+    frames = Frames()
+    encoded = encode({"a": VALUES, "b": [VALUES + 1, 1]}, "", frames)
     assert encoded["a"]["$array"]["frame"] == 1
     assert encoded["b"][0]["$array"]["frame"] == 2
     assert len(frames) == 2
+
+
+def test_an_array_that_occurs_twice_is_one_frame():
+    frames = Frames()
+    encoded = encode([VALUES, VALUES[:, :2], VALUES, VALUES[:, :2]], "", frames)
+    assert [item["$array"]["frame"] for item in encoded] == [1, 2, 1, 2]
+    assert frames == [VALUES.tobytes(), VALUES[:, :2].tobytes()]
+
+
+def test_views_of_one_memory_are_told_apart():
+    frames = Frames()
+    square = VALUES[:, :2]
+    encode([square, square.T, square.reshape(4), square.view("i8")], "", frames)
+    assert len(frames) == 4
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
@@ -43,7 +57,7 @@ def test_arrays_that_are_not_finite_are_refused_with_their_place(value):
     array = VALUES.copy()
     array[1, 2] = value
     with pytest.raises(InvalidArgument, match=r"gap\.array holds .* at \[1, 2\]") as caught:
-        encode({"gap": {"array": array}}, "", [])
+        encode({"gap": {"array": array}}, "", Frames())
     assert caught.value.reason == "ARRAY_INVALID"
     assert caught.value.violations[0].field == "gap.array"
 
@@ -51,25 +65,25 @@ def test_arrays_that_are_not_finite_are_refused_with_their_place(value):
 @pytest.mark.parametrize("value", [math.nan, np.float32("inf")])
 def test_numbers_that_are_not_finite_are_refused_by_name(value):
     with pytest.raises(InvalidArgument) as caught:
-        encode({"friction": {"rigid_shift": [0.0, value]}}, "", [])
+        encode({"friction": {"rigid_shift": [0.0, value]}}, "", Frames())
     assert caught.value.violations[0].field == "friction.rigid_shift[1]"
 
 
 @pytest.mark.parametrize("array", [np.array([1j]), np.array(["a"]), np.array([None])])
 def test_arrays_of_anything_but_real_numbers_are_refused(array):
     with pytest.raises(InvalidArgument, match="real numbers"):
-        encode(array, "gap.array", [])
+        encode(array, "gap.array", Frames())
 
 
 def test_scalars_of_numpy_become_plain_numbers():
-    encoded = encode({"nx": np.int64(3), "dx": np.float32(0.5)}, "", [])
+    encoded = encode({"nx": np.int64(3), "dx": np.float32(0.5)}, "", Frames())
     assert encoded == {"nx": 3, "dx": 0.5}
     assert type(encoded["nx"]) is int
 
 
 def test_what_json_cannot_hold_is_refused_by_name():
     with pytest.raises(InvalidArgument, match="metadata.when is a object"):
-        encode({"metadata": {"when": object()}}, "", [])
+        encode({"metadata": {"when": object()}}, "", Frames())
 
 
 def test_references_become_arrays_of_their_type_and_shape():

@@ -12,7 +12,10 @@ from contactd import (
     Grid,
     Material,
     Paraboloid,
+    RigidBody,
+    SemiAxes,
     SolverSettings,
+    TableIcs,
 )
 from contactd.problem import problem_params, table_params
 
@@ -76,14 +79,55 @@ def test_a_full_problem_says_everything():
         friction=Friction(0.4, (0.1, 0)),
         normal=SolverSettings(tolerance=1e-8),
         tangential=SolverSettings(max_iterations=9),
+        outer=SolverSettings(tolerance=1e-4),
         initial=Estimate(pressure=pressure),
+        previous=Estimate(traction_x=pressure),
+        model="full",
     )
     params = problem_params(problem)
     assert params["bodies"]["lower"] == {"G": 1, "nu": 0}
     assert params["gap"]["array"] is gap
     assert params["friction"] == {"mu": 0.4, "rigid_shift": [0.1, 0]}
-    assert params["settings"] == {"normal": {"tolerance": 1e-8}, "tangential": {"max_iterations": 9}}
+    assert params["settings"] == {
+        "normal": {"tolerance": 1e-8}, "tangential": {"max_iterations": 9}, "outer": {"tolerance": 1e-4}
+    }  # fmt: skip
     assert params["initial"].keys() == {"pressure"}
+    assert params["previous"].keys() == {"traction_x"}
+    assert params["model"] == "full"
+
+
+def test_a_force_takes_the_place_of_the_approach():
+    params = problem_params(PROBLEM.replace(Fn=9.2))
+    assert params["Fn"] == 9.2
+    assert "approach" not in params
+    assert "Fn" not in problem_params(PROBLEM.replace(Fn=9.2).replace(approach=0.1))
+
+
+@pytest.mark.parametrize("load", [{}, {"approach": 0.02, "Fn": 1.0}])
+def test_either_the_approach_or_the_force_is_given(load):
+    with pytest.raises(TypeError, match="either approach or Fn"):
+        ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(Rx=50), **load)
+
+
+def test_a_gap_is_required():
+    with pytest.raises(TypeError, match="lacks gap"):
+        ContactProblem(grid=GRID, upper=STEEL, approach=0.02)
+
+
+def test_a_gap_may_be_given_by_semi_axes():
+    assert problem_params(PROBLEM.replace(gap=SemiAxes(1, 2)))["gap"] == {"semi_axes": {"a": 1, "b": 2}}
+
+
+def test_a_body_may_be_rigid():
+    bodies = problem_params(PROBLEM.replace(upper=RigidBody(), lower=STEEL))["bodies"]
+    assert bodies == {"upper": {"rigid": True}, "lower": {"G": 82000, "nu": 0.28}}
+
+
+def test_quick_models_do_not_use_a_table():
+    table = TableIcs(np.ones((3, 3, 2, 3)), 0.5, 1.0)
+    params = problem_params(PROBLEM.replace(model="fastsim", ics=table))
+    assert params["bodies"] == {"upper": {"G": 82000, "nu": 0.28}}
+    assert "ics" not in params
 
 
 def test_a_gap_may_be_nested_lists():

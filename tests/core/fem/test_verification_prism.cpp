@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "../contact_cases.hpp"
-#include "contactd/convolution.hpp"
 #include "contactd/fem/ic_builder.hpp"
-#include "contactd/tangential.hpp"
+#include "contactd/solve_contact.hpp"
 #include "fem_specs.hpp"
 
 using namespace contactd;
@@ -111,8 +110,7 @@ TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper'
     Observer observer;
     IcTable body = fem::build_ic_table(spec, observer).table;
     for (double& value : body.values) value *= spec.dx / spec.material.G;
-    const ConvolutionOperator influence(pair_of(body, body), 160, 160);
-    const ContactSolution solution = solve_contact(problem, influence, observer);
+    const ContactSolution solution = solve_contact(problem, make_influence(problem, pair_of(body, body)), observer);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fn, WithinRel(9.195402, 0.01));
     CHECK_THAT(solution.Fx, WithinRel(-3.2216, 0.003));

@@ -2,9 +2,11 @@
 // written and read in one place.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +15,8 @@
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/proto/message.hpp"
+#include "contactd/proto/status.hpp"
+#include "contactd/subsurface.hpp"
 
 namespace contactd::proto {
 
@@ -35,10 +39,10 @@ nlohmann::json encode_evidence(const IcEvidence& evidence);
 IcEvidence decode_evidence(const nlohmann::json& json);
 
 // --- contact.solve ---------------------------------------------------------------------------------------------------
-/// Writes the gap as an array.
 nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays);
 /// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large (before anything of
-/// its size is allocated) and for arrays that do not fit; the rest is checked by contactd::validate.
+/// its size is allocated) and for arrays that do not fit; the rest is checked by contactd::validate. Of the models
+/// other than full, which do not use it, `ics` is not read.
 ContactProblem decode_problem(const nlohmann::json& params, const std::vector<std::string>& frames);
 
 /// Where the coefficients of a solve came from.
@@ -49,11 +53,65 @@ struct IcUse {
 };
 struct SolveReply {
     ContactSolution solution;
-    IcUse upper, lower;
-    std::optional<IcUse> pair;  ///< instead of these, when the request held the coefficients
+    std::optional<IcUse> upper, lower;  ///< of the full model; not of a rigid body
+    std::optional<IcUse> pair;          ///< instead of these, when the request held the coefficients
 };
 nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays);
 SolveReply decode_solve_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
+
+// --- contact.solve_many ----------------------------------------------------------------------------------------------
+using ProblemOrStatus = std::variant<ContactProblem, Status>;
+using ReplyOrStatus = std::variant<SolveReply, Status>;
+
+nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays);
+/// `params` has passed its schema. Instead of a problem that decode_problem refuses comes the reason, with fields as of
+/// contact.solve. Throws StatusError (LIMIT_EXCEEDED) when the arrays of all problems together, a frame counted as
+/// often as it is named, have more than limits.max_array_elements: each problem gets arrays of its own.
+std::vector<ProblemOrStatus> decode_problems(const nlohmann::json& params, const std::vector<std::string>& frames,
+                                             const Limits& limits = {});
+
+/// `grids` are those of the problems; of one that failed it does not matter. A reply that cannot be sent, because a
+/// number in it is not finite, becomes INTERNAL.
+nlohmann::json encode_solve_replies(std::span<const ReplyOrStatus> replies, std::span<const Grid> grids,
+                                    ArrayWriter& arrays);
+std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const std::vector<std::string>& frames);
+
+// --- contact.subsurface ----------------------------------------------------------------------------------------------
+using StressPoints = std::vector<std::array<double, 3>>;
+
+/// Stresses inside one body of a contact problem. Points are in the frame of that body (contactd/subsurface.hpp).
+struct SubsurfaceRequest {
+    Grid grid;
+    double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5
+    ContactBody body = ContactBody::lower;
+    /// Of a contact solution, for either body: the tractions are those on the upper one. Shape [ny, nx] (N/mm^2);
+    /// tractions may be empty, which means zero.
+    std::vector<double> pressure, traction_x, traction_y;
+    std::variant<StressPoints, StressBlock> points;
+
+    std::vector<std::size_t> shape() const;                ///< of the results: [n], or [nz, ny, nx] of a block
+    std::array<double, 3> point(std::size_t index) const;  ///< the point of a result
+};
+/// Where the von Mises stress is largest.
+struct LargestStress {
+    double von_mises = 0;           ///< (N/mm^2)
+    std::array<double, 3> point{};  ///< x, y, z (mm)
+
+    double depth() const { return 0 - point[2]; }  ///< (mm)
+};
+struct SubsurfaceReply {
+    SubsurfaceStress stress;
+    std::vector<std::size_t> shape;  ///< of all its arrays
+    LargestStress largest;
+};
+nlohmann::json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays);
+/// `params` has passed its schema. Throws StatusError naming the field for a grid or points that are too many
+/// (LIMIT_EXCEEDED; the arrays of the result have at most limits.max_array_elements together), before anything of their
+/// size is allocated, and for arrays that do not fit; the rest is checked by contactd::subsurface_stress.
+SubsurfaceRequest decode_subsurface_request(const nlohmann::json& params, const std::vector<std::string>& frames,
+                                            const Limits& limits = {});
+nlohmann::json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays);
+SubsurfaceReply decode_subsurface_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
 
 // --- ic.export -------------------------------------------------------------------------------------------------------
 enum class FileFormat { hdf5, contact };

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,7 @@ inline constexpr int protocol_version = 1;
 /// What one message may cost; published by server.info, enforced by server and clients.
 struct Limits {
     std::size_t max_frame_bytes = 128u << 20;
-    std::size_t max_frames = 16;  ///< the envelope included
+    std::size_t max_frames = 8192;  ///< the envelope included
     std::size_t max_message_bytes = 256u << 20;
     std::size_t max_array_elements = 16'000'000;
 
@@ -53,18 +54,32 @@ Request parse_request(std::string_view envelope, std::vector<std::string> frames
 /// Text of an envelope. Never throws for bad UTF-8 (replaced) and never holds NaN.
 std::string dump(const nlohmann::json& json);
 
+/// Whether equal arrays of a message travel once: worth looking for when many problems have a table or a gap in common.
+enum class EqualArrays { repeated, shared };
+
 /// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists.
 class ArrayWriter {
    public:
-    explicit ArrayWriter(ArrayEncoding encoding) : encoding_(encoding) {}
+    explicit ArrayWriter(ArrayEncoding encoding, EqualArrays equal = EqualArrays::repeated)
+        : encoding_(encoding), equal_(equal) {}
     /// The JSON that stands for the array; `shape` is C order, its product the number of values.
     nlohmann::json write(std::span<const double> values, std::vector<std::size_t> shape);
     nlohmann::json write(std::span<const unsigned char> values, std::vector<std::size_t> shape);
     std::vector<std::string> take_frames() { return std::move(frames_); }
 
+    std::size_t frame_count() const { return frames_.size(); }
+    /// Forgets the frames beyond the first `count`: of a part of the message that is not sent after all.
+    void drop_frames_beyond(std::size_t count);
+
    private:
+    nlohmann::json add_frame(std::string_view bytes, const char* dtype, std::vector<std::size_t> shape);
+    std::size_t frame_with(std::string_view bytes);
+
     ArrayEncoding encoding_;
+    EqualArrays equal_;
     std::vector<std::string> frames_;
+    std::unordered_multimap<std::size_t, std::size_t>
+        frames_by_hash_;  ///< numbers of frames, when equal ones are shared
 };
 
 /// The array that `json` stands for: a (nested) list of numbers or {"$array": {frame, dtype "<f8", shape}}. Checks

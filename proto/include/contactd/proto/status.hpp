@@ -42,7 +42,6 @@ inline constexpr std::string_view unknown_method = "UNKNOWN_METHOD";
 inline constexpr std::string_view field_invalid = "FIELD_INVALID";
 inline constexpr std::string_view array_invalid = "ARRAY_INVALID";
 inline constexpr std::string_view limit_exceeded = "LIMIT_EXCEEDED";
-inline constexpr std::string_view bodies_coupled = "BODIES_COUPLED";
 inline constexpr std::string_view queue_full = "QUEUE_FULL";
 inline constexpr std::string_view build_failed = "BUILD_FAILED";
 inline constexpr std::string_view job_cancelled = "JOB_CANCELLED";

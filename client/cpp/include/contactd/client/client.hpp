@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ namespace contactd::client {
 struct ClientOptions {
     std::chrono::milliseconds connect_timeout{5'000};    ///< for somebody to listen at the endpoint
     std::chrono::milliseconds timeout{60'000};           ///< of a call
-    std::chrono::milliseconds build_timeout{3'600'000};  ///< of get_ic and of solve with finite-element coefficients
+    std::chrono::milliseconds build_timeout{3'600'000};  ///< of get_ic, and of solves with finite elements
     proto::Limits limits{};                              ///< checked before a message is sent
 };
 
@@ -53,7 +54,7 @@ struct CallOptions {
 /// Work that waits or runs in the daemon.
 struct Job {
     std::string job;      ///< its name
-    std::string kind;     ///< "build" or "solve"
+    std::string kind;     ///< "build", "solve" or "subsurface"
     std::string state;    ///< "queued" or "running"
     std::string stage;    ///< empty while queued
     double fraction = 0;  ///< 0..1, an estimate
@@ -84,6 +85,18 @@ class Client {
 
     /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).
     proto::SolveReply solve(const ContactProblem& problem, const CallOptions& options = {});
+
+    /// Solves 1 to 1000 contact problems at once, on all workers of the daemon. The answers have the order of the
+    /// problems; instead of a solution comes the status of a problem that failed, which does not fail the others.
+    /// Arrays that several problems have in common (tables, gaps) are sent once. Throws InvalidArgument naming
+    /// problems[i].FIELD for one that cannot be solved as stated.
+    std::vector<proto::ReplyOrStatus> solve_many(std::span<const ContactProblem> problems,
+                                                 const CallOptions& options = {});
+
+    /// Stresses inside a body under the tractions of a solution. The request's points and the stresses are in the frame
+    /// of that body: z <= 0 is inside, for the upper one too. Throws InvalidArgument naming an array that does not fit
+    /// the grid.
+    proto::SubsurfaceReply subsurface(const proto::SubsurfaceRequest& request, const CallOptions& options = {});
 
     std::vector<Job> jobs(const CallOptions& options = {});
     /// Ends a job; everyone waiting for it gets CANCELLED. Throws StatusError (NOT_FOUND) when there is none.

@@ -1,0 +1,119 @@
+// Whole contact problems as a request brings them, normal and tangential: solve_contact with its operators made.
+// Counter A_p: time of the row in products A p (one scalar convolution), measured in the same run.
+#include "contact_cases.hpp"
+#include "contactd/solve_contact.hpp"
+
+namespace {
+
+using namespace contactd;
+using bench::Elliptic;
+
+ContactProblem on_ellipse(int n, const Motion& motion) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(n, n, 13.2 / n, 8.8 / n);
+    problem.bodies = {Elliptic::steel, Elliptic::steel};
+    problem.gap = radii_of_force({6, 4}, (1 - Elliptic::steel.nu) / Elliptic::steel.G, Elliptic::Fn);
+    problem.Fn = Elliptic::Fn;
+    problem.friction = Friction{{0.3}, {}, motion};
+    return problem;
+}
+
+Rolling rolling(double factor = 1) {
+    Rolling motion;
+    motion.xi = 0.002 * factor;
+    motion.eta = 0.001 * factor;
+    motion.phi = 1e-4 * factor;
+    return motion;
+}
+
+Shift shift() {
+    Shift motion;
+    motion.x = 0.01;
+    motion.y = 0.005;
+    return motion;
+}
+
+SolverEvidence evidence_of(const ContactSolution& solution) {
+    SolverEvidence evidence = solution.tangential.value_or(solution.normal);
+    evidence.converged = solution.converged();
+    return evidence;
+}
+
+void run(benchmark::State& state, const ContactProblem& problem) {
+    Observer observer;
+    IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper);
+    if (!(problem.bodies.upper == problem.bodies.lower)) {
+        IcSpec spec;
+        spec.dx = problem.grid.dx;
+        spec.dy = problem.grid.dy;
+        spec.nx = problem.grid.nx;
+        spec.ny = problem.grid.ny;
+        spec.material = problem.bodies.upper;
+        const IcTable upper = half_space_table(spec);
+        spec.material = problem.bodies.lower;
+        pair = pair_of(upper, half_space_table(spec));
+    }
+    const ContactInfluence influence = make_influence(problem, pair);
+    bench::count_in_products(state, *influence.here,
+                             [&] { return evidence_of(solve_contact(problem, influence, observer)); });
+}
+
+int size_of(const benchmark::State& state) {
+    return static_cast<int>(state.range(0));
+}
+
+void shift_problem(benchmark::State& state) {
+    run(state, on_ellipse(size_of(state), shift()));
+}
+
+void shift_by_force(benchmark::State& state) {
+    Shift motion = shift();
+    motion.Fx = -8000;
+    motion.Fy = -3000;
+    run(state, on_ellipse(size_of(state), motion));
+}
+
+void shift_of_unlike_bodies(benchmark::State& state) {
+    ContactProblem problem = on_ellipse(size_of(state), shift());
+    problem.bodies.lower = {41000, 0.1};
+    run(state, problem);
+}
+
+void steady_rolling(benchmark::State& state) {
+    run(state, on_ellipse(size_of(state), rolling()));
+}
+
+// Creepages 5 % larger than those of the step before, whose pressures and tractions are the start.
+void steady_rolling_warm(benchmark::State& state) {
+    ContactProblem problem = on_ellipse(size_of(state), rolling());
+    Observer observer;
+    const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper);
+    const ContactSolution last = solve_contact(problem, make_influence(problem, pair), observer);
+    problem.initial_pressure = last.pressure;
+    problem.initial_traction_x = last.traction_x;
+    problem.initial_traction_y = last.traction_y;
+    problem.friction->motion = rolling(1.05);
+    run(state, problem);
+}
+
+void steady_rolling_by_force(benchmark::State& state) {
+    Rolling motion = rolling();
+    motion.Fx = -8000;
+    motion.Fy = -6000;
+    run(state, on_ellipse(size_of(state), motion));
+}
+
+void sizes(benchmark::internal::Benchmark* rows) {
+    rows->ArgName("n")->Arg(25)->Arg(50)->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(shift_problem)->Apply(sizes);
+BENCHMARK(shift_by_force)->Apply(sizes);
+BENCHMARK(shift_of_unlike_bodies)->Apply(sizes);
+BENCHMARK(steady_rolling)->Apply(sizes);
+BENCHMARK(steady_rolling_warm)->Apply(sizes);
+BENCHMARK(steady_rolling_by_force)->Apply(sizes);
+
+}  // namespace
+
+BENCHMARK_MAIN();

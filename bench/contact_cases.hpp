@@ -1,0 +1,150 @@
+// The two problems that the benchmarks of the contact solvers share, and how a row is counted in products A p.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+#include "contactd/contact.hpp"
+#include "contactd/convolution.hpp"
+#include "contactd/half_space.hpp"
+#include "contactd/hertz.hpp"
+#include "contactd/normal.hpp"
+#include "contactd/rolling.hpp"
+#include "contactd/tangential.hpp"
+
+namespace contactd::bench {
+
+using Values = std::vector<double>;
+
+// Processor time, so that a busy machine does not spoil the ratio of a solve to a product.
+inline double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+inline double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Counter A_p: the median time of a solve over that of a product with A_zz on the same grid. Products are timed
+/// between the solves, so that both see the same machine. `solve` returns the evidence of the solver, or nothing.
+template <class Solve>
+void count_in_products(benchmark::State& state, const InfluenceOperator& influence, const Solve& solve) {
+    constexpr double enough = 1e-3;  // seconds of products at a time
+    const Values p(influence.size(), 1.0);
+    Values u(p.size());
+    influence.normal(p, u);
+    SolverEvidence evidence = solve();  // makes coarser grids, boxes and plans
+    std::vector<double> solves, products;
+    for (auto _ : state) {
+        double start = processor_seconds();
+        evidence = solve();
+        solves.push_back(processor_seconds() - start);
+        state.PauseTiming();
+        int repeats = 0;
+        start = processor_seconds();
+        double seconds = 0;
+        do {
+            for (int i = 0; i < 4; ++i) influence.normal(p, u);
+            repeats += 4;
+            seconds = processor_seconds() - start;
+        } while (seconds < enough);
+        products.push_back(seconds / repeats);
+        state.ResumeTiming();
+    }
+    state.counters["A_p"] = median(solves) / median(products);
+    state.counters["solver_iterations"] = evidence.iterations;
+    if (!evidence.converged) state.SkipWithError("the solver did not converge");
+}
+
+inline IcTable pair_table(const Grid& grid, const Material& material) {
+    IcSpec spec;
+    spec.material = material;
+    spec.dx = grid.dx;
+    spec.dy = grid.dy;
+    spec.nx = grid.nx;
+    spec.ny = grid.ny;
+    const IcTable body = half_space_table(spec);
+    return pair_of(body, body);
+}
+
+/// The paper's Cattaneo problem (section 4): a sphere under a given approach, shifted.
+struct Cattaneo {
+    Grid grid;
+    ConvolutionOperator influence;
+    Values gap, bound;
+    mutable Observer observer;
+
+    explicit Cattaneo(int n)
+        : grid(Grid::centred(n, n, 2.4 / n, 2.4 / n)),
+          influence(pair_table(grid, {200, 0.42}), n, n),
+          gap(sampled(Paraboloid{50, 50}, grid)) {
+        for (double& h : gap) h -= 0.02;
+        bound = normal().pressure;
+        for (double& g : bound) g *= 0.4;
+    }
+
+    NormalSolution normal(const Values& initial = {}) const {
+        return solve_normal(influence, gap, {}, initial, observer);
+    }
+    NormalSolution normal_force() const {
+        return solve_normal_force(influence, gap, 9.1954 / grid.element_area(), {}, {}, observer);
+    }
+    /// Rigid shift (mm) and rotation (rad).
+    TangentialSolution tangential(double x = 0.00817, double y = 0, double rotation = 0,
+                                  const TangentialSolution& last = {}) const {
+        Rolling as_slip;
+        as_slip.xi = x;
+        as_slip.eta = y;
+        as_slip.phi = rotation;
+        const RigidSlip w = rigid_slip(grid, as_slip, 1);
+        return solve_tangential(influence, bound, w.x, w.y, {}, last.traction_x, last.traction_y, observer);
+    }
+};
+
+/// Steady rolling of the reference values: semi-axes 6 x 4 mm, 50 kN, window 1.1 times the ellipse's box, mu = 0.3,
+/// creepages 0.002, 0.001 and spin 1e-4 rad/mm, each times a factor.
+struct Elliptic {
+    static constexpr Material steel{82000, 0.28};
+    static constexpr double Fn = 50000;
+
+    Grid grid;
+    IcTable pair;
+    ConvolutionOperator influence;
+    ShiftedOperator change;
+    RollingBodies bodies;
+    Values bound;
+    mutable Observer observer;
+
+    explicit Elliptic(int n)
+        : grid(Grid::centred(n, n, 13.2 / n, 8.8 / n)),
+          pair(pair_table(grid, steel)),
+          influence(pair, n, n),
+          change(change_over_step(pair, shifted_half_spaces({{steel, steel}, LoadShape::constant}, grid, grid.dx, 0))),
+          bodies{influence, change, grid, grid.dx, 0} {
+        const Values distance = sampled(radii_of_force({6, 4}, (1 - steel.nu) / steel.G, Fn), grid);
+        bound = solve_normal_force(influence, distance, Fn / grid.element_area(), {}, {}, observer).pressure;
+        for (double& g : bound) g *= 0.3;
+    }
+
+    RigidSlip rigid(double longitudinal = 1, double lateral = 1, double spin = 1) const {
+        Rolling rolling;
+        rolling.xi = 0.002 * longitudinal;
+        rolling.eta = 0.001 * lateral;
+        rolling.phi = 1e-4 * spin;
+        return rigid_slip(grid, rolling, grid.dx);
+    }
+
+    RollingSolution steady(const RigidSlip& w, const RollingSolution& last = {}) const {
+        return solve_steady_rolling(bodies, bound, w.x, w.y, {}, last.traction_x, last.traction_y, observer);
+    }
+    RollingSolution transient(const RigidSlip& w, const RollingSolution& last) const {
+        return solve_transient_rolling(bodies, bound, w.x, w.y, last.traction_x, last.traction_y, {}, {}, {}, observer);
+    }
+};
+
+}  // namespace contactd::bench

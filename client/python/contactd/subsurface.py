@@ -1,0 +1,100 @@
+"""Stresses inside the bodies: what `Client.subsurface` takes and answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from .arrays import invalid, plain
+from .problem import Array, ContactProblem, Estimate, RigidBody, traction_params
+from .solution import ContactSolution
+
+__all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
+
+
+@dataclass(frozen=True, eq=False)
+class StressBlock:
+    """The points (x, y, z) with each of `x`, each of `y` and each of `z` (mm), in any order; a number stands for one.
+
+    Costs less than as many points where coordinates are whole elements apart: ``StressBlock(grid.x, grid.y, z)``.
+    """
+
+    x: npt.ArrayLike
+    y: npt.ArrayLike
+    z: npt.ArrayLike  #: <= 0 inside the body, for the upper one too
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """Shape of the stresses: (nz, ny, nx)."""
+        return (np.size(self.z), np.size(self.y), np.size(self.x))
+
+
+@dataclass(frozen=True)
+class LargestStress:
+    """The place of the largest von Mises stress among the points asked for."""
+
+    von_mises: float  #: N/mm^2
+    x: float  #: mm
+    y: float  #: mm
+    z: float  #: mm, <= 0
+    depth: float  #: -z (mm)
+
+
+@dataclass(frozen=True, eq=False)
+class SubsurfaceStress:
+    """Stresses inside a body (N/mm^2), tension positive: read-only arrays of shape [n], of a block [nz, ny, nx].
+
+    They are in the frame of the body, in which it is z <= 0 and x and y are those of the grid. The frame of the lower
+    body is that of the contact problem; that of the upper one is its mirror image, so that xz and yz of the upper body
+    change sign on the way to the frame of the problem.
+    """
+
+    xx: Array
+    yy: Array
+    zz: Array
+    xy: Array
+    xz: Array
+    yz: Array
+    von_mises: Array  #: von Mises' equivalent stress
+    largest: LargestStress  #: where that is largest; the first place of equals
+
+
+def subsurface_params(
+    problem: ContactProblem,
+    solution: ContactSolution | Estimate,
+    body: Literal["lower", "upper"],
+    points: npt.ArrayLike | None,
+    block: StressBlock | None,
+    nu: float | None,
+) -> tuple[dict[str, Any], tuple[int, ...]]:
+    """The parameters of contact.subsurface and the shape of its stresses."""
+    tractions = traction_params(solution)
+    if "pressure" not in tractions:
+        raise invalid("pressure", "is missing; it must be that of a solution")
+    params = {"grid": plain(problem.grid), "nu": _nu(problem, body) if nu is None else nu, "body": body, **tractions}
+    if (points is None) == (block is None):
+        raise TypeError("subsurface() takes either points or block")
+    if block is not None:
+        axes = {name: np.atleast_1d(np.asarray(getattr(block, name))) for name in "xyz"}
+        for name, values in axes.items():
+            if values.ndim != 1:
+                raise invalid(f"block.{name}", f"has shape {list(values.shape)}; it must be one axis", "ARRAY_INVALID")
+        return {**params, "block": axes}, block.shape
+    array = np.asarray(points)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise invalid("points", f"has shape {list(array.shape)}; it must be [n, 3]", "ARRAY_INVALID")
+    return {**params, "points": array}, array.shape[:1]
+
+
+def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
+    if body not in ("lower", "upper"):
+        raise invalid("body", f'is {body!r}; it must be "lower" or "upper"')
+    material = problem.upper if body == "upper" or problem.lower is None else problem.lower
+    if isinstance(material, RigidBody):
+        raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
+    if material is None:
+        raise invalid("nu", "is missing; it must be Poisson's ratio of the body, as the problem does not tell")
+    return material.nu

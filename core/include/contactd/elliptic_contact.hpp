@@ -1,0 +1,48 @@
+// Hertzian contact as the quick models see it, and what they all give back. The models: cattaneo_mindlin.hpp (shift),
+// vermeulen_johnson.hpp (rolling without spin), fastsim.hpp (rolling).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contactd/contact.hpp"
+
+namespace contactd {
+
+/// The one material that stands for both bodies in tangential contact: 1/G = (1/G1 + 1/G2)/2, nu/G = (nu1/G1 +
+/// nu2/G2)/2 (Kalker 1990, section 1.7). One body may be rigid. What couples normal and tangential contact of bodies
+/// that are not quasi-identical is left out by all quick models.
+Material combined_material(const BodyPair& bodies);
+
+/// An elliptic contact area centred at the origin, its axes along x and y, with Hertz's pressure
+/// p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Johnson, section 4.2).
+struct EllipticContact {
+    SemiAxes axes;      ///< (mm); zeros without contact
+    double Fn = 0;      ///< (N), zero without contact
+    Material combined;  ///< of combined_material
+
+    bool empty() const { return !(Fn > 0 && axes.a > 0 && axes.b > 0); }
+    double area() const;  ///< pi a b (mm^2)
+    double pmax() const;  ///< p0 = 3 Fn/(2 area) (N/mm^2)
+};
+
+/// Hertz's pressure at the element centres, shape [ny, nx] (N/mm^2); zero outside the ellipse.
+std::vector<double> hertz_pressure(const Grid& grid, const EllipticContact& contact);
+
+/// Tangential contact by a quick model. Forces, areas and power belong to the whole ellipse and come from integrals
+/// over it; arrays, shape [ny, nx], are samples at the element centres, exterior where these lie outside the ellipse.
+struct EllipticFriction {
+    double Fx = 0, Fy = 0;                       ///< on the upper body (N)
+    double Mz = 0;                               ///< about the origin (N mm)
+    double adhesion_area = 0, slip_area = 0;     ///< (mm^2)
+    std::vector<double> traction_x, traction_y;  ///< on the upper body (N/mm^2)
+    std::vector<ElementState> element_division;
+    /// Relative slip of the upper body over the lower (slip velocity over rolling velocity); empty where the theory
+    /// does not tell it.
+    std::vector<double> slip_x, slip_y;
+    std::optional<double> frictional_power;  ///< of rolling (N mm/s)
+    Motion motion;                           ///< as asked, with what prescribed forces made of it
+    std::optional<SolverEvidence> force;     ///< of the search for the motion: |F - prescribed|/(mu Fn)
+};
+
+}  // namespace contactd

@@ -1,0 +1,34 @@
+// FASTSIM (Kalker 1982; Kalker 1990, section 3.7): rolling contact by the simplified theory, in microseconds.
+#pragma once
+
+#include "contactd/elliptic_contact.hpp"
+
+namespace contactd {
+
+/// Displacement over traction, u = L p, for longitudinal and lateral creepage and for spin (mm^3/N): such that the
+/// forces of small creepages are those of Kalker's coefficients. With a along the rolling direction L1 = 8a/(3 C11 G),
+/// L2 = 8a/(3 C22 G), L3 = pi a sqrt(a/b)/(4 C23 G).
+struct Flexibilities {
+    double L1, L2, L3;
+};
+Flexibilities flexibilities(const SemiAxes& axes, const Material& combined);
+
+/// Steps along each slice of the contact area, and slices.
+struct FastsimSettings {
+    int steps = 24;
+    int slices = 24;
+};
+
+/// Steady rolling: dp/dx = (xi/L1 - phi y/L3, eta/L2 + phi x/L3) in adhesion, from p = 0 at the leading edge backwards;
+/// |p| = g = mu 2 Fn/(pi ab) (1 - x^2/a^2 - y^2/b^2) in slip, opposite to the slip, whose components are L1 and L2
+/// times what dp/dx falls short of the above. g is the simplified theory's bound, a paraboloid with the force mu Fn; it
+/// exceeds mu times Hertz's pressure in the middle. Full slip gives mu Fn exactly, against the creepage. Forces are
+/// within some 10 per cent of mu Fn of the exact theory's; Mz is not to be relied on, no flexibility is left for it.
+/// `rolling` prescribes xi and eta, or Fx and Fy, or one of each; then the creepage is searched, and `force` tells how
+/// that ended. `steady`, `steps` and `dq` mean nothing. Throws InvalidArgument ("friction.rolling.chi") for a direction
+/// that is no axis of the ellipse (unless it is a circle), ("friction.rolling.force") for a force that friction cannot
+/// carry, ("fastsim.steps", "fastsim.slices") outside 4 to 10000.
+EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, double mu, const Rolling& rolling,
+                         const FastsimSettings& settings = {});
+
+}  // namespace contactd

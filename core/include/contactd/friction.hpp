@@ -1,0 +1,60 @@
+// What friction is and how the bodies move: the tangential half of a contact problem.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace contactd {
+
+/// How friction falls from its static coefficient with the slip velocity v:
+/// linear: max(mu_k, mu_s - (mu_s - mu_k) v / v_c); exponential: mu_k + (mu_s - mu_k) exp(-v / v_c).
+enum class SlipLaw { linear, exponential };
+
+struct KineticFriction {
+    SlipLaw law = SlipLaw::exponential;
+    double mu = 0;             ///< kinetic coefficient mu_k, 0 <= mu_k <= the static one
+    double slip_velocity = 0;  ///< v_c > 0 (mm/s)
+
+    bool operator==(const KineticFriction&) const = default;
+};
+
+/// A shift: slip over the step s = A p - A_prev p_prev + w, w = (x - rotation y, y + rotation x) (mm).
+struct Shift {
+    double x = 0, y = 0;               ///< rigid shift at the origin (mm)
+    double rotation = 0;               ///< about z, positive from x to y (rad)
+    std::optional<double> Fx{}, Fy{};  ///< forces on the upper body (N) prescribed instead; x, y are found then
+    double duration = 1;               ///< of the step (s): slip velocity = slip / duration; only a slip law feels it
+
+    bool operator==(const Shift&) const = default;
+};
+
+/// Rolling along (cos chi, sin chi): a particle now at x was at x + dq (cos chi, sin chi) one step ago. Slip over the
+/// step s = dq w + u(x) - u_old(x + dq), w = (xi - phi y, eta + phi x) (Kalker 1990; verification of steady rolling).
+struct Rolling {
+    double xi = 0, eta = 0;            ///< longitudinal and lateral creepage
+    double phi = 0;                    ///< spin creepage (rad/mm)
+    double chi = 0;                    ///< rolling direction, angle from the x axis (rad)
+    double dq = 0;                     ///< distance rolled in one step (mm); 0: dx
+    bool steady = true;                ///< steady: u_old = u; transient: u_old belongs to the previous tractions
+    int steps = 1;                     ///< of transient rolling
+    double velocity = 1;               ///< rolling velocity (mm/s): of slip velocities and of the frictional power
+    std::optional<double> Fx{}, Fy{};  ///< forces on the upper body (N) prescribed instead; xi, eta are found then
+
+    bool operator==(const Rolling&) const = default;
+};
+
+using Motion = std::variant<Shift, Rolling>;
+
+/// Coulomb friction: |p_t| <= mu p_n, in slip equal and opposite to the slip.
+struct Friction {
+    std::vector<double> mu{0};  ///< (static) coefficient, >= 0: one for all elements, or shape [ny, nx]
+    std::optional<KineticFriction> kinetic{};
+    Motion motion{};
+
+    bool operator==(const Friction&) const = default;
+    double mu_of(std::size_t element) const { return mu.size() == 1 ? mu[0] : mu[element]; }
+};
+
+}  // namespace contactd

@@ -1,0 +1,23 @@
+// Kalker's creepage and spin coefficients: rolling contact of an ellipse in the limit of small creepage (Kalker 1967;
+// Kalker 1990, section 3.1 and table E.3).
+#pragma once
+
+#include "contactd/gap.hpp"
+#include "contactd/material.hpp"
+
+namespace contactd {
+
+/// With c^2 = ab, rolling along x: Fx = -G c^2 C11 xi, Fy = -G c^2 (C22 eta + c C23 phi),
+/// Mz = -G c^3 (C32 eta + c C33 phi), C32 = -C23. Dimensionless.
+struct KalkerCoefficients {
+    double C11, C22, C23, C33;
+};
+
+/// Interpolated in log(a/b) and nu in a table that bench/kalker_coefficients.py computed. For a/b from 1/10 to 10 and
+/// nu from 0 to 0.5 the error of the table is about 3e-4, of C23 at a/b < 0.3 about 2e-3 (5e-3 at 1/32), as estimated
+/// from its convergence; interpolation adds less than 1e-4. Beyond 1/32 and 32 the last powers of a/b are continued,
+/// which Kalker's asymptotes follow up to logarithms. `a_over_b` is positive, a the semi-axis along the rolling
+/// direction; 0 <= nu <= 0.5.
+KalkerCoefficients kalker_coefficients(double a_over_b, double nu);
+
+}  // namespace contactd

@@ -1,0 +1,78 @@
+// Rolling contact: tractions under Coulomb friction while particles travel through a given contact area (Kalker 1990,
+// chapter 5), one step in time or the steady state.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contactd/friction.hpp"
+#include "contactd/grid.hpp"
+#include "contactd/influence_operator.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/shifted_operator.hpp"
+#include "contactd/tangential.hpp"
+
+namespace contactd {
+
+/// C = A - A' with A' the coefficients one step ahead: a ShiftedOperator of this table gives
+/// the change of displacements over a step of steady rolling at the cost of one product. Components xx, xy, yx, yy as
+/// in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws InvalidArgument when `pair` is
+/// smaller than `ahead`.
+ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead);
+
+/// What rolling solvers know of the bodies: the particle that is now at x was at x + step one step ago.
+struct RollingBodies {
+    const InfluenceOperator& influence;  ///< A on the grid
+    const ShiftedOperator& change;       ///< C = A - A' on the grid, of change_over_step, for the step
+    const Grid& grid;
+    double step_x = 0, step_y = 0;  ///< dq (cos chi, sin chi) (mm), not both zero
+};
+
+struct RigidSlip {
+    std::vector<double> x, y;  ///< (mm), shape [ny, nx]
+};
+
+/// dq (xi - phi y, eta + phi x) at the element centres, of the creepages and spin of `rolling`.
+RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq);
+
+struct RollingSolution : TangentialSolution {
+    std::vector<double> slip_x, slip_y;  ///< over the step (mm), 0 outside contact; over dq, the relative slip
+};
+
+/// One step from the tractions `previous_*` (empty: none): s = w + A p - A' p_previous, with s = 0 and |p| <= g in
+/// adhesion, |p| = g and s opposite to p in slip. `bound` is g = mu p_n (N/mm^2), zero outside contact; `rigid_*` is w,
+/// the rigid slip over the step plus what the pressure adds (mm). A shift problem; evidence, `initial_*` (empty:
+/// the previous tractions) and errors as of solve_tangential.
+RollingSolution solve_transient_rolling(const RollingBodies& bodies, std::span<const double> bound,
+                                        std::span<const double> rigid_x, std::span<const double> rigid_y,
+                                        std::span<const double> previous_x, std::span<const double> previous_y,
+                                        const SolverSettings& settings, std::span<const double> initial_x,
+                                        std::span<const double> initial_y, Observer& observer);
+
+/// The steady state, p_previous = p: s = w + C p, found directly. Converged means that the division stands, |p| <= g
+/// everywhere and |p| = g in slip hold exactly, and
+/// evidence.residual <= tolerance, the larger of
+/// - the violation of the friction law, |s| in adhesion, |s x p|/g and s . p/g > 0 in slip, as a root mean square over
+///   the contact relative to that of w, and
+/// - the estimated error of the tractions, the violation times an approximate inverse of the law's Jacobian, relative
+///   to the tractions.
+/// When the direct iteration does not get there, the transient marches on from what it found, and it tries again;
+/// evidence.iterations counts those of the direct kind. Errors as of solve_tangential; also throws InvalidArgument for
+/// a step or grid that does not fit.
+RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<const double> bound,
+                                     std::span<const double> rigid_x, std::span<const double> rigid_y,
+                                     const SolverSettings& settings, std::span<const double> initial_x,
+                                     std::span<const double> initial_y, Observer& observer);
+
+/// Resultants of tractions on the upper body.
+struct TangentialForces {
+    double Fx = 0, Fy = 0;  ///< (N)
+    double Mz = 0;          ///< sum (x py - y px) dx dy, about the origin of the grid's coordinates (N mm)
+};
+TangentialForces tangential_forces(const Grid& grid, std::span<const double> traction_x,
+                                   std::span<const double> traction_y);
+
+/// Frictional power per rolling velocity, -sum p . s/dq dx dy over the elements in slip (N), >= 0.
+double frictional_power(const Grid& grid, const RollingSolution& solution, double dq);
+
+}  // namespace contactd

@@ -1,0 +1,25 @@
+// The slip of a shift, and what friction dissipates in it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contactd/influence_operator.hpp"
+
+namespace contactd {
+
+/// Of the upper body over the lower one, per element, zero outside contact (mm).
+struct SlipDistance {
+    std::vector<double> x, y;
+};
+
+/// s = A_t p + w where `bound` is positive. Arrays as solve_tangential has them; costs one tangential product.
+SlipDistance slip_distance(const InfluenceOperator& influence, std::span<const double> bound,
+                           std::span<const double> rigid_x, std::span<const double> rigid_y,
+                           std::span<const double> traction_x, std::span<const double> traction_y);
+
+/// -sum p . s dx dy (N mm), >= 0 but for the solver's tolerance: the traction on the upper body opposes its slip.
+double friction_work(std::span<const double> traction_x, std::span<const double> traction_y, const SlipDistance& slip,
+                     double element_area);
+
+}  // namespace contactd

@@ -1,0 +1,193 @@
+#include "boundary_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contactd/friction_law.hpp"
+#include "contactd/normal.hpp"
+#include "solver_support.hpp"
+#include "tangential_step.hpp"
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+/// Iterations and times of solves that follow each other; how it stands is what the last one says.
+void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
+    evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
+}
+
+Tractions make_tractions(std::size_t n, const Values& pressure, const Values& x, const Values& y) {
+    Tractions result{pressure, Field(0)};
+    result.tangential.x = x;
+    result.tangential.y = y;
+    for (Values* values : {&result.pressure, &result.tangential.x, &result.tangential.y}) values->resize(n);
+    return result;
+}
+
+/// How far the tractions are from those before, all three components together.
+double relative_change(const Tractions& now, const Tractions& before) {
+    double change = 0, size = 0;
+    const auto add = [&](const Values& a, const Values& b) {
+        for (std::size_t i = 0; i < a.size(); ++i) change += (a[i] - b[i]) * (a[i] - b[i]);
+        size += dot(a, a);
+    };
+    add(now.pressure, before.pressure);
+    add(now.tangential.x, before.tangential.x);
+    add(now.tangential.y, before.tangential.y);
+    return size > 0 ? std::sqrt(change / size) : 0;
+}
+
+class BoundaryElements {
+   public:
+    BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
+        : problem_(problem),
+          influence_(*influence.here),
+          n_(problem.grid.size()),
+          distance_(undeformed_distance(problem)),
+          now_(make_tractions(n_, problem.initial_pressure, problem.initial_traction_x, problem.initial_traction_y)) {
+        if (!problem.friction) return;
+        const Friction& friction = *problem.friction;
+        step_.emplace(problem, influence);
+        for (std::size_t i = 0; i < n_; ++i) static_mu_.push_back(friction.mu_of(i));
+        if (friction.kinetic) slip_law_.emplace(*friction.kinetic, static_mu_);
+    }
+
+    ContactSolution solve(Observer& observer) {
+        const int steps = number_of_steps();
+        Tractions before =
+            make_tractions(n_, problem_.previous.pressure, problem_.previous.traction_x, problem_.previous.traction_y);
+        for (int step = 0; step < steps; ++step) {
+            PartObserver part(observer, static_cast<double>(step) / steps, (step + 1.0) / steps);
+            if (step_) step_->begin(before);
+            take_step(part, step == 0);
+            before = now_;
+        }
+        return finished();
+    }
+
+   private:
+    int number_of_steps() const {
+        if (!problem_.friction) return 1;
+        const auto* rolling = std::get_if<Rolling>(&problem_.friction->motion);
+        return rolling && !rolling->steady ? rolling->steps : 1;
+    }
+
+    // Panagiotopoulos' process where the bodies couple, and successive friction coefficients where they fall with slip.
+    void take_step(Observer& observer, bool first) {
+        const bool coupled = step_ && influence_.coupled();
+        const bool repeats = coupled || (step_ && problem_.friction->kinetic);
+        if (repeats) solution_.outer = SolverEvidence{};
+        const Stopwatch stopwatch;
+        for (int iteration = 1;; ++iteration) {
+            const Tractions last = now_;
+            IterationObserver part(observer, iteration, repeats ? 0.3 : 1);
+            if ((first && iteration == 1) || coupled) solve_normal_contact(part);
+            if (!step_) return;
+            solve_tangential_contact(part);
+            if (!repeats) return;
+            const double change = std::max(relative_change(now_, last), follow_slip_law());
+            const bool converged = change <= problem_.outer_settings.tolerance;
+            solution_.outer = {iteration, change, converged, stopwatch.seconds()};
+            if (converged || iteration == problem_.outer_settings.max_iterations) return;
+        }
+    }
+
+    void solve_normal_contact(Observer& observer) {
+        Values gap = distance_;
+        if (step_ && influence_.coupled()) {
+            Values uz(n_);
+            influence_.normal_of_tangential(now_.tangential.x, now_.tangential.y, uz);
+            for (std::size_t i = 0; i < n_; ++i) gap[i] += uz[i];
+        }
+        PartObserver part(observer, 0, step_ ? 0.3 : 1);
+        NormalSolution normal = solve_under_load(gap, part);
+        now_.pressure = std::move(normal.pressure);
+        continue_with(solution_.normal, normal.evidence);
+    }
+
+    NormalSolution solve_under_load(Values& gap, Observer& observer) {
+        const bool any = std::any_of(now_.pressure.begin(), now_.pressure.end(), [](double p) { return p != 0; });
+        const std::span<const double> estimate =
+            any ? std::span<const double>(now_.pressure) : std::span<const double>();
+        if (problem_.Fn) {
+            NormalSolution normal = solve_normal_force(influence_, gap, *problem_.Fn / problem_.grid.element_area(),
+                                                       problem_.normal_settings, estimate, observer);
+            solution_.approach = normal.approach;
+            return normal;
+        }
+        solution_.approach = problem_.approach;
+        for (double& h : gap) h -= problem_.approach;
+        return solve_normal(influence_, gap, problem_.normal_settings, estimate, observer);
+    }
+
+    void solve_tangential_contact(Observer& observer) {
+        const Values& mu = slip_law_ ? slip_law_->mu() : static_mu_;
+        Values bound = now_.pressure;
+        for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i];
+        PartObserver part(observer, 0.3, 1);
+        tangential_ = step_->solve(now_.pressure, bound, now_.tangential, part);
+        now_.tangential.x = tangential_.traction_x;
+        now_.tangential.y = tangential_.traction_y;
+        if (!solution_.tangential) solution_.tangential = SolverEvidence{};
+        continue_with(*solution_.tangential, tangential_.evidence);
+    }
+
+    /// How far the coefficients of friction were from those that the slip asks for; they follow it.
+    double follow_slip_law() {
+        if (!slip_law_) return 0;
+        const auto* rolling = std::get_if<Rolling>(&problem_.friction->motion);
+        const double seconds =
+            rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.friction->motion).duration;
+        Values velocity(n_);
+        for (std::size_t i = 0; i < n_; ++i)
+            if (tangential_.element_division[i] == ElementState::slip)
+                velocity[i] = std::hypot(tangential_.slip_x[i], tangential_.slip_y[i]) / seconds;
+        return slip_law_->follow(velocity, now_.pressure);
+    }
+
+    ContactSolution finished() {
+        solution_.pressure = std::move(now_.pressure);
+        solution_.element_division.assign(n_, ElementState::exterior);
+        for (std::size_t i = 0; i < n_; ++i)
+            if (solution_.pressure[i] > 0) solution_.element_division[i] = ElementState::slip;  // no friction holds it
+        solution_.traction_x.resize(n_);
+        solution_.traction_y.resize(n_);
+        if (step_) take_tangential_solution();
+        return std::move(solution_);
+    }
+
+    void take_tangential_solution() {
+        for (std::size_t i = 0; i < n_; ++i)
+            if (tangential_.element_division[i] != ElementState::exterior)
+                solution_.element_division[i] = tangential_.element_division[i];
+        solution_.traction_x = std::move(tangential_.traction_x);
+        solution_.traction_y = std::move(tangential_.traction_y);
+        solution_.slip_x = std::move(tangential_.slip_x);
+        solution_.slip_y = std::move(tangential_.slip_y);
+        solution_.motion = step_->motion();
+        solution_.force = step_->force_evidence();
+    }
+
+    const ContactProblem& problem_;
+    const InfluenceOperator& influence_;
+    const std::size_t n_;
+    const Values distance_;
+    std::optional<TangentialStep> step_;
+    Tractions now_;
+    Values static_mu_;  // per element
+    std::optional<SlipLawIteration> slip_law_;
+    RollingSolution tangential_;
+    ContactSolution solution_;
+};
+
+}  // namespace
+
+ContactSolution solve_boundary_elements(const ContactProblem& problem, const ContactInfluence& influence,
+                                        Observer& observer) {
+    return BoundaryElements(problem, influence).solve(observer);
+}
+
+}  // namespace contactd

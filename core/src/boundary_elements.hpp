@@ -1,0 +1,14 @@
+// Contact by boundary elements: normal contact, tangential contact, and the loop between them.
+#pragma once
+
+#include "contactd/contact.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/solve_contact.hpp"
+
+namespace contactd {
+
+/// Fills everything of a solution but the sums over its arrays. `problem` is valid, its operators fit.
+ContactSolution solve_boundary_elements(const ContactProblem& problem, const ContactInfluence& influence,
+                                        Observer& observer);
+
+}  // namespace contactd

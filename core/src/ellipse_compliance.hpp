@@ -1,0 +1,18 @@
+// How a half-space gives way under a tangential traction spread like Hertz's pressure over an ellipse.
+#pragma once
+
+#include "contactd/gap.hpp"
+#include "contactd/material.hpp"
+
+namespace contactd {
+
+/// Inside the ellipse, under the force F along direction i: u_i = F (centre_i - along_i x^2 - ... y^2), the difference
+/// of both bodies' displacements; `combined` as in combined_material.
+struct EllipseCompliance {
+    double centre_x, centre_y;  ///< (mm/N)
+    double along_x, along_y;    ///< of x^2 in u_x and in u_y (1/(N mm))
+};
+
+EllipseCompliance ellipse_compliance(const SemiAxes& axes, const Material& combined);
+
+}  // namespace contactd

@@ -1,0 +1,41 @@
+// All that the tangential displacements of a pair of half-spaces depend on.
+#pragma once
+
+#include <numbers>
+
+#include "contactd/ic_table.hpp"
+#include "contactd/shifted_operator.hpp"
+#include "kernel_integrals.hpp"
+
+namespace contactd {
+
+/// Sums over the bodies (difference lower - upper of the coupling).
+struct HalfSpaceModel {
+    double a = 0;  ///< (1-nu)/G
+    double b = 0;  ///< nu/G
+    double c = 0;  ///< (1-2nu)/G
+    LoadShape load_shape = LoadShape::constant;
+
+    explicit HalfSpaceModel(const HalfSpaces& half_spaces);
+    HalfSpaceModel(LoadShape load_shape_) : load_shape(load_shape_) {}
+
+    bool coupled() const { return c != 0; }
+
+    /// A[i,j] of the pair, i = x or y.
+    double coefficient(Axis i, Axis j, const KernelIntegrals& k) const {
+        using std::numbers::pi;
+        if (j == Axis::z) return c * (i == Axis::x ? k.x : k.y) / (4 * pi);
+        if (i != j) return b * k.xy / (2 * pi);
+        return (a * (k.xx + k.yy) + b * (i == Axis::x ? k.xx : k.yy)) / (2 * pi);
+    }
+    KernelIntegrals integrals(double x, double y, double dx, double dy) const {
+        return load_shape == LoadShape::bilinear ? tent_load_integrals(x, y, dx, dy)
+                                                 : constant_load_integrals(x, y, dx, dy);
+    }
+};
+
+/// The half-spaces whose coefficients are as singular under the load as those of `pair`: near the origin the difference
+/// is a polynomial.
+HalfSpaceModel nearest_half_spaces(const IcTable& pair, double dx, double dy);
+
+}  // namespace contactd

@@ -1,0 +1,104 @@
+#include "quick_models.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "contactd/cattaneo_mindlin.hpp"
+#include "contactd/elliptic_contact.hpp"
+#include "contactd/error.hpp"
+#include "contactd/fastsim.hpp"
+#include "contactd/hertz.hpp"
+#include "contactd/vermeulen_johnson.hpp"
+
+namespace contactd {
+namespace {
+
+[[noreturn]] void unknown(const ContactProblem& problem, const char* field, const std::string& what) {
+    const char* name = problem.model == Model::hertz ? "hertz" : "fastsim";
+    throw InvalidArgument(field, what + ", which model " + name + " does not know; model full does");
+}
+
+void check_is_curved(double radius, const char* field) {
+    if (!(radius > 0 && std::isfinite(radius)))
+        throw InvalidArgument(field,
+                              "is flat or concave; Hertz's theory needs both radii of the gap positive and finite");
+}
+
+HertzContact hertz(const ContactProblem& problem) {
+    const double compliance = problem.bodies.normal_compliance();
+    if (const auto* axes = std::get_if<SemiAxes>(&problem.gap))
+        return problem.Fn ? hertz_of_semi_axes_and_force(*axes, compliance, *problem.Fn)
+                          : hertz_of_semi_axes_and_approach(*axes, compliance, problem.approach);
+    const auto& paraboloid = std::get<Paraboloid>(problem.gap);
+    check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
+    check_is_curved(paraboloid.Ry, "gap.paraboloid.Ry");
+    return problem.Fn ? hertz_of_force(paraboloid, compliance, *problem.Fn)
+                      : hertz_of_approach(paraboloid, compliance, problem.approach);
+}
+
+void check_is_elliptic(const ContactProblem& problem) {
+    if (std::holds_alternative<std::vector<double>>(problem.gap)) unknown(problem, "gap", "is an array");
+    if (problem.given_ics) unknown(problem, "ics", "holds a table of coefficients");
+}
+
+void check_is_simple(const ContactProblem& problem) {
+    const Friction& friction = *problem.friction;
+    if (friction.mu.size() != 1) unknown(problem, "friction.mu", "differs from element to element");
+    if (friction.kinetic) unknown(problem, "friction.kinetic", "makes friction depend on the slip");
+    if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
+    const auto* rolling = std::get_if<Rolling>(&friction.motion);
+    if (rolling && !rolling->steady) unknown(problem, "friction.rolling.kind", "is transient");
+    if (!rolling && problem.model == Model::fastsim) unknown(problem, "friction", "is a shift");
+}
+
+EllipticFriction friction_of(const ContactProblem& problem, const EllipticContact& contact) {
+    const Friction& friction = *problem.friction;
+    if (const auto* shift = std::get_if<Shift>(&friction.motion))
+        return cattaneo_mindlin(problem.grid, contact, friction.mu[0], *shift);
+    const auto& rolling = std::get<Rolling>(friction.motion);
+    if (problem.model == Model::fastsim) return fastsim(problem.grid, contact, friction.mu[0], rolling);
+    return vermeulen_johnson(problem.grid, contact, friction.mu[0], rolling);
+}
+
+void take_friction(EllipticFriction friction, ContactSolution& solution) {
+    solution.Fx = friction.Fx;
+    solution.Fy = friction.Fy;
+    solution.Mz = friction.Mz;
+    solution.adhesion_area = friction.adhesion_area;
+    solution.slip_area = friction.slip_area;
+    solution.element_division = std::move(friction.element_division);
+    solution.traction_x = std::move(friction.traction_x);
+    solution.traction_y = std::move(friction.traction_y);
+    solution.slip_x = std::move(friction.slip_x);
+    solution.slip_y = std::move(friction.slip_y);
+    solution.frictional_power = friction.frictional_power;
+    solution.motion = friction.motion;
+    solution.force = friction.force;
+}
+
+}  // namespace
+
+ContactSolution solve_by_quick_model(const ContactProblem& problem) {
+    check_is_elliptic(problem);
+    if (problem.friction) check_is_simple(problem);
+    const HertzContact found = hertz(problem);
+    const EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies)};
+    ContactSolution solution;
+    solution.normal.converged = true;  // closed form
+    solution.approach = found.approach;
+    solution.Fn = found.Fn;
+    solution.pmax = found.pmax;
+    solution.contact_area = contact.area();
+    solution.slip_area = solution.contact_area;  // where no friction holds it
+    solution.pressure = hertz_pressure(problem.grid, contact);
+    solution.element_division.assign(problem.grid.size(), ElementState::exterior);
+    for (std::size_t i = 0; i < solution.pressure.size(); ++i)
+        if (solution.pressure[i] > 0) solution.element_division[i] = ElementState::slip;
+    solution.traction_x.resize(problem.grid.size());
+    solution.traction_y.resize(problem.grid.size());
+    if (problem.friction) take_friction(friction_of(problem, contact), solution);
+    return solution;
+}
+
+}  // namespace contactd

@@ -1,0 +1,79 @@
+// A box of elements around a contact, and the influence operator for it: products on a box that is much smaller than
+// the potential contact area cost that much less.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contactd/influence_operator.hpp"
+
+namespace contactd {
+
+/// The smallest box with all elements that satisfy the predicate, which takes an element's index; nx = ny = 0 when none
+/// does.
+template <class Predicate>
+ElementBox bounding_box(const ElementBox& extent, const Predicate& belongs) {
+    int left = extent.nx, right = -1, bottom = extent.ny, top = -1;
+    for (int iy = 0; iy < extent.ny; ++iy)
+        for (int ix = 0; ix < extent.nx; ++ix) {
+            if (!belongs(static_cast<std::size_t>(iy) * static_cast<std::size_t>(extent.nx) +
+                         static_cast<std::size_t>(ix)))
+                continue;
+            left = std::min(left, ix);
+            right = std::max(right, ix);
+            bottom = std::min(bottom, iy);
+            top = iy;
+        }
+    if (right < 0) return {};
+    return {left, bottom, right - left + 1, top - bottom + 1};
+}
+
+inline ElementBox united(const ElementBox& a, const ElementBox& b) {
+    const int left = std::min(a.first_x, b.first_x), bottom = std::min(a.first_y, b.first_y);
+    return {left, bottom, std::max(a.first_x + a.nx, b.first_x + b.nx) - left,
+            std::max(a.first_y + a.ny, b.first_y + b.ny) - bottom};
+}
+
+/// The whole extent or a box around the needed elements, whichever is cheaper. `influence` outlives it.
+class Restriction {
+   public:
+    Restriction(const InfluenceOperator& influence, const ElementBox& needed)
+        : whole_(influence), extent_(influence.extent()), box_(influence.convenient_box(needed)) {
+        if (!(box_ == extent_)) part_ = influence.restricted(box_);
+        if (!part_) box_ = extent_;
+    }
+
+    const InfluenceOperator& influence() const { return part_ ? *part_ : whole_; }
+    const ElementBox& box() const { return box_; }
+    bool is_whole() const { return !part_; }
+    bool contains(std::size_t element) const {
+        const int ix = static_cast<int>(element % static_cast<std::size_t>(extent_.nx)) - box_.first_x;
+        const int iy = static_cast<int>(element / static_cast<std::size_t>(extent_.nx)) - box_.first_y;
+        return ix >= 0 && ix < box_.nx && iy >= 0 && iy < box_.ny;
+    }
+
+    std::vector<double> crop(std::span<const double> whole) const {
+        std::vector<double> part(box_.size());
+        for (int iy = 0; iy < box_.ny; ++iy) std::copy_n(whole.begin() + row(iy), box_.nx, part.begin() + iy * box_.nx);
+        return part;
+    }
+    /// Leaves what is outside the box.
+    template <class Value>
+    void paste(const std::vector<Value>& part, std::vector<Value>& whole) const {
+        for (int iy = 0; iy < box_.ny; ++iy) std::copy_n(part.begin() + iy * box_.nx, box_.nx, whole.begin() + row(iy));
+    }
+
+   private:
+    std::ptrdiff_t row(int iy) const {
+        return static_cast<std::ptrdiff_t>(box_.first_y + iy) * extent_.nx + box_.first_x;
+    }
+
+    const InfluenceOperator& whole_;
+    const ElementBox extent_;
+    ElementBox box_;
+    std::shared_ptr<const InfluenceOperator> part_;
+};
+
+}  // namespace contactd

@@ -1,0 +1,51 @@
+// Transport of tractions through the contact area, along the way of the particles.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact_elements.hpp"
+#include "contactd/rolling.hpp"
+
+namespace contactd {
+
+// The division of the contact area and the reduced Jacobian that goes with it: in slip only the direction of the
+// traction is free, along the tangent, and turning it meets the stiffness D = |s|/g.
+struct Linearisation {
+    std::vector<char> slips;
+    Field tangent;                // unit vectors in slip
+    std::vector<double> turning;  // D, 0 in adhesion
+
+    explicit Linearisation(std::size_t m) : slips(m), tangent(m), turning(m) {}
+    // a -> (a . t) t in slip
+    void project(Field& a) const;
+};
+
+// Solves (T + D/stiffness) z = r, T p = p(x) - p(x + step): backwards from the leading edges, element by element; p
+// between the centres by bilinear interpolation, and zero outside contact.
+class RollingSweep {
+   public:
+    RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact);
+
+    void linearise(const Linearisation& linearisation, double stiffness);
+    // z and r may be the same.
+    void solve(const Field& r, Field& z) const;
+    double diagonal() const { return diagonal_; }  // of T
+
+   private:
+    struct Link {
+        std::size_t element;  // ahead; the number of elements when that is outside contact
+        double weight;
+    };
+
+    std::size_t m_;
+    double diagonal_ = 1;
+    std::vector<std::size_t> order_;
+    std::size_t links_ = 0;    // per element
+    std::vector<Link> ahead_;  // shape [m, links_], in the order of the sweep
+    const Linearisation* linearisation_ = nullptr;
+    std::vector<double> inverse_diagonal_;
+    mutable Field z_;  // with one zero behind its end
+};
+
+}  // namespace contactd

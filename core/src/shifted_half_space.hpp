@@ -1,0 +1,21 @@
+// The closed form of half-spaces at the points of a lattice.
+#pragma once
+
+#include <functional>
+
+#include "half_space_model.hpp"
+
+namespace contactd {
+
+/// Points ((k + shift_k) dx, (l + shift_l) dy), first_k <= k <= last_k, first_l <= l <= last_l.
+struct Lattice {
+    double dx, dy;
+    int first_k, last_k, first_l, last_l;
+    double shift_k, shift_l;
+};
+
+/// Integrals over a load of size dx x dy at the origin; without those that only coupling needs when there is none.
+void for_lattice(const HalfSpaceModel& model, const Lattice& points,
+                 const std::function<void(int k, int l, const KernelIntegrals&)>& visit);
+
+}  // namespace contactd

@@ -1,0 +1,280 @@
+#include "steady_rolling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace contactd {
+namespace {
+
+constexpr std::size_t most_steps = 50;            // in the history
+constexpr std::size_t history_values = 16 << 20;  // that its arrays may hold
+constexpr double on_bound = 1e-9;                 // relative distance from the bound that counts as being on it
+constexpr double start_self = 8;                  // times the self-influence: turns slip into traction for the division
+constexpr double sweep_self = 1.5;                // times the self-influence: of an element with its close neighbours
+constexpr double stiff_self = 2;                  // times the self-influence: turning stiffness that rules the Jacobian
+constexpr double far_off = 0.5;        // squared, relative: part of a step against the bounds at which it tells nothing
+constexpr double much_turned = 0.05;   // relative change of the tractions that makes linearised steps stale
+constexpr double negligible = 1e-12;   // traction over bound that counts as none
+constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction that is no reason to adhere
+constexpr double mostly_slip = 0.5;    // of the contact, from which the second half of the preconditioner does not pay
+constexpr int patience = 30;           // iterations without a better residual
+
+std::size_t capacity(std::size_t m) {
+    return std::clamp<std::size_t>(history_values / (6 * std::max<std::size_t>(m, 1)), 6, most_steps);
+}
+
+double root_mean_square(const Field& a) {
+    return a.x.empty() ? 0 : std::sqrt(inner(a, a) / static_cast<double>(a.x.size()));
+}
+
+}  // namespace
+
+SteadyRolling::SteadyRolling(const RollingBodies& bodies, const Contact& contact, const SolverSettings& settings,
+                             Observer& observer)
+    : influence_(bodies.influence),
+      change_(bodies.change),
+      contact_(contact),
+      g_(contact.bound),
+      w_(contact.rigid),
+      settings_(settings),
+      observer_(observer),
+      m_(contact.size()),
+      self_(0.5 * (influence_.diagonal(Axis::x) + influence_.diagonal(Axis::y))),
+      rms_w_(root_mean_square(w_)),
+      sweep_(bodies.grid, bodies.step_x, bodies.step_y, contact),
+      history_(m_, capacity(m_)),
+      law_(m_),
+      before_(m_),
+      weight_(m_) {
+    for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_, &swept_}) *field = Field(m_);
+    full_in_ = Field(influence_.size());
+    full_out_ = Field(influence_.size());
+}
+
+double SteadyRolling::size(std::size_t e) const {
+    return std::sqrt(p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e]);
+}
+
+void SteadyRolling::start(const Field& estimate) {
+    contact_.gather(estimate.x, p_.x);
+    contact_.gather(estimate.y, p_.y);
+    if (rms_w_ == 0) p_ = Field(m_);  // nothing drives them
+    for (std::size_t e = 0; e < m_; ++e)
+        if (size(e) > g_[e]) let_slip(e);
+    std::fill(law_.slips.begin(), law_.slips.end(), false);
+    s_ = w_;
+    if (inner(p_, p_) > 0) find_division();
+    history_.clear();
+    best_ = std::numeric_limits<double>::infinity();
+    without_progress_ = 0;
+    division_changed_ = false;
+    linearise();
+}
+
+// As in TangCg: finds slip also when the bound has grown a little since the estimate.
+void SteadyRolling::find_division() {
+    update_slip();
+    const double stiffness = start_self * self_ * sweep_.diagonal();
+    bool moved = false;
+    for (std::size_t e = 0; e < m_; ++e) {
+        const double x = p_.x[e] - s_.x[e] / stiffness, y = p_.y[e] - s_.y[e] / stiffness;
+        if (!(std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound))) continue;
+        moved = moved || size(e) < g_[e] * (1 - on_bound);
+        let_slip(e);
+    }
+    if (moved) update_slip();
+}
+
+void SteadyRolling::let_slip(std::size_t e) {
+    const double length = size(e);
+    law_.slips[e] = length > 0;
+    if (!law_.slips[e]) return;
+    p_.x[e] *= g_[e] / length;
+    p_.y[e] *= g_[e] / length;
+}
+
+void SteadyRolling::apply(const Field& in, Field& out) {
+    contact_.scatter(in.x, full_in_.x);
+    contact_.scatter(in.y, full_in_.y);
+    change_.tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
+    contact_.gather(full_out_.x, out.x);
+    contact_.gather(full_out_.y, out.y);
+}
+
+void SteadyRolling::update_slip() {
+    apply(p_, s_);
+    for (std::size_t e = 0; e < m_; ++e) {
+        s_.x[e] += w_.x[e];
+        s_.y[e] += w_.y[e];
+    }
+}
+
+bool SteadyRolling::iterate(int iterations) {
+    double last_violation = 0, last_update = 0;
+    for (int iteration = 0;; ++iteration) {
+        observer_.throw_if_cancelled();
+        const double now = violation();
+        // The next step estimates the error of the tractions, but costs a preconditioner product; the last step tells
+        // as much, since errors fall as violations do.
+        if (iteration == 0) find_step();
+        const double error = iteration == 0 ? relative_step() : last_update * now / last_violation;
+        report(std::max(now, error));
+        if (evidence_.converged || iteration == iterations || !made_progress()) return evidence_.converged;
+        if (iteration > 0) find_step();
+        last_violation = now;
+        last_update = relative_step();
+        take_step();
+        linearise();
+        turned_ += last_update;
+        ++evidence_.iterations;
+    }
+}
+
+double SteadyRolling::relative_step() const {
+    const double change = inner(step_, step_), zero = negligible * negligible * dot(g_, g_);
+    return change > 0 ? std::sqrt(change / std::max({inner(p_, p_), change, zero})) : 0;
+}
+
+void SteadyRolling::report(double residual) {
+    evidence_.residual = residual;
+    evidence_.converged = !division_changed_ && residual <= settings_.tolerance;
+    if (first_ == 0) first_ = residual;
+    if (evidence_.iterations % 4 == 0)
+        observer_.on_progress(
+            {"rolling", log_fraction(first_, residual, settings_.tolerance), evidence_.iterations, residual});
+}
+
+double SteadyRolling::violation() const {
+    double sum = inner(r_, r_);
+    for (std::size_t e = 0; e < m_; ++e) {
+        if (!law_.slips[e]) continue;
+        const double push = (s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e]) / g_[e];
+        if (push > 0) sum += push * push;
+    }
+    return sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) / rms_w_ : 0;
+}
+
+void SteadyRolling::linearise() {
+    const double stiff = stiff_self * self_ * sweep_.diagonal();
+    slipping_ = 0;
+    for (std::size_t e = 0; e < m_; ++e) {
+        r_.x[e] = -s_.x[e];
+        r_.y[e] = -s_.y[e];
+        law_.turning[e] = 0;
+        if (law_.slips[e]) {
+            ++slipping_;
+            law_.tangent.x[e] = -p_.y[e] / g_[e];
+            law_.tangent.y[e] = p_.x[e] / g_[e];
+            const double work = s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e];
+            law_.turning[e] = std::max(-work / (g_[e] * g_[e]), 0.0);
+        }
+        weight_[e] = stiff / (stiff + law_.turning[e]);
+    }
+    law_.project(r_);
+    sweep_.linearise(law_, sweep_self * self_);
+}
+
+void SteadyRolling::linearise_history() {
+    const auto image = [this](const FieldView& step, const FieldView& response, const FieldView& result) {
+        double inside = 0, against = 0;
+        for (std::size_t e = 0; e < m_; ++e) {
+            if (!law_.slips[e]) {
+                result.x[e] = response.x[e];
+                result.y[e] = response.y[e];
+                inside += step.x[e] * step.x[e] + step.y[e] * step.y[e];
+                continue;
+            }
+            const double tx = law_.tangent.x[e], ty = law_.tangent.y[e];
+            const double along = step.x[e] * tx + step.y[e] * ty, across = step.x[e] * ty - step.y[e] * tx;
+            const double value = response.x[e] * tx + response.y[e] * ty + law_.turning[e] * along;
+            result.x[e] = value * tx;
+            result.y[e] = value * ty;
+            inside += along * along;
+            against += across * across;
+        }
+        if (against <= far_off * (inside + against)) return;
+        std::fill_n(result.x, m_, 0.0);
+        std::fill_n(result.y, m_, 0.0);
+    };
+    if (division_changed_ || turned_ > much_turned) {
+        history_.map_all(image);
+        turned_ = 0;
+    } else {
+        history_.map_newest(image);
+    }
+}
+
+void SteadyRolling::find_step() {
+    linearise_history();
+    rest_ = r_;
+    history_.minimise(rest_, step_);
+    law_.project(step_);
+    precondition(rest_, z_);
+    for (std::size_t e = 0; e < m_; ++e) {
+        step_.x[e] += z_.x[e];
+        step_.y[e] += z_.y[e];
+    }
+}
+
+void SteadyRolling::precondition(const Field& r, Field& z) {
+    divide_by_influence(r, z);
+    sweep_.solve(z, z);
+    if (static_cast<double>(slipping_) > mostly_slip * static_cast<double>(m_)) return;
+    sweep_.solve(r, swept_);
+    divide_by_influence(swept_, swept_);
+    law_.project(swept_);
+    for (std::size_t e = 0; e < m_; ++e) {
+        z.x[e] = 0.5 * (z.x[e] + swept_.x[e]);
+        z.y[e] = 0.5 * (z.y[e] + swept_.y[e]);
+    }
+}
+
+void SteadyRolling::divide_by_influence(const Field& r, Field& q) {
+    for (std::size_t e = 0; e < m_; ++e) {
+        full_in_.x[contact_.elements[e]] = weight_[e] * r.x[e];
+        full_in_.y[contact_.elements[e]] = weight_[e] * r.y[e];
+    }
+    influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
+    for (std::size_t e = 0; e < m_; ++e) {
+        const double rest = (1 - weight_[e] * weight_[e]) / (sweep_self * self_);
+        q.x[e] = weight_[e] * full_out_.x[contact_.elements[e]] + rest * r.x[e];
+        q.y[e] = weight_[e] * full_out_.y[contact_.elements[e]] + rest * r.y[e];
+    }
+}
+
+void SteadyRolling::take_step() {
+    const FieldView change = history_.new_step(), response = history_.new_response();
+    std::copy(p_.x.begin(), p_.x.end(), change.x);
+    std::copy(p_.y.begin(), p_.y.end(), change.y);
+    std::copy(s_.x.begin(), s_.x.end(), response.x);
+    std::copy(s_.y.begin(), s_.y.end(), response.y);
+    std::copy(law_.slips.begin(), law_.slips.end(), before_.begin());
+    for (std::size_t e = 0; e < m_; ++e) {
+        p_.x[e] += step_.x[e];
+        p_.y[e] += step_.y[e];
+        if (law_.slips[e] || size(e) > g_[e] * (1 + on_bound)) let_slip(e);
+    }
+    update_slip();
+    const double push = accepted_push * settings_.tolerance * rms_w_;
+    for (std::size_t e = 0; e < m_; ++e) {
+        if (law_.slips[e] && s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e] > push * g_[e]) law_.slips[e] = false;
+        change.x[e] = p_.x[e] - change.x[e];
+        change.y[e] = p_.y[e] - change.y[e];
+        response.x[e] = s_.x[e] - response.x[e];
+        response.y[e] = s_.y[e] - response.y[e];
+    }
+    history_.accept();
+    division_changed_ = before_ != law_.slips;
+}
+
+bool SteadyRolling::made_progress() {
+    if (evidence_.residual < best_) {
+        best_ = evidence_.residual;
+        without_progress_ = 0;
+    } else if (++without_progress_ > patience) {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace contactd

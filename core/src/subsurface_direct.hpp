@@ -1,0 +1,53 @@
+// The tractions of a contact as subsurface stresses need them, and their stresses point by point.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "contactd/grid.hpp"
+#include "contactd/subsurface.hpp"
+#include "subsurface_raster.hpp"
+
+namespace contactd {
+
+/// The smallest rectangle of elements that holds all tractions.
+class LoadedPatch {
+   public:
+    LoadedPatch(const Grid& grid, const SurfaceTractions& tractions);
+
+    int nx() const { return loads_[0].nx; }
+    int ny() const { return loads_[0].ny; }
+    double x() const { return grid_.x(first_x_); }  ///< centre of the first element
+    double y() const { return grid_.y(first_y_); }
+    /// Where stresses are infinite, those at this distance are given.
+    double smallest() const { return 1e-6 * std::min(grid_.dx, grid_.dy); }
+    /// Along x, y and z; values are empty where all are zero.
+    const std::array<TractionPatch, 3>& loads() const { return loads_; }
+
+   private:
+    Grid grid_;
+    int first_x_, first_y_;
+    std::array<TractionPatch, 3> loads_;
+};
+
+/// Sums over corners: what a corner adds to its four elements is one product with the second difference of the
+/// tractions, and inside a region of equal tractions none.
+class DirectSum {
+   public:
+    DirectSum(const LoadedPatch& patch, double nu);
+
+    std::size_t corners() const { return corners_.size(); }
+    StressComponents at(double x, double y, double z) const;
+
+   private:
+    struct Corner {
+        double x, y;
+        std::array<double, 3> jump;
+    };
+    const double nu_, smallest_;
+    std::vector<Corner> corners_;
+};
+
+}  // namespace contactd

@@ -1,0 +1,28 @@
+// Subsurface stresses at points that differ by whole elements: convolutions, depth by depth.
+#pragma once
+
+#include <vector>
+
+#include "patch_stress.hpp"
+
+namespace contactd {
+
+/// A rectangle of elements with the traction along one axis, shape [ny, nx].
+struct TractionPatch {
+    int nx, ny;
+    double dx, dy;
+    std::vector<double> values;
+};
+
+/// Points (k + offset_x) dx, (l + offset_y) dy from the centre of the first element of the patch, k = 0..nx-1, l =
+/// 0..ny-1.
+struct Raster {
+    int nx, ny;
+    double offset_x, offset_y;
+};
+
+/// Adds the stresses at depth d to those in `sum`, each of shape [ny, nx] of the raster.
+void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, double d, double nu, double smallest,
+                  std::array<std::vector<double>, 6>& sum);
+
+}  // namespace contactd

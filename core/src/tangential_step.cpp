@@ -1,0 +1,193 @@
+#include "tangential_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+void add(Field& to, const Field& from, double factor = 1) {
+    for (std::size_t i = 0; i < to.x.size(); ++i) {
+        to.x[i] += factor * from.x[i];
+        to.y[i] += factor * from.y[i];
+    }
+}
+
+bool any(const Field& field) {
+    return inner(field, field) > 0;
+}
+
+/// Slip of the motion itself: w of a shift, dq w of rolling.
+Field rigid_slip(const Motion& motion, const Grid& grid, double unit) {
+    Rolling rolling;
+    if (const auto* given = std::get_if<Rolling>(&motion)) {
+        rolling = *given;
+    } else {
+        const auto& shift = std::get<Shift>(motion);
+        rolling.xi = shift.x;
+        rolling.eta = shift.y;
+        rolling.phi = shift.rotation;
+    }
+    RigidSlip slip = rigid_slip(grid, rolling, unit);
+    Field result;
+    result.x = std::move(slip.x);
+    result.y = std::move(slip.y);
+    return result;
+}
+
+bool prescribes_force(const Motion& motion) {
+    return std::visit([](const auto& m) { return m.Fx || m.Fy; }, motion);
+}
+
+void set_translation(Motion& motion, double x, double y) {
+    if (auto* rolling = std::get_if<Rolling>(&motion)) {
+        rolling->xi = x;
+        rolling->eta = y;
+    } else {
+        auto& shift = std::get<Shift>(motion);
+        shift.x = x;
+        shift.y = y;
+    }
+}
+
+}  // namespace
+
+TangentialStep::TangentialStep(const ContactProblem& problem, const ContactInfluence& influence)
+    : problem_(problem), influence_(influence), n_(problem.grid.size()), motion_(problem.friction->motion) {
+    if (rolling()) unit_ = step_length(*rolling(), problem.grid);
+}
+
+RollingBodies TangentialStep::bodies() const {
+    const auto [x, y] = step_of(problem_);
+    return {*influence_.here, *influence_.change, problem_.grid, x, y};
+}
+
+// Particles had the displacements A' p_before of where they were, and A' = A - C; of a shift C is zero. A steady state
+// knows no step before.
+void TangentialStep::begin(const Tractions& before) {
+    before_ = before;
+    history_ = Field(n_);
+    if (rolling() && rolling()->steady) return;
+    Field u(n_);
+    const auto add_product = [&](const auto& influence, double factor) {
+        if (any(before.tangential)) {
+            influence.tangential(before.tangential.x, before.tangential.y, u.x, u.y);
+            add(history_, u, factor);
+        }
+        if (!influence.coupled()) return;
+        influence.tangential_of_normal(before.pressure, u.x, u.y);
+        add(history_, u, factor);
+    };
+    add_product(*influence_.here, -1);
+    if (rolling()) add_product(*influence_.change, 1);
+}
+
+void TangentialStep::add_coupling(std::span<const double> pressure, Field& rigid) const {
+    const auto add_product = [&](const auto& influence) {
+        if (!influence.coupled()) return;
+        Field u(n_);
+        influence.tangential_of_normal(pressure, u.x, u.y);
+        add(rigid, u);
+    };
+    if (rolling() && rolling()->steady)
+        add_product(*influence_.change);
+    else
+        add_product(*influence_.here);
+}
+
+RollingSolution TangentialStep::solve(std::span<const double> pressure, std::span<const double> bound,
+                                      const Field& estimate, Observer& observer) {
+    Field rest = history_;
+    add_coupling(pressure, rest);
+    if (prescribes_force(motion_)) return solve_for_force(rest, bound, estimate, observer);
+    Field rigid = rigid_slip(motion_, problem_.grid, unit_);
+    add(rigid, rest);
+    return solve_with(rigid, bound, estimate, problem_.tangential_settings, observer);
+}
+
+RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,
+                                                Observer& observer) {
+    RollingSolution solution;
+    SolverEvidence all;  // of the tangential solves together
+    const Field* start = &estimate;
+    Field last;
+    const auto solve = [&](double wx, double wy, double tolerance) -> ForcesAtSlip {
+        set_translation(motion_, wx / unit_, wy / unit_);
+        Field rigid = rigid_slip(motion_, problem_.grid, unit_);
+        add(rigid, rest);
+        SilentObserver silent(observer);
+        SolverSettings settings = problem_.tangential_settings;
+        if (tolerance > problem_.outer_settings.tolerance) settings.tolerance = std::max(settings.tolerance, tolerance);
+        solution = solve_with(rigid, bound, *start, settings, silent);
+        last.x = solution.traction_x;
+        last.y = solution.traction_y;
+        start = &last;
+        all.iterations += solution.evidence.iterations;
+        all.seconds += solution.evidence.seconds;
+        const TangentialForces forces = tangential_forces(problem_.grid, last.x, last.y);
+        return {forces.Fx, forces.Fy, solution.evidence.converged};
+    };
+    const PrescribedForces forces = prescribed_forces(bound);
+    const RigidSlipForForces found = find_rigid_slip(forces, problem_.outer_settings, solve, observer);
+    set_translation(motion_, found.wx / unit_, found.wy / unit_);
+    force_evidence_ = found.evidence;
+    solution.evidence.iterations = all.iterations;
+    solution.evidence.seconds = all.seconds;
+    return solution;
+}
+
+PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound) const {
+    PrescribedForces forces;
+    const double area = problem_.grid.element_area();
+    const auto in_contact = std::count_if(bound.begin(), bound.end(), [](double g) { return g > 0; });
+    for (const double g : bound) forces.largest += g * area;
+    forces.scale = slip_scale(*influence_.here, bound);
+    if (const Rolling* given = rolling()) {
+        forces.Fx = given->Fx;
+        forces.Fy = given->Fy;
+        forces.wx = unit_ * given->xi;
+        forces.wy = unit_ * given->eta;
+        forces.field = "friction.rolling.force";
+        if (given->steady) {
+            // Particles slip that far on their way through the contact, of which a step is a part.
+            const double radius = std::sqrt(static_cast<double>(in_contact) * area / std::numbers::pi);
+            if (radius > 0) forces.scale *= std::min(unit_ / radius, 1.0);
+            forces.exponent = PrescribedForces::rolling_exponent;
+        }
+        return forces;
+    }
+    const auto& shift = std::get<Shift>(motion_);
+    forces.Fx = shift.Fx;
+    forces.Fy = shift.Fy;
+    forces.wx = shift.x;
+    forces.wy = shift.y;
+    return forces;
+}
+
+RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
+                                           const SolverSettings& settings, Observer& observer) const {
+    std::span<const double> x, y;
+    if (any(estimate)) {
+        x = estimate.x;
+        y = estimate.y;
+    }
+    if (rolling() && rolling()->steady)
+        return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
+    RollingSolution solution{
+        solve_tangential(*influence_.here, bound, rigid.x, rigid.y, settings, x, y, observer), {}, {}};
+    solution.slip_x.resize(n_);
+    solution.slip_y.resize(n_);
+    influence_.here->tangential(solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y);
+    for (std::size_t i = 0; i < n_; ++i) {
+        const bool in_contact = solution.element_division[i] != ElementState::exterior;
+        solution.slip_x[i] = in_contact ? solution.slip_x[i] + rigid.x[i] : 0;
+        solution.slip_y[i] = in_contact ? solution.slip_y[i] + rigid.y[i] : 0;
+    }
+    return solution;
+}
+
+}  // namespace contactd

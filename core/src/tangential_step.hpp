@@ -1,0 +1,61 @@
+// The tangential half of a step: shift or rolling, the motion prescribed or found from forces.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact_elements.hpp"
+#include "contactd/contact.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/prescribed_force.hpp"
+#include "contactd/rolling.hpp"
+#include "contactd/solve_contact.hpp"
+
+namespace contactd {
+
+/// Tractions on all elements of the grid, on the upper body (N/mm^2).
+struct Tractions {
+    std::vector<double> pressure;
+    Field tangential;
+};
+
+class TangentialStep {
+   public:
+    /// `problem` has friction; both arguments outlive this.
+    TangentialStep(const ContactProblem& problem, const ContactInfluence& influence);
+
+    /// A new step begins: slip is counted from here.
+    void begin(const Tractions& before);
+
+    /// Tractions and slip for a pressure and the bounds that friction makes of it. `estimate` is where to start.
+    RollingSolution solve(std::span<const double> pressure, std::span<const double> bound, const Field& estimate,
+                          Observer& observer);
+
+    /// As asked, with what prescribed forces made of it.
+    const Motion& motion() const { return motion_; }
+    const std::optional<SolverEvidence>& force_evidence() const { return force_evidence_; }
+    /// Slip per unit of the motion: dq of creepages, 1 of shifts (mm).
+    double unit() const { return unit_; }
+
+   private:
+    const Rolling* rolling() const { return std::get_if<Rolling>(&motion_); }
+    RollingBodies bodies() const;
+    void add_coupling(std::span<const double> pressure, Field& rigid) const;
+    PrescribedForces prescribed_forces(std::span<const double> bound) const;
+    RollingSolution solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,
+                                    Observer& observer);
+    RollingSolution solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
+                               const SolverSettings& settings, Observer& observer) const;
+
+    const ContactProblem& problem_;
+    const ContactInfluence& influence_;
+    const std::size_t n_;
+    Motion motion_;
+    double unit_ = 1;
+    Tractions before_;
+    Field history_;  // what slip owes to the step before
+    std::optional<SolverEvidence> force_evidence_;
+};
+
+}  // namespace contactd

@@ -1,0 +1,126 @@
+// `friction` of a request, and the motion that a result tells.
+#include "codec_parts.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+constexpr Words<SlipLaw, 2> slip_laws{{{"linear", SlipLaw::linear}, {"exponential", SlipLaw::exponential}}};
+
+json encode_component(const std::optional<double>& force) {
+    return force ? json(finite(*force, "A prescribed force")) : json();
+}
+
+/// Adds `force` where a component is prescribed.
+template <class Step>
+void encode_force(const Step& step, json& target) {
+    if (step.Fx || step.Fy) target["force"] = {encode_component(step.Fx), encode_component(step.Fy)};
+}
+
+template <class Step>
+void decode_force(const json& source, Step& step) {
+    if (!source.contains("force")) return;
+    const json& force = source["force"];
+    if (!force[0].is_null()) step.Fx = force[0].get<double>();
+    if (!force[1].is_null()) step.Fy = force[1].get<double>();
+}
+
+json encode(const Shift& shift) {
+    json result{{"rigid_shift", {finite(shift.x, "friction.rigid_shift"), finite(shift.y, "friction.rigid_shift")}},
+                {"rotation", finite(shift.rotation, "friction.rotation")},
+                {"duration", finite(shift.duration, "friction.duration")}};
+    encode_force(shift, result);
+    return result;
+}
+
+Shift decode_shift(const json& source) {
+    Shift shift;
+    if (source.contains("rigid_shift")) {
+        shift.x = source["rigid_shift"][0].get<double>();
+        shift.y = source["rigid_shift"][1].get<double>();
+    }
+    shift.rotation = source.value("rotation", shift.rotation);
+    shift.duration = source.value("duration", shift.duration);
+    decode_force(source, shift);
+    return shift;
+}
+
+json encode(const Rolling& rolling) {
+    json result{{"xi", finite(rolling.xi, "friction.rolling.xi")},
+                {"eta", finite(rolling.eta, "friction.rolling.eta")},
+                {"phi", finite(rolling.phi, "friction.rolling.phi")},
+                {"chi", finite(rolling.chi, "friction.rolling.chi")},
+                {"kind", rolling.steady ? "steady" : "transient"},
+                {"steps", rolling.steps},
+                {"velocity", finite(rolling.velocity, "friction.rolling.velocity")}};
+    if (rolling.dq != 0) result["dq"] = finite(rolling.dq, "friction.rolling.dq");
+    encode_force(rolling, result);
+    return result;
+}
+
+Rolling decode_rolling(const json& source) {
+    Rolling rolling;
+    rolling.xi = source.value("xi", rolling.xi);
+    rolling.eta = source.value("eta", rolling.eta);
+    rolling.phi = source.value("phi", rolling.phi);
+    rolling.chi = source.value("chi", rolling.chi);
+    rolling.dq = source.value("dq", rolling.dq);
+    rolling.steady = source.value("kind", "steady") == "steady";
+    rolling.steps = source.value("steps", rolling.steps);
+    rolling.velocity = source.value("velocity", rolling.velocity);
+    decode_force(source, rolling);
+    return rolling;
+}
+
+json encode_kinetic(const KineticFriction& kinetic) {
+    return {{"law", word_for(slip_laws, kinetic.law)},
+            {"mu", finite(kinetic.mu, "friction.kinetic.mu")},
+            {"slip_velocity", finite(kinetic.slip_velocity, "friction.kinetic.slip_velocity")}};
+}
+
+KineticFriction decode_kinetic(const json& source) {
+    KineticFriction kinetic;
+    if (source.contains("law")) kinetic.law = meaning_of(source["law"], slip_laws);
+    kinetic.mu = source["mu"].get<double>();
+    kinetic.slip_velocity = source["slip_velocity"].get<double>();
+    return kinetic;
+}
+
+}  // namespace
+
+json encode_friction(const Friction& friction, const Grid& grid, ArrayWriter& arrays) {
+    const auto* rolling = std::get_if<Rolling>(&friction.motion);
+    json result = rolling ? json{{"rolling", encode(*rolling)}} : encode(std::get<Shift>(friction.motion));
+    if (friction.mu.size() == 1)
+        result["mu"] = finite(friction.mu[0], "friction.mu");
+    else
+        result["mu"] = arrays.write(std::span<const double>(friction.mu), shape_of(grid));
+    if (friction.kinetic) result["kinetic"] = encode_kinetic(*friction.kinetic);
+    return result;
+}
+
+Friction decode_friction(const json& source, const std::vector<std::string>& frames, const Grid& grid) {
+    Friction friction;
+    if (source["mu"].is_number())
+        friction.mu = {source["mu"].get<double>()};
+    else
+        friction.mu = read_array(source["mu"], frames, shape_of(grid), "friction.mu");
+    if (source.contains("kinetic")) friction.kinetic = decode_kinetic(source["kinetic"]);
+    if (source.contains("rolling"))
+        friction.motion = decode_rolling(source["rolling"]);
+    else
+        friction.motion = decode_shift(source);
+    return friction;
+}
+
+json encode_motion(const Motion& motion) {
+    return std::visit([](const auto& step) { return encode(step); }, motion);
+}
+
+Motion decode_motion(const json& source) {
+    if (source.contains("rigid_shift")) return decode_shift(source);
+    return decode_rolling(source);
+}
+
+}  // namespace contactd::proto

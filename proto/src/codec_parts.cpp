@@ -1,0 +1,42 @@
+#include "codec_parts.hpp"
+
+#include "contactd/proto/status.hpp"
+
+namespace contactd::proto {
+
+using nlohmann::json;
+
+json encode_grid(const Grid& grid) {
+    return {{"nx", grid.nx},
+            {"ny", grid.ny},
+            {"dx", finite(grid.dx, "grid.dx")},
+            {"dy", finite(grid.dy, "grid.dy")},
+            {"x0", finite(grid.x0, "grid.x0")},
+            {"y0", finite(grid.y0, "grid.y0")}};
+}
+
+Grid decode_grid(const json& source) {
+    Grid grid = Grid::centred(source["nx"].get<int>(), source["ny"].get<int>(), source["dx"].get<double>(),
+                              source["dy"].get<double>());
+    grid.x0 = source.value("x0", grid.x0);
+    grid.y0 = source.value("y0", grid.y0);
+    // Before anything of its size is allocated.
+    try {
+        validate(grid, "grid");
+    } catch (const InvalidArgument& error) {
+        throw invalid_field(error.field(), std::string(error.what()).substr(error.field().size() + 1));
+    }
+    return grid;
+}
+
+std::vector<std::size_t> claimed_shape(const json& array, std::size_t most_axes) {
+    if (array.is_object()) return array["$array"]["shape"].get<std::vector<std::size_t>>();
+    std::vector<std::size_t> shape;
+    for (const json* list = &array; list->is_array() && shape.size() < most_axes; list = &list->front()) {
+        shape.push_back(list->size());
+        if (list->empty()) break;
+    }
+    return shape;
+}
+
+}  // namespace contactd::proto

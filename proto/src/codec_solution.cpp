@@ -1,0 +1,181 @@
+// Results of contact.solve.
+#include "codec_parts.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+using Shape = std::vector<std::size_t>;
+
+json encode_solver_evidence(const SolverEvidence& evidence) {
+    return {{"iterations", evidence.iterations},
+            {"residual", finite(evidence.residual, "The residual of a solve")},
+            {"converged", evidence.converged},
+            {"seconds", finite(evidence.seconds, "The duration of a solve")}};
+}
+
+SolverEvidence decode_solver_evidence(const json& source) {
+    return {source["iterations"].get<int>(), source["residual"].get<double>(), source["converged"].get<bool>(),
+            source["seconds"].get<double>()};
+}
+
+IcUse decode_use(const json& source) {
+    return {source["origin"].get<std::string>(), source["key"].get<std::string>(), decode_evidence(source["evidence"])};
+}
+
+/// The parts of a solution or reply that may be left out, with their names; Solution and Reply may be const.
+template <class Solution>
+auto solvers_of(Solution& solution) {
+    return std::array{std::pair("tangential", &solution.tangential), std::pair("outer", &solution.outer),
+                      std::pair("force", &solution.force)};
+}
+
+template <class Reply>
+auto uses_of(Reply& reply) {
+    return std::array{std::pair("upper", &reply.upper), std::pair("lower", &reply.lower),
+                      std::pair("pair", &reply.pair)};
+}
+
+template <class Solution>
+auto dissipation_of(Solution& solution) {
+    return std::array{std::pair("frictional_work", &solution.frictional_work),
+                      std::pair("frictional_power", &solution.frictional_power)};
+}
+
+std::vector<unsigned char> bytes_of(const std::vector<ElementState>& states) {
+    std::vector<unsigned char> bytes;
+    bytes.reserve(states.size());
+    for (const ElementState state : states) bytes.push_back(static_cast<unsigned char>(state));
+    return bytes;
+}
+
+std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
+    std::vector<ElementState> states;
+    states.reserve(bytes.size());
+    for (const unsigned char byte : bytes) {
+        if (byte > static_cast<unsigned char>(ElementState::slip))
+            throw invalid_field("element_division", "holds " + std::to_string(byte) + "; it must be 0, 1 or 2",
+                                reason::array_invalid);
+        states.push_back(static_cast<ElementState>(byte));
+    }
+    return states;
+}
+
+json encode_totals(const ContactSolution& solution) {
+    return {{"approach", finite(solution.approach, "The approach")},
+            {"forces",
+             {{"Fn", finite(solution.Fn, "Fn")},
+              {"Fx", finite(solution.Fx, "Fx")},
+              {"Fy", finite(solution.Fy, "Fy")},
+              {"Mz", finite(solution.Mz, "Mz")}}},
+            {"pmax", finite(solution.pmax, "pmax")},
+            {"area",
+             {{"contact", finite(solution.contact_area, "The contact area")},
+              {"adhesion", finite(solution.adhesion_area, "The adhesion area")},
+              {"slip", finite(solution.slip_area, "The slip area")}}},
+            {"elements",
+             {{"contact", solution.contact_elements},
+              {"adhesion", solution.adhesion_elements},
+              {"slip", solution.slip_elements},
+              {"border", solution.border_elements}}},
+            {"warnings", solution.warnings},
+            {"converged", solution.converged()}};
+}
+
+void decode_totals(const json& result, ContactSolution& solution) {
+    const json &forces = result["forces"], &area = result["area"], &elements = result["elements"];
+    solution.approach = result["approach"].get<double>();
+    solution.Fn = forces["Fn"].get<double>();
+    solution.Fx = forces["Fx"].get<double>();
+    solution.Fy = forces["Fy"].get<double>();
+    solution.Mz = forces["Mz"].get<double>();
+    solution.pmax = result["pmax"].get<double>();
+    solution.contact_area = area["contact"].get<double>();
+    solution.adhesion_area = area["adhesion"].get<double>();
+    solution.slip_area = area["slip"].get<double>();
+    solution.contact_elements = elements["contact"].get<int>();
+    solution.adhesion_elements = elements["adhesion"].get<int>();
+    solution.slip_elements = elements["slip"].get<int>();
+    solution.border_elements = elements["border"].get<int>();
+    solution.warnings = result["warnings"].get<std::vector<std::string>>();
+}
+
+/// What there is with friction only; a step that the request left out is told.
+json encode_friction_results(const ContactSolution& solution, const Grid& grid) {
+    json result = json::object();
+    for (const auto& [name, value] : dissipation_of(solution))
+        if (*value) result[name] = finite(**value, "What friction dissipates");
+    if (!solution.motion) return result;
+    result["motion"] = encode_motion(*solution.motion);
+    if (const auto* rolling = std::get_if<Rolling>(&*solution.motion))
+        result["motion"]["dq"] = finite(step_length(*rolling, grid), "friction.rolling.dq");
+    return result;
+}
+
+json encode_evidence(const SolveReply& reply) {
+    json result{{"normal", encode_solver_evidence(reply.solution.normal)}, {"ics", json::object()}};
+    for (const auto& [name, solver] : solvers_of(reply.solution))
+        if (*solver) result[name] = encode_solver_evidence(**solver);
+    for (const auto& [name, use] : uses_of(reply))
+        if (*use) result["ics"][name] = encode_use(**use);
+    return result;
+}
+
+void decode_evidence(const json& evidence, SolveReply& reply) {
+    reply.solution.normal = decode_solver_evidence(evidence["normal"]);
+    for (const auto& [name, solver] : solvers_of(reply.solution))
+        if (evidence.contains(name)) *solver = decode_solver_evidence(evidence[name]);
+    for (const auto& [name, use] : uses_of(reply))
+        if (evidence["ics"].contains(name)) *use = decode_use(evidence["ics"][name]);
+}
+
+}  // namespace
+
+json encode_use(const IcUse& use) {
+    return {{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}};
+}
+
+json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays) {
+    const ContactSolution& solution = reply.solution;
+    json result = encode_totals(solution);
+    result.update(encode_friction_results(solution, grid));
+    result["evidence"] = encode_evidence(reply);
+    const auto add = [&](const char* name, const std::vector<double>& values) {
+        result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
+    };
+    const std::vector<unsigned char> division = bytes_of(solution.element_division);
+    result["element_division"] = arrays.write(std::span<const unsigned char>(division), shape_of(grid));
+    add("pressure", solution.pressure);
+    add("traction_x", solution.traction_x);
+    add("traction_y", solution.traction_y);
+    if (!solution.slip_x.empty()) add("slip_x", solution.slip_x);
+    if (!solution.slip_y.empty()) add("slip_y", solution.slip_y);
+    return result;
+}
+
+SolveReply decode_solve_reply(const json& result, const std::vector<std::string>& frames) {
+    SolveReply reply;
+    ContactSolution& solution = reply.solution;
+    decode_totals(result, solution);
+    for (const auto& [name, value] : dissipation_of(solution))
+        if (result.contains(name)) *value = result[name].get<double>();
+    if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
+    const Shape shape = claimed_shape(result["pressure"], 2);
+    if (shape.size() != 2)
+        throw invalid_field("pressure", "has " + std::to_string(shape.size()) + " dimensions; it must have 2",
+                            reason::array_invalid);
+    const auto array = [&](const char* name) { return read_array(result[name], frames, shape, name); };
+    solution.pressure = array("pressure");
+    solution.traction_x = array("traction_x");
+    solution.traction_y = array("traction_y");
+    if (result.contains("slip_x")) solution.slip_x = array("slip_x");
+    if (result.contains("slip_y")) solution.slip_y = array("slip_y");
+    solution.element_division =
+        states_of(read_byte_array(result["element_division"], frames, shape, "element_division"));
+    decode_evidence(result["evidence"], reply);
+    return reply;
+}
+
+}  // namespace contactd::proto

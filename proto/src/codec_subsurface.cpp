@@ -1,0 +1,172 @@
+// contact.subsurface.
+#include <algorithm>
+#include <cmath>
+
+#include "codec_parts.hpp"
+#include "contactd/proto/codec.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+using Shape = std::vector<std::size_t>;
+using Values = std::vector<double>;
+
+constexpr Words<ContactBody, 2> bodies{{{"lower", ContactBody::lower}, {"upper", ContactBody::upper}}};
+constexpr std::size_t arrays_of_result = 7;
+constexpr std::size_t longest_axis = 4'000'000;  // of an array on the wire
+/// Squares of what is larger leave the range of a double.
+constexpr double largest_traction = 1e100;
+
+/// Something's tractions or stresses with their names; it may be const.
+template <class Request>
+auto tractions_of(Request& request) {
+    return std::array{std::pair("pressure", &request.pressure), std::pair("traction_x", &request.traction_x),
+                      std::pair("traction_y", &request.traction_y)};
+}
+
+template <class Block>
+auto axes_of(Block& block) {
+    return std::array{std::pair("x", &block.x), std::pair("y", &block.y), std::pair("z", &block.z)};
+}
+
+template <class Stress>
+auto components_of(Stress& stress) {
+    return std::array{std::pair("xx", &stress.xx), std::pair("yy", &stress.yy), std::pair("zz", &stress.zz),
+                      std::pair("xy", &stress.xy), std::pair("xz", &stress.xz), std::pair("yz", &stress.yz)};
+}
+
+json write(const Values& values, const Shape& shape, ArrayWriter& arrays) {
+    return arrays.write(std::span<const double>(values), shape);
+}
+
+/// Results are limited before anything the size of one is made; `points` may be too many for an integer.
+void check_number(double points, const char* field, const Limits& limits) {
+    const std::size_t most = std::min(limits.max_array_elements / arrays_of_result, longest_axis);
+    if (points > static_cast<double>(most))
+        throw invalid_field(field,
+                            "has " + (points < 1e15 ? dump(static_cast<long long>(points)) : dump(points)) +
+                                " points; at most " + std::to_string(most) +
+                                " are allowed (limits.max_array_elements, for the " + std::to_string(arrays_of_result) +
+                                " arrays of the result together)",
+                            reason::limit_exceeded);
+}
+
+StressPoints decode_points(const json& source, const std::vector<std::string>& frames, const Limits& limits) {
+    const Shape shape = claimed_shape(source, 2);
+    if (shape.size() != 2 || shape[1] != 3)
+        throw invalid_field("points", "has shape " + json(shape).dump() + "; it must be [n,3]", reason::array_invalid);
+    check_number(static_cast<double>(shape[0]), "points", limits);
+    const Values values = read_array(source, frames, shape, "points");
+    StressPoints points(shape[0]);
+    for (std::size_t i = 0; i < points.size(); ++i) std::copy_n(&values[3 * i], 3, points[i].begin());
+    return points;
+}
+
+StressBlock decode_block(const json& source, const std::vector<std::string>& frames, const Limits& limits) {
+    StressBlock block;
+    double points = 1;
+    for (const auto& [name, values] : axes_of(block)) {
+        const Shape shape = claimed_shape(source[name], 1);
+        const std::string field = std::string("block.") + name;
+        if (shape.size() != 1)
+            throw invalid_field(field, "has shape " + json(shape).dump() + "; it must be a list of numbers",
+                                reason::array_invalid);
+        points *= static_cast<double>(shape[0]);
+        check_number(std::max(points, static_cast<double>(shape[0])), "block", limits);
+    }
+    for (const auto& [name, values] : axes_of(block))
+        *values = read_array(source[name], frames, claimed_shape(source[name], 1), std::string("block.") + name);
+    return block;
+}
+
+LargestStress decode_largest(const json& source) {
+    return {source["von_mises"].get<double>(),
+            {source["x"].get<double>(), source["y"].get<double>(), source["z"].get<double>()}};
+}
+
+json encode_largest(const LargestStress& largest) {
+    const auto& [x, y, z] = largest.point;
+    return {{"von_mises", finite(largest.von_mises, "The largest von Mises stress")},
+            {"x", x},
+            {"y", y},
+            {"z", z},
+            {"depth", largest.depth()}};
+}
+
+}  // namespace
+
+std::vector<std::size_t> SubsurfaceRequest::shape() const {
+    if (const auto* block = std::get_if<StressBlock>(&points))
+        return {block->z.size(), block->y.size(), block->x.size()};
+    return {std::get<StressPoints>(points).size()};
+}
+
+std::array<double, 3> SubsurfaceRequest::point(std::size_t index) const {
+    const auto* block = std::get_if<StressBlock>(&points);
+    if (!block) return std::get<StressPoints>(points).at(index);
+    const std::size_t nx = block->x.size(), ny = block->y.size();
+    return {block->x.at(index % nx), block->y.at(index / nx % ny), block->z.at(index / nx / ny)};
+}
+
+json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays) {
+    json params{{"grid", encode_grid(request.grid)},
+                {"nu", finite(request.nu, "nu")},
+                {"body", word_for(bodies, request.body)}};
+    for (const auto& [name, values] : tractions_of(request))
+        if (!values->empty()) params[name] = write(*values, shape_of(request.grid), arrays);
+    if (const auto* block = std::get_if<StressBlock>(&request.points)) {
+        for (const auto& [name, values] : axes_of(*block))
+            params["block"][name] = write(*values, {values->size()}, arrays);
+        return params;
+    }
+    Values flat;
+    for (const auto& point : std::get<StressPoints>(request.points))
+        flat.insert(flat.end(), point.begin(), point.end());
+    params["points"] = write(flat, {flat.size() / 3, 3}, arrays);
+    return params;
+}
+
+SubsurfaceRequest decode_subsurface_request(const json& params, const std::vector<std::string>& frames,
+                                            const Limits& limits) {
+    SubsurfaceRequest request;
+    request.grid = decode_grid(params["grid"]);
+    request.nu = params["nu"].get<double>();
+    if (params.contains("body")) request.body = meaning_of(params["body"], bodies);
+    if (params.contains("block"))
+        request.points = decode_block(params["block"], frames, limits);
+    else
+        request.points = decode_points(params["points"], frames, limits);
+    for (const auto& [name, values] : tractions_of(request)) {
+        if (!params.contains(name)) continue;
+        *values = read_array(params[name], frames, shape_of(request.grid), name);
+        for (const double value : *values)
+            if (std::abs(value) > largest_traction)
+                throw invalid_field(name, "holds " + dump(value) + "; its values must lie in [-1e100, 1e100]",
+                                    reason::array_invalid);
+    }
+    return request;
+}
+
+json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays) {
+    json result{{"shape", reply.shape}, {"largest", encode_largest(reply.largest)}};
+    for (const auto& [name, values] : components_of(reply.stress))
+        result["stress"][name] = write(*values, reply.shape, arrays);
+    result["von_mises"] = write(reply.stress.von_mises, reply.shape, arrays);
+    return result;
+}
+
+SubsurfaceReply decode_subsurface_reply(const json& result, const std::vector<std::string>& frames) {
+    SubsurfaceReply reply;
+    reply.shape = result["shape"].get<Shape>();
+    reply.largest = decode_largest(result["largest"]);
+    for (const auto& [name, values] : components_of(reply.stress))
+        *values = read_array(result["stress"][name], frames, reply.shape, std::string("stress.") + name);
+    Values& von_mises = reply.stress.von_mises;
+    von_mises = read_array(result["von_mises"], frames, reply.shape, "von_mises");
+    reply.stress.largest =
+        static_cast<std::size_t>(std::max_element(von_mises.begin(), von_mises.end()) - von_mises.begin());
+    return reply;
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,64 @@
+// How computations of one call report, and how they are ended.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "call.hpp"
+#include "contactd/observer.hpp"
+#include "job.hpp"
+
+namespace contactd::server {
+
+/// A job of kind "solve", ... on which one call waits; cancelling the job answers the call.
+inline std::shared_ptr<Job> make_job(const std::string& kind, const CallPtr& call, JobTable& jobs) {
+    return jobs.create(kind, [call] { call->fail(status_of(Cancelled("The job was cancelled."))); });
+}
+
+inline JobProgress to_job_progress(const Progress& progress) {
+    return {std::string(progress.stage), progress.fraction, progress.iteration, progress.residual};
+}
+
+/// Passes a job's progress on to its caller. Short work needs none: the first message comes after this time, and then
+/// one in each interval. Thread-safe.
+class Reporter {
+   public:
+    Reporter(CallPtr call, std::shared_ptr<Job> job) : call_(std::move(call)), job_(std::move(job)) {}
+
+    void report(const JobProgress& progress) {
+        constexpr auto interval = std::chrono::milliseconds(200);
+        {
+            const std::scoped_lock lock(mutex_);
+            if (Call::Clock::now() - last_ < interval) return;
+            last_ = Call::Clock::now();
+        }
+        job_->set_progress(progress);
+        call_->progress(to_json(*job_, progress));
+    }
+
+   private:
+    const CallPtr call_;
+    const std::shared_ptr<Job> job_;
+    std::mutex mutex_;
+    Call::Clock::time_point last_ = Call::Clock::now();
+};
+
+/// Ends a computation when its job is cancelled or its call has been answered.
+class JobObserver final : public Observer {
+   public:
+    JobObserver(CallPtr call, std::shared_ptr<Job> job, std::function<void(const Progress&)> progress)
+        : call_(std::move(call)), job_(std::move(job)), progress_(std::move(progress)) {}
+    void on_progress(const Progress& progress) override { progress_(progress); }
+    bool cancelled() const override { return job_->cancelled() || call_->answered(); }
+
+   private:
+    const CallPtr call_;
+    const std::shared_ptr<Job> job_;
+    const std::function<void(const Progress&)> progress_;
+};
+
+}  // namespace contactd::server

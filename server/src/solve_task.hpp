@@ -1,0 +1,41 @@
+// One contact problem on its way through the daemon: first the tables of its bodies, then a worker.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "call.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/proto/codec.hpp"
+#include "ic_service.hpp"
+#include "influence_cache.hpp"
+#include "job.hpp"
+#include "worker_pool.hpp"
+
+namespace contactd::server {
+
+/// What the daemon has for solving.
+struct SolveTools {
+    IcService& ics;
+    WorkerPool& workers;
+    InfluenceCache& influences;
+    JobTable& jobs;
+};
+
+struct SolveTask {
+    CallPtr call;              ///< hears of builds, and ends the solve by having been answered
+    ContactProblem problem;    ///< valid
+    std::shared_ptr<Job> job;  ///< ends the solve by being cancelled
+    std::function<void(const Progress&)> progress;
+    /// One of them is called, from any thread; what `done` throws goes to `failed`.
+    std::function<void(const proto::SolveReply&)> done;
+    std::function<void(const proto::Status&)> failed;
+};
+
+/// Throws for a problem that cannot be solved as stated.
+void check(const ContactProblem& problem);
+
+/// Returns at once.
+void start(const SolveTools& tools, SolveTask task);
+
+}  // namespace contactd::server

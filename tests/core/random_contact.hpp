@@ -1,0 +1,226 @@
+// Random contact problems of every kind as a request states them, and all contact conditions checked on the answers
+// from outside: bodies that may differ or be rigid, shifts and rolling, histories, forces, slip laws.
+#pragma once
+
+#include "contactd/friction_law.hpp"
+#include "random_problems.hpp"
+
+namespace contactd::test {
+
+inline BodyPair random_bodies(Dice& dice) {
+    const Material one = random_material(dice);
+    if (dice.chance(0.4)) return {one, one};
+    if (dice.chance(0.3)) return {Material::rigid(), one};
+    Material other = random_material(dice);
+    if (dice.chance(0.7)) other.G = one.G * dice.log_uniform(0.2, 5);
+    return {one, other};
+}
+
+/// Displacements and slip are of this order where most of the contact slips.
+inline double slip_unit(const ContactProblem& problem, const ContactSolution& normal, double mu) {
+    const double compliance = 1 / problem.bodies.upper.G + 1 / problem.bodies.lower.G;
+    return mu * normal.pmax * compliance * std::sqrt(std::max(normal.contact_area, problem.grid.element_area())) * 0.5;
+}
+
+inline void prescribe_force(Dice& dice, double largest, std::optional<double>& Fx, std::optional<double>& Fy) {
+    const double force = dice.uniform(0, 0.95) * largest, angle = dice.uniform(0, 6.3);
+    if (dice.chance(0.7)) Fx = force * std::cos(angle);
+    if (!Fx || dice.chance(0.7)) Fy = force * std::sin(angle);
+}
+
+inline Motion random_motion(Dice& dice, const ContactProblem& problem, const ContactSolution& normal, double mu) {
+    const double unit = slip_unit(problem, normal, mu), angle = dice.uniform(0, 6.3);
+    const double length = std::sqrt(std::max(normal.contact_area, problem.grid.element_area()));
+    const double size = unit * dice.log_uniform(0.01, 5), turn = dice.chance(0.5) ? unit / length : 0;
+    const double largest = mu * normal.Fn;
+    const bool forces = dice.chance(0.3) && largest > 0;
+    if (dice.chance(0.4)) {
+        Shift shift{size * std::cos(angle), size * std::sin(angle), turn * dice.uniform(-1, 1)};
+        if (forces) prescribe_force(dice, largest, shift.Fx, shift.Fy);
+        return shift;
+    }
+    Rolling rolling;
+    rolling.dq = problem.grid.dx * (dice.chance(0.6) ? 1 : dice.uniform(0.4, 2));
+    rolling.chi = dice.chance(0.6) ? 0 : dice.uniform(-3.2, 3.2);
+    rolling.xi = size / length * std::cos(angle);
+    rolling.eta = size / length * std::sin(angle);
+    rolling.phi = turn / length * dice.uniform(-1, 1);
+    rolling.steady = dice.chance(0.6);
+    if (!rolling.steady) rolling.steps = dice.chance(0.5) ? 1 : 3;
+    if (forces) prescribe_force(dice, largest, rolling.Fx, rolling.Fy);
+    return rolling;
+}
+
+inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
+    Dice dice(seed + 77'000'000);
+    ContactProblem problem;
+    problem.grid = random_grid(dice, 3, largest_size);
+    problem.bodies = random_bodies(dice);
+    const Values h = random_distance(dice, problem.grid);
+    problem.gap = h;
+    const auto [least, most] = std::minmax_element(h.begin(), h.end());
+    problem.approach = *least + (dice.chance(0.05) ? -0.1 : dice.log_uniform(1e-3, 1)) * std::max(*most - *least, 1e-3);
+    const ContactSolution normal = solve_half_spaces(problem);
+    if (dice.chance(0.5)) {
+        problem.Fn = normal.Fn;
+        problem.approach = 0;
+    }
+    if (dice.chance(0.1)) return problem;
+    Friction friction;
+    friction.mu = {dice.chance(0.05) ? 0 : dice.uniform(0, 1)};
+    const double mu = friction.mu[0];
+    friction.motion = random_motion(dice, problem, normal, mu);
+    if (dice.chance(0.15)) {
+        friction.mu = Values(h.size());
+        for (double& value : friction.mu) value = mu * dice.uniform(0.97, 1.1);
+    }
+    const bool forces = std::visit([](const auto& motion) { return motion.Fx || motion.Fy; }, friction.motion);
+    if (dice.chance(0.15) && !forces &&
+        mu * normal.pmax > 0)  // falling friction may not carry a force that static friction does
+        friction.kinetic = KineticFriction{dice.chance(0.5) ? SlipLaw::linear : SlipLaw::exponential,
+                                           0.9 * mu * dice.uniform(0.5, 1), slip_unit(problem, normal, mu) * 10};
+    problem.friction = friction;
+    const auto* rolling = std::get_if<Rolling>(&problem.friction->motion);
+    if (dice.chance(0.3) && !(rolling && rolling->steady)) {
+        const ContactSolution before = solve_half_spaces(problem);
+        problem.previous = {before.pressure, before.traction_x, before.traction_y};
+    }
+    return problem;
+}
+
+/// Displacements at points that lie (x, y) from the element centres, by sums over closed forms.
+struct Surface {
+    Values x, y, z;
+};
+inline Surface displacements(const ContactProblem& problem, const Values& pz, const Values& px, const Values& py,
+                             double shift_x, double shift_y) {
+    const Grid& grid = problem.grid;
+    const int mx = 2 * grid.nx - 1, my = 2 * grid.ny - 1;
+    const auto coefficients = [&](Axis i, Axis j) {
+        const bool couples = (i == Axis::z) != (j == Axis::z);
+        Values table;
+        for (int l = 0; l < my; ++l)
+            for (int k = 0; k < mx; ++k) {
+                const auto of = [&](const Material& body) {
+                    return body.is_rigid()
+                               ? 0
+                               : half_space_coefficient(i, j, (k - grid.nx + 1) * grid.dx + shift_x,
+                                                        (l - grid.ny + 1) * grid.dy + shift_y, grid.dx, grid.dy, body);
+                };
+                // The lower body carries the opposite, in a frame that is mirrored for what couples.
+                table.push_back(couples ? of(problem.bodies.lower) - of(problem.bodies.upper)
+                                        : of(problem.bodies.upper) + of(problem.bodies.lower));
+            }
+        return table;
+    };
+    Surface result{Values(pz.size()), Values(pz.size()), Values(pz.size())};
+    for (const auto& [i, u] : {std::pair{Axis::x, &result.x}, {Axis::y, &result.y}, {Axis::z, &result.z}})
+        for (const auto& [j, p] : {std::pair{Axis::x, &px}, {Axis::y, &py}, {Axis::z, &pz}}) {
+            if (std::all_of(p->begin(), p->end(), [](double value) { return value == 0; })) continue;
+            const Values table = coefficients(i, j);
+            for (int from = 0; from < grid.nx * grid.ny; ++from) {
+                const double value = (*p)[static_cast<std::size_t>(from)];
+                if (value == 0) continue;
+                const int fx = from % grid.nx, fy = from / grid.nx;
+                for (int iy = 0; iy < grid.ny; ++iy)
+                    for (int ix = 0; ix < grid.nx; ++ix)
+                        (*u)[at(grid, ix, iy)] +=
+                            value *
+                            table[static_cast<std::size_t>((iy - fy + grid.ny - 1) * mx + ix - fx + grid.nx - 1)];
+            }
+        }
+    return result;
+}
+
+/// Slip over the last step per element (mm), without what the present tractions do.
+inline Surface given_slip(const ContactProblem& problem, const ContactSolution& solution, const PreviousState& before) {
+    const Grid& grid = problem.grid;
+    const std::size_t n = grid.size();
+    double x = 0, y = 0, turn = 0, unit = 1;
+    const auto [shift_x, shift_y] = step_of(problem);
+    bool steady = false;
+    if (const auto* rolling = std::get_if<Rolling>(&*solution.motion)) {
+        unit = step_length(*rolling, grid);
+        x = rolling->xi;
+        y = rolling->eta;
+        turn = rolling->phi;
+        steady = rolling->steady;
+    } else {
+        const auto& shift = std::get<Shift>(*solution.motion);
+        x = shift.x;
+        y = shift.y;
+        turn = shift.rotation;
+    }
+    const auto full = [&](Values values) {
+        values.resize(n);
+        return values;
+    };
+    const Surface old =
+        steady ? displacements(problem, solution.pressure, solution.traction_x, solution.traction_y, shift_x, shift_y)
+               : displacements(problem, full(before.pressure), full(before.traction_x), full(before.traction_y),
+                               shift_x, shift_y);
+    Surface slip{Values(n), Values(n), {}};
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+            const std::size_t i = at(grid, ix, iy);
+            slip.x[i] = unit * (x - turn * grid.y(iy)) - old.x[i];
+            slip.y[i] = unit * (y + turn * grid.x(ix)) - old.y[i];
+        }
+    return slip;
+}
+
+/// What violates the contact conditions by more than `accuracy`; empty when nothing does. `before` is the state at the
+/// start of the last step.
+inline std::string contact_faults(const ContactProblem& problem, const ContactSolution& solution,
+                                  const PreviousState& before, double accuracy) {
+    const Values h = undeformed_distance(problem);
+    const Surface u = displacements(problem, solution.pressure, solution.traction_x, solution.traction_y, 0, 0);
+    double depth = 0;
+    for (std::size_t i = 0; i < h.size(); ++i) depth = std::max({depth, solution.approach - h[i], std::abs(u.z[i])});
+    const auto where = [](std::size_t i, const char* what) { return "element " + std::to_string(i) + ": " + what; };
+    for (std::size_t i = 0; i < h.size(); ++i) {
+        const double gap = h[i] - solution.approach + u.z[i];
+        if (!(solution.pressure[i] >= 0)) return where(i, "negative pressure");
+        if (solution.pressure[i] > 0 && std::abs(gap) > accuracy * depth) return where(i, "contact with a gap");
+        if (solution.pressure[i] == 0 && gap < -accuracy * depth) return where(i, "overlap");
+    }
+    if (problem.Fn && std::abs(solution.Fn - *problem.Fn) > 1e-6 * *problem.Fn) return "the normal force is missed";
+    if (!problem.friction) return {};
+    const Friction& friction = *problem.friction;
+    const Surface w = given_slip(problem, solution, before);
+    const auto* rolling = std::get_if<Rolling>(&*solution.motion);
+    const double seconds =
+        rolling ? step_length(*rolling, problem.grid) / rolling->velocity : std::get<Shift>(*solution.motion).duration;
+    double unit = 0;
+    for (std::size_t i = 0; i < h.size(); ++i)
+        if (solution.pressure[i] > 0) unit = std::max({unit, std::hypot(u.x[i], u.y[i]), std::hypot(w.x[i], w.y[i])});
+    unit *= accuracy;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+        const double sx = w.x[i] + u.x[i], sy = w.y[i] + u.y[i], s = std::hypot(sx, sy);
+        const double px = solution.traction_x[i], py = solution.traction_y[i], p = std::hypot(px, py);
+        const double v = solution.element_division[i] == ElementState::slip ? s / seconds : 0;
+        const double mu =
+            friction.kinetic ? friction_coefficient(*friction.kinetic, friction.mu_of(i), v) : friction.mu_of(i);
+        const double g = mu * solution.pressure[i], slack = friction.kinetic ? 1e-3 : 1e-8;
+        if (!(p <= g * (1 + slack) + 1e-300)) return where(i, "the traction exceeds its bound");
+        if (solution.element_division[i] == ElementState::adhesion && s > unit) return where(i, "adhesion slips");
+        if (solution.element_division[i] != ElementState::slip || g == 0) continue;
+        if (!(p >= g * (1 - slack))) return where(i, "slip below the bound");
+        if (std::abs(sx * py - sy * px) > p * unit) return where(i, "slip and traction are not aligned");
+        if (sx * px + sy * py > p * unit) return where(i, "slip along the traction");
+    }
+    return {};
+}
+
+/// The state before the last step of a transient with several, by taking the steps one by one.
+inline PreviousState state_before_last(const ContactProblem& problem) {
+    if (!problem.friction) return problem.previous;
+    const auto* rolling = std::get_if<Rolling>(&problem.friction->motion);
+    if (rolling == nullptr || rolling->steady || rolling->steps == 1) return problem.previous;
+    ContactProblem shorter = problem;
+    --std::get<Rolling>(shorter.friction->motion).steps;
+    const ContactSolution before = solve_half_spaces(shorter);
+    return {before.pressure, before.traction_x, before.traction_y};
+}
+
+}  // namespace contactd::test

@@ -1,0 +1,147 @@
+// Bodies of different materials, one of them rigid in the limit: normal and tangential contact influence each other.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+
+#include "contact_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// A sphere pressed on a plane and held against shifting.
+ContactProblem sphere(const BodyPair& bodies, double mu, int n = 24) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+    problem.bodies = bodies;
+    problem.gap = Paraboloid{50, 50};
+    problem.approach = 0.02;
+    problem.friction = Friction{{mu}, {}, Shift{}};
+    return problem;
+}
+
+/// All three components of what the tractions do, in one dense sum.
+struct Displacements {
+    Values x, y, z;
+};
+Displacements displacements(const ContactProblem& problem, const ContactSolution& solution) {
+    const IcTable table = pair_table(problem);
+    const auto along = [&](Axis i) {
+        const auto by = [&](Axis j, const Values& p) {
+            return dense_product(table, i, j, problem.grid.nx, problem.grid.ny, p);
+        };
+        return sum(sum(by(Axis::x, solution.traction_x), by(Axis::y, solution.traction_y)),
+                   by(Axis::z, solution.pressure));
+    };
+    return {along(Axis::x), along(Axis::y), along(Axis::z)};
+}
+
+/// A rigid cylinder of radius 1 on a plane: the gap is far larger outside of its face.
+ContactProblem punch(const Material& plane, double mu) {
+    ContactProblem problem = sphere({Material::rigid(), plane}, mu, 40);
+    Values gap(problem.grid.size(), 1.0);
+    for (int iy = 0; iy < problem.grid.ny; ++iy)
+        for (int ix = 0; ix < problem.grid.nx; ++ix)
+            if (std::hypot(problem.grid.x(ix), problem.grid.y(iy)) < 1) gap[at(problem.grid, ix, iy)] = 0;
+    problem.gap = gap;
+    return problem;
+}
+
+const BodyPair rigid_on_soft{Material::rigid(), {200, 0.1}};
+const BodyPair soft_on_rigid{{200, 0.1}, Material::rigid()};
+const BodyPair extreme{{200, 0.0}, {200, 0.5}};
+const BodyPair stiff_on_soft{{82000, 0.28}, {10, 0.2}};
+
+}  // namespace
+
+TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimilar]") {
+    const BodyPair bodies = GENERATE(rigid_on_soft, soft_on_rigid, extreme, stiff_on_soft);
+    const double mu = GENERATE(0.05, 0.4);
+    ContactProblem problem = sphere(bodies, mu, 16);
+    problem.friction->motion = Shift{0.003, -0.001};
+    problem.outer_settings.tolerance = 1e-9;
+    problem.normal_settings.tolerance = problem.tangential_settings.tolerance = 1e-10;
+
+    const ContactSolution solution = solve_half_spaces(problem);
+
+    REQUIRE(solution.converged());
+    CHECK(solution.outer->iterations > 1);
+    const Displacements u = displacements(problem, solution);
+    const Values h = undeformed_distance(problem);
+    const double length = problem.approach;
+    for (std::size_t i = 0; i < problem.grid.size(); ++i) {
+        const double gap = h[i] - problem.approach + u.z[i], p = solution.pressure[i];
+        const double sx = u.x[i] + 0.003, sy = u.y[i] - 0.001;
+        const double px = solution.traction_x[i], py = solution.traction_y[i];
+        if (solution.element_division[i] == ElementState::exterior) {
+            CHECK(gap >= -1e-6 * length);
+            continue;
+        }
+        CHECK_THAT(gap, WithinAbs(0, 1e-6 * length));
+        CHECK(std::hypot(px, py) <= mu * p * (1 + 1e-7));
+        if (solution.element_division[i] == ElementState::adhesion)
+            CHECK_THAT(std::hypot(sx, sy), WithinAbs(0, 1e-5 * length));
+        else
+            CHECK_THAT(sx * px + sy * py, WithinRel(-std::hypot(sx, sy) * mu * p, 1e-4));
+    }
+}
+
+TEST_CASE("without friction's force, friction between bodies that differ is as none", "[dissimilar]") {
+    const ContactProblem with = sphere(rigid_on_soft, 1e-7);
+    ContactProblem without = with;
+    without.friction.reset();
+    const ContactSolution a = solve_half_spaces(with), b = solve_half_spaces(without);
+    REQUIRE(a.converged());
+    CHECK_THAT(a.Fn, WithinRel(b.Fn, 1e-6));
+    CHECK_THAT(a.pmax, WithinRel(b.pmax, 1e-6));
+}
+
+// Mossakovskii and Spence (Johnson, Contact Mechanics, section 3.7): a flat circular punch that adheres completely
+// carries (1-nu) ln(3-4nu)/(1-2nu) times the force of one without friction.
+TEST_CASE("a rigid punch that adheres carries the force of Mossakovskii's solution", "[dissimilar]") {
+    const double nu = GENERATE(0.0, 0.3);
+    ContactProblem bonded = punch({200, nu}, 20);
+    ContactProblem smooth = bonded;
+    smooth.friction.reset();
+    const ContactSolution held = solve_half_spaces(bonded), free = solve_half_spaces(smooth);
+    REQUIRE(held.converged());
+    CHECK_THAT(held.Fn / free.Fn, WithinRel((1 - nu) * std::log(3 - 4 * nu) / (1 - 2 * nu), 5e-3));
+}
+
+TEST_CASE("friction between bodies that differ leaves the forces in balance", "[dissimilar]") {
+    const ContactSolution solution = solve_half_spaces(sphere(rigid_on_soft, 0.3));
+    REQUIRE(solution.converged());
+    CHECK_THAT(solution.Fx, WithinAbs(0, 1e-5 * solution.Fn));
+    CHECK_THAT(solution.Fy, WithinAbs(0, 1e-5 * solution.Fn));
+    CHECK_THAT(solution.Mz, WithinAbs(0, 1e-5 * solution.Fn));
+    CHECK(*solution.frictional_work >= 0);
+}
+
+TEST_CASE("swapping the bodies turns the tangential tractions", "[dissimilar]") {
+    const ContactSolution a = solve_half_spaces(sphere(rigid_on_soft, 0.3, 12)),
+                          b = solve_half_spaces(sphere(soft_on_rigid, 0.3, 12));
+    CHECK_THAT(a.Fn, WithinRel(b.Fn, 1e-6));
+    for (std::size_t i = 0; i < a.traction_x.size(); ++i)
+        CHECK_THAT(a.traction_x[i], WithinAbs(-b.traction_x[i], 1e-4 * a.pmax));
+}
+
+TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
+    ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
+    problem.Fn = 5;
+    problem.friction->motion = Rolling{.xi = 0.02, .eta = 0.01, .phi = 1e-3};
+    const ContactSolution solution = solve_half_spaces(problem);
+    REQUIRE(solution.converged());
+    CHECK_THAT(solution.Fn, WithinRel(5, 1e-6));
+    CHECK(solution.Fx < 0);
+    CHECK(*solution.frictional_power > 0);
+}
+
+TEST_CASE("an outer loop that is cut short says so", "[dissimilar]") {
+    ContactProblem problem = sphere(rigid_on_soft, 0.4);
+    problem.outer_settings.max_iterations = 1;
+    CHECK_FALSE(solve_half_spaces(problem).converged());
+}

@@ -1,0 +1,44 @@
+// A reply to contact.solve as a solver might have made it, on a grid of 3 x 2.
+#pragma once
+
+#include "contactd/proto/codec.hpp"
+
+namespace wire {
+
+inline contactd::proto::SolveReply solve_reply() {
+    using namespace contactd;
+    proto::SolveReply reply;
+    ContactSolution& solution = reply.solution;
+    solution.approach = 0.02;
+    solution.Fn = 9.195402;
+    solution.Fx = -3.2216;
+    solution.Fy = 1e-17;
+    solution.Mz = 1e-3;
+    solution.pmax = 4.39;
+    solution.contact_area = 3.1;
+    solution.adhesion_area = 1.1;
+    solution.slip_area = 2.0;
+    solution.contact_elements = 3;
+    solution.adhesion_elements = 1;
+    solution.slip_elements = 2;
+    solution.border_elements = 1;
+    solution.element_division = {ElementState::exterior, ElementState::adhesion, ElementState::slip,
+                                 ElementState::exterior, ElementState::slip,     ElementState::exterior};
+    solution.pressure = {0, 1, 2, 0, 3, 0};
+    solution.traction_x = {0, -0.1, -0.2, 0, -0.3, 0};
+    solution.traction_y = {0, 0.1 + 0.2, 0, 0, 1e-300, 0};
+    solution.slip_x = {0, 0, 1e-3, 0, 1.0 / 7, 0};
+    solution.slip_y = {0, 0, -1e-3, 0, 0, 0};
+    solution.frictional_work = 1.0 / 3;
+    solution.motion = Shift{0.00817, 0, 0, {}, {}, 1};
+    solution.warnings = {"1 contact element lies at the border of the potential contact area."};
+    solution.normal = {12, 3e-7, true, 0.01};
+    solution.tangential = SolverEvidence{40, 2e-3, false, 0.02};
+    reply.upper = {"closed_form", "abc", {}};
+    reply.upper->evidence.source = "analytic";
+    reply.lower = reply.upper;
+    reply.lower->key = "def";
+    return reply;
+}
+
+}  // namespace wire

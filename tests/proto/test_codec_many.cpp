@@ -1,0 +1,161 @@
+// contact.solve_many.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <limits>
+
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/schema.hpp"
+#include "solve_replies.hpp"
+#include "wire.hpp"
+
+using namespace contactd;
+using namespace contactd::proto;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+
+namespace {
+
+const std::vector<double> gap{0, 1, 2, 3, 4, 5};
+
+ContactProblem problem(double approach) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(3, 2, 0.1, 0.1);
+    problem.bodies = {{200, 0.42}, {200, 0.42}};
+    problem.gap = gap;
+    problem.approach = approach;
+    return problem;
+}
+
+json reference(std::size_t frame, const json& shape) {
+    return {{"$array", {{"frame", frame}, {"dtype", "<f8"}, {"shape", shape}}}};
+}
+
+}  // namespace
+
+TEST_CASE("Problems come back in their order", "[codec]") {
+    const std::vector<ContactProblem> originals{problem(0.1), problem(0.3), problem(0.2)};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = json::parse(dump(encode_problems(originals, arrays)));
+    CHECK_NOTHROW(check_params("contact.solve_many", params));
+
+    const auto read = decode_problems(params, arrays.take_frames());
+
+    REQUIRE(read.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::get<ContactProblem>(read[i]).approach == originals[i].approach);
+        CHECK(std::get<ContactProblem>(read[i]).gap == Gap{gap});
+    }
+}
+
+TEST_CASE("Equal arrays travel once where that is asked for", "[codec]") {
+    std::vector<ContactProblem> originals{problem(0.1), problem(0.2), problem(0.3)};
+    originals[2].gap = std::vector<double>{0, 1, 2, 3, 4, 6};
+    ArrayWriter arrays(ArrayEncoding::frame, EqualArrays::shared);
+
+    const json params = encode_problems(originals, arrays);
+    const auto frames = arrays.take_frames();
+
+    CHECK(frames.size() == 2);
+    CHECK_NOTHROW(check_frames_used(params, frames));
+    const auto read = decode_problems(params, frames);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(std::get<ContactProblem>(read[i]).gap == originals[i].gap);
+}
+
+TEST_CASE("A problem whose arrays do not fit fails alone", "[codec]") {
+    json params{{"problems", json::array({wire::solve_params(), wire::solve_params(), wire::solve_params()})}};
+    params["problems"][1]["gap"] = {{"array", {{1, 2, 3}}}};
+    params["problems"][2]["gap"] = {{"array", reference(7, {2, 3})}};
+    REQUIRE_NOTHROW(check_params("contact.solve_many", params));
+
+    const auto read = decode_problems(params, {});
+
+    REQUIRE(read.size() == 3);
+    CHECK(std::holds_alternative<ContactProblem>(read[0]));
+    for (const std::size_t bad : {1, 2}) {
+        const Status& status = std::get<Status>(read[bad]);
+        CHECK(status.reason == "ARRAY_INVALID");
+        CHECK(status.violations[0].field == "gap.array");
+    }
+}
+
+TEST_CASE("A problem that breaks its schema fails the request, named by its place", "[codec]") {
+    json params{{"problems", json::array({wire::solve_params(), wire::solve_params()})}};
+    params["problems"][1]["bodies"]["upper"]["nu"] = 0.6;
+    const auto status = wire::status_thrown_by([&] { check_params("contact.solve_many", params); });
+    REQUIRE(status);
+    REQUIRE(status->violations.size() == 1);
+    CHECK(status->violations[0].field == "problems[1].bodies.upper.nu");
+    CHECK(status->violations[0].description == "is 0.6; it must lie in [0, 0.5]");
+}
+
+TEST_CASE("One frame cannot stand for more than memory holds", "[codec]") {
+    json one = wire::solve_params();
+    one["gap"] = {{"array", reference(1, {2, 3})}};
+    const json params{{"problems", json(10, one)}};
+    const std::vector<std::string> frames{std::string(48, '\0')};
+    CHECK(decode_problems(params, frames, {.max_array_elements = 60}).size() == 10);
+
+    const auto status = wire::status_thrown_by([&] { decode_problems(params, frames, {.max_array_elements = 59}); });
+
+    REQUIRE(status);
+    CHECK(status->reason == "LIMIT_EXCEEDED");
+    CHECK(status->violations[0].field == "problems");
+    CHECK_THAT(status->message, ContainsSubstring("60 elements") && ContainsSubstring("59"));
+}
+
+TEST_CASE("Huge claims of many arrays do not overflow their sum", "[codec]") {
+    json one = wire::solve_params();
+    one["gap"] = {{"array", reference(1, {4'000'000, 4'000'000, 4'000'000, 4'000'000})}};
+    const json params{{"problems", json(1000, one)}};
+    const auto status = wire::status_thrown_by([&] { decode_problems(params, {""}); });
+    REQUIRE(status);
+    CHECK(status->reason == "LIMIT_EXCEEDED");
+}
+
+TEST_CASE("Solutions and failures come back in their order", "[codec]") {
+    Status status{StatusCode::invalid_argument, "grid.nx is bad.", "FIELD_INVALID", {{"grid.nx", "is bad"}}, 0};
+    SolveReply second = wire::solve_reply();
+    second.solution.Fn = 1.0 / 3;
+    const std::vector<ReplyOrStatus> replies{wire::solve_reply(), status, second};
+    const std::vector<Grid> grids{Grid::centred(3, 2, 1, 1), {}, Grid::centred(3, 2, 1, 1)};
+    ArrayWriter arrays(ArrayEncoding::frame);
+
+    const json result = json::parse(dump(encode_solve_replies(replies, grids, arrays)));
+
+    CHECK(violations_of("contact.solve_many.result", result).empty());
+    const auto read = decode_solve_replies(result, arrays.take_frames());
+    REQUIRE(read.size() == 3);
+    CHECK(std::get<SolveReply>(read[0]).solution.Fn == 9.195402);
+    CHECK(std::get<Status>(read[1]).code == StatusCode::invalid_argument);
+    CHECK(std::get<Status>(read[1]).violations[0].field == "grid.nx");
+    CHECK(std::get<SolveReply>(read[2]).solution.Fn == 1.0 / 3);
+    CHECK(std::get<SolveReply>(read[2]).solution.pressure == second.solution.pressure);
+}
+
+TEST_CASE("A reply that is not finite fails alone and leaves no frames behind", "[codec]") {
+    SolveReply bad = wire::solve_reply();
+    bad.solution.traction_y[3] = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<ReplyOrStatus> replies{bad, wire::solve_reply()};
+    const std::vector<Grid> grids(2, Grid::centred(3, 2, 1, 1));
+    ArrayWriter arrays(ArrayEncoding::frame);
+
+    const json result = encode_solve_replies(replies, grids, arrays);
+    const auto frames = arrays.take_frames();
+
+    CHECK_NOTHROW(check_frames_used(result, frames));
+    const auto read = decode_solve_replies(result, frames);
+    CHECK(std::get<Status>(read[0]).code == StatusCode::internal);
+    CHECK(std::get<SolveReply>(read[1]).solution.traction_y == wire::solve_reply().solution.traction_y);
+}
+
+TEST_CASE("A solution without a result, or with one beside a failure, is no answer", "[codec]") {
+    const json ok{{"code", 0}, {"name", "OK"}, {"message", ""}};
+    const json failure{{"code", 13}, {"name", "INTERNAL"}, {"message", "No."}};
+    const auto conforms = [](const json& solution) {
+        return violations_of("contact.solve_many.result", {{"solutions", {solution}}}).empty();
+    };
+    CHECK(conforms({{"status", failure}}));
+    CHECK_FALSE(conforms({{"status", ok}}));
+    CHECK_FALSE(conforms({{"status", failure}, {"result", json::object()}}));
+}

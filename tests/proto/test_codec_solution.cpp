@@ -1,0 +1,148 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/schema.hpp"
+#include "solve_replies.hpp"
+#include "wire.hpp"
+
+using namespace contactd;
+using namespace contactd::proto;
+using nlohmann::json;
+using wire::solve_reply;
+
+namespace {
+
+json sent(const json& message) {
+    return json::parse(dump(message));
+}
+
+}  // namespace
+
+TEST_CASE("A solution comes back exactly", "[codec]") {
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    const bool friction = GENERATE(true, false);
+    SolveReply reply = solve_reply();
+    if (!friction) {
+        reply.solution.tangential.reset();
+        reply.solution.slip_x.clear();
+        reply.solution.slip_y.clear();
+        reply.solution.motion.reset();
+        reply.solution.frictional_work.reset();
+    }
+    ArrayWriter arrays(encoding);
+    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+
+    CHECK(violations_of("contact.solve.result", result).empty());
+    const SolveReply read = decode_solve_reply(sent(result), arrays.take_frames());
+
+    CHECK(read.solution.approach == reply.solution.approach);
+    CHECK(read.solution.Fn == reply.solution.Fn);
+    CHECK(read.solution.Fx == reply.solution.Fx);
+    CHECK(read.solution.Fy == reply.solution.Fy);
+    CHECK(read.solution.Mz == reply.solution.Mz);
+    CHECK(read.solution.pmax == reply.solution.pmax);
+    CHECK(read.solution.contact_area == reply.solution.contact_area);
+    CHECK(read.solution.adhesion_area == reply.solution.adhesion_area);
+    CHECK(read.solution.slip_area == reply.solution.slip_area);
+    CHECK(read.solution.contact_elements == 3);
+    CHECK(read.solution.adhesion_elements == 1);
+    CHECK(read.solution.slip_elements == 2);
+    CHECK(read.solution.border_elements == 1);
+    CHECK(read.solution.element_division == reply.solution.element_division);
+    CHECK(read.solution.pressure == reply.solution.pressure);
+    CHECK(read.solution.traction_x == reply.solution.traction_x);
+    CHECK(read.solution.traction_y == reply.solution.traction_y);
+    CHECK(read.solution.slip_x == reply.solution.slip_x);
+    CHECK(read.solution.slip_y == reply.solution.slip_y);
+    CHECK(read.solution.frictional_work == reply.solution.frictional_work);
+    CHECK_FALSE(read.solution.frictional_power);
+    CHECK(read.solution.motion == reply.solution.motion);
+    CHECK(read.solution.warnings == reply.solution.warnings);
+    CHECK(read.solution.normal.iterations == 12);
+    CHECK(read.solution.tangential.has_value() == friction);
+    CHECK(read.solution.converged() == !friction);
+    CHECK(result["converged"] == !friction);
+    CHECK(read.upper->origin == "closed_form");
+    CHECK(read.lower->key == "def");
+    CHECK_FALSE(read.pair);
+}
+
+TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
+    ArrayWriter arrays(ArrayEncoding::list);
+    json result = encode_solve_reply(solve_reply(), Grid::centred(3, 2, 1, 1), arrays);
+    SECTION("shape") {
+        result["traction_x"].erase(0);
+    }
+    SECTION("shape of the slip") {
+        result["slip_y"].erase(0);
+    }
+    SECTION("element state") {
+        result["element_division"][0][0] = 3;
+    }
+    SECTION("no rows") {
+        result["pressure"] = json::array();
+    }
+    SECTION("dimensions") {
+        result["pressure"] = json::parse(R"({"$array": {"frame": 1, "dtype": "<f8", "shape": [6]}})");
+    }
+    SECTION("huge shape") {
+        result["pressure"] = json::parse(R"({"$array": {"frame": 1, "dtype": "<f8", "shape": [4000000, 4000000]}})");
+    }
+    CHECK(wire::status_thrown_by([&] { decode_solve_reply(result, {""}); }));
+}
+
+TEST_CASE("Every motion comes back", "[codec]") {
+    SolveReply reply = solve_reply();
+    SECTION("shift with a force") {
+        reply.solution.motion = Shift{1e-3, 0.1 + 0.2, 1e-5, {}, -3.5, 0.25};
+    }
+    SECTION("rolling") {
+        reply.solution.motion = Rolling{1e-3, 2e-3, 1e-4, 0.5, 0.1, false, 7, 3e4, {}, 0.5};
+        reply.solution.frictional_work.reset();
+        reply.solution.frictional_power = 1.0 / 3;
+    }
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
+    CHECK(violations_of("contact.solve.result", result).empty());
+    const ContactSolution read = decode_solve_reply(result, {}).solution;
+    CHECK(read.motion == reply.solution.motion);
+    CHECK(read.frictional_power == reply.solution.frictional_power);
+}
+
+TEST_CASE("A step that the request left out is told", "[codec]") {
+    SolveReply reply = solve_reply();
+    reply.solution.motion = Rolling{};
+    ArrayWriter arrays(ArrayEncoding::list);
+    CHECK(encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"]["dq"] == 0.25);
+}
+
+TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that were used", "[codec]") {
+    SolveReply reply = solve_reply();
+    SECTION("all solvers") {
+        reply.solution.outer = SolverEvidence{5, 1e-7, true, 0.5};
+        reply.solution.force = SolverEvidence{6, 1e-8, true, 0.5};
+    }
+    SECTION("a rigid body has no coefficients") {
+        reply.upper.reset();
+    }
+    SECTION("a quick model uses none") {
+        reply.upper.reset();
+        reply.lower.reset();
+    }
+    SECTION("of a pair") {
+        reply.pair = reply.upper;
+        reply.upper.reset();
+        reply.lower.reset();
+    }
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
+    CAPTURE(result["evidence"].dump());
+    CHECK(violations_of("contact.solve.result", result).empty());
+    const SolveReply read = decode_solve_reply(result, {});
+    CHECK(read.solution.outer.has_value() == reply.solution.outer.has_value());
+    CHECK(read.solution.force.has_value() == reply.solution.force.has_value());
+    CHECK(read.upper.has_value() == reply.upper.has_value());
+    CHECK(read.lower.has_value() == reply.lower.has_value());
+    CHECK(read.pair.has_value() == reply.pair.has_value());
+}
