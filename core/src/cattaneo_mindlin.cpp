@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../types/number_text.hpp"
 #include "ellipse_compliance.hpp"
 #include "ellipse_difference.hpp"
 
@@ -35,7 +36,7 @@ Pair shift_of_force(const Pair& force, const Pair& compliance, double bound) {
 
 EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& contact, double mu, const Shift& shift) {
     if (shift.rotation != 0)
-        throw InvalidArgument("friction.rotation", "is " + std::to_string(shift.rotation) +
+        throw InvalidArgument("friction.rotation", "is " + number_text(shift.rotation) +
                                                        " rad; the closed form has none, the model full takes it");
     const PrescribedForce prescribed{shift.Fx, shift.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.force");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "../types/number_text.hpp"
 #include "contactd/error.hpp"
 
 namespace contactd {
@@ -65,8 +66,8 @@ double size_of(const Pair& r) {
 void check_reach(const PrescribedForce& prescribed, const char* field) {
     const double force = std::hypot(prescribed.Fx.value_or(0), prescribed.Fy.value_or(0));
     if (force > 0 && !(force < prescribed.bound))
-        throw InvalidArgument(field, "is " + std::to_string(force) + " N; friction carries less than mu Fn = " +
-                                         std::to_string(prescribed.bound) + " N");
+        throw InvalidArgument(field, "is " + number_text(force) + " N; friction carries less than mu Fn = " +
+                                         number_text(prescribed.bound) + " N");
 }
 
 std::optional<SolverEvidence> find_motion(const std::function<Pair(const Pair&)>& force,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../types/number_text.hpp"
 #include "solver_support.hpp"
 
 namespace contactd {
@@ -74,8 +75,8 @@ class Search {
         const double force = length(wanted_);
         if (!std::isfinite(force)) throw InvalidArgument(prescribed_.field, "is not a finite number");
         if (force > prescribed_.largest * (1 + rounding))
-            throw InvalidArgument(prescribed_.field, "is " + std::to_string(force) + " N; friction carries at most " +
-                                                         std::to_string(prescribed_.largest) + " N");
+            throw InvalidArgument(prescribed_.field, "is " + number_text(force) + " N; friction carries at most " +
+                                                         number_text(prescribed_.largest) + " N");
     }
 
     // Force turned into the rigid slip, over its scale, that a sphere would have under it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../types/number_text.hpp"
 #include "steady_rolling.hpp"
 
 namespace contactd {
@@ -21,7 +22,7 @@ void check(const RollingBodies& bodies) {
     validate(bodies.grid, "grid");
     const double dq = std::hypot(bodies.step_x, bodies.step_y);
     if (!(dq > 0) || !std::isfinite(dq))
-        throw InvalidArgument("rolling.dq", "is " + std::to_string(dq) + "; it must be positive and finite");
+        throw InvalidArgument("rolling.dq", "is " + number_text(dq) + "; it must be positive and finite");
     if (bodies.influence.size() != bodies.grid.size() || bodies.change.size() != bodies.grid.size())
         throw InvalidArgument("grid", "has " + std::to_string(bodies.grid.size()) + " elements; the coefficients are " +
                                           "for " + std::to_string(bodies.influence.size()) + ", and " +

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "../types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "half_space_model.hpp"
 #include "shifted_half_space.hpp"
@@ -36,8 +37,8 @@ struct Steps {
 void check_shift(double shift, double size, const char* field) {
     // Beyond this, offsets are no integers any more.
     if (!(std::abs(shift / size) < 1e6))
-        throw InvalidArgument(field, "is " + std::to_string(shift) + "; it must be less than a million elements of " +
-                                         std::to_string(size));
+        throw InvalidArgument(
+            field, "is " + number_text(shift) + "; it must be less than a million elements of " + number_text(size));
 }
 
 void check_extent(int table_nx, int table_ny, int nx, int ny) {

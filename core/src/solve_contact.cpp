@@ -55,10 +55,12 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
 
 void warn(const ContactProblem& problem, ContactSolution& solution) {
     solution.border_elements = border_elements(problem.grid, solution.pressure);
-    if (solution.border_elements > 0)
-        solution.warnings.push_back(std::to_string(solution.border_elements) +
-                                    " contact elements touch the border of the potential contact area: the contact may "
-                                    "reach beyond it, and the solution is that of bodies cut off there.");
+    if (solution.border_elements == 0) return;
+    const bool one = solution.border_elements == 1;
+    solution.warnings.push_back(std::to_string(solution.border_elements) +
+                                (one ? " contact element touches" : " contact elements touch") +
+                                " the border of the potential contact area: the contact may reach beyond it, and the "
+                                "solution is that of bodies cut off there.");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../types/number_text.hpp"
 #include "ellipse_compliance.hpp"
 #include "ellipse_difference.hpp"
 
@@ -30,7 +31,7 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
                                    const Rolling& rolling) {
     if (rolling.phi != 0)
         throw InvalidArgument("friction.rolling.phi",
-                              "is " + std::to_string(rolling.phi) +
+                              "is " + number_text(rolling.phi) +
                                   " rad/mm; the closed form has no spin, the models fastsim and full have");
     const PrescribedForce prescribed{rolling.Fx, rolling.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.rolling.force");

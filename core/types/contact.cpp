@@ -79,7 +79,7 @@ void check_forces(const std::optional<double>& Fx, const std::optional<double>& 
     check_finite(Fy.value_or(0), field, "a force");
 }
 
-void check_motion(const Shift& shift) {
+void check_motion(const Shift& shift, const Grid&) {
     check_finite(shift.x, "friction.rigid_shift", "a length");
     check_finite(shift.y, "friction.rigid_shift", "a length");
     check_finite(shift.rotation, "friction.rotation", "an angle");
@@ -87,14 +87,23 @@ void check_motion(const Shift& shift) {
     check_forces(shift.Fx, shift.Fy, "friction.force");
 }
 
-void check_motion(const Rolling& rolling) {
+// Displacements a millionth of an element apart do not differ any more to a useful number of digits.
+void check_step(const Rolling& rolling, const Grid& grid) {
+    constexpr double least = 1e-6, most = 1e5;
+    if (rolling.dq == 0 || (rolling.dq >= least * grid.dx && rolling.dq <= most * std::min(grid.dx, grid.dy))) return;
+    throw InvalidArgument("friction.rolling.dq",
+                          "is " + number_text(rolling.dq) + "; it must lie in [" + number_text(least * grid.dx) + ", " +
+                              number_text(most * std::min(grid.dx, grid.dy)) + "], 1e-6 to 1e5 elements");
+}
+
+void check_motion(const Rolling& rolling, const Grid& grid) {
     check_finite(rolling.xi, "friction.rolling.xi", "a creepage");
     check_finite(rolling.eta, "friction.rolling.eta", "a creepage");
     check_finite(rolling.phi, "friction.rolling.phi", "a spin creepage");
     check_finite(rolling.chi, "friction.rolling.chi", "an angle");
     check_forces(rolling.Fx, rolling.Fy, "friction.rolling.force");
     check_positive(rolling.velocity, "friction.rolling.velocity");
-    if (rolling.dq != 0) check_positive(rolling.dq, "friction.rolling.dq");
+    check_step(rolling, grid);
     if (rolling.steps < 1)
         throw InvalidArgument("friction.rolling.steps",
                               "is " + std::to_string(rolling.steps) + "; it must be at least 1");
@@ -117,9 +126,9 @@ void check_coefficients(const Friction& friction, std::size_t size) {
     check_positive(friction.kinetic->slip_velocity, "friction.kinetic.slip_velocity");
 }
 
-void check_friction(const Friction& friction, std::size_t size) {
-    check_coefficients(friction, size);
-    std::visit([](const auto& motion) { check_motion(motion); }, friction.motion);
+void check_friction(const Friction& friction, const Grid& grid) {
+    check_coefficients(friction, grid.size());
+    std::visit([&](const auto& motion) { check_motion(motion, grid); }, friction.motion);
 }
 
 }  // namespace
@@ -152,7 +161,7 @@ void validate(const ContactProblem& problem) {
     const std::size_t size = problem.grid.size();
     check_gap(problem);
     check_load(problem);
-    if (problem.friction) check_friction(*problem.friction, size);
+    if (problem.friction) check_friction(*problem.friction, problem.grid);
     check_estimate(problem.previous.pressure, size, "previous.pressure");
     check_estimate(problem.previous.traction_x, size, "previous.traction_x");
     check_estimate(problem.previous.traction_y, size, "previous.traction_y");

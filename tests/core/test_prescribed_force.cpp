@@ -107,7 +107,7 @@ TEST_CASE("forces up to the largest are reached, beyond it they are refused", "[
         FAIL("no error");
     } catch (const InvalidArgument& error) {
         CHECK(error.field() == "friction.rolling.force");
-        CHECK(std::string(error.what()).find("at most 3.0") != std::string::npos);
+        CHECK(std::string(error.what()).find("at most 3 N") != std::string::npos);
     }
     CHECK_THROWS_AS(find(forces(std::nan(""), {}), sphere), InvalidArgument);
 }

@@ -169,6 +169,18 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{-0.1}, {}, Shift{0, 0}}; }) == "friction.mu");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Shift{no_number, 0}}; }) ==
           "friction.rigid_shift");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Rolling{.dq = 1e9}}; }) ==
+          "friction.rolling.dq");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Rolling{.steps = 0}}; }) ==
+          "friction.rolling.steps");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Shift{.Fx = infinity}}; }) ==
+          "friction.force");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1, 0.2}}; }) == "friction.mu");
+    CHECK(refused_problem([](ContactProblem& p) { p.Fn = -1; }) == "Fn");
+    CHECK(refused_problem([](ContactProblem& p) { p.gap = SemiAxes{1, -1}; }) == "gap.semi_axes.b");
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies = {Material::rigid(), Material::rigid()}; }) ==
+          "bodies.lower");
+    CHECK(refused_problem([](ContactProblem& p) { p.previous.pressure = {1.0}; }) == "previous.pressure");
     CHECK(refused_problem([](ContactProblem& p) { p.normal_settings.tolerance = 0; }) == "settings.normal.tolerance");
     CHECK(refused_problem([](ContactProblem& p) { p.tangential_settings.max_iterations = 0; }) ==
           "settings.tangential.max_iterations");

@@ -267,3 +267,18 @@ def test_a_paraboloid_may_be_a_cylinder_under_a_force(shared):
     solution = shared.solve(FRICTIONLESS.replace(gap=Paraboloid(Rx=50), Fn=9))
     assert solution.Fn == pytest.approx(9, rel=1e-6)
     assert (solution.element_division[:, 20] != 0).all()
+
+
+def test_the_same_request_has_the_same_answer_to_the_last_bit(daemons):
+    dissimilar = CATTANEO.replace(lower=RigidBody())
+    transient = ROLLING.replace(friction=Friction(0.3, rolling=Rolling(xi=1e-3, kind="transient", steps=5)))
+    problems = [ROLLING, CATTANEO, dissimilar, transient] * 3
+    answers = []
+    for workers in (1, 3):
+        with daemons.start(f"with-{workers}", workers=workers).client() as client:
+            answers.append([client.solve(problem) for problem in problems])
+            answers.append(client.solve_many(problems))
+    for other in answers[1:]:
+        for solution, expected in zip(other, answers[0], strict=True):
+            for name in ("pressure", "traction_x", "traction_y", "slip_x"):
+                np.testing.assert_array_equal(getattr(solution, name), getattr(expected, name))

@@ -98,7 +98,8 @@ IcTable scaled(const IcTable& table, double factor);
 IcTable cropped(const IcTable& table, int nx, int ny);
 
 /// Coefficients of the difference of displacements of the two bodies for equal and opposite tractions: sums xx, yy, zz,
-/// xy, yx and subtracts xz, zx, yz, zy (lower from upper). Throws InvalidArgument when the extents differ.
+/// xy, yx and subtracts xz, zx, yz, zy (upper from lower: a pressure is positive, a load along z pulls). Throws
+/// InvalidArgument when the extents differ.
 IcTable pair_of(const IcTable& upper, const IcTable& lower);
 
 }  // namespace contactd
