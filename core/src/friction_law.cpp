@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "solver_support.hpp"
 
@@ -22,19 +21,6 @@ double friction_coefficient(const KineticFriction& kinetic, double mu_static, do
             break;
     }
     return kinetic.mu + fall * std::exp(-relative);
-}
-
-void validate(const KineticFriction& kinetic, std::span<const double> mu_static) {
-    if (!(kinetic.slip_velocity > 0) || !std::isfinite(kinetic.slip_velocity))
-        throw InvalidArgument("friction.kinetic.slip_velocity",
-                              "is " + std::to_string(kinetic.slip_velocity) + "; it must be positive and finite");
-    if (!(kinetic.mu >= 0))
-        throw InvalidArgument("friction.kinetic.mu", "is " + std::to_string(kinetic.mu) + "; it must not be negative");
-    for (const double mu : mu_static)
-        if (!(kinetic.mu <= mu))
-            throw InvalidArgument("friction.kinetic.mu", "is " + std::to_string(kinetic.mu) +
-                                                             "; it must not exceed the static coefficient, which is " +
-                                                             std::to_string(mu));
 }
 
 SlipLawIteration::SlipLawIteration(const KineticFriction& kinetic, std::span<const double> mu_static)
@@ -69,28 +55,6 @@ double SlipLawIteration::follow(std::span<const double> slip_velocity, std::span
     }
     is_first_ = false;
     return square > 0 ? std::sqrt(square / reference) : 0;
-}
-
-SolverEvidence iterate_slip_law(SlipLawIteration& law, std::span<const double> pressure, const SolverSettings& settings,
-                                const SolveWithBounds& solve, Observer& observer) {
-    require_size(pressure, law.mu().size(), "pressure");
-    const Stopwatch stopwatch;
-    std::vector<double> bound(pressure.size()), slip_velocity(pressure.size());
-    SolverEvidence evidence;
-    double first = 0;
-    while (!evidence.converged && evidence.iterations < settings.max_iterations) {
-        observer.throw_if_cancelled();
-        for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = law.mu()[i] * std::max(pressure[i], 0.0);
-        solve(bound, slip_velocity);
-        ++evidence.iterations;
-        evidence.residual = law.follow(slip_velocity, pressure);
-        evidence.converged = evidence.residual <= settings.tolerance;
-        if (evidence.iterations == 1) first = evidence.residual;
-        observer.on_progress({"slip_law", log_fraction(first, evidence.residual, settings.tolerance),
-                              evidence.iterations, evidence.residual});
-    }
-    evidence.seconds = stopwatch.seconds();
-    return evidence;
 }
 
 }  // namespace contactd

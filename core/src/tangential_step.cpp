@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "contactd/slip.hpp"
+
 namespace contactd {
 namespace {
 
@@ -177,16 +179,13 @@ RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const d
     }
     if (rolling() && rolling()->steady)
         return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
-    RollingSolution solution{
-        solve_tangential(*influence_.here, bound, rigid.x, rigid.y, settings, x, y, observer), {}, {}};
-    solution.slip_x.resize(n_);
-    solution.slip_y.resize(n_);
-    influence_.here->tangential(solution.traction_x, solution.traction_y, solution.slip_x, solution.slip_y);
-    for (std::size_t i = 0; i < n_; ++i) {
-        const bool in_contact = solution.element_division[i] != ElementState::exterior;
-        solution.slip_x[i] = in_contact ? solution.slip_x[i] + rigid.x[i] : 0;
-        solution.slip_y[i] = in_contact ? solution.slip_y[i] + rigid.y[i] : 0;
-    }
+    RollingSolution solution;
+    static_cast<TangentialSolution&>(solution) =
+        solve_tangential(*influence_.here, bound, rigid.x, rigid.y, settings, x, y, observer);
+    SlipDistance slip =
+        slip_distance(*influence_.here, bound, rigid.x, rigid.y, solution.traction_x, solution.traction_y);
+    solution.slip_x = std::move(slip.x);
+    solution.slip_y = std::move(slip.y);
     return solution;
 }
 

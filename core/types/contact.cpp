@@ -111,19 +111,10 @@ void check_motion(const Rolling& rolling, const Grid& grid) {
 
 void check_coefficients(const Friction& friction, std::size_t size) {
     if (friction.mu.size() != 1) check_array(friction.mu, size, "friction.mu");
-    for (std::size_t i = 0; i < friction.mu.size(); ++i) {
-        if (!std::isfinite(friction.mu[i]) || friction.mu[i] < 0)
-            throw InvalidArgument("friction.mu", "is " + number_text(friction.mu[i]) + "; it must be zero or positive");
-        if (friction.kinetic && friction.kinetic->mu > friction.mu[i])
-            throw InvalidArgument("friction.kinetic.mu", "is " + number_text(friction.kinetic->mu) +
-                                                             "; it must not exceed friction.mu, which is " +
-                                                             number_text(friction.mu[i]));
-    }
-    if (!friction.kinetic) return;
-    if (!(friction.kinetic->mu >= 0))
-        throw InvalidArgument("friction.kinetic.mu",
-                              "is " + number_text(friction.kinetic->mu) + "; it must be zero or positive");
-    check_positive(friction.kinetic->slip_velocity, "friction.kinetic.slip_velocity");
+    for (const double mu : friction.mu)
+        if (!std::isfinite(mu) || mu < 0)
+            throw InvalidArgument("friction.mu", "is " + number_text(mu) + "; it must be zero or positive");
+    if (friction.kinetic) validate(*friction.kinetic, friction.mu);
 }
 
 void check_friction(const Friction& friction, const Grid& grid) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -44,6 +45,11 @@ struct Rolling {
 
     bool operator==(const Rolling&) const = default;
 };
+
+/// Throws InvalidArgument ("friction.kinetic.mu", "friction.kinetic.slip_velocity") unless v_c is positive and finite
+/// and 0 <= mu_k <= mu_s in every element. Friction that rises with velocity is refused: sticking would be easier to
+/// leave than slip to enter, and adhesion at mu_s would no longer be the limit of slow slip.
+void validate(const KineticFriction& kinetic, std::span<const double> mu_static);
 
 using Motion = std::variant<Shift, Rolling>;
 
