@@ -58,12 +58,16 @@ def draw(lines: list[dict[str, Any]], picture: Path) -> None:
     units.plot([], [], "v", color="#666666", ms=8, mfc="none", label="limit of the aims")
     time.set(yscale="log", ylabel="processor time per element (µs)", title="Cost per element")
     units.set(yscale="log", ylabel="cost / one product $A_{zz}\\,p$ on the same grid", title="Cost in products")
+    time.set_ylim(5e-3, 30)
+    units.set_ylim(10, 700)
+    time.set_yticks([0.01, 0.1, 1, 10], ["0.01", "0.1", "1", "10"])
+    units.set_yticks([10, 20, 50, 100, 200, 500], ["10", "20", "50", "100", "200", "500"])
     for axes in (time, units):
         axes.set(xscale="log", xlabel="$n$, elements along each side of the grid")
         axes.set_xticks(SIZES, [str(n) for n in SIZES])
         axes.minorticks_off()
         axes.grid(alpha=0.3)
-        axes.legend(fontsize=8)
+        axes.legend(fontsize=8, loc="upper left", ncols=2)
     figure.savefig(picture, dpi=130)
 
 

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "solver_support.hpp"
+#include "traction_loops.hpp"
 
 namespace contactd {
 
 struct Field {
     std::vector<double> x, y;
     explicit Field(std::size_t n = 0) : x(n), y(n) {}
+    operator Vectors() const { return {x.data(), y.data()}; }
+    operator MutableVectors() { return {x.data(), y.data()}; }
 };
 
 inline double inner(const Field& a, const Field& b) {

@@ -9,7 +9,7 @@ namespace contactd {
 namespace {
 
 // The table, symbols of five to nine components on a padded grid, coarser grids, and some boxes; about.
-constexpr std::size_t bytes_per_element_here = 800, bytes_per_element_change = 250;
+constexpr std::size_t bytes_per_element_here = 800, bytes_per_element_change = 500;
 
 }  // namespace
 

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
-#include <mutex>
 #include <string>
 
 #include "coarsening.hpp"
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
+#include "kept_boxes.hpp"
+#include "lazy.hpp"
 #include "padded_fft.hpp"
 #include "padded_size.hpp"
 
@@ -33,41 +33,25 @@ bool is_zero(const IcTable& table, Axis i, Axis j) {
     return std::all_of(values, values + table.component_size(), [](double value) { return value == 0; });
 }
 
-// A box is worth a transform of its own when it has at most this part of the elements.
-constexpr double small_box = 0.7;
-constexpr std::size_t most_boxes_kept = 8;
-
-// Made when it is first needed, by any thread.
-template <class T>
-class Lazy {
-   public:
-    template <class Make>
-    const T& get(const Make& make) {
-        std::call_once(made_, [&] { value_ = make(); });
-        return value_;
-    }
-
-   private:
-    std::once_flag made_;
-    T value_;
-};
-
+// A box is worth a transform of its own when it has at most this part of the elements; more when the contact, and so
+// its box, does not change during a solve.
+constexpr double small_box = 0.7, small_lasting_box = 0.95;
 // A size >= n whose transform takes little time for its size: few of them, so that few transforms are made.
 int quick_size(int n) {
     int least = 2 * n;
-    for (int size : {1, 5, 7, 9, 25}) {
+    for (int size : {1, 3, 5, 7, 9, 25}) {
         while (size < n) size *= 2;
         least = std::min(least, size);
     }
     return least;
 }
 
-// Columns or rows first .. first + n - 1 with a margin for the contact to grow, shifted into 0 .. all - 1.
+// Columns or rows first .. first + n - 1 with a margin, shifted into 0 .. all - 1.
 struct Interval {
     int first, n;
 };
-Interval convenient(Interval needed, int all) {
-    const int n = std::min(quick_size(needed.n + 2), all);
+Interval convenient(Interval needed, int all, int margin) {
+    const int n = std::min(quick_size(std::max(needed.n + margin, 1)), all);
     return {std::clamp(needed.first - (n - needed.n) / 2, 0, all - n), n};
 }
 
@@ -101,8 +85,7 @@ struct ConvolutionOperator::Impl {
     std::array<Lazy<PaddedFft::Symbol>, 3> reciprocal;
     Lazy<std::unique_ptr<ConvolutionOperator>> coarse;
 
-    std::mutex boxes_mutex;
-    std::deque<std::shared_ptr<const ConvolutionOperator>> boxes;  // of different sizes, the oldest first
+    KeptBoxes<ConvolutionOperator> boxes;
 
     Impl(const IcTable& larger_table, int nx_, int ny_)
         : nx(nx_),
@@ -260,20 +243,18 @@ ElementBox ConvolutionOperator::extent() const {
     return {0, 0, impl_->nx, impl_->ny};
 }
 
-ElementBox ConvolutionOperator::convenient_box(const ElementBox& needed) const {
-    const Interval columns = convenient({needed.first_x, needed.nx}, impl_->nx);
-    const Interval rows = convenient({needed.first_y, needed.ny}, impl_->ny);
+ElementBox ConvolutionOperator::convenient_box(const ElementBox& needed, bool may_grow) const {
+    const int margin = may_grow ? 2 : 0;
+    const Interval columns = convenient({needed.first_x, needed.nx}, impl_->nx, margin);
+    const Interval rows = convenient({needed.first_y, needed.ny}, impl_->ny, margin);
     const ElementBox box{columns.first, rows.first, columns.n, rows.n};
-    return static_cast<double>(box.size()) <= small_box * static_cast<double>(size()) ? box : extent();
+    const double part = may_grow ? small_box : small_lasting_box;
+    return static_cast<double>(box.size()) <= part * static_cast<double>(size()) ? box : extent();
 }
 
 std::shared_ptr<const InfluenceOperator> ConvolutionOperator::restricted(const ElementBox& box) const {
-    Impl& impl = *impl_;
-    const std::scoped_lock lock(impl.boxes_mutex);
-    for (const auto& kept : impl.boxes)
-        if (kept->impl_->nx == box.nx && kept->impl_->ny == box.ny) return kept;
-    if (impl.boxes.size() == most_boxes_kept) impl.boxes.pop_front();
-    return impl.boxes.emplace_back(std::make_shared<const ConvolutionOperator>(impl.table, box.nx, box.ny));
+    return impl_->boxes.get(box,
+                            [&] { return std::make_shared<const ConvolutionOperator>(impl_->table, box.nx, box.ny); });
 }
 
 int smooth_size(int n) {

@@ -87,7 +87,7 @@ NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Obse
     solution.pressure = std::move(estimate);
     SolverSettings settings = task.settings;
     for (int iterations = 0;;) {
-        const Restriction restriction(task.influence, needed);
+        const Restriction restriction(task.influence, needed, true);
         const Values distance = restriction.crop(task.problem.distance);
         NormProblem problem = task.problem;
         problem.distance = distance;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "padded_fft_plans.hpp"
+#include "spectral_products.hpp"
 
 namespace contactd {
 
@@ -129,8 +130,12 @@ using In = std::span<const double>;
 using Out = std::span<double>;
 
 // Without the checks for infinities of the operator of std::complex.
-Complex times(const Complex& a, const Complex& b) {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+Complex times(double real, double imag, const Complex& b) {
+    return {real * b.real() - imag * b.imag(), real * b.imag() + imag * b.real()};
+}
+
+double* parts(Complex* values) {
+    return reinterpret_cast<double*>(values);
 }
 
 Complex times_i(const Complex& a) {
@@ -158,22 +163,17 @@ void PaddedFft::apply(const PairSymbols& symbols, In in_x, In in_y, Out out_x, O
         return;
     }
     convolve<2, 2>({in_x, in_y}, {out_x, out_y}, [&](Complex* x, Complex* y, std::size_t first, std::size_t size) {
-        for (std::size_t at = 0; at < size; ++at) {
-            const Complex in0 = x[at], in1 = y[at];
-            x[at] = xx[first + at] * in0 + xy[first + at] * in1;
-            y[at] = yx[first + at] * in0 + yy[first + at] * in1;
-        }
+        multiply_pair(size, parts(x), parts(y), &xx[first], &xy[first], &yx[first], &yy[first]);
     });
 }
 
 void PaddedFft::apply(const ComplexPairSymbols& symbols, In in_x, In in_y, Out out_x, Out out_y) const {
     const auto& [xx, xy, yx, yy] = symbols;
     convolve<2, 2>({in_x, in_y}, {out_x, out_y}, [&](Complex* x, Complex* y, std::size_t first, std::size_t size) {
-        for (std::size_t at = 0; at < size; ++at) {
-            const Complex in0 = x[at], in1 = y[at];
-            x[at] = times(xx[first + at], in0) + times(xy[first + at], in1);
-            y[at] = times(yx[first + at], in0) + times(yy[first + at], in1);
-        }
+        const auto from = [first](const ComplexSymbol& symbol) {
+            return ComplexFactor{&symbol.real[first], &symbol.imag[first]};
+        };
+        multiply_pair(size, parts(x), parts(y), from(xx), from(xy), from(yx), from(yy));
     });
 }
 
@@ -197,8 +197,8 @@ void PaddedFft::spread(const ComplexSymbol& of_x, const ComplexSymbol& of_y, In 
     convolve<1, 2>({in}, {out_x, out_y}, [&](Complex* x, Complex* y, std::size_t first, std::size_t size) {
         for (std::size_t at = 0; at < size; ++at) {
             const Complex value = x[at];
-            x[at] = times(of_x[first + at], value);
-            y[at] = times(of_y[first + at], value);
+            x[at] = times(of_x.real[first + at], of_x.imag[first + at], value);
+            y[at] = times(of_y.real[first + at], of_y.imag[first + at], value);
         }
     });
 }

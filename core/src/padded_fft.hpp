@@ -25,7 +25,9 @@ class PaddedFft {
     /// imaginary, and the symbol is its imaginary part.
     using Symbol = std::vector<double>;
     /// The same of a kernel without parity.
-    using ComplexSymbol = std::vector<std::complex<double>>;
+    struct ComplexSymbol {
+        std::vector<double> real, imag;
+    };
 
     /// Values at the offsets 0..nx-1 x 0..ny-1, shape [ny, nx], zero beyond.
     struct Kernel {

@@ -111,8 +111,12 @@ PaddedFft::ComplexSymbol PaddedFft::symbol(const SignedKernel& kernel) const {
         for (std::size_t k = 0; k < plans.columns; ++k) sum[k] += share(l, plans.padded_ny) * transformed[k];
     }
     ComplexSymbol symbol;
-    symbol.reserve(plans.row_offset(plans.padded_ny));
-    transform_columns(spectrum.get(), [&](Complex value) { symbol.push_back(value * norm_factor()); });
+    symbol.real.reserve(plans.row_offset(plans.padded_ny));
+    symbol.imag.reserve(plans.row_offset(plans.padded_ny));
+    transform_columns(spectrum.get(), [&](Complex value) {
+        symbol.real.push_back(value.real() * norm_factor());
+        symbol.imag.push_back(value.imag() * norm_factor());
+    });
     return symbol;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "contactd/grid.hpp"
 #include "contactd/influence_operator.hpp"
 
 namespace contactd {
@@ -39,8 +40,8 @@ inline ElementBox united(const ElementBox& a, const ElementBox& b) {
 /// The whole extent or a box around the needed elements, whichever is cheaper. `influence` outlives it.
 class Restriction {
    public:
-    Restriction(const InfluenceOperator& influence, const ElementBox& needed)
-        : whole_(influence), extent_(influence.extent()), box_(influence.convenient_box(needed)) {
+    Restriction(const InfluenceOperator& influence, const ElementBox& needed, bool may_grow)
+        : whole_(influence), extent_(influence.extent()), box_(influence.convenient_box(needed, may_grow)) {
         if (!(box_ == extent_)) part_ = influence.restricted(box_);
         if (!part_) box_ = extent_;
     }
@@ -58,6 +59,13 @@ class Restriction {
         std::vector<double> part(box_.size());
         for (int iy = 0; iy < box_.ny; ++iy) std::copy_n(whole.begin() + row(iy), box_.nx, part.begin() + iy * box_.nx);
         return part;
+    }
+    Grid crop(Grid grid) const {
+        grid.x0 += box_.first_x * grid.dx;
+        grid.y0 += box_.first_y * grid.dy;
+        grid.nx = box_.nx;
+        grid.ny = box_.ny;
+        return grid;
     }
     /// Leaves what is outside the box.
     template <class Value>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../types/number_text.hpp"
+#include "restriction.hpp"
 #include "steady_rolling.hpp"
 
 namespace contactd {
@@ -14,9 +15,13 @@ using Values = std::vector<double>;
 constexpr double coarse_tolerance = 1e-2;  // of an estimate, which has the coarser grid's error anyway
 constexpr int most_coarse_iterations = 40;
 constexpr std::size_t smallest_to_coarsen = 1000;  // elements in contact
-constexpr int most_rounds = 2;                     // of marching on and trying again
-constexpr int most_steps = 120;                    // of one march
-constexpr double march_tolerance = 1e-4;           // a start for the direct iteration needs no more
+// From this many elements in contact on, a coarser grid gives a better start than an estimate whose residual is larger
+// than this over the number of elements along the contact.
+constexpr std::size_t smallest_to_doubt = 4000;
+constexpr double poor_times_elements = 3;
+constexpr int most_rounds = 2;            // of marching on and trying again
+constexpr int most_steps = 120;           // of one march
+constexpr double march_tolerance = 1e-4;  // a start for the direct iteration needs no more
 
 void check(const RollingBodies& bodies) {
     validate(bodies.grid, "grid");
@@ -122,6 +127,52 @@ RollingSolution solution_of(const SteadyRolling& solver, const Contact& contact,
     return result;
 }
 
+// On all elements of the grid.
+RollingSolution solve_steady(const RollingBodies& bodies, std::span<const double> bound,
+                             std::span<const double> rigid_x, std::span<const double> rigid_y,
+                             const SolverSettings& settings, std::span<const double> initial_x,
+                             std::span<const double> initial_y, Observer& observer) {
+    const std::size_t n = bodies.grid.size();
+    const Contact contact(bound, rigid_x, rigid_y);
+    SteadyRolling solver(bodies, contact, settings, observer);
+    Field estimate(n);
+    std::copy(initial_x.begin(), initial_x.end(), estimate.x.begin());
+    std::copy(initial_y.begin(), initial_y.end(), estimate.y.begin());
+    bool started = false;
+    if (contact.size() >= smallest_to_doubt && !(initial_x.empty() && initial_y.empty())) {
+        solver.start(estimate);
+        solver.iterate(0);
+        started = solver.evidence().residual * std::sqrt(static_cast<double>(contact.size())) <= poor_times_elements;
+    }
+    const bool has_estimate = contact.size() >= smallest_to_doubt ? started : !(initial_x.empty() && initial_y.empty());
+    if (!has_estimate && contact.size() >= smallest_to_coarsen)
+        estimate = estimate_on_coarser_grid(bodies, bound, rigid_x, rigid_y, settings, observer);
+    for (int round = 0;; ++round) {
+        if (!started || round > 0) solver.start(estimate);
+        const bool converged = solver.iterate(settings.max_iterations - solver.evidence().iterations);
+        if (converged || solver.evidence().iterations >= settings.max_iterations || round == most_rounds) break;
+        contact.scatter(solver.tractions().x, estimate.x);
+        contact.scatter(solver.tractions().y, estimate.y);
+        march(bodies, bound, rigid_x, rigid_y, estimate, observer);
+    }
+    return solution_of(solver, contact, n);
+}
+
+RollingSolution whole_of(const RollingSolution& part, const Restriction& restriction, std::size_t n) {
+    RollingSolution whole;
+    const auto paste = [&](const auto& from, auto& to) {
+        to.resize(n);
+        restriction.paste(from, to);
+    };
+    paste(part.traction_x, whole.traction_x);
+    paste(part.traction_y, whole.traction_y);
+    paste(part.slip_x, whole.slip_x);
+    paste(part.slip_y, whole.slip_y);
+    paste(part.element_division, whole.element_division);
+    whole.evidence = part.evidence;
+    return whole;
+}
+
 }  // namespace
 
 ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead) {
@@ -190,25 +241,24 @@ RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<cons
                                      const SolverSettings& settings, std::span<const double> initial_x,
                                      std::span<const double> initial_y, Observer& observer) {
     check(bodies);
-    const std::size_t n = bodies.grid.size();
-    check_arrays(n, bound, rigid_x, rigid_y, initial_x, initial_y);
+    check_arrays(bodies.grid.size(), bound, rigid_x, rigid_y, initial_x, initial_y);
     const Stopwatch stopwatch;
-    const Contact contact(bound, rigid_x, rigid_y);
-    SteadyRolling solver(bodies, contact, settings, observer);
-    Field estimate(n);
-    std::copy(initial_x.begin(), initial_x.end(), estimate.x.begin());
-    std::copy(initial_y.begin(), initial_y.end(), estimate.y.begin());
-    if (initial_x.empty() && initial_y.empty() && contact.size() >= smallest_to_coarsen)
-        estimate = estimate_on_coarser_grid(bodies, bound, rigid_x, rigid_y, settings, observer);
-    for (int round = 0;; ++round) {
-        solver.start(estimate);
-        const bool converged = solver.iterate(settings.max_iterations - solver.evidence().iterations);
-        if (converged || solver.evidence().iterations >= settings.max_iterations || round == most_rounds) break;
-        contact.scatter(solver.tractions().x, estimate.x);
-        contact.scatter(solver.tractions().y, estimate.y);
-        march(bodies, bound, rigid_x, rigid_y, estimate, observer);
+    const Restriction restriction(
+        bodies.influence, bounding_box(bodies.influence.extent(), [&](std::size_t i) { return bound[i] > 0; }), false);
+    RollingSolution result;
+    if (restriction.is_whole()) {
+        result = solve_steady(bodies, bound, rigid_x, rigid_y, settings, initial_x, initial_y, observer);
+    } else {
+        const std::shared_ptr<const ShiftedOperator> change = bodies.change.restricted(restriction.box());
+        const RollingBodies on_box{restriction.influence(), *change, restriction.crop(bodies.grid), bodies.step_x,
+                                   bodies.step_y};
+        const auto crop = [&](std::span<const double> whole) {
+            return whole.empty() ? Values{} : restriction.crop(whole);
+        };
+        const RollingSolution part = solve_steady(on_box, crop(bound), crop(rigid_x), crop(rigid_y), settings,
+                                                  crop(initial_x), crop(initial_y), observer);
+        result = whole_of(part, restriction, bodies.grid.size());
     }
-    RollingSolution result = solution_of(solver, contact, n);
     result.evidence.seconds = stopwatch.seconds();
     return result;
 }

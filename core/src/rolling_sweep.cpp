@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traction_loops.hpp"
+
 namespace contactd {
 namespace {
 
@@ -27,12 +29,7 @@ struct Between {
 }  // namespace
 
 void Linearisation::project(Field& a) const {
-    for (std::size_t e = 0; e < slips.size(); ++e) {
-        if (!slips[e]) continue;
-        const double along = a.x[e] * tangent.x[e] + a.y[e] * tangent.y[e];
-        a.x[e] = along * tangent.x[e];
-        a.y[e] = along * tangent.y[e];
-    }
+    project_out(a.x.size(), normal, a);
 }
 
 RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact)
@@ -57,8 +54,12 @@ RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const
     links_ = offsets.size();
     std::vector<std::size_t> element_at(grid.size(), m_);
     for (std::size_t e = 0; e < m_; ++e) element_at[contact.elements[e]] = e;
-    for (int row = 0; row < grid.ny; ++row)
-        for (int column = 0; column < grid.nx; ++column) {
+    // Elements next to each other in the order do not wait for each other where particles go along an axis.
+    const bool by_columns = std::abs(step_x / grid.dx) >= std::abs(step_y / grid.dy);
+    const int outer_size = by_columns ? grid.nx : grid.ny, inner_size = by_columns ? grid.ny : grid.nx;
+    for (int outer = 0; outer < outer_size; ++outer)
+        for (int inner = 0; inner < inner_size; ++inner) {
+            const int column = by_columns ? outer : inner, row = by_columns ? inner : outer;
             const int ix = along_x.direction > 0 ? grid.nx - 1 - column : column;
             const int iy = along_y.direction > 0 ? grid.ny - 1 - row : row;
             const auto at = [&](int x, int y) {
@@ -88,11 +89,9 @@ void RollingSweep::solve(const Field& r, Field& z) const {
             x += link->weight * z_.x[link->element];
             y += link->weight * z_.y[link->element];
         }
-        if (l.slips[e]) {
-            const double along = x * l.tangent.x[e] + y * l.tangent.y[e];
-            x = along * l.tangent.x[e];
-            y = along * l.tangent.y[e];
-        }
+        const double nx = l.normal.x[e], ny = l.normal.y[e], along = x * nx + y * ny;
+        x -= along * nx;
+        y -= along * ny;
         z_.x[e] = x * inverse_diagonal_[e];
         z_.y[e] = y * inverse_diagonal_[e];
     }

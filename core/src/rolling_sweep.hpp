@@ -10,14 +10,14 @@
 namespace contactd {
 
 // The division of the contact area and the reduced Jacobian that goes with it: in slip only the direction of the
-// traction is free, along the tangent, and turning it meets the stiffness D = |s|/g.
+// traction is free, normal to it, and turning it meets the stiffness D = |s|/g.
 struct Linearisation {
     std::vector<char> slips;
-    Field tangent;                // unit vectors in slip
+    Field normal;                 // n = p/g in slip, 0 in adhesion: what projects there needs no branch
     std::vector<double> turning;  // D, 0 in adhesion
 
-    explicit Linearisation(std::size_t m) : slips(m), tangent(m), turning(m) {}
-    // a -> (a . t) t in slip
+    explicit Linearisation(std::size_t m) : slips(m), normal(m), turning(m) {}
+    // a -> a - (a . n) n
     void project(Field& a) const;
 };
 

@@ -2,15 +2,12 @@
 
 #include <cmath>
 
+#include "traction_loops.hpp"
+
 namespace contactd {
 namespace {
 
 constexpr double dependent = 1e-12;  // squared distance from the others, relative, at which a step adds nothing
-
-void add(double factor, const FieldView& a, Field& to) {
-    for (std::size_t e = 0; e < to.x.size(); ++e) to.x[e] += factor * a.x[e];
-    for (std::size_t e = 0; e < to.y.size(); ++e) to.y[e] += factor * a.y[e];
-}
 
 }  // namespace
 
@@ -34,7 +31,7 @@ void SecantHistory::accept() {
 
 void SecantHistory::update_products(std::size_t j) {
     for (std::size_t i = 0; i <= j; ++i) {
-        const double value = dot(flat(slot(i), image_part), flat(slot(j), image_part));
+        const double value = dot_product(2 * m_, view(slot(i), image_part).x, view(slot(j), image_part).x);
         product(slot(i), slot(j)) = value;
         product(slot(j), slot(i)) = value;
     }
@@ -63,7 +60,7 @@ void SecantHistory::minimise(Field& r, Field& d) {
         if (pivot < dependent) continue;
         factors[row] = std::sqrt(pivot);
         const FieldView image = view(j, image_part);
-        double value = (dot({image.x, m_}, r.x) + dot({image.y, m_}, r.y)) * scale_[row];
+        double value = (dot_product(m_, image.x, r.x.data()) + dot_product(m_, image.y, r.y.data())) * scale_[row];
         for (std::size_t k = 0; k < row; ++k) value -= factors[k] * right_[k];
         right_[row] = value / factors[row];
         used_.push_back(j);
@@ -73,10 +70,17 @@ void SecantHistory::minimise(Field& r, Field& d) {
             right_[row] -= factor_[below * capacity_ + row] * right_[below];
         right_[row] /= factor_[row * capacity_ + row];
     }
-    for (std::size_t row = 0; row < used_.size(); ++row) {
-        const double coefficient = right_[row] * scale_[row];
-        add(-coefficient, view(used_[row], image_part), r);
-        add(coefficient, view(used_[row], step_part), d);
+    for (std::size_t row = 0; row < used_.size(); row += 2) {
+        const bool is_last = row + 1 == used_.size();
+        const std::size_t j = used_[row], k = is_last ? j : used_[row + 1];
+        const double of_j = right_[row] * scale_[row], of_k = is_last ? 0 : right_[row + 1] * scale_[row + 1];
+        const auto add = [&](double sign, Part part, Field& to) {
+            const FieldView a = view(j, part), b = view(k, part);
+            add_two(m_, sign * of_j, a.x, sign * of_k, b.x, to.x.data());
+            add_two(m_, sign * of_j, a.y, sign * of_k, b.y, to.y.data());
+        };
+        add(-1, image_part, r);
+        add(1, step_part, d);
     }
 }
 

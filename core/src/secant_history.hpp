@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "contact_elements.hpp"
@@ -11,9 +10,7 @@
 namespace contactd {
 
 // A vector field on the elements of the contact, somewhere in memory.
-struct FieldView {
-    double *x, *y;
-};
+using FieldView = MutableVectors;
 
 class SecantHistory {
    public:
@@ -48,7 +45,6 @@ class SecantHistory {
         double* x = values_.get() + (slot_index * parts + part) * 2 * m_;
         return {x, x + m_};
     }
-    std::span<const double> flat(std::size_t slot_index, Part part) const { return {view(slot_index, part).x, 2 * m_}; }
     template <class F>
     void map(std::size_t j, const F& f) {
         f(view(slot(j), step_part), view(slot(j), response_part), view(slot(j), image_part));

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "coarsening.hpp"
 #include "contactd/given_ics.hpp"
+#include "kept_boxes.hpp"
+#include "lazy.hpp"
 #include "padded_fft.hpp"
 #include "padded_size.hpp"
 
@@ -30,30 +31,28 @@ bool is_coupled(const ShiftedTable& table) {
 struct ShiftedOperator::Impl {
     int nx, ny;
     PaddedFft product;
-    PaddedFft::ComplexSymbol xx, xy, yx, yy, xz, yz;
-    bool coupled;
+    const ShiftedTable table;
+    const bool coupled;
     Coarsening coarsening;
-    ShiftedTable table;  // until the coarser operator is made
-    std::once_flag coarse_made;
-    std::unique_ptr<ShiftedOperator> coarse;
+
+    struct Tangential {
+        PaddedFft::ComplexSymbol xx, xy, yx, yy;
+    };
+    struct Coupling {
+        PaddedFft::ComplexSymbol xz, yz;
+    };
+    Lazy<Tangential> tangential;
+    Lazy<Coupling> coupling;
+    Lazy<std::unique_ptr<ShiftedOperator>> coarse;
+    KeptBoxes<ShiftedOperator> boxes;
 
     explicit Impl(ShiftedTable table_)
         : nx(table_.nx),
           ny(table_.ny),
           product(nx, ny, padded_size(nx), padded_size(ny)),
-          coupled(is_coupled(table_)),
-          coarsening(nx, ny),
-          table(std::move(table_)) {
-        xx = symbol(x, x);
-        xy = symbol(x, y);
-        yx = symbol(y, x);
-        yy = symbol(y, y);
-        if (coupled) {
-            xz = symbol(x, z);
-            yz = symbol(y, z);
-        }
-        if (!coarsening.useful()) table = {};
-    }
+          table(std::move(table_)),
+          coupled(is_coupled(table)),
+          coarsening(nx, ny) {}
 
     PaddedFft::ComplexSymbol symbol(Axis i, Axis j) const {
         return product.symbol(PaddedFft::SignedKernel{&table.values[table.index(i, j, 1 - nx, 1 - ny)], nx, ny});
@@ -71,7 +70,10 @@ std::size_t ShiftedOperator::size() const {
 
 void ShiftedOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                  std::span<double> uy) const {
-    impl_->product.apply(PaddedFft::ComplexPairSymbols{impl_->xx, impl_->xy, impl_->yx, impl_->yy}, px, py, ux, uy);
+    Impl& impl = *impl_;
+    const auto& symbols = impl.tangential.get(
+        [&] { return Impl::Tangential{impl.symbol(x, x), impl.symbol(x, y), impl.symbol(y, x), impl.symbol(y, y)}; });
+    impl.product.apply(PaddedFft::ComplexPairSymbols{symbols.xx, symbols.xy, symbols.yx, symbols.yy}, px, py, ux, uy);
 }
 
 bool ShiftedOperator::coupled() const {
@@ -80,19 +82,24 @@ bool ShiftedOperator::coupled() const {
 
 void ShiftedOperator::tangential_of_normal(std::span<const double> pz, std::span<double> ux,
                                            std::span<double> uy) const {
-    if (coupled()) return impl_->product.spread(impl_->xz, impl_->yz, pz, ux, uy);
+    Impl& impl = *impl_;
+    if (coupled()) {
+        const auto& symbols = impl.coupling.get([&] { return Impl::Coupling{impl.symbol(x, z), impl.symbol(y, z)}; });
+        return impl.product.spread(symbols.xz, symbols.yz, pz, ux, uy);
+    }
     std::fill(ux.begin(), ux.end(), 0.0);
     std::fill(uy.begin(), uy.end(), 0.0);
+}
+
+std::shared_ptr<const ShiftedOperator> ShiftedOperator::restricted(const ElementBox& box) const {
+    return impl_->boxes.get(
+        box, [&] { return std::make_shared<const ShiftedOperator>(cropped(impl_->table, box.nx, box.ny)); });
 }
 
 const ShiftedOperator* ShiftedOperator::coarser() const {
     Impl& impl = *impl_;
     if (!impl.coarsening.useful()) return nullptr;
-    std::call_once(impl.coarse_made, [&] {
-        impl.coarse = std::make_unique<ShiftedOperator>(impl.coarsening.coarse(impl.table));
-        impl.table = {};
-    });
-    return impl.coarse.get();
+    return impl.coarse.get([&] { return std::make_unique<ShiftedOperator>(impl.coarsening.coarse(impl.table)); }).get();
 }
 
 }  // namespace contactd

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traction_loops.hpp"
+
 namespace contactd {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr double far_off = 0.5;        // squared, relative: part of a step agai
 constexpr double much_turned = 0.05;   // relative change of the tractions that makes linearised steps stale
 constexpr double negligible = 1e-12;   // traction over bound that counts as none
 constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction that is no reason to adhere
-constexpr double mostly_slip = 0.5;    // of the contact, from which the second half of the preconditioner does not pay
+constexpr double mostly_slip = 0.5;    // of the contact, from which one half of the preconditioner is enough
 constexpr int patience = 30;           // iterations without a better residual
 
 std::size_t capacity(std::size_t m) {
@@ -45,8 +47,12 @@ SteadyRolling::SteadyRolling(const RollingBodies& bodies, const Contact& contact
       history_(m_, capacity(m_)),
       law_(m_),
       before_(m_),
-      weight_(m_) {
+      weight_(m_),
+      diagonal_(m_),
+      inverse_g_(m_),
+      squared_bound_(dot(g_, g_)) {
     for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_, &swept_}) *field = Field(m_);
+    for (std::size_t e = 0; e < m_; ++e) inverse_g_[e] = 1 / g_[e];
     full_in_ = Field(influence_.size());
     full_out_ = Field(influence_.size());
 }
@@ -131,7 +137,7 @@ bool SteadyRolling::iterate(int iterations) {
 }
 
 double SteadyRolling::relative_step() const {
-    const double change = inner(step_, step_), zero = negligible * negligible * dot(g_, g_);
+    const double change = inner(step_, step_), zero = negligible * negligible * squared_bound_;
     return change > 0 ? std::sqrt(change / std::max({inner(p_, p_), change, zero})) : 0;
 }
 
@@ -145,53 +151,25 @@ void SteadyRolling::report(double residual) {
 }
 
 double SteadyRolling::violation() const {
-    double sum = inner(r_, r_);
-    for (std::size_t e = 0; e < m_; ++e) {
-        if (!law_.slips[e]) continue;
-        const double push = (s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e]) / g_[e];
-        if (push > 0) sum += push * push;
-    }
+    const double sum = inner(r_, r_) + pushes(m_, law_.normal, s_);
     return sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) / rms_w_ : 0;
 }
 
 void SteadyRolling::linearise() {
+    linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.turning.data(), r_);
     const double stiff = stiff_self * self_ * sweep_.diagonal();
-    slipping_ = 0;
     for (std::size_t e = 0; e < m_; ++e) {
-        r_.x[e] = -s_.x[e];
-        r_.y[e] = -s_.y[e];
-        law_.turning[e] = 0;
-        if (law_.slips[e]) {
-            ++slipping_;
-            law_.tangent.x[e] = -p_.y[e] / g_[e];
-            law_.tangent.y[e] = p_.x[e] / g_[e];
-            const double work = s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e];
-            law_.turning[e] = std::max(-work / (g_[e] * g_[e]), 0.0);
-        }
         weight_[e] = stiff / (stiff + law_.turning[e]);
+        diagonal_[e] = (1 - weight_[e] * weight_[e]) / (sweep_self * self_);
     }
-    law_.project(r_);
+    slipping_ = static_cast<std::size_t>(std::count(law_.slips.begin(), law_.slips.end(), 1));
     sweep_.linearise(law_, sweep_self * self_);
 }
 
 void SteadyRolling::linearise_history() {
     const auto image = [this](const FieldView& step, const FieldView& response, const FieldView& result) {
-        double inside = 0, against = 0;
-        for (std::size_t e = 0; e < m_; ++e) {
-            if (!law_.slips[e]) {
-                result.x[e] = response.x[e];
-                result.y[e] = response.y[e];
-                inside += step.x[e] * step.x[e] + step.y[e] * step.y[e];
-                continue;
-            }
-            const double tx = law_.tangent.x[e], ty = law_.tangent.y[e];
-            const double along = step.x[e] * tx + step.y[e] * ty, across = step.x[e] * ty - step.y[e] * tx;
-            const double value = response.x[e] * tx + response.y[e] * ty + law_.turning[e] * along;
-            result.x[e] = value * tx;
-            result.y[e] = value * ty;
-            inside += along * along;
-            against += across * across;
-        }
+        jacobian_times(m_, law_.normal, law_.turning.data(), step, response, result);
+        const auto [inside, against] = step_parts(m_, law_.normal, step);
         if (against <= far_off * (inside + against)) return;
         std::fill_n(result.x, m_, 0.0);
         std::fill_n(result.y, m_, 0.0);
@@ -217,12 +195,18 @@ void SteadyRolling::find_step() {
 }
 
 void SteadyRolling::precondition(const Field& r, Field& z) {
-    divide_by_influence(r, z);
-    sweep_.solve(z, z);
-    if (static_cast<double>(slipping_) > mostly_slip * static_cast<double>(m_)) return;
-    sweep_.solve(r, swept_);
-    divide_by_influence(swept_, swept_);
-    law_.project(swept_);
+    const bool mostly_slips = static_cast<double>(slipping_) > mostly_slip * static_cast<double>(m_);
+    const bool both = !mostly_slips || history_.size() == 0, sweep_first = evidence_.iterations % 2 == 1;
+    if (both || !sweep_first) {
+        divide_by_influence(r, z);
+        sweep_.solve(z, z);
+        if (!both) return;
+    }
+    Field& swept = both ? swept_ : z;
+    sweep_.solve(r, swept);
+    divide_by_influence(swept, swept);
+    law_.project(swept);
+    if (!both) return;
     for (std::size_t e = 0; e < m_; ++e) {
         z.x[e] = 0.5 * (z.x[e] + swept_.x[e]);
         z.y[e] = 0.5 * (z.y[e] + swept_.y[e]);
@@ -236,9 +220,8 @@ void SteadyRolling::divide_by_influence(const Field& r, Field& q) {
     }
     influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
     for (std::size_t e = 0; e < m_; ++e) {
-        const double rest = (1 - weight_[e] * weight_[e]) / (sweep_self * self_);
-        q.x[e] = weight_[e] * full_out_.x[contact_.elements[e]] + rest * r.x[e];
-        q.y[e] = weight_[e] * full_out_.y[contact_.elements[e]] + rest * r.y[e];
+        q.x[e] = weight_[e] * full_out_.x[contact_.elements[e]] + diagonal_[e] * r.x[e];
+        q.y[e] = weight_[e] * full_out_.y[contact_.elements[e]] + diagonal_[e] * r.y[e];
     }
 }
 
@@ -249,11 +232,7 @@ void SteadyRolling::take_step() {
     std::copy(s_.x.begin(), s_.x.end(), response.x);
     std::copy(s_.y.begin(), s_.y.end(), response.y);
     std::copy(law_.slips.begin(), law_.slips.end(), before_.begin());
-    for (std::size_t e = 0; e < m_; ++e) {
-        p_.x[e] += step_.x[e];
-        p_.y[e] += step_.y[e];
-        if (law_.slips[e] || size(e) > g_[e] * (1 + on_bound)) let_slip(e);
-    }
+    move_tractions(m_, step_, g_.data(), on_bound, p_, law_.slips.data());
     update_slip();
     const double push = accepted_push * settings_.tolerance * rms_w_;
     for (std::size_t e = 0; e < m_; ++e) {

@@ -47,7 +47,8 @@ class SteadyRolling {
     void find_step();
     // z ~ J^-1 r. Where the contact has a leading edge but no trailing one, C = A T with T p = p(x) - p(x + step), and
     // C^-1 = T^-1 A^-1; where it has a trailing edge only it is A^-1 T^-1. Adhesion has both, and the mean of the two
-    // serves it twice as well as either alone; slip does not care.
+    // serves it twice as well as either alone, the more so for the first step, whose residual is smooth up to the
+    // edges. Slip does not care: where it prevails the two take turns.
     void precondition(const Field& r, Field& z);
     // q ~ A^-1 r where turning is easy, r over A's diagonal where it is not.
     void divide_by_influence(const Field& r, Field& q);
@@ -69,9 +70,11 @@ class SteadyRolling {
     Linearisation law_;
     SolverEvidence evidence_;
     Field p_, s_, r_, rest_, step_, z_, swept_, full_in_, full_out_;
-    std::vector<char> before_;    // the division before the last step
-    std::vector<double> weight_;  // of A^-1 in the preconditioner, per element
-    std::size_t slipping_ = 0;    // elements
+    std::vector<char> before_;               // the division before the last step
+    std::vector<double> weight_, diagonal_;  // of A^-1 in the preconditioner and of what stands in for it, per element
+    std::vector<double> inverse_g_;
+    double squared_bound_;      // sum of g^2
+    std::size_t slipping_ = 0;  // elements
     bool division_changed_ = false;
     double turned_ = 0;  // relative change of the tractions since the history was linearised
     double best_ = std::numeric_limits<double>::infinity(), first_ = 0;

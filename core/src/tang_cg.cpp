@@ -22,6 +22,7 @@ constexpr double stale_at_start = 1e-2;
 // The preconditioner's mean, tuned on the spectra of Cattaneo shifts and spin: condition numbers of 3 to 4 for any part
 // of slip. In units of the influence of an element on itself: the turning term at which A and D have equal say, and
 // what neighbours add to the diagonal where D rules.
+constexpr double few = 3e-3;  // part of the contact whose change of division leaves the directions conjugate enough
 constexpr double soft = 3;
 constexpr double start_self = 8;  // stiffness that turns slip into traction for the first division
 
@@ -37,9 +38,10 @@ TangCg::TangCg(const InfluenceOperator& influence, const Contact& contact, const
       observer_(observer),
       m_(contact.size()),
       self_(0.5 * (influence.diagonal(Axis::x) + influence.diagonal(Axis::y))) {
-    for (Field* field : {&p_, &s_, &r_, &z_, &v_, &q_, &jv_, &tangent_}) *field = Field(m_);
+    for (Field* field : {&p_, &s_, &r_, &z_, &v_, &q_, &jv_, &normal_}) *field = Field(m_);
     for (Values* values : {&turning_, &scale_, &diagonal_, &inverse_g_}) values->resize(m_);
     slips_.resize(m_);
+    squared_bound_ = dot(g_, g_);
     full_in_ = Field(influence.size());
     full_out_ = Field(influence.size());
     for (std::size_t e = 0; e < m_; ++e) {
@@ -138,61 +140,33 @@ void TangCg::update_slip_distance() {
 }
 
 double TangCg::relative_to_traction(double change_squared) const {
-    const double zero = negligible * negligible * dot(g_, g_);
+    const double zero = negligible * negligible * squared_bound_;
     return change_squared > 0 ? std::sqrt(change_squared / std::max(inner(p_, p_), zero)) : 0;
 }
 
-void TangCg::project(Field& a, std::size_t e) const {
-    const double along = a.x[e] * tangent_.x[e] + a.y[e] * tangent_.y[e];
-    a.x[e] = along * tangent_.x[e];
-    a.y[e] = along * tangent_.y[e];
-}
-
 void TangCg::linearise() {
+    linearise_law(m_, slips_.data(), p_, s_, inverse_g_.data(), normal_, turning_.data(), r_);
     const double to_self = 1 / self_;
     for (std::size_t e = 0; e < m_; ++e) {
-        r_.x[e] = -s_.x[e];
-        r_.y[e] = -s_.y[e];
-        scale_[e] = 1;
-        diagonal_[e] = 0;
-        if (slips_[e]) {
-            tangent_.x[e] = -p_.y[e] * inverse_g_[e];
-            tangent_.y[e] = p_.x[e] * inverse_g_[e];
-            project(r_, e);
-            turning_[e] = std::max(-work(e) * inverse_g_[e] * inverse_g_[e], 0.0);
-            const double part = 1 / (soft + turning_[e] * to_self);
-            scale_[e] = soft * part;
-            diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self;
-        }
+        const double part = 1 / (soft + turning_[e] * to_self);
+        scale_[e] = soft * part;
+        diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self;
+    }
+    for (std::size_t e = 0; e < m_; ++e) {
         full_in_.x[contact_.elements[e]] = scale_[e] * r_.x[e];
         full_in_.y[contact_.elements[e]] = scale_[e] * r_.y[e];
     }
     influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    double square = 0;
-    for (std::size_t e = 0; e < m_; ++e) {
-        z_.x[e] = scale_[e] * full_out_.x[contact_.elements[e]] + diagonal_[e] * r_.x[e];
-        z_.y[e] = scale_[e] * full_out_.y[contact_.elements[e]] + diagonal_[e] * r_.y[e];
-        if (slips_[e]) project(z_, e);
-        square += z_.x[e] * z_.x[e] + z_.y[e] * z_.y[e];
-    }
-    error_ = relative_to_traction(square);
+    contact_.gather(full_out_.x, z_.x);
+    contact_.gather(full_out_.y, z_.y);
+    error_ = relative_to_traction(combine(m_, scale_.data(), diagonal_.data(), r_, normal_, z_));
 }
 
 double TangCg::step() {
     const double slope = choose_direction();
-    influence_.tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    double curvature = 0;
-    for (std::size_t e = 0; e < m_; ++e) {
-        jv_.x[e] = q_.x[e] = full_out_.x[contact_.elements[e]];
-        jv_.y[e] = q_.y[e] = full_out_.y[contact_.elements[e]];
-        if (slips_[e]) {
-            project(jv_, e);
-            jv_.x[e] += turning_[e] * v_.x[e];
-            jv_.y[e] += turning_[e] * v_.y[e];
-        }
-        curvature += v_.x[e] * jv_.x[e] + v_.y[e] * jv_.y[e];
-    }
-    curvature_ = curvature;
+    apply(v_, q_);
+    jacobian_times(m_, normal_, turning_.data(), v_, q_, jv_);
+    curvature_ = inner(v_, jv_);
     if (!(slope > 0 && curvature_ > 0)) {  // nothing left to do, or a table that is not positive
         steps_ = 0;
         return 0;
@@ -203,47 +177,26 @@ double TangCg::step() {
 
 double TangCg::choose_direction() {
     double beta = steps_ > 0 ? -inner(z_, jv_) / curvature_ : 0;
-    for (;; beta = 0) {
-        double slope = 0;
-        for (std::size_t e = 0; e < m_; ++e) {
-            v_.x[e] = z_.x[e] + beta * v_.x[e];
-            v_.y[e] = z_.y[e] + beta * v_.y[e];
-            if (slips_[e]) project(v_, e);
-            slope += r_.x[e] * v_.x[e] + r_.y[e] * v_.y[e];
-            full_in_.x[contact_.elements[e]] = v_.x[e];
-            full_in_.y[contact_.elements[e]] = v_.y[e];
-        }
-        if (slope > 0 || beta == 0) return slope;
-    }
+    double slope = next_direction(m_, z_, beta, normal_, r_, v_);
+    if (!(slope > 0) && beta != 0) slope = next_direction(m_, z_, 0, normal_, r_, v_);
+    return slope;
 }
 
 double TangCg::move(double alpha) {
-    double change = 0, scaling = 0;
-    for (std::size_t e = 0; e < m_; ++e) {
-        double x = p_.x[e] + alpha * v_.x[e], y = p_.y[e] + alpha * v_.y[e];
-        if (slips_[e]) {
-            const double length = std::sqrt(x * x + y * y), factor = g_[e] / length;
-            scaling += (length - g_[e]) * (length - g_[e]);
-            x *= factor;
-            y *= factor;
-        }
-        change += (x - p_.x[e]) * (x - p_.x[e]) + (y - p_.y[e]) * (y - p_.y[e]);
-        p_.x[e] = x;
-        p_.y[e] = y;
-        s_.x[e] += alpha * q_.x[e];
-        s_.y[e] += alpha * q_.y[e];
-    }
-    drift_ += relative_to_traction(scaling);
-    return relative_to_traction(change);
+    const MoveParts parts = move_along(m_, alpha, v_, q_, slips_.data(), g_.data(), p_, s_);
+    drift_ += relative_to_traction(parts.scaling);
+    return relative_to_traction(parts.change);
 }
 
 void TangCg::update_division(double update) {
     double change = 0;
+    std::size_t changed = 0;
     stands_ = true;
     for (std::size_t e = 0; e < m_; ++e) {
         if (slips_[e] || p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e] <= g_[e] * g_[e] * (1 + 2 * on_bound)) continue;
         change += let_slip(e);
         stands_ = false;
+        ++changed;
     }
     drift_ += relative_to_traction(change);
     if (!stands_) steps_since_change_ = 0;
@@ -251,9 +204,11 @@ void TangCg::update_division(double update) {
     released_ = ++steps_since_change_ >= steps_to_settle || update <= settings_.tolerance;
     if (released_) {
         steps_since_change_ = 0;
-        if (hold_pushed_back()) stands_ = false;
+        const std::size_t released = hold_pushed_back();
+        if (released > 0) stands_ = false;
+        changed += released;
     }
-    if (!stands_) steps_ = 0;
+    if (static_cast<double>(changed) > few * static_cast<double>(m_)) steps_ = 0;
 }
 
 void TangCg::refresh_if_stale(double update) {
@@ -269,14 +224,14 @@ bool TangCg::any_pushed_back() const {
     return false;
 }
 
-bool TangCg::hold_pushed_back() {
-    bool any = false;
+std::size_t TangCg::hold_pushed_back() {
+    std::size_t count = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         if (!is_pushed_back(e)) continue;
         slips_[e] = false;
-        any = true;
+        ++count;
     }
-    return any;
+    return count;
 }
 
 void TangCg::watch() {

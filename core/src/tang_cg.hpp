@@ -34,10 +34,8 @@ class TangCg {
     void update_slip_distance();
     double f() const { return 0.5 * (inner(p_, s_) + inner(p_, w_)); }
     double relative_to_traction(double change_squared) const;
-    // a -> (a . t) t in slip
-    void project(Field& a, std::size_t e) const;
 
-    // Residual, tangents and the term D = -(s . n)/g of the turning direction at the present tractions, and from them
+    // Residual, normals and the term D = -(s . n)/g of the turning direction at the present tractions, and from them
     // the preconditioned residual z ~ (A + D)^-1 r, which estimates the error: where A rules by the operator's own
     // preconditioner, scaled on both sides so that it stays symmetric and positive, where D rules by the diagonal, in
     // between by their mean.
@@ -56,7 +54,7 @@ class TangCg {
     // Slip along the traction, by more than rounding.
     bool is_pushed_back(std::size_t e) const { return slips_[e] && work(e) > noise_ * g_[e]; }
     bool any_pushed_back() const;
-    bool hold_pushed_back();
+    std::size_t hold_pushed_back();
     // Computes the slip distance anew when scaling has changed the tractions by more than the iteration has left to do.
     void refresh_if_stale(double update);
 
@@ -80,9 +78,10 @@ class TangCg {
     Observer& observer_;
     const std::size_t m_;
     const double self_;
-    double noise_ = 0;                  // of a slip distance
-    Field p_, s_, r_, z_, v_, q_, jv_;  // q = A v, jv = J v with J the reduced Jacobian
-    Field tangent_, full_in_, full_out_;
+    double squared_bound_ = 0;                                    // sum of g^2
+    double noise_ = 0;                                            // of a slip distance
+    Field p_, s_, r_, z_, v_, q_, jv_;                            // q = A v, jv = J v with J the reduced Jacobian
+    Field normal_, full_in_, full_out_;                           // p/g in slip, 0 in adhesion
     std::vector<double> turning_, scale_, diagonal_, inverse_g_;  // D, and the preconditioner's factors for A and D
     std::vector<char> slips_;
     Field best_p_, best_s_;

@@ -1,6 +1,7 @@
 #include "contactd/tangential.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact_elements.hpp"
 #include "restriction.hpp"
@@ -13,7 +14,9 @@ namespace {
 using Values = std::vector<double>;
 
 constexpr double coarse_tolerance = 3e-3;
-constexpr double poor_estimate = 0.3;  // relative error from which a coarser grid gives a better start
+// The relative error of an estimate from which a coarser grid gives a better start: the error of that falls with the
+// number of elements along the contact.
+constexpr double poor_estimate = 0.3, poor_times_elements = 8;
 
 struct Problem {
     Values bound, rigid_x, rigid_y;
@@ -70,7 +73,9 @@ TangentialSolution solve(const InfluenceOperator& influence, const Problem& prob
     const Contact contact(problem.bound, problem.rigid_x, problem.rigid_y);
     TangCg solver(influence, contact, settings, observer);
     const bool can_coarsen = influence.coarser() != nullptr && contact.size() > 0;
-    if (initial != nullptr && (solver.start(*initial) <= poor_estimate || !can_coarsen)) return solver.solve();
+    const double poor =
+        std::min(poor_estimate, poor_times_elements / std::sqrt(static_cast<double>(contact.size() + 1)));
+    if (initial != nullptr && (solver.start(*initial) <= poor || !can_coarsen)) return solver.solve();
     if (can_coarsen)
         solver.start(estimate_on_coarser_grid(influence, problem, settings, observer));
     else
@@ -91,7 +96,7 @@ TangentialSolution solve_tangential(const InfluenceOperator& influence, std::spa
     if (!initial_y.empty()) require_size(initial_y, influence.size(), "initial.traction_y");
     const Stopwatch stopwatch;
     const Restriction restriction(influence,
-                                  bounding_box(influence.extent(), [&](std::size_t i) { return bound[i] > 0; }));
+                                  bounding_box(influence.extent(), [&](std::size_t i) { return bound[i] > 0; }), false);
     const Problem problem{restriction.crop(bound), restriction.crop(rigid_x), restriction.crop(rigid_y)};
     const bool has_estimate = any(initial_x) || any(initial_y);
     const Field whole = full_size(initial_x, initial_y, influence.size());

@@ -187,6 +187,22 @@ TEST_CASE("small grids have no coarser operator", "[convolution]") {
     CHECK(influence.coarser() == nullptr);
 }
 
+TEST_CASE("a convenient box holds what is needed, with a margin where the contact may grow", "[convolution]") {
+    const ConvolutionOperator influence(half_space_pair(Grid::centred(40, 30, 0.1, 0.1), {200, 0.3}), 40, 30);
+    const ElementBox needed = GENERATE(ElementBox{3, 4, 11, 9}, ElementBox{29, 0, 11, 12}, ElementBox{20, 20, 1, 1});
+    for (const bool may_grow : {true, false}) {
+        const ElementBox box = influence.convenient_box(needed, may_grow);
+        CHECK(box.size() < influence.size());
+        CHECK((box.first_x >= 0 && box.first_x <= needed.first_x));
+        CHECK((box.first_y >= 0 && box.first_y <= needed.first_y));
+        CHECK((box.first_x + box.nx <= 40 && box.first_x + box.nx >= needed.first_x + needed.nx));
+        CHECK((box.first_y + box.ny <= 30 && box.first_y + box.ny >= needed.first_y + needed.ny));
+        if (may_grow) CHECK((box.nx >= needed.nx + 2 && box.ny >= needed.ny + 2));
+    }
+    CHECK(influence.convenient_box({}, false).size() > 0);
+    CHECK(influence.convenient_box({1, 1, 39, 29}, false) == influence.extent());
+}
+
 TEST_CASE("convolution refuses a table that is too small", "[convolution]") {
     const IcTable table = half_space_pair(Grid::centred(5, 5, 1, 1), {1, 0.3});
     CHECK_THROWS_AS(ConvolutionOperator(table, 6, 5), InvalidArgument);

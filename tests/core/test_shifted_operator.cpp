@@ -135,3 +135,16 @@ TEST_CASE("coarser shifted operator stands for elements of twice the size", "[sh
 TEST_CASE("small grids have no coarser shifted operator", "[shifted]") {
     CHECK(ShiftedOperator(random_table(10, 1)).coarser() == nullptr);
 }
+
+TEST_CASE("shifted operator on a box takes the offsets that fit into it", "[shifted]") {
+    const ShiftedTable table = random_table(9, 8);
+    const auto part = ShiftedOperator(table).restricted({2, 1, 6, 5});
+    REQUIRE(part->size() == 30);
+    const Values p = random_values(30, 4), none(30);
+    Values ux(30), uy(30);
+
+    part->tangential(p, none, ux, uy);
+
+    check_equal(ux, dense_product(cropped(table, 6, 5), Axis::x, Axis::x, p));
+    check_equal(uy, dense_product(cropped(table, 6, 5), Axis::y, Axis::x, p));
+}

@@ -38,7 +38,7 @@ class ConvolutionOperator final : public InfluenceOperator {
     void copy_from_coarser(std::span<const double> coarse, std::span<double> fine) const override;
     int elements_per_coarser() const override;
     ElementBox extent() const override;
-    ElementBox convenient_box(const ElementBox& needed) const override;
+    ElementBox convenient_box(const ElementBox& needed, bool may_grow) const override;
     /// Operators of the same size share one; the last few sizes are kept.
     std::shared_ptr<const InfluenceOperator> restricted(const ElementBox& box) const override;
 

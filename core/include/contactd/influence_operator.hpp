@@ -70,9 +70,9 @@ class InfluenceOperator {
 
     /// All elements, as a rectangle.
     virtual ElementBox extent() const { return {0, 0, static_cast<int>(size()), 1}; }
-    /// A box around `needed` on which products are cheap: a little larger, so that few sizes occur; extent() when
-    /// nothing is gained.
-    virtual ElementBox convenient_box(const ElementBox& /*needed*/) const { return extent(); }
+    /// A box around `needed` on which products are cheap: a little larger, so that few sizes occur, and with a margin
+    /// where the contact may grow; extent() when nothing is gained.
+    virtual ElementBox convenient_box(const ElementBox& /*needed*/, bool /*may_grow*/) const { return extent(); }
     /// The same bodies on the elements of a box within extent(), for problems whose tractions vanish elsewhere; its
     /// element order is that of the box. Null when this operator cannot be restricted. Results depend on the box alone,
     /// not on what was asked for before.

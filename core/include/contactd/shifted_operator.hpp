@@ -10,6 +10,7 @@
 #include "contactd/grid.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/influence_operator.hpp"
 
 namespace contactd {
 
@@ -81,6 +82,9 @@ class ShiftedOperator {
     bool coupled() const;
     /// ux = A'_xz pz, uy = A'_yz pz
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const;
+
+    /// The same on the elements of a box, as InfluenceOperator::restricted.
+    std::shared_ptr<const ShiftedOperator> restricted(const ElementBox& box) const;
 
     /// The same shift (in mm) on the grid of ConvolutionOperator::coarser(), or null where that is null.
     const ShiftedOperator* coarser() const;

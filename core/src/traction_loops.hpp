@@ -1,0 +1,59 @@
+// The loops of the tangential solvers over the elements in contact, free of branches. Arrays have m values; those of
+// one call do not overlap. n is the direction of the traction, p/g, in slip and zero in adhesion, so that projecting on
+// what is free, a - (a . n) n, needs no branch.
+#pragma once
+
+#include <cstddef>
+
+namespace contactd {
+
+struct Vectors {
+    const double *x, *y;
+};
+struct MutableVectors {
+    double *x, *y;
+    operator Vectors() const { return {x, y}; }
+};
+
+/// a . b; the order of the sums is always the same.
+double dot_product(std::size_t m, const double* a, const double* b);
+/// to += factor a + other b
+void add_two(std::size_t m, double factor, const double* a, double other, const double* b, double* to);
+
+/// a -> a - (a . n) n
+void project_out(std::size_t m, Vectors n, MutableVectors a);
+
+/// n, the turning stiffness D = max(-s . n, 0)/g, and the residual r = -s projected.
+void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const double* inverse_g, MutableVectors n,
+                   double* turning, MutableVectors r);
+
+/// What the Jacobian makes of a step with a known response: the response projected, plus D times the step projected.
+void jacobian_times(std::size_t m, Vectors n, const double* turning, Vectors step, Vectors response,
+                    MutableVectors image);
+
+/// Squares of a step along and across what is free.
+struct StepParts {
+    double inside = 0, against = 0;
+};
+StepParts step_parts(std::size_t m, Vectors n, Vectors step);
+
+/// The sum over slip of the squares of s . n where that is positive: slip along the traction.
+double pushes(std::size_t m, Vectors n, Vectors s);
+
+/// p += step; where it slips or is longer than g (1 + on_bound) it is brought to g, and slips.
+void move_tractions(std::size_t m, Vectors step, const double* g, double on_bound, MutableVectors p, char* slips);
+
+/// z -> scale z + diagonal r, projected; returns the sum of its squares.
+double combine(std::size_t m, const double* scale, const double* diagonal, Vectors r, Vectors n, MutableVectors z);
+
+/// v -> z + beta v, projected; returns r . v.
+double next_direction(std::size_t m, Vectors z, double beta, Vectors n, Vectors r, MutableVectors v);
+
+/// p += alpha v, in slip brought to g; s += alpha q. Returns the squares of the change and of what scaling did.
+struct MoveParts {
+    double change = 0, scaling = 0;
+};
+MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const char* slips, const double* g,
+                     MutableVectors p, MutableVectors s);
+
+}  // namespace contactd
