@@ -41,6 +41,15 @@ struct Contact {
     void scatter(const std::vector<double>& from, std::vector<double>& to) const {
         for (std::size_t e = 0; e < size(); ++e) to[elements[e]] = from[e];
     }
+    /// out = `influence` times in, tangential components; the full fields are scratch of the grid's size, zero outside.
+    template <class Influence>
+    void product(const Influence& influence, const Field& in, Field& full_in, Field& full_out, Field& out) const {
+        scatter(in.x, full_in.x);
+        scatter(in.y, full_in.y);
+        influence.tangential(full_in.x, full_in.y, full_out.x, full_out.y);
+        gather(full_out.x, out.x);
+        gather(full_out.y, out.y);
+    }
     void gather(std::span<const double> from, std::vector<double>& to) const {
         for (std::size_t e = 0; e < size(); ++e) to[e] = from[elements[e]];
     }

@@ -100,11 +100,7 @@ void SteadyRolling::let_slip(std::size_t e) {
 }
 
 void SteadyRolling::apply(const Field& in, Field& out) {
-    contact_.scatter(in.x, full_in_.x);
-    contact_.scatter(in.y, full_in_.y);
-    change_.tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    contact_.gather(full_out_.x, out.x);
-    contact_.gather(full_out_.y, out.y);
+    contact_.product(change_, in, full_in_, full_out_, out);
 }
 
 void SteadyRolling::update_slip() {

@@ -122,11 +122,7 @@ double TangCg::let_slip(std::size_t e) {
 }
 
 void TangCg::apply(const Field& in, Field& out) {
-    contact_.scatter(in.x, full_in_.x);
-    contact_.scatter(in.y, full_in_.y);
-    influence_.tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    contact_.gather(full_out_.x, out.x);
-    contact_.gather(full_out_.y, out.y);
+    contact_.product(influence_, in, full_in_, full_out_, out);
 }
 
 void TangCg::update_slip_distance() {

@@ -58,7 +58,7 @@ struct ContactProblem {
     std::optional<Friction> friction;            ///< absent: frictionless
     PreviousState previous;                      ///< where a shift or a transient step starts
     SolverSettings normal_settings{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
-    SolverSettings tangential_settings;          ///< ||p_t - p_t,old|| / ||p_t||
+    SolverSettings tangential_settings;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
     SolverSettings outer_settings{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
     std::vector<double> initial_pressure;        ///< empty, or an estimate, shape [ny, nx]
     std::vector<double> initial_traction_x, initial_traction_y;  ///< empty, or estimates

@@ -14,7 +14,9 @@ namespace contactd {
 struct TangentialSolution {
     std::vector<double> traction_x, traction_y;  ///< (N/mm^2), 0 outside contact
     std::vector<ElementState> element_division;
-    SolverEvidence evidence;  ///< residual: ||p_new - p|| / ||p_new|| (section 4.2)
+    /// residual: the larger of ||p_new - p|| / ||p_new|| (section 4.2) and the estimated error, the preconditioned
+    /// residual relative to the tractions: a small update alone may only mean slow progress.
+    SolverEvidence evidence;
 };
 
 /// A shift problem: slip s = A_t p + w per element; s = 0 and |p| <= g in adhesion, |p| = g and s opposite to p in
