@@ -3,6 +3,7 @@
 Machines are noisy and differ: compare the ratios, not the times.
 
     ./dev bench [--quick] [--only PROGRAM ...] [--json FILE]
+    ./dev bench --service what the daemon adds to a solve, and solves per second with one worker and two
     ./dev bench --plot    cost against grid size instead: docs/performance.csv and docs/performance.png (some minutes)
 """
 
@@ -19,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import scaling
+import service
 from contactd.daemon import LocalDaemon
 
 PROGRAMS = ["bench_core", "bench_rolling", "bench_contact", "bench_quick", "bench_fem", "bench_request"]
@@ -88,10 +90,14 @@ def main() -> int:
     parser.add_argument("--bin", type=Path, required=True, help="folder with the programs")
     parser.add_argument("--quick", action="store_true", help="shorter runs, more noise")
     parser.add_argument("--only", nargs="+", choices=PROGRAMS, metavar="PROGRAM", help=f"of {', '.join(PROGRAMS)}")
+    parser.add_argument("--service", action="store_true", help="latency and throughput of the daemon instead")
     parser.add_argument("--plot", action="store_true", help="cost against grid size, for docs/performance.md")
     parser.add_argument("--json", type=Path, help="write the rows to this file, too")
     arguments = parser.parse_args()
 
+    if arguments.service:
+        service.report(arguments.bin, arguments.quick, arguments.json)
+        return 0
     environment = dict(os.environ)
     if arguments.plot:
         scaling.write(run(arguments.bin / "bench_scaling", arguments.quick, environment))

@@ -61,6 +61,7 @@ Config config_from_json(const json& given) {
                      limits["max_array_elements"]};
     config.max_grid_elements = limits["max_grid_elements"];
     config.max_queue = limits["max_queue"];
+    config.max_outbox_bytes = limits["max_outbox_bytes"];
     config.log = {all["log"]["level"], all["log"]["file"].get<std::string>()};
     return config;
 }
@@ -96,7 +97,8 @@ json to_json(const Config& config) {
               {"max_message_bytes", config.limits.max_message_bytes},
               {"max_array_elements", config.limits.max_array_elements},
               {"max_grid_elements", config.max_grid_elements},
-              {"max_queue", config.max_queue}}},
+              {"max_queue", config.max_queue},
+              {"max_outbox_bytes", config.max_outbox_bytes}}},
             {"log", {{"level", config.log.level}, {"file", config.log.file.string()}}}};
 }
 

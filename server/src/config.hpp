@@ -29,6 +29,7 @@ struct Config {
     proto::Limits limits;
     std::size_t max_grid_elements;
     std::size_t max_queue;
+    std::size_t max_outbox_bytes;
     struct {
         std::string level;
         std::filesystem::path file;

@@ -27,7 +27,8 @@ namespace {
 constexpr std::size_t small_envelope = 64 << 10;
 constexpr int messages_per_turn = 64;
 constexpr int queue_retry_ms = 500;
-constexpr int backlog_poll_ms = 20;
+constexpr int messages_in_socket = 32;
+constexpr int backlog_poll_ms = 5;
 constexpr int linger_ms = 500;
 
 constexpr std::string_view ipc_prefix = "ipc://";
@@ -78,9 +79,12 @@ Endpoint::Endpoint(const Config& config, Service& service)
     : config_(config),
       service_(service),
       socket_(context_, zmq::socket_type::router),
-      outbox_(socket_, 2 * config.limits.max_message_bytes) {
+      outbox_(socket_, config.max_outbox_bytes) {
     socket_.set(zmq::sockopt::router_mandatory, true);
     socket_.set(zmq::sockopt::linger, linger_ms);
+    // ZeroMQ counts messages, not bytes: what it holds for each client must be few, so that our budgets mean something.
+    socket_.set(zmq::sockopt::sndhwm, messages_in_socket);
+    socket_.set(zmq::sockopt::rcvhwm, messages_in_socket);
     // A frame above this costs its sender the connection, without a word; up to it we can answer in words.
     socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(2 * config.limits.max_frame_bytes));
     bind(socket_, config.endpoint);

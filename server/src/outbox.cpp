@@ -2,14 +2,18 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <iterator>
+#include <utility>
 
 namespace contactd::server {
 namespace {
 
+/// With what keeping it costs, so that empty answers count too.
 std::size_t bytes_of(const Answer& answer) {
-    std::size_t bytes = answer.envelope.size();
-    for (const auto& frame : answer.frames) bytes += frame.size();
+    std::size_t bytes = sizeof answer + answer.route.identity.size() + answer.envelope.size();
+    for (const auto& frame : answer.frames) bytes += sizeof frame + frame.size();
     return bytes;
 }
 
@@ -35,34 +39,45 @@ Outbox::Sent Outbox::try_send(const Answer& answer) {
 }
 
 void Outbox::send(Answer answer) {
-    const auto backlog = backlogs_.find(answer.route.identity);
-    if (backlog == backlogs_.end()) {
+    if (!backlogs_.contains(answer.route.identity)) {
         const Sent sent = try_send(answer);
         if (sent == Sent::never) spdlog::debug("answer dropped: its client has gone");
         if (sent != Sent::later) return;
     }
-    if (answer.is_progress) return;
+    if (!answer.is_progress) keep(std::move(answer));
+}
+
+void Outbox::keep(Answer answer) {
+    const std::size_t bytes = bytes_of(answer);
     Backlog& kept = backlogs_[answer.route.identity];
-    kept.bytes += bytes_of(answer);
-    if (kept.bytes > max_bytes_per_client_) {
-        spdlog::warn("answers dropped: a client does not read what it asked for");
-        backlogs_.erase(answer.route.identity);
-        return;
-    }
     kept.answers.push_back(std::move(answer));
+    kept.bytes += bytes;
+    bytes_ += bytes;
+    while (bytes_ > max_bytes_) {
+        const auto most = std::max_element(backlogs_.begin(), backlogs_.end(), [](const auto& a, const auto& b) {
+            return a.second.bytes < b.second.bytes;
+        });
+        spdlog::warn("{} answers dropped: a client does not read what it asked for", most->second.answers.size());
+        drop(most);
+    }
+}
+
+Outbox::Backlogs::iterator Outbox::drop(Backlogs::iterator client) {
+    bytes_ -= client->second.bytes;
+    return backlogs_.erase(client);
 }
 
 void Outbox::flush() {
     for (auto client = backlogs_.begin(); client != backlogs_.end();) {
         Backlog& kept = client->second;
         Sent sent = Sent::yes;
-        while (!kept.answers.empty() && sent == Sent::yes) {
-            sent = try_send(kept.answers.front());
-            if (sent != Sent::yes) break;
-            kept.bytes -= bytes_of(kept.answers.front());
+        while (!kept.answers.empty() && (sent = try_send(kept.answers.front())) == Sent::yes) {
+            const std::size_t bytes = bytes_of(kept.answers.front());
+            kept.bytes -= bytes;
+            bytes_ -= bytes;
             kept.answers.pop_front();
         }
-        client = kept.answers.empty() || sent == Sent::never ? backlogs_.erase(client) : std::next(client);
+        client = kept.answers.empty() || sent == Sent::never ? drop(client) : std::next(client);
     }
 }
 

@@ -24,6 +24,7 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
     CHECK(config.builds.program.filename() == "contactd-ic");
     CHECK(config.store.folder.filename() == "store");
     CHECK(config.max_queue == 256);
+    CHECK(config.max_outbox_bytes == 512u << 20u);
 }
 
 TEST_CASE("What is given wins over the defaults, the rest of its section keeps them") {

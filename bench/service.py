@@ -1,0 +1,131 @@
+"""What the daemon costs: latency of a request over the solve itself, and how solves per second grow with workers.
+
+    ./dev bench --service [--quick] [--json FILE]
+
+Latency is measured by bench_service. For the throughput one client keeps two requests for each worker on their way.
+"""
+
+from __future__ import annotations
+
+import json
+import statistics
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+
+import zmq
+
+from contactd.daemon import LocalDaemon
+
+#: One and two workers are measured in turns, so that what else the machine does disturbs both alike.
+ROUNDS = 7
+
+
+def solve(n: int) -> bytes:
+    """The paper's Cattaneo problem on n x n elements, as a request."""
+    params = {
+        "grid": {"nx": n, "ny": n, "dx": 2.4 / n, "dy": 2.4 / n},
+        "bodies": {"upper": {"G": 200, "nu": 0.42}},
+        "ics": {"source": "analytic"},
+        "gap": {"paraboloid": {"Rx": 50, "Ry": 50}},
+        "approach": 0.02,
+        "friction": {"mu": 0.4, "rigid_shift": [0.00817, 0]},
+    }
+    return json.dumps({"contactd": 1, "id": "s", "method": "contact.solve", "params": params}).encode()
+
+
+@contextmanager
+def connected(endpoint: str) -> Iterator[zmq.Socket[bytes]]:
+    with zmq.Context() as context, context.socket(zmq.DEALER) as socket:
+        socket.linger = 0
+        socket.rcvtimeo = 60_000
+        socket.connect(endpoint)
+        yield socket
+
+
+def answer(socket: zmq.Socket[bytes]) -> None:
+    envelope = json.loads(socket.recv_multipart()[0])
+    if envelope["status"]["code"] != 0:
+        raise RuntimeError(envelope["status"]["message"])
+
+
+def solves_per_second(socket: zmq.Socket[bytes], request: bytes, outstanding: int, seconds: float) -> float:
+    for _ in range(outstanding):
+        socket.send(request)
+    start = time.perf_counter()
+    count = 0
+    while time.perf_counter() - start < seconds:
+        answer(socket)
+        socket.send(request)
+        count += 1
+    took = time.perf_counter() - start
+    for _ in range(outstanding):
+        answer(socket)
+    return count / took
+
+
+def processor_seconds(pid: int) -> float:
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(") ")[2].split()
+    return (int(fields[11]) + int(fields[12])) / 100.0
+
+
+def throughput(binaries: Path, n: int, seconds: float) -> dict[str, Any]:
+    """Solves per second of one and of two workers, in turns."""
+    rates: dict[int, list[float]] = {1: [], 2: []}
+    processor: list[float] = []
+    with ExitStack() as stack:
+        daemons, sockets = {}, {}
+        for workers in rates:
+            daemons[workers] = stack.enter_context(LocalDaemon(binaries / "contactd", config={"workers": workers, "log": {"level": "warn"}}))
+            sockets[workers] = stack.enter_context(connected(daemons[workers].endpoint))
+            solves_per_second(sockets[workers], solve(n), 2 * workers, 0.2)  # tables, plans, threads
+        for _ in range(ROUNDS):
+            for workers, socket in sockets.items():
+                before, start = processor_seconds(daemons[workers].pid), time.perf_counter()
+                rates[workers].append(solves_per_second(socket, solve(n), 2 * workers, seconds))
+                if workers == 2:
+                    spent = processor_seconds(daemons[workers].pid) - before
+                    processor.append(spent / (time.perf_counter() - start))
+    ratios = [two / one for one, two in zip(rates[1], rates[2], strict=True)]
+    return {
+        "n": n, "one": max(rates[1]), "two": max(rates[2]), "best_over_best": max(rates[2]) / max(rates[1]),
+        "median_ratio": statistics.median(ratios), "ratios": ratios, "processors_used_by_two": statistics.median(processor),
+    }  # fmt: skip
+
+
+def latency(binaries: Path, rounds: int) -> list[dict[str, Any]]:
+    with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
+        endpoints = []
+        for name, endpoint in (("tcp", "tcp://127.0.0.1:*"), ("ipc", None)):
+            config: dict[str, Any] = {"workers": 2} | ({"endpoint": endpoint} if endpoint else {})
+            daemon = LocalDaemon(binaries / "contactd", folder=Path(folder) / name, config=config)
+            endpoints.append(stack.enter_context(daemon).endpoint)
+        ran = subprocess.run([str(binaries / "bench_service"), str(rounds), *endpoints], check=True, capture_output=True)
+    return json.loads(ran.stdout)
+
+
+def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
+    rows = latency(binaries, 200 if quick else 2000)
+    print(f"{'latency (ms, medians)':36} {'solve':>8} {'request':>8} {'overhead':>9} {'least':>7} {'echo':>7} {'health':>7}")
+    for row in rows:
+        name = f"{row['endpoint']}, {row['n']} x {row['n']}, {'shift' if row['friction'] else 'normal'}"
+        least = row["request"]["min"] - row["solve"]["min"]
+        print(
+            f"{name:36} {row['solve']['median']:8.3f} {row['request']['median']:8.3f} {row['overhead']['median']:9.3f} "
+            f"{least:7.3f} {row['echo']['median']:7.3f} {row['health']['median']:7.3f}"
+        )
+    print("overhead: median of request - solve; least: fastest request - fastest solve; echo: the same frames, bare ZeroMQ")
+    rates = [throughput(binaries, n, 0.5 if quick else 2.0) for n in (25, 160)]
+    print(f"\n{'throughput':36} {'1 worker':>9} {'2 workers':>10} {'best/best':>10} {'median':>7} {'processors':>11}")
+    for rate in rates:
+        print(
+            f"{rate['n']} x {rate['n']}, shift: solves/s".ljust(36)
+            + f" {rate['one']:9.1f} {rate['two']:10.1f} {rate['best_over_best']:10.2f} {rate['median_ratio']:7.2f}"
+            + f" {rate['processors_used_by_two']:11.2f}"
+        )
+    if json_file:
+        json_file.write_text(json.dumps({"latency": rows, "throughput": rates}, indent=1))

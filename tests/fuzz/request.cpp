@@ -1,0 +1,75 @@
+// A request as the daemon reads it, up to the problem to be solved: it is read, or refused with a status in words.
+#include "contactd/contact.hpp"
+#include "contactd/error.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/schema.hpp"
+#include "input.hpp"
+
+using namespace contactd;
+using namespace contactd::proto;
+
+namespace {
+
+constexpr std::size_t max_elements = 10'000;  // larger grids only cost time
+constexpr Limits limits{1u << 16, 64, 1u << 18, 20'000};
+
+void check_problem(const ContactProblem& problem) {
+    validate(problem);
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const nlohmann::json again = encode_problem(problem, arrays);
+    fuzz::require(violations_of("contact.solve.params", again).empty(), "what was read can be written as a request");
+}
+
+bool is_large(const nlohmann::json& params) {
+    const auto grid = params.find("grid");
+    if (grid == params.end()) return false;
+    return grid->at("nx").get<double>() * grid->at("ny").get<double>() > double(max_elements);
+}
+
+void decode(const Request& request) {
+    const nlohmann::json& params = request.params;
+    if (is_large(params)) return;
+    if (request.method == "ic.get") {
+        const IcSpec spec = decode_ic_spec(params);
+        validate(spec);
+        fuzz::require(violations_of("ic.get.params", encode_ic_spec(spec)).empty(), "a spec can be written again");
+    } else if (request.method == "ic.export") {
+        decode_ic_export(params);
+    } else if (request.method == "contact.solve") {
+        check_problem(decode_problem(params, request.frames));
+    } else if (request.method == "contact.solve_many") {
+        for (const auto& problem : params.at("problems"))
+            if (is_large(problem)) return;
+        for (const ProblemOrStatus& problem : decode_problems(params, request.frames, limits))
+            if (const auto* valid = std::get_if<ContactProblem>(&problem)) check_problem(*valid);
+    } else if (request.method == "contact.subsurface") {
+        decode_subsurface_request(params, request.frames, limits);
+    }
+}
+
+void check_status(const Status& status) {
+    fuzz::require(!status.ok() && !status.reason.empty(), "a refusal has a code and a reason");
+    fuzz::require(!status.message.empty() && status.message.size() < 20'000, "a refusal says why, and not at length");
+    fuzz::require(
+        violations_of("reply", {{"contactd", protocol_version}, {"id", "7f"}, {"status", to_json(status)}}).empty(),
+        "a refusal conforms to its schema");
+    (void)dump(to_json(status));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    fuzz::Input input = fuzz::split(fuzz::bytes_of(data, size));
+    std::string id;
+    try {
+        const Request request = parse_request(input.text, std::move(input.frames), limits, id);
+        check_params(request.method, request.params);
+        check_frames_used(request.params, request.frames);
+        decode(request);
+    } catch (const StatusError& error) {
+        check_status(error.status());
+    } catch (const InvalidArgument& error) {
+        fuzz::require(!error.field().empty(), "what is out of range is named");
+    }
+    return 0;
+}

@@ -1,0 +1,190 @@
+"""Writes what a fuzzer starts from: a dictionary of all words of the schemas, and good messages of every kind.
+
+    seeds.py FOLDER    writes FOLDER/json.dict and FOLDER/<target>/*
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import struct
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+ROOT = Path(__file__).parents[2]
+METHODS = sorted(path.name.removesuffix(".params.json") for path in (ROOT / "proto/schema").glob("*.params.json"))
+
+
+def words_of(schema: Any) -> Iterator[str]:
+    """Names of fields and values of enumerations, anywhere in a schema."""
+    if isinstance(schema, dict):
+        yield from schema.get("properties", {}) if isinstance(schema.get("properties"), dict) else ()
+        yield from (value for value in schema.get("enum", []) if isinstance(value, str))
+        for child in schema.values():
+            yield from words_of(child)
+    elif isinstance(schema, list):
+        for child in schema:
+            yield from words_of(child)
+
+
+def dictionary() -> str:
+    files = [*(ROOT / "proto/schema").glob("*.json"), ROOT / "configs/schema.json"]
+    words = {word for path in files for word in words_of(json.loads(path.read_text()))}
+    words |= {"$array", "<f8", "|u1", *METHODS}
+    tokens = [f'\\"{word}\\"' for word in sorted(words)]
+    tokens += ["{", "}", "[", "]", ":", ",", "null", "true", "false", "1e308", "1e-308", "1e999", "9223372036854775807"]
+    tokens += ["18446744073709551616", "-0", "NaN", r"\\u0000", r"\\ud800", r"\xef\xbb\xbf", r"\x00"]
+    return "".join(f'"{token}"\n' for token in tokens)
+
+
+def message(envelope: Any, *frames: bytes) -> bytes:
+    """As tests/fuzz/input.hpp reads it."""
+    return json.dumps(envelope).encode() + b"\0" + b"".join(struct.pack("<H", len(f)) + f for f in frames)
+
+
+def documented(method: str) -> Any:
+    """The request that docs/protocol.md shows for the method, or no parameters."""
+    text = (ROOT / "docs/protocol.md").read_text()
+    section = text.partition(f"### `{method}`")[2].partition("\n### ")[0]
+    block = re.search(r"(?:^ {4}.*\n)+", section, re.MULTILINE)
+    return json.loads(block.group()) if block and block.group().lstrip().startswith("{") else {}
+
+
+def array(frame: int, *shape: int) -> Any:
+    return {"$array": {"frame": frame, "dtype": "<f8", "shape": list(shape)}}
+
+
+def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
+    """Parameters of contact.solve that use every field, with their frames."""
+    base = {"grid": {"nx": 3, "ny": 2, "dx": 0.06, "dy": 0.06, "x0": -1, "y0": 0}}
+    bodies = {"upper": {"G": 200, "nu": 0.42}, "lower": {"rigid": True}}
+    ones = np.ones((2, 3)).tobytes()
+    rolling = {"xi": 1e-3, "eta": 0, "phi": 1e-4, "chi": 0.1, "dq": 0.05, "velocity": 3}
+    yield {
+        **base, "bodies": bodies, "ics": {"source": "analytic", "body": "half_space"}, "gap": {"array": array(1, 2, 3)}, "Fn": 2,
+        "friction": {"mu": array(2, 2, 3), "kinetic": {"law": "linear", "mu": 0.1, "slip_velocity": 3},
+                     "rolling": {**rolling, "kind": "transient", "steps": 3, "force": [None, 1.5]}},
+        "previous": {"pressure": array(1, 2, 3), "traction_x": array(2, 2, 3), "traction_y": array(1, 2, 3)},
+    }, [ones, ones]
+    table = np.zeros((3, 3, 2, 3))
+    table[range(3), range(3), 0, 0] = 1
+    yield {
+        **base, "ics": {"source": "table", "table": array(1, 3, 3, 2, 3), "dx": 0.06, "dy": 0.06},
+        "gap": {"semi_axes": {"a": 1, "b": 2}}, "approach": 0.01,
+        "friction": {"mu": 0.3, "rigid_shift": [1e-3, 0], "rotation": 0.1, "duration": 2, "force": [1, None]},
+        "settings": {name: {"tolerance": 1e-6, "max_iterations": 10} for name in ("normal", "tangential", "outer")},
+        "initial": {"pressure": [[0, 1, 0], [0, 1, 0]]},
+    }, [table.tobytes()]
+    for model in ("hertz", "fastsim"):
+        yield {**base, "bodies": bodies, "model": model, "gap": {"paraboloid": {"Rx": 5, "Ry": 50}}, "Fn": 1,
+               "friction": {"mu": 0.3, "rolling": rolling}}, []
+    ics = {"source": "fem", "mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 1.2, "L_over_h": 640, "t1_over_hs": 1,
+           "far_boundary": "clamped", "sampling": "linear", "solver": "amg_pcg", "stop_test": "update", "tolerance": 1e-8,
+           "max_iterations": 100, "strength_threshold": 0.5, "load_shape": "bilinear"}
+    yield {**base, "bodies": {"upper": {"G": 1, "nu": 0.3}}, "ics": ics, "gap": {"paraboloid": {"Rx": 5}}, "approach": 0}, []
+
+
+def requests() -> Iterator[bytes]:
+    def request(method: str, params: Any, *frames: bytes, **more: Any) -> bytes:
+        return message({"contactd": 1, "id": "7f", "method": method, "params": params, **more}, *frames)
+
+    for method in METHODS:
+        params = {"job": "build-3"} if method == "job.cancel" else documented(method)
+        yield request(method, params, timeout_ms=2000, arrays="list", metadata={"a": [1, None]})
+    for params, frames in solves():
+        yield request("contact.solve", params, *frames)
+        yield request("contact.solve_many", {"problems": [params, params]}, *frames)
+    field = {"grid": {"nx": 3, "ny": 2, "dx": 1, "dy": 1}, "nu": 0.3, "pressure": array(1, 2, 3)}
+    yield request("contact.subsurface", {**field, "points": array(2, 2, 3)}, bytes(48), np.full(6, -1.0).tobytes())
+
+
+def replies() -> Iterator[bytes]:
+    def reply(result: Any, *frames: bytes) -> bytes:
+        status = {"code": 0, "name": "OK", "message": ""}
+        return message({"contactd": 1, "id": "7f", "status": status, "result": result}, *frames)
+
+    yield message({"contactd": 1, "id": "7f", "progress": {"job": "build-3", "stage": "pcg", "fraction": 0.4, "iteration": 7, "residual": 1e-4}})
+    yield message({"contactd": 1, "id": None, "status": {
+        "code": 3, "name": "INVALID_ARGUMENT", "message": "x",
+        "details": {"reason": "FIELD_INVALID", "violations": [{"field": "a", "description": "b"}], "retry_delay_ms": 5}}})
+    load_case = {"load": "z", "iterations": 13, "residual": 3e-9, "converged": True, "seconds": 0.5, "update": 1e-9}
+    evidence = {
+        "source": "fem", "version": "1", "warnings": ["w"], "errors": {"zz": {"origin": -1e-3, "largest": 1e-2}, "scaled_xz": 1e-4},
+        "errors_estimated": False, "elements": 1, "dofs": 81, "processes": 1, "solver": "direct", "load_cases": [load_case],
+        "seconds": {"assembly": 0, "setup": 0, "solve": 0, "total": 0}, "family_nu": [0, 0.49], "interpolation_error": 1e-5,
+    }
+    use = {"origin": "closed_form", "key": "0" * 64, "evidence": evidence}
+    statistics = {"iterations": 1, "residual": 1e-9, "converged": True, "seconds": 0.1}
+    solution = {
+        "approach": 0.1, "forces": {"Fn": 1, "Fx": 0, "Fy": 0, "Mz": 0}, "pmax": 1,
+        "area": {"contact": 1, "adhesion": 0, "slip": 1}, "elements": {"contact": 1, "adhesion": 0, "slip": 1, "border": 0},
+        "element_division": {"$array": {"frame": 1, "dtype": "|u1", "shape": [1, 1]}}, "warnings": [], "converged": True,
+        **{name: array(2, 1, 1) for name in ("pressure", "traction_x", "traction_y")},
+        "evidence": {"normal": statistics, "ics": {"upper": use, "lower": use}},
+    }
+    yield reply(solution, b"\2", bytes(8))
+    yield reply({"solutions": [{"status": {"code": 0, "name": "OK", "message": ""}, "result": solution}]}, b"\2", bytes(8))
+    stress = {name: array(1, 1) for name in ("xx", "yy", "zz", "xy", "xz", "yz")}
+    largest = {"von_mises": 0, "x": 0, "y": 0, "z": -1, "depth": 1}
+    yield reply({"shape": [1], "stress": stress, "von_mises": array(1, 1), "largest": largest}, bytes(8))
+    spec = documented("ic.get")
+    yield reply({"key": "0" * 64, "origin": "built", "spec": spec, "table": array(1, 3, 3, 1, 1), "evidence": evidence}, bytes(72))
+
+
+def arrays() -> Iterator[bytes]:
+    numbers = np.arange(6.0).reshape(2, 3)
+    yield bytes([1, 2, 3]) + message(numbers.tolist())
+    yield bytes([1, 2, 3]) + message(array(1, 2, 3), numbers.tobytes())
+    yield bytes([1, 2, 3]) + message({"$array": {"frame": 2, "dtype": "|u1", "shape": [2, 3]}}, b"", bytes(range(6)))
+    yield bytes([0, 0]) + message([])
+    yield bytes([0, 0]) + message(array(1, 0), b"")
+
+
+def contact_texts() -> Iterator[bytes]:
+    header = "1 1 % tables\n0 312\n1 0\n2 2 0.5 0.25\n"
+    lines = [header]
+    for offset in (-1, 0, 1):
+        lines.append(f"% offset {offset}, times G = 2\n% ix x ...\n")
+        for ix in range(2):
+            odd = 0.1 * ix * offset
+            row = [1 / (1 + ix + abs(offset)), 0, 0, 0, 0.5, odd, 0, odd, 0.5]
+            lines.append(f"{ix} {ix * 0.5} " + " ".join(f"{value:.17e}".replace("e", "D") for value in row) + "\n")
+    text = "".join(lines)
+    yield b"\0" + text.encode()
+    yield b"\1" + text.replace("1 1 % tables", "a file by somebody else").replace("D", "E").replace("\n", "\r\n").encode()
+
+
+def configurations() -> Iterator[bytes]:
+    for path in sorted((ROOT / "configs").glob("*.json")):
+        if path.name != "schema.json":
+            yield path.read_bytes()
+
+
+def ic_files() -> Iterator[bytes]:
+    """The header of a file that is lost behind it; h5py makes an HDF5 file that is none of ours."""
+    header = b"contactd ic table, format 1, sha256 of the bytes after this block: " + b"0" * 64 + b"\n"
+    yield header.ljust(512, b"\0") + b"\x89HDF\r\n\x1a\n"
+    with h5py.File("strange", "w", driver="core", backing_store=False, userblock_size=512) as file:
+        file["a"] = 1
+        file.flush()
+        yield bytes(file.id.get_file_image())
+
+
+def main() -> None:
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "json.dict").write_text(dictionary())
+    kinds = {"request": requests, "reply": replies, "array": arrays, "contact_text": contact_texts, "config": configurations, "ic_file": ic_files}
+    for target, inputs in kinds.items():
+        (folder / target).mkdir(exist_ok=True)
+        for number, content in enumerate(inputs()):
+            (folder / target / f"seed-{number:02}").write_bytes(content)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,27 @@
+"""Short versions of ./dev load and ./dev load random: random messages, and good and bad clients at the same time."""
+
+import pytest
+
+from load import load, random_messages
+from load.workload import SMALL
+
+
+def test_every_random_message_gets_one_status(daemons):
+    daemon = daemons.start(**random_messages.CONFIG)
+    outcome = random_messages.run(daemon, count=2000, seed=20)
+    assert outcome.statuses["OK"] > 50
+    assert outcome.statuses["INVALID_ARGUMENT FIELD_INVALID"] > 200
+    assert outcome.statuses["INVALID_ARGUMENT ARRAY_INVALID"] > 10
+    growth = outcome.memory[-1] - outcome.memory[len(outcome.memory) // 2]
+    assert growth < 20 << 20, f"memory grew by {growth} bytes in the second half"
+
+
+@pytest.mark.parametrize("endpoint", ["tcp://127.0.0.1:*", None], ids=["tcp", "ipc"])
+def test_every_request_is_answered_once_and_rightly_beside_bad_clients(daemons, endpoint):
+    config = {"limits": {"max_outbox_bytes": 1 << 20}, **({"endpoint": endpoint} if endpoint else {})}
+    daemon = daemons.start(**config)
+    found = load.run(daemon, number=20, seconds=3, processes=2, in_threads=True)
+    assert found["problems"] == []
+    assert found["sent"] == found["answered"]
+    assert found["latency_ms"]["with bad citizens"][SMALL]["count"] > 10
+    assert all(sent > 0 for sent in found["bad_citizens_sent"].values())

@@ -1,0 +1,213 @@
+"""Random requests: made from the schemas that server.describe returns, then damaged."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+import struct
+from dataclasses import dataclass, field
+from typing import Any
+
+#: Values that are wrong nearly everywhere.
+ODD_VALUES: list[Any] = [
+    None, True, False, "", "text", "\u0000", "\ud83d\ude80", "e\u0301" * 40, "x" * 3000, -1, 0, 1, 0.5, -0.0, 5e-324, 1e308, 2**31, 2**53 + 1,
+    2**63, 10**30, [], {}, [[]], [None], [1, [2]], {"": 1}, {"$array": 1}, {"$array": {"frame": 1, "dtype": "<f8", "shape": [1]}},
+    {"$array": {"frame": 99, "dtype": ">i4", "shape": [-1, 2**40]}}, {"$ref": "#"}, {"nested": {"nested": {"nested": {}}}},
+]  # fmt: skip
+ODD_FRAMES = [b"", b"\0", b"x" * 7, struct.pack("<d", float("nan")), struct.pack("<d", float("inf")), b"\xff" * 800, bytes(5000)]
+MAX_DEPTH = 8
+MAX_BYTES = 100_000
+
+
+@dataclass
+class Message:
+    """A request before it is sent: the envelope as text, since damaged text is part of the game."""
+
+    text: bytes
+    frames: list[bytes] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        """Enough of it to find it again."""
+        return f"{self.text[:600]!r} ({len(self.text)} bytes), frames of {[len(frame) for frame in self.frames][:10]} bytes"
+
+
+class Messages:
+    """`document` is what server.describe returned."""
+
+    def __init__(self, document: dict[str, Any], seed: int) -> None:
+        self._schemas = document["components"]["schemas"]
+        self.methods = [method["name"] for method in document["methods"]]
+        self._random = random.Random(seed)
+        self._grid = (1, 1)
+        self._frames: list[bytes] = []
+
+    def next(self, name: str) -> Message:
+        """A request whose id is `name` unless the damage took it."""
+        while True:
+            message = self._next(name)
+            # Twice max_frame_bytes costs a sender its connection, which is another test.
+            if max(map(len, [message.text, *message.frames])) <= MAX_BYTES:
+                return message
+
+    def _next(self, name: str) -> Message:
+        choose = self._random
+        self._grid = (choose.randint(1, 6), choose.randint(1, 6))
+        self._frames = []
+        method = choose.choice(self.methods)
+        params = self.value({"$ref": f"#/components/schemas/{method}.params"})
+        envelope = {"contactd": 1, "id": name, "method": method, "params": params}
+        if choose.random() < 0.3:
+            envelope["arrays"] = choose.choice(["frame", "list"])
+        # A deadline, since small problems can take long, too: transient rolling of 100,000 steps.
+        envelope["timeout_ms"] = choose.choice([1, 50, 200, 1000])
+        frames = self._frames
+        for _ in range(choose.choice([0, 0, 1, 1, 2, 4])):
+            self.damage(envelope)
+        if choose.random() < 0.15:
+            self._damage_frames(frames)
+        text = json.dumps(envelope, ensure_ascii=choose.random() < 0.5).encode("utf-8", "surrogatepass")
+        if choose.random() < 0.1:
+            text = self._damaged_text(text)
+        return Message(text, frames)
+
+    # --- from the schemas ---------------------------------------------------------------------------------------------
+
+    def value(self, schema: Any, name: str = "", depth: int = 0) -> Any:
+        """A value that the schema would mostly take."""
+        choose = self._random
+        while isinstance(schema, dict) and "$ref" in schema:
+            schema = self._resolve(schema["$ref"])
+        if not isinstance(schema, dict) or depth > MAX_DEPTH:
+            return self._odd_value()
+        for key in ("oneOf", "anyOf"):
+            if key in schema and "properties" not in schema:
+                return self.value(choose.choice(schema[key]), name, depth + 1)
+        if "const" in schema:
+            return schema["const"]
+        if "enum" in schema:
+            return choose.choice(schema["enum"])
+        kinds = schema.get("type", "object" if "properties" in schema else "number")
+        kind = choose.choice(kinds) if isinstance(kinds, list) else kinds
+        if "$array" in schema.get("properties", {}) and kind in ("array", "object"):
+            return self._array()
+        match kind:
+            case "object":
+                return self._object(schema, depth)
+            case "array":
+                low = schema.get("minItems", 0)
+                count = choose.randint(low, max(low, min(schema.get("maxItems", 3), 3)))
+                return [self.value(schema.get("items", {}), name, depth + 1) for _ in range(count)]
+            case "string":
+                return "a" * max(1, schema.get("minLength", 1))
+            case "boolean":
+                return choose.random() < 0.5
+            case "null":
+                return None
+        return self._number(schema, name, kind == "integer")
+
+    def _resolve(self, reference: str) -> Any:
+        at: Any = {"components": {"schemas": self._schemas}}
+        for key in reference.removeprefix("#/").split("/"):
+            at = at[key.replace("~1", "/").replace("~0", "~")]
+        return at
+
+    def _object(self, schema: dict[str, Any], depth: int) -> dict[str, Any]:
+        choose = self._random
+        properties = schema.get("properties", {})
+        wanted = set(schema.get("required", []))
+        # Conditions ask for one field of several: "oneOf" of "required"; others are met by luck.
+        for alternatives in (schema.get("oneOf"), schema.get("anyOf")):
+            if alternatives:
+                wanted |= set(choose.choice(alternatives).get("required", []))
+        share = choose.choice([0.0, 0.2, 0.6])
+        wanted |= {name for name in sorted(properties) if choose.random() < share}
+        return {name: self.value(properties.get(name, {}), name, depth + 1) for name in sorted(wanted)}
+
+    def _number(self, schema: dict[str, Any], name: str, integer: bool) -> Any:
+        choose = self._random
+        if name in ("nx", "ny"):
+            return self._grid[name == "ny"]
+        low = schema.get("minimum", schema.get("exclusiveMinimum", -1e3))
+        high = schema.get("maximum", schema.get("exclusiveMaximum", 1e3))
+        if choose.random() < 0.1:
+            return choose.choice([low, high])
+        if integer:
+            return choose.randint(int(low), int(min(high, low + 20)))
+        return choose.uniform(low, min(high, low + choose.choice([0.5, 1.0, 100.0])))
+
+    def _array(self) -> Any:
+        nx, ny = self._grid
+        shape = self._random.choice([[ny, nx], [ny, nx], [ny, nx], [3, 3, ny, nx], [nx, 3], [nx]])
+        count = 1
+        for extent in shape:
+            count *= extent
+        values = [self._random.choice([0.0, 1.0, self._random.uniform(-1, 1)]) for _ in range(count)]
+        if self._random.random() < 0.3:
+            nested: Any = values
+            for extent in reversed(shape[1:]):
+                nested = [nested[at : at + extent] for at in range(0, len(nested), extent)]
+            return nested
+        self._frames.append(struct.pack(f"<{count}d", *values))
+        return {"$array": {"frame": len(self._frames), "dtype": "<f8", "shape": shape}}
+
+    # --- damage -------------------------------------------------------------------------------------------------------
+
+    def damage(self, envelope: dict[str, Any]) -> None:
+        """Replaces, removes, adds or doubles one value somewhere, mostly among the parameters."""
+        choose = self._random
+        places: list[tuple[Any, Any]] = []
+        params = envelope.get("params")
+        only_params = isinstance(params, dict | list) and params and choose.random() < 0.7
+        self._collect(params if only_params else envelope, places)
+        parent, key = choose.choice(places)
+        match choose.randrange(5):
+            case 0:
+                del parent[key]
+            case 1 if isinstance(parent, dict):
+                parent[choose.choice(["extra", "", "nx", "$array", "params", "\u00e9" * 50])] = self._odd_value()
+            case 2 if isinstance(parent, list):
+                parent.extend([copy.deepcopy(parent[key])] * choose.choice([1, 2, 50]))
+            case 3 if isinstance(parent[key], int | float) and not isinstance(parent[key], bool):
+                parent[key] = choose.choice([-parent[key], parent[key] * 1e6, parent[key] + 0.5, str(parent[key])])
+            case _:
+                parent[key] = self._odd_value()
+
+    def _odd_value(self) -> Any:
+        return copy.deepcopy(self._random.choice(ODD_VALUES))
+
+    def _collect(self, node: Any, places: list[tuple[Any, Any]]) -> None:
+        keys = list(node) if isinstance(node, dict) else range(len(node))
+        for key in keys:
+            places.append((node, key))
+            if isinstance(node[key], dict | list):
+                self._collect(node[key], places)
+
+    def _damage_frames(self, frames: list[bytes]) -> None:
+        choose = self._random
+        match choose.randrange(4):
+            case 0 if frames:
+                del frames[choose.randrange(len(frames))]
+            case 1 if frames:
+                at = choose.randrange(len(frames))
+                frames[at] = frames[at][: choose.randrange(len(frames[at]) + 1)]
+            case 2:
+                frames.extend([choose.choice(ODD_FRAMES)] * choose.choice([1, 1, 2, 20]))
+            case _:
+                frames.insert(choose.randrange(len(frames) + 1), choose.choice(ODD_FRAMES))
+
+    def _damaged_text(self, text: bytes) -> bytes:
+        choose = self._random
+        at = choose.randrange(len(text) + 1)
+        match choose.randrange(6):
+            case 0:
+                return text[:at]
+            case 1:
+                return text[:at] + bytes([choose.randrange(256)]) + text[at + 1 :]
+            case 2:
+                return text[:at] + choose.choice([b"[", b"{", b"NaN", b"1e999", b"\xff\xfe", b"\xed\xa0\x80", b"\0"]) + text[at:]
+            case 3:
+                return b"[" * choose.choice([10, 1000, 40_000]) + text
+            case 4:
+                return text + text
+        return choose.choice([b"", b"GET / HTTP/1.1\r\nHost: a\r\n\r\n", b"\xef\xbb\xbf" + text, b"null", b"[]", b'"id"', b"{}"])

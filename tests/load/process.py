@@ -1,0 +1,12 @@
+"""What a process uses, as Linux tells it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+
+def resident_bytes(pid: int) -> int:
+    for line in Path(f"/proc/{pid}/status").read_text().splitlines():
+        if line.startswith("VmRSS:"):
+            return int(line.split()[1]) * 1024
+    raise ProcessLookupError(f"process {pid} has no memory; it has ended")
