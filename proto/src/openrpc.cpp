@@ -25,6 +25,7 @@ constexpr Summary summaries[]{
     {"server.info", "What the daemon is, what it allows and what it has done."},
     {"server.health", "Whether the daemon takes requests; never waits for other work."},
     {"server.describe", "This document."},
+    {"server.metrics", "What is measured of the daemon: the same names and values as at /metrics."},
     {"ic.get", "The influence coefficients of one body; requests for the same table join one build."},
     {"ic.export",
      "The influence coefficients of one body, or of two, as a file: HDF5, or text for the CONTACT program."},

@@ -33,14 +33,14 @@ void Call::finish(const Status& status, const json* result, std::vector<std::str
     if (result) reply["result"] = *result;
     const std::chrono::duration<double, std::milli> spent = Clock::now() - received;
     post_({route_, proto::dump(reply), std::move(frames), false, request.id, request.method,
-           std::string(proto::name_of(status.code)), spent.count()});
+           std::string(proto::name_of(status.code)), spent.count(), status.reason});
 }
 
 void Call::progress(const json& progress) {
     if (answered_ || route_.empty_delimiter) return;
     json message = envelope(request.id);
     message["progress"] = progress;
-    post_({route_, proto::dump(message), {}, true, {}, {}, {}, 0});
+    post_({route_, proto::dump(message), {}, true, {}, {}, {}, 0, {}});
 }
 
 void guarded(const CallPtr& call, const std::function<void()>& work) {
@@ -54,7 +54,8 @@ void guarded(const CallPtr& call, const std::function<void()>& work) {
 Answer refusal(Route route, const std::string& id, const Status& status) {
     json reply = envelope(id.empty() ? json(nullptr) : json(id));
     reply["status"] = proto::to_json(status);
-    return {std::move(route), proto::dump(reply), {}, false, id, "?", std::string(proto::name_of(status.code)), 0};
+    return {std::move(route), proto::dump(reply), {}, false, id, "?", std::string(proto::name_of(status.code)), 0,
+            status.reason};
 }
 
 Status status_of(const std::exception& error) {

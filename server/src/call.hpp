@@ -25,9 +25,10 @@ struct Answer {
     std::string envelope;
     std::vector<std::string> frames;
     bool is_progress = false;
-    // For the log, when it is no progress:
+    // For the log and the metrics, when it is no progress:
     std::string id, method, status;
     double milliseconds = 0;
+    std::string reason;  ///< empty when the status is OK
 };
 
 /// Answers once, from any thread; what comes after the first answer is dropped.

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "config_schema.hpp"
@@ -35,6 +36,21 @@ std::filesystem::path default_store_folder() {
     throw Error("store.folder is empty and neither XDG_CACHE_HOME nor HOME says where it could be; name a folder.");
 }
 
+/// A listener takes addresses in numbers only: a name might stand for one that others reach.
+std::string http_problem(const json& given) {
+    const json* address = &given;
+    for (const char* name : {"http", "address"}) {
+        if (!address->is_object() || !address->contains(name)) return {};
+        address = &address->at(name);
+    }
+    static const std::regex numbers(R"(([0-9.]+|\[[0-9A-Fa-f:]+\]):[0-9]{1,5})");
+    if (!address->is_string() || address->get_ref<const std::string&>().empty()) return {};
+    const auto& text = address->get_ref<const std::string&>();
+    if (text.size() < 64 && std::regex_match(text, numbers) && std::stoi(text.substr(text.rfind(':') + 1)) <= 65535)
+        return {};
+    return "\n  http.address is " + json(text).dump() + "; it must be ADDRESS:PORT in numbers, e.g. 127.0.0.1:9465";
+}
+
 std::filesystem::path default_builder() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "contactd-ic";
 }
@@ -45,6 +61,7 @@ Config config_from_json(const json& given) {
     std::string problems;
     for (const auto& [field, description] : proto::violations_against(config_schema(), given))
         problems += (problems.empty() ? "" : "\n  ") + field + " " + description;
+    problems += http_problem(given);
     if (!problems.empty()) throw Error("The configuration cannot be used:\n  " + problems);
 
     const json all = with_defaults(config_schema(), given);
@@ -62,7 +79,9 @@ Config config_from_json(const json& given) {
     config.max_grid_elements = limits["max_grid_elements"];
     config.max_queue = limits["max_queue"];
     config.max_outbox_bytes = limits["max_outbox_bytes"];
-    config.log = {all["log"]["level"], all["log"]["file"].get<std::string>()};
+    config.log = {all["log"]["level"], all["log"]["format"], all["log"]["file"].get<std::string>()};
+    config.http = {all["http"]["address"]};
+    config.shutdown = {all["shutdown"]["drain_seconds"]};
     return config;
 }
 
@@ -99,7 +118,9 @@ json to_json(const Config& config) {
               {"max_grid_elements", config.max_grid_elements},
               {"max_queue", config.max_queue},
               {"max_outbox_bytes", config.max_outbox_bytes}}},
-            {"log", {{"level", config.log.level}, {"file", config.log.file.string()}}}};
+            {"log", {{"level", config.log.level}, {"format", config.log.format}, {"file", config.log.file.string()}}},
+            {"http", {{"address", config.http.address}}},
+            {"shutdown", {{"drain_seconds", config.shutdown.drain_seconds}}}};
 }
 
 }  // namespace contactd::server

@@ -32,8 +32,15 @@ struct Config {
     std::size_t max_outbox_bytes;
     struct {
         std::string level;
+        std::string format;
         std::filesystem::path file;
     } log;
+    struct {
+        std::string address;
+    } http;
+    struct {
+        int drain_seconds;
+    } shutdown;
 };
 
 /// Throws contactd::Error with every problem found, naming field, value and what would be right. `{}` gives the

@@ -1,4 +1,4 @@
-// What the daemon has done since it started; shown by server.info.
+// What the daemon has done since it started; shown by server.info and among the metrics.
 #pragma once
 
 #include <atomic>
@@ -19,6 +19,18 @@ struct Counters {
     Count disk_hits = 0;
     Count closed_form = 0;
     Count tables_set_aside = 0;
+    Count solves_converged = 0;
+    Count solves_not_converged = 0;
+    Count normal_iterations = 0;
+    Count tangential_iterations = 0;
+    Count build_milliseconds = 0;
+
+    // What is the case now.
+    Count connections = 0;
+    Count outbox_bytes = 0;
+    Count open_requests = 0;
+    Count store_tables = 0;
+    Count store_bytes = 0;
 };
 
 }  // namespace contactd::server

@@ -10,10 +10,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
+#include <thread>
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "log.hpp"
 
 namespace contactd::server {
 
@@ -29,7 +32,9 @@ constexpr int messages_per_turn = 64;
 constexpr int queue_retry_ms = 500;
 constexpr int messages_in_socket = 32;
 constexpr int backlog_poll_ms = 5;
-constexpr int linger_ms = 500;
+constexpr auto linger = std::chrono::milliseconds(2000);  // of answers, for a client that reads slowly
+
+constexpr auto stop_time = std::chrono::seconds(5);  // builders that do not end at once
 
 constexpr std::string_view ipc_prefix = "ipc://";
 
@@ -65,6 +70,24 @@ void bind(zmq::socket_t& socket, const std::string& endpoint) {
     }
 }
 
+/// A client as the log calls it: the identity of its connection in hexadecimal.
+std::string name_of(const std::string& identity) {
+    constexpr const char* digits = "0123456789abcdef";
+    std::string name;
+    for (const unsigned char byte : identity.substr(0, 16)) name += {digits[byte >> 4], digits[byte & 15]};
+    return name;
+}
+
+/// One line a request: enough to find it again, nothing of what it holds.
+void log_answer(const Answer& answer) {
+    log_event(spdlog::level::info, "request",
+              {{"id", answer.id},
+               {"method", answer.method},
+               {"status", answer.status},
+               {"ms", std::round(answer.milliseconds * 1000) / 1000},
+               {"client", name_of(answer.route.identity)}});
+}
+
 Status queue_full() {
     return {StatusCode::resource_exhausted,
             "Too many requests wait for an answer; try again later.",
@@ -79,9 +102,10 @@ Endpoint::Endpoint(const Config& config, Service& service)
     : config_(config),
       service_(service),
       socket_(context_, zmq::socket_type::router),
+      monitor_(context_, socket_),
       outbox_(socket_, config.max_outbox_bytes) {
     socket_.set(zmq::sockopt::router_mandatory, true);
-    socket_.set(zmq::sockopt::linger, linger_ms);
+    socket_.set(zmq::sockopt::linger, static_cast<int>(linger.count()));
     // ZeroMQ counts messages, not bytes: what it holds for each client must be few, so that our budgets mean something.
     socket_.set(zmq::sockopt::sndhwm, messages_in_socket);
     socket_.set(zmq::sockopt::rcvhwm, messages_in_socket);
@@ -99,30 +123,61 @@ std::string Endpoint::address() const {
     return socket_.get(zmq::sockopt::last_endpoint);
 }
 
-void Endpoint::run(int signal_fd) {
-    std::array<zmq::pollitem_t, 3> items{{{socket_.handle(), 0, ZMQ_POLLIN, 0},
+void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload) {
+    std::array<zmq::pollitem_t, 4> items{{{socket_.handle(), 0, ZMQ_POLLIN, 0},
                                           {nullptr, mailbox_.fd(), ZMQ_POLLIN, 0},
-                                          {nullptr, signal_fd, ZMQ_POLLIN, 0}}};
-    for (;;) {
-        zmq::poll(items, std::chrono::milliseconds(poll_milliseconds()));
+                                          {nullptr, signal_fd, ZMQ_POLLIN, 0},
+                                          {monitor_.handle(), 0, ZMQ_POLLIN, 0}}};
+    service_.set_serving();
+    notifier.ready("Serving at " + address());
+    auto told = Clock::now();
+    while (Clock::now() < end_ && !(is_draining() && is_idle())) {
+        long wait = poll_milliseconds();
+        if (const long interval = notifier.interval().count(); interval > 0)
+            wait = wait < 0 ? interval : std::min(wait, interval);
+        zmq::poll(items, std::chrono::milliseconds(wait));
+        if (notifier.interval().count() > 0 && Clock::now() - told >= notifier.interval()) {
+            notifier.alive();
+            told = Clock::now();
+        }
         deliver();
         if (items[0].revents & ZMQ_POLLIN) receive();
         end_overdue();
-        if (items[2].revents & ZMQ_POLLIN) {
-            signalfd_siginfo signal{};
-            if (::read(signal_fd, &signal, sizeof signal) == sizeof signal)
-                spdlog::info("ending on {}", ::strsignal(static_cast<int>(signal.ssi_signo)));
-            return stop();
-        }
+        if (items[3].revents & ZMQ_POLLIN) monitor_.read(service_.counters().connections);
+        note_levels();
+        signalfd_siginfo signal{};
+        if (items[2].revents & ZMQ_POLLIN && ::read(signal_fd, &signal, sizeof signal) == sizeof signal)
+            handle_signal(static_cast<int>(signal.ssi_signo), notifier, reload);
     }
+    stop();
+}
+
+void Endpoint::note_levels() {
+    Counters& counters = service_.counters();
+    counters.outbox_bytes = static_cast<long long>(outbox_.bytes());
+    const std::scoped_lock lock(mutex_);
+    counters.open_requests = static_cast<long long>(open_.size());
+}
+
+void Endpoint::handle_signal(int signal, const Notifier& notifier, const std::function<void()>& reload) {
+    if (signal == SIGHUP) {
+        notifier.reloading();
+        reload();
+        return notifier.ready("Serving at " + address());
+    }
+    spdlog::info("ending on {}", ::strsignal(signal));
+    if (is_draining())
+        end_ = Clock::now();
+    else
+        begin_drain(notifier);
 }
 
 // --- in --------------------------------------------------------------------------------------------------------------
 
-void Endpoint::receive() {
+bool Endpoint::receive() {
     for (int n = 0; n < messages_per_turn; ++n) {
         zmq::message_t part;
-        if (!socket_.recv(part, zmq::recv_flags::dontwait)) return;
+        if (!socket_.recv(part, zmq::recv_flags::dontwait)) return false;
         Route route{part.to_string(), false};
         std::vector<std::string> frames;
         std::size_t count = 0;
@@ -139,6 +194,7 @@ void Endpoint::receive() {
         if (!frames.empty()) frames.erase(frames.begin());
         accept(std::move(route), std::move(envelope), std::move(frames));
     }
+    return true;
 }
 
 void Endpoint::accept(Route route, std::string envelope, std::vector<std::string> frames) {
@@ -156,7 +212,7 @@ void Endpoint::accept(Route route, std::string envelope, std::vector<std::string
             mailbox_.put(refusal(route, id, status_of(error)));
         }
     };
-    if (is_small) return parse();
+    if (is_small || workers_ended_) return parse();
     ++parsing_;
     service_.defer([this, parse = std::move(parse)]() mutable {
         parse();
@@ -183,8 +239,8 @@ void Endpoint::deliver() {
     for (Answer& answer : mailbox_.take_all()) {
         if (!answer.is_progress) {
             if (answer.status != "OK") ++service_.counters().requests_failed;
-            spdlog::info("request id={} method={} status={} ms={:.2f}", proto::dump(answer.id),
-                         proto::dump(answer.method), answer.status, answer.milliseconds);
+            service_.request_metrics().record(answer);
+            log_answer(answer);
         }
         outbox_.send(std::move(answer));
     }
@@ -215,6 +271,7 @@ long Endpoint::poll_milliseconds() {
             if (!call->answered()) next = std::min(next, call->deadline());
     }
     long wait = -1;
+    next = std::min(next, end_);
     if (next != Clock::time_point::max())
         wait =
             std::max(0L, static_cast<long>(std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now()).count()));
@@ -223,6 +280,23 @@ long Endpoint::poll_milliseconds() {
 }
 
 // --- the end ---------------------------------------------------------------------------------------------------------
+
+bool Endpoint::is_idle() {
+    deliver();  // what was answered since the last look
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(open_, [](const CallPtr& call) { return call->answered(); });
+    return open_.empty() && parsing_ == 0 && mailbox_.empty() && outbox_.empty();
+}
+
+void Endpoint::begin_drain(const Notifier& notifier) {
+    const std::chrono::seconds time(config_.shutdown.drain_seconds);
+    end_ = Clock::now() + time;
+    service_.begin_drain();
+    notifier.stopping("Finishing what was accepted",
+                      time + std::chrono::ceil<std::chrono::seconds>(2 * linger) + stop_time);
+    const std::scoped_lock lock(mutex_);
+    if (!open_.empty()) spdlog::info("up to {} s for {} open requests", time.count(), open_.size());
+}
 
 void Endpoint::stop() {
     std::vector<CallPtr> open;
@@ -233,8 +307,18 @@ void Endpoint::stop() {
     for (const CallPtr& call : open) call->fail(Service::stop_status());
     service_.begin_stop();
     deliver();
+    // Large envelopes that workers still read are answered too; what the workers do has been told to end.
+    for (const auto patience = Clock::now() + stop_time; parsing_ > 0 && Clock::now() < patience;)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     service_.finish_stop();
+    workers_ended_ = true;
+    const auto patience = Clock::now() + linger;
+    while (receive() && Clock::now() < patience) deliver();  // what arrived meanwhile is refused
     deliver();
+    while (!outbox_.empty() && Clock::now() < patience) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(backlog_poll_ms));
+        outbox_.flush();
+    }
 }
 
 }  // namespace contactd::server

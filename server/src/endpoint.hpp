@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -10,7 +11,9 @@
 
 #include "call.hpp"
 #include "config.hpp"
+#include "connection_monitor.hpp"
 #include "mailbox.hpp"
+#include "notify.hpp"
 #include "outbox.hpp"
 #include "service.hpp"
 
@@ -25,16 +28,23 @@ class Endpoint {
     /// Where clients connect, with the port that was taken.
     std::string address() const;
 
-    /// Serves until a signal arrives at `signal_fd` (a signalfd), then answers what is open and ends all work.
-    void run(int signal_fd);
+    /// Serves until SIGTERM or SIGINT arrives at `signal_fd` (a signalfd). Then new requests are refused, those
+    /// accepted have their time to be finished (shutdown.drain_seconds, or until the next such signal), and what is
+    /// left is answered with STOPPING and ended. `reload` is called on SIGHUP.
+    void run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload);
 
    private:
-    void receive();
+    bool receive();  ///< some of what has arrived; true when there is more
     void accept(Route route, std::string envelope, std::vector<std::string> frames);
     void open_call(Route route, proto::Request request, Call::Clock::time_point received);
     void deliver();
     void end_overdue();
     long poll_milliseconds();
+    void note_levels();
+    void handle_signal(int signal, const Notifier& notifier, const std::function<void()>& reload);
+    void begin_drain(const Notifier& notifier);
+    bool is_draining() const { return end_ != Call::Clock::time_point::max(); }
+    bool is_idle();
     void stop();
 
     const Config& config_;
@@ -42,10 +52,13 @@ class Endpoint {
     Mailbox<Answer> mailbox_;
     zmq::context_t context_;
     zmq::socket_t socket_;
+    ConnectionMonitor monitor_;
     Outbox outbox_;
     std::mutex mutex_;
     std::vector<CallPtr> open_;  // not answered yet, or not noticed yet that they are
     std::atomic<int> parsing_ = 0;
+    Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
+    bool workers_ended_ = false;
 };
 
 }  // namespace contactd::server

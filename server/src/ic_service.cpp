@@ -3,12 +3,14 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_family.hpp"
 #include "contactd/version.hpp"
+#include "store_folder.hpp"
 
 namespace contactd::server {
 
@@ -32,6 +34,24 @@ namespace {
 Status failure(StatusCode code, std::string_view reason, std::string message) {
     return {code, std::move(message), std::string(reason), {}, 0};
 }
+
+/// Notes what a build took, and what the store holds afterwards.
+class BuildClock {
+   public:
+    BuildClock(Counters& counters, const std::filesystem::path& folder) : counters_(counters), folder_(folder) {}
+    ~BuildClock() {
+        const auto spent = std::chrono::steady_clock::now() - start_;
+        counters_.build_milliseconds += std::chrono::duration_cast<std::chrono::milliseconds>(spent).count();
+        count_store(counters_, folder_);
+    }
+    BuildClock(const BuildClock&) = delete;
+    BuildClock& operator=(const BuildClock&) = delete;
+
+   private:
+    Counters& counters_;
+    const std::filesystem::path& folder_;
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 IcRecord closed_form(const IcSpec& dimensionless_spec) {
     IcRecord record{dimensionless_spec, half_space_table(dimensionless_spec), {}, {}};
@@ -160,6 +180,7 @@ void IcService::cancel_queued(const FlightPtr& flight) {
 void IcService::build(const FlightPtr& flight) {
     Job& job = *flight->job;
     if (job.cancelled()) return;  // while it was queued; its callers know
+    const BuildClock clock(counters_, store_.folder());
     try {
         job.set_running();
         ++counters_.builds_started;

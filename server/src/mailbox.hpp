@@ -43,9 +43,14 @@ class Mailbox {
         return std::exchange(mail_, {});
     }
 
+    bool empty() const {
+        const std::scoped_lock lock(mutex_);
+        return mail_.empty();
+    }
+
    private:
     int fd_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::vector<T> mail_;
 };
 

@@ -2,9 +2,8 @@
 //
 //   contactd --config configs/contactd.json
 //
-// Prints one JSON line with the endpoint when it listens, logs to standard error, ends in order on SIGTERM and SIGINT.
-#include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
+// Prints one JSON line with the endpoint when it listens, logs to standard error, ends in order on SIGTERM and SIGINT,
+// opens its log file again on SIGHUP.
 #include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -15,9 +14,15 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "about.hpp"
+#include "check_config.hpp"
 #include "config.hpp"
 #include "contactd/version.hpp"
 #include "endpoint.hpp"
+#include "http_listener.hpp"
+#include "log.hpp"
+#include "notify.hpp"
+#include "ping.hpp"
 #include "service.hpp"
 
 namespace {
@@ -26,21 +31,12 @@ using namespace contactd::server;
 
 constexpr int status_bad_configuration = 2;
 
-void start_log(const Config& config) {
-    const auto logger = config.log.file.empty() ? spdlog::stderr_logger_mt("contactd")
-                                                : spdlog::basic_logger_mt("contactd", config.log.file.string());
-    logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-    logger->set_level(spdlog::level::from_str(config.log.level));
-    logger->flush_on(spdlog::level::info);
-    spdlog::set_default_logger(logger);
-}
-
-/// Blocks the ending signals for this thread and those it starts, and gives the descriptor they arrive at instead.
-int ending_signals() {
+/// Blocks SIGTERM, SIGINT and SIGHUP for this thread and those it starts, and gives the descriptor they arrive at
+/// instead.
+int signal_descriptor() {
     sigset_t signals;
     sigemptyset(&signals);
-    sigaddset(&signals, SIGTERM);
-    sigaddset(&signals, SIGINT);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     std::signal(SIGPIPE, SIG_IGN);  // a builder that died is noticed by the error of the write
     return ::signalfd(-1, &signals, SFD_CLOEXEC);
@@ -51,32 +47,54 @@ bool is_private(const std::string& endpoint) {
            endpoint.starts_with("tcp://[::1]") || endpoint.starts_with("tcp://localhost:");
 }
 
+std::unique_ptr<HttpListener> listen_to_http(const Config& config, Service& service) {
+    if (config.http.address.empty()) return nullptr;
+    auto http = std::make_unique<HttpListener>(
+        config.http.address, HttpListener::Pages{[&service] { return to_prometheus(service.metrics(true)); },
+                                                 [&service] { return service.not_ready(); }});
+    spdlog::info("metrics at http://{}/metrics", http->address());
+    return http;
+}
+
 int serve(const Config& config) {
-    const int signals = ending_signals();
-    start_log(config);
+    const int signals = signal_descriptor();
+    Log log(config);
+    const Notifier notifier;
     Service service(config);
+    const auto http = listen_to_http(config, service);
     Endpoint endpoint(config, service);
     if (!is_private(endpoint.address()))
         spdlog::warn("{} can be reached from other machines, and whoever reaches it can use it", endpoint.address());
     spdlog::info("contactd {} listens at {}, store {}", contactd::version(), endpoint.address(),
                  config.store.folder.string());
-    std::cout << nlohmann::json{{"ready", true}, {"endpoint", endpoint.address()}, {"pid", ::getpid()}} << std::endl;
-    endpoint.run(signals);
+    nlohmann::json ready{{"ready", true}, {"endpoint", endpoint.address()}, {"pid", ::getpid()}};
+    if (http) ready["http"] = http->address();
+    std::cout << ready << std::endl;
+    endpoint.run(signals, notifier, [&] { log.reopen(); });
     spdlog::info("ended");
     return 0;
+}
+
+int answer_ping(const std::string& endpoint) {
+    const PingResult result = ping(endpoint, std::chrono::seconds(5));
+    (result.serving ? std::cout : std::cerr) << result.text << "\n";
+    return result.serving ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app("contactd: influence coefficients and elastic contact, as a service.");
-    std::string config_file, endpoint;
-    bool print_config = false;
+    std::string config_file, endpoint, ping_endpoint;
+    bool print_config = false, only_check = false;
     app.add_option("-c,--config", config_file, "configuration (JSON); without one the defaults hold");
     app.add_option("-e,--endpoint", endpoint, "where to listen, in place of the configuration's endpoint");
     app.add_flag("--print-config", print_config, "print the configuration with its defaults, and end");
-    app.set_version_flag("-v,--version", "contactd " + contactd::version());
+    app.add_flag("--check-config", only_check, "look for what would go wrong with the configuration, and end");
+    app.add_option("--ping", ping_endpoint, "ask the daemon that listens there whether it serves, and end");
+    app.set_version_flag("-v,--version", about());
     CLI11_PARSE(app, argc, argv);
+    if (!ping_endpoint.empty()) return answer_ping(ping_endpoint);
 
     Config config;
     try {
@@ -91,6 +109,7 @@ int main(int argc, char** argv) {
         std::cout << to_json(config).dump(2) << "\n";
         return 0;
     }
+    if (only_check) return check_config(config, std::cout, std::cerr) == 0 ? 0 : status_bad_configuration;
     try {
         return serve(config);
     } catch (const std::exception& error) {

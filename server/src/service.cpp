@@ -1,17 +1,17 @@
 #include "service.hpp"
 
 #include <spdlog/spdlog.h>
-#include <spdlog/version.h>
-#include <zmq.h>
 
 #include <cmath>
 
+#include "about.hpp"
 #include "contact_solve.hpp"
 #include "contact_subsurface.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
 #include "ic_export.hpp"
+#include "store_folder.hpp"
 
 namespace contactd::server {
 
@@ -35,14 +35,11 @@ IcStore open_store(const Config& config, Counters& counters) {
     });
 }
 
-json libraries() {
-    json versions = library_versions();
-    int major = 0, minor = 0, patch = 0;
-    zmq_version(&major, &minor, &patch);
-    versions["zeromq"] = std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
-    versions["spdlog"] = std::to_string(SPDLOG_VER_MAJOR) + "." + std::to_string(SPDLOG_VER_MINOR) + "." +
-                         std::to_string(SPDLOG_VER_PATCH);
-    return versions;
+template <class Entries>
+std::vector<std::string> names_of(const Entries& entries) {
+    std::vector<std::string> names;
+    for (const auto& [name, entry] : entries) names.push_back(name);
+    return names;
 }
 
 double seconds_since(Call::Clock::time_point start) {
@@ -81,6 +78,7 @@ Service::Service(const Config& config)
       methods_{{"server.info", {&Service::server_info, true}},
                {"server.health", {&Service::server_health, true}},
                {"server.describe", {&Service::server_describe, true}},
+               {"server.metrics", {&Service::server_metrics, true}},
                {"ic.get", {&Service::ic_get, false}},
                {"ic.export", {&Service::ic_export, false}},
                {"contact.solve", {&Service::contact_solve, false}},
@@ -88,11 +86,14 @@ Service::Service(const Config& config)
                {"contact.subsurface", {&Service::contact_subsurface, false}},
                {"job.list", {&Service::job_list, true}},
                {"job.cancel", {&Service::job_cancel, true}}},
+      request_metrics_(names_of(methods_)),
       ics_(
           {{config.builds.launcher, config.builds.program}, config.builds.concurrent, config.store.memory_budget_bytes},
           open_store(config, counters_), jobs_, counters_),
       influences_(config.store.influence_budget_bytes),
-      workers_(config.workers) {}
+      workers_(config.workers) {
+    count_store(counters_, config.store.folder);
+}
 
 bool Service::is_quick(const std::string& method) const {
     const auto entry = methods_.find(method);
@@ -121,6 +122,10 @@ void Service::run(Method method, const CallPtr& call) {
     }
 }
 
+void Service::begin_drain() {
+    stopping_ = true;
+}
+
 void Service::begin_stop() {
     stopping_ = true;
     for (const auto& job : jobs_.all()) job->cancel();
@@ -141,8 +146,9 @@ void Service::server_info(const CallPtr& call) {
     limits["max_queue"] = config_.max_queue;
     const IcCache::Usage cache = ics_.cache_usage();
     call->succeed({{"version", version()},
+                   {"commit", commit()},
                    {"protocol", proto::protocol_version},
-                   {"libraries", libraries()},
+                   {"libraries", all_library_versions()},
                    {"limits", limits},
                    {"counters",
                     {{"requests", counters_.requests.load()},
@@ -202,13 +208,13 @@ void Service::ic_export(const CallPtr& call) {
 void Service::contact_solve(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
     ++counters_.solves;
-    start_solve(call, {ics_, workers_, influences_, jobs_});
+    start_solve(call, {ics_, workers_, influences_, jobs_, counters_});
 }
 
 void Service::contact_solve_many(const CallPtr& call) {
     check_grid_limits(call->request.params.at("problems"), config_.max_grid_elements);
     counters_.solves += static_cast<long long>(call->request.params.at("problems").size());
-    start_solve_many(call, {ics_, workers_, influences_, jobs_}, config_.workers, config_.limits);
+    start_solve_many(call, {ics_, workers_, influences_, jobs_, counters_}, config_.workers, config_.limits);
 }
 
 void Service::contact_subsurface(const CallPtr& call) {

@@ -11,6 +11,7 @@
 #include "ic_service.hpp"
 #include "influence_cache.hpp"
 #include "job.hpp"
+#include "metrics.hpp"
 #include "worker_pool.hpp"
 
 namespace contactd::server {
@@ -29,13 +30,24 @@ class Service {
     /// False for methods that take their time and count against the limit on open requests.
     bool is_quick(const std::string& method) const;
 
-    /// From now on requests are refused with stop_status() and running work is told to end. Does not wait.
+    /// From now on requests are refused with stop_status(); what was accepted goes on.
+    void begin_drain();
+    /// As begin_drain(), and running work is told to end. Does not wait.
     void begin_stop();
     /// Waits until all work has ended.
     void finish_stop();
     static const proto::Status& stop_status();
 
     Counters& counters() { return counters_; }
+    RequestMetrics& request_metrics() { return request_metrics_; }
+
+    /// All that is measured. From any thread; `look_at_store` counts the files of the store, which takes its time when
+    /// there are many.
+    MetricFamilies metrics(bool look_at_store);
+
+    /// Why requests should not be sent here at present, a sentence; empty when all is well. From any thread.
+    std::string not_ready() const;
+    void set_serving() { serving_ = true; }
 
    private:
     using Method = void (Service::*)(const CallPtr&);
@@ -48,6 +60,7 @@ class Service {
     void server_info(const CallPtr& call);
     void server_health(const CallPtr& call);
     void server_describe(const CallPtr& call);
+    void server_metrics(const CallPtr& call);
     void ic_get(const CallPtr& call);
     void ic_export(const CallPtr& call);
     void contact_solve(const CallPtr& call);
@@ -61,6 +74,8 @@ class Service {
     Counters counters_;
     JobTable jobs_;
     std::map<std::string, Entry> methods_;
+    RequestMetrics request_metrics_;
+    std::atomic<bool> serving_ = false;
     std::atomic<bool> stopping_ = false;
     IcService ics_;
     InfluenceCache influences_;

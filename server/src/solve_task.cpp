@@ -16,6 +16,7 @@ namespace {
 struct Solve {
     SolveTask task;
     InfluenceCache& influences;
+    Counters& counters;
     IcAnswers ics;
 };
 using SolvePtr = std::shared_ptr<Solve>;
@@ -70,6 +71,7 @@ void solve(const SolvePtr& work) {
         task.job->set_running();
         proto::SolveReply reply;
         reply.solution = solve_contact(task.problem, influence_of(*work), observer);
+        count(work->counters, reply.solution);
         add_ics(*work, reply);
         task.done(reply);
     } catch (const std::exception& error) {
@@ -88,6 +90,12 @@ std::array<std::optional<IcSpec>, 2> specs_of(const ContactProblem& problem) {
 
 }  // namespace
 
+void count(Counters& counters, const ContactSolution& solution) {
+    ++(solution.converged() ? counters.solves_converged : counters.solves_not_converged);
+    counters.normal_iterations += solution.normal.iterations;
+    if (solution.tangential) counters.tangential_iterations += solution.tangential->iterations;
+}
+
 void check(const ContactProblem& problem) {
     validate(problem);
     if (!needs_tables(problem)) return;
@@ -97,7 +105,7 @@ void check(const ContactProblem& problem) {
 }
 
 void start(const SolveTools& tools, SolveTask task) {
-    const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.influences, {}});
+    const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.influences, tools.counters, {}});
     const auto queue = [work, &workers = tools.workers] { workers.post([work] { solve(work); }); };
     if (!needs_tables(work->task.problem)) return queue();
     fetch_pair(

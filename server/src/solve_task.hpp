@@ -7,6 +7,7 @@
 #include "call.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/proto/codec.hpp"
+#include "counters.hpp"
 #include "ic_service.hpp"
 #include "influence_cache.hpp"
 #include "job.hpp"
@@ -20,6 +21,7 @@ struct SolveTools {
     WorkerPool& workers;
     InfluenceCache& influences;
     JobTable& jobs;
+    Counters& counters;
 };
 
 struct SolveTask {
@@ -31,6 +33,9 @@ struct SolveTask {
     std::function<void(const proto::SolveReply&)> done;
     std::function<void(const proto::Status&)> failed;
 };
+
+/// Notes how a solve ended and what it took.
+void count(Counters& counters, const ContactSolution& solution);
 
 /// Throws for a problem that cannot be solved as stated.
 void check(const ContactProblem& problem);

@@ -1,13 +1,22 @@
-"""SIGTERM and SIGINT end the daemon in order, whatever it is doing."""
+"""SIGTERM and SIGINT end the daemon in order, whatever it is doing: what was accepted is finished within its time, or answered."""
 
 import signal
 
 import pytest
 
-from contactd import Grid, SolverSettings, Unavailable
+from contactd import Cancelled, Grid, SolverSettings, Unavailable
 from support.daemons import eventually
-from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
+from support.metrics import metric
+from support.problems import CATTANEO, CATTANEO_PARAMS, GRID, LONG, QUICK, STEEL
 
+ENDLESS = CATTANEO.replace(
+    grid=Grid.centred(320, 320, 2.4, 2.4), normal=SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
+)
+LARGE_TABLE = {
+    "material": {"G": 82000, "nu": 0.28},
+    "grid": {"nx": 300, "ny": 300, "dx": 0.8, "dy": 0.8},
+    "ics": {"source": "analytic"},
+}
 SIGNALS = pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT], ids=lambda s: s.name)
 
 
@@ -56,18 +65,88 @@ def test_a_queued_build_is_given_up(daemon, client, background):
 
 
 def test_a_running_solve_is_given_up(daemon, client, background):
-    endless = SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
-    problem = CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4), normal=endless)
-    caller = background(client.solve, problem)
+    caller = background(client.solve, ENDLESS)
     eventually(lambda: any(job.state == "running" for job in client.jobs()))
     assert end(daemon, signal.SIGTERM) == 0
     with pytest.raises(Unavailable):
         caller.result()
 
 
-def test_a_second_signal_changes_nothing(daemon, client, background):
-    caller = background(client.get_ic, STEEL, GRID, LONG)
-    eventually(daemon.builders)
-    daemon.process.send_signal(signal.SIGTERM)
-    assert end(daemon, signal.SIGTERM) == 0
-    assert caller.exception() is not None
+def test_a_second_signal_ends_the_wait_for_what_was_accepted(daemons, background):
+    daemon = daemons.start(shutdown={"drain_seconds": 600})
+    with daemon.client() as client:
+        caller = background(client.solve, ENDLESS)
+        eventually(lambda: any(job.state == "running" for job in client.jobs()))
+        daemon.process.send_signal(signal.SIGTERM)
+        eventually(lambda: client.health() == "stopping")
+        assert not caller.done()
+        assert end(daemon, signal.SIGINT) == 0
+        with pytest.raises(Unavailable):
+            caller.result()
+
+
+@SIGNALS
+def test_what_was_accepted_is_finished_and_what_is_new_is_refused(daemons, background, ending):
+    daemon = daemons.start(shutdown={"drain_seconds": 600})
+    with daemon.client() as client:
+        caller = background(client.get_ic, STEEL, GRID, LONG)
+        eventually(lambda: any(job.state == "running" for job in client.jobs()))
+        accepted = background(client.solve, CATTANEO.replace(grid=GRID, upper=STEEL, ics=LONG))
+        eventually(lambda: any(job.callers == 2 for job in client.jobs()))
+        daemon.process.send_signal(ending)
+        eventually(lambda: client.health() == "stopping")
+        with pytest.raises(Unavailable) as caught:
+            client.solve(CATTANEO)
+        assert caught.value.reason == "STOPPING"
+        for job in client.jobs():  # the client may still end what it waits for, and then nothing is left to wait for
+            if job.kind == "build":
+                client.cancel_job(job.job)
+        for future in (caller, accepted):
+            with pytest.raises(Cancelled):
+                future.result()
+    assert daemon.process.wait(20) == 0
+
+
+def test_a_solve_that_was_accepted_is_answered_before_the_end(daemons, background):
+    daemon = daemons.start(shutdown={"drain_seconds": 600}, workers=1)
+    with daemon.client() as client:
+        large = CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4))
+        callers = [background(client.solve, large) for _ in range(4)]
+        eventually(lambda: len(client.jobs()) >= 1)
+        eventually(lambda: metric(client, "contactd_open_requests") == 4)
+        daemon.process.send_signal(signal.SIGTERM)
+        assert all(caller.result().converged for caller in callers)
+    assert daemon.process.wait(20) == 0
+
+
+def test_what_is_not_finished_in_time_is_cancelled_with_an_answer(daemons, background):
+    daemon = daemons.start(shutdown={"drain_seconds": 1})
+    with daemon.client() as client:
+        callers = [background(client.solve, ENDLESS), background(client.get_ic, STEEL, GRID, LONG)]
+        eventually(lambda: sum(job.state == "running" for job in client.jobs()) == 2)
+        assert end(daemon, signal.SIGTERM) == 0
+        for caller in callers:
+            with pytest.raises(Unavailable):
+                caller.result()
+
+
+def test_every_request_of_a_flood_is_answered(daemons):
+    daemon = daemons.start(shutdown={"drain_seconds": 600})
+    with daemon.raw() as raw:
+        sent = {raw.send("contact.solve", CATTANEO_PARAMS) for _ in range(200)}
+        answers = [raw.receive()]
+        daemon.process.send_signal(signal.SIGTERM)
+        answers += [raw.receive() for _ in range(len(sent) - 1)]
+    assert {answer.envelope["id"] for answer in answers} == sent
+    assert {answer.status for answer in answers} <= {"OK", "UNAVAILABLE"}
+    assert daemon.process.wait(20) == 0
+
+
+def test_a_client_that_does_not_read_holds_the_end_up_for_seconds_only(daemons):
+    daemon = daemons.start(shutdown={"drain_seconds": 600})
+    with daemon.raw() as raw:
+        for _ in range(8):
+            raw.send("ic.get", LARGE_TABLE)
+        with daemon.client() as other:
+            eventually(lambda: metric(other, "contactd_open_requests") == 0)
+        assert end(daemon, signal.SIGTERM) == 0

@@ -25,6 +25,9 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
     CHECK(config.store.folder.filename() == "store");
     CHECK(config.max_queue == 256);
     CHECK(config.max_outbox_bytes == 512u << 20u);
+    CHECK(config.http.address.empty());
+    CHECK(config.shutdown.drain_seconds == 10);
+    CHECK(config.log.format == "text");
 }
 
 TEST_CASE("What is given wins over the defaults, the rest of its section keeps them") {
@@ -46,12 +49,16 @@ TEST_CASE("Every problem of a configuration is named with its field") {
         json given;
         const char* field;
     };
-    const auto [given, field] =
-        GENERATE(Case{{{"wokers", 2}}, "wokers"}, Case{{{"workers", 0}}, "workers"},
-                 Case{{{"workers", "two"}}, "workers"}, Case{{{"endpoint", "http://somewhere"}}, "endpoint"},
-                 Case{{{"store", {{"path", "x"}}}}, "store.path"}, Case{{{"log", {{"level", "loud"}}}}, "log.level"},
-                 Case{{{"builds", {{"launcher", "mpirun"}}}}, "builds.launcher"},
-                 Case{{{"limits", {{"max_frames", -1}}}}, "limits.max_frames"});
+    const auto [given, field] = GENERATE(
+        Case{{{"wokers", 2}}, "wokers"}, Case{{{"workers", 0}}, "workers"}, Case{{{"workers", "two"}}, "workers"},
+        Case{{{"endpoint", "http://somewhere"}}, "endpoint"}, Case{{{"store", {{"path", "x"}}}}, "store.path"},
+        Case{{{"log", {{"level", "loud"}}}}, "log.level"}, Case{{{"log", {{"format", "xml"}}}}, "log.format"},
+        Case{{{"http", {{"address", "localhost:80"}}}}, "http.address"},
+        Case{{{"http", {{"address", "9465"}}}}, "http.address"},
+        Case{{{"http", {{"address", "127.0.0.1:65536"}}}}, "http.address"},
+        Case{{{"shutdown", {{"drain_seconds", -1}}}}, "shutdown.drain_seconds"},
+        Case{{{"builds", {{"launcher", "mpirun"}}}}, "builds.launcher"},
+        Case{{{"limits", {{"max_frames", -1}}}}, "limits.max_frames"});
 
     CHECK_THROWS_MATCHES(config_from_json(given), contactd::Error, MessageMatches(ContainsSubstring(field)));
 }

@@ -4,6 +4,7 @@ import numpy as np
 
 INFO = {
     "version": "0.1.0",
+    "commit": "unknown",
     "protocol": 1,
     "libraries": {"mfem": "4.7"},
     "limits": {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import tempfile
 import time
@@ -41,6 +42,13 @@ class TestDaemon(LocalDaemon):
     def client(self, **options: Any) -> Client:
         return CheckedClient(self.endpoint, **{"timeout": 50, **options})
 
+    @property
+    def http(self) -> str:
+        """Where it answers HTTP, when its configuration has `http.address`."""
+        found = re.search(r"http://[0-9.]+:\d+", self.log)
+        assert found, f"no HTTP in the log:\n{self.log}"
+        return found.group()
+
     def raw(self, kind: int | None = None) -> RawClient:
         return RawClient(self.endpoint) if kind is None else RawClient(self.endpoint, kind)
 
@@ -68,6 +76,8 @@ class Daemons:
 
     def start(self, name: str = "daemon", **config: Mapping[str, Any]) -> TestDaemon:
         """A daemon in the folder `name`; the same name again means the same store."""
+        # What a test leaves running is not waited for at the end, unless the test says so.
+        config = {"shutdown": {"drain_seconds": 0}, **config}
         daemon = TestDaemon(BIN / "contactd", folder=self.folder / name, config=config)
         self._started.append(daemon)
         return daemon

@@ -69,7 +69,7 @@ class RawClient:
 
     def send(self, method: str, params: Any = None, *frames: bytes, **envelope: Any) -> str:
         """Sends a request and returns its id."""
-        name = str(next(self._ids))
+        name = str(envelope.get("id", next(self._ids)))
         self._methods[name] = method
         fields = {"contactd": 1, "id": name, "method": method, "params": {} if params is None else params, **envelope}
         self.send_bytes(json.dumps(fields).encode(), *frames)

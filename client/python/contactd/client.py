@@ -80,6 +80,13 @@ class Client:
             raise ProtocolError("The answer to server.health lacks its state.")
         return state
 
+    def metrics(self, *, timeout: float | None = None) -> list[dict[str, Any]]:
+        """What is measured of the daemon, as docs/operations.md lists it: name, type, help and samples of each."""
+        metrics = self.call("server.metrics", timeout=timeout).get("metrics")
+        if not isinstance(metrics, list):
+            raise ProtocolError("The answer to server.metrics lacks its metrics.")
+        return metrics
+
     def describe(self, *, timeout: float | None = None) -> dict[str, Any]:
         """The OpenRPC document of the daemon, with the JSON Schema of every message."""
         return self.call("server.describe", timeout=timeout)

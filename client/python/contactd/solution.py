@@ -269,6 +269,7 @@ class ServerInfo:
     """The daemon, its libraries, and what it has done since it started."""
 
     version: str
+    commit: str  #: of the sources it was built from
     protocol: int
     libraries: Mapping[str, str]
     limits: Limits

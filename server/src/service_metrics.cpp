@@ -1,0 +1,97 @@
+// Everything the daemon counts and measures, in one list.
+#include <prometheus/metric_family.h>
+
+#include "about.hpp"
+#include "contactd/version.hpp"
+#include "service.hpp"
+#include "store_folder.hpp"
+
+namespace contactd::server {
+namespace {
+
+double number(const Counters::Count& count) {
+    return static_cast<double>(count.load());
+}
+
+template <class T>
+double number(T count) {
+    return static_cast<double>(count);
+}
+
+prometheus::MetricFamily build_info() {
+    auto info = gauge("contactd_build_info", "Version and commit of the daemon; the value is always 1.", 1);
+    info.metric.front().label = {{"version", version()}, {"commit", commit()}};
+    return info;
+}
+
+MetricFamilies counted(const Counters& c) {
+    return {
+        counter("contactd_requests_received_total", "Messages received, answered or not.", number(c.requests)),
+        gauge("contactd_open_requests", "Requests that wait for their answer.", number(c.open_requests)),
+        gauge("contactd_connections", "Connections of clients.", number(c.connections)),
+        gauge("contactd_outbox_bytes", "Answers that wait for clients who do not read.", number(c.outbox_bytes)),
+        counter("contactd_solves_total", "Contact problems solved, and whether every solver reached its tolerance.",
+                "converged", {{"true", number(c.solves_converged)}, {"false", number(c.solves_not_converged)}}),
+        counter("contactd_solver_iterations_total", "Iterations of the solvers.", "solver",
+                {{"normal", number(c.normal_iterations)}, {"tangential", number(c.tangential_iterations)}}),
+        counter("contactd_builds_started_total", "Builders started.", number(c.builds_started)),
+        counter("contactd_builds_total", "Builds that ended.", "outcome",
+                {{"finished", number(c.builds_finished)},
+                 {"failed", number(c.builds_failed)},
+                 {"cancelled", number(c.builds_cancelled)}}),
+        counter("contactd_build_seconds_total", "Time that builds took, all outcomes together.",
+                number(c.build_milliseconds) / 1000),
+        counter("contactd_builds_joined_total", "Requests that joined a build on its way.", number(c.builds_joined)),
+        counter(
+            "contactd_tables_found_total", "Tables of influence coefficients that needed no build.", "origin",
+            {{"memory", number(c.memory_hits)}, {"disk", number(c.disk_hits)}, {"closed_form", number(c.closed_form)}}),
+        counter("contactd_store_tables_set_aside_total", "Damaged tables moved to the quarantine folder.",
+                number(c.tables_set_aside)),
+        gauge("contactd_store_tables", "Tables in the store.", number(c.store_tables)),
+        gauge("contactd_store_bytes", "Bytes of the tables in the store.", number(c.store_bytes)),
+    };
+}
+
+void append(MetricFamilies& all, MetricFamilies more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
+
+MetricFamilies Service::metrics(bool look_at_store) {
+    if (look_at_store) count_store(counters_, config_.store.folder);
+    MetricFamilies all{build_info()};
+    append(all, request_metrics_.collect());
+    append(all, counted(counters_));
+    const IcCache::Usage tables = ics_.cache_usage();
+    const InfluenceCache::Usage operators = influences_.usage();
+    append(all, {gauge("contactd_ready", "1 when requests are taken and the store can be used.",
+                       not_ready().empty() ? 1 : 0),
+                 gauge("contactd_uptime_seconds", "Time since the start.",
+                       std::chrono::duration<double>(Call::Clock::now() - started_).count()),
+                 gauge("contactd_workers", "Threads that solve.", number(config_.workers)),
+                 gauge("contactd_workers_busy", "Threads that solve at present.", number(workers_.running())),
+                 gauge("contactd_queue_length", "Work that waits for a thread.", "queue",
+                       {{"solves", number(workers_.waiting())}, {"builds", number(ics_.builds_waiting())}}),
+                 gauge("contactd_builds_running", "Builders that run at present.", number(ics_.builds_running())),
+                 gauge("contactd_cache_entries", "What is kept in memory: tables, and transformed pairs of tables.",
+                       "cache", {{"tables", number(tables.tables)}, {"influences", number(operators.operators)}}),
+                 gauge("contactd_cache_bytes", "Memory of the caches.", "cache",
+                       {{"tables", number(tables.bytes)}, {"influences", number(operators.bytes)}}),
+                 gauge("contactd_cache_budget_bytes", "Memory that the caches may take.", "cache",
+                       {{"tables", number(tables.budget_bytes)}, {"influences", number(operators.budget_bytes)}})});
+    append(all, process_metrics());
+    return all;
+}
+
+std::string Service::not_ready() const {
+    if (stopping_) return "The daemon is ending.";
+    if (!serving_) return "The daemon is starting.";
+    return store_problem(config_.store.folder);
+}
+
+void Service::server_metrics(const CallPtr& call) {
+    call->succeed(to_json(metrics(false)));
+}
+
+}  // namespace contactd::server
