@@ -34,6 +34,8 @@ constexpr int messages_in_socket = 32;
 constexpr int backlog_poll_ms = 5;
 constexpr auto linger = std::chrono::milliseconds(2000);  // of answers, for a client that reads slowly
 
+// Closing a socket cuts off an answer that its client is still reading, lingering or not: it stays open so much longer.
+constexpr auto settling = std::chrono::milliseconds(300);
 constexpr auto stop_time = std::chrono::seconds(5);  // builders that do not end at once
 
 constexpr std::string_view ipc_prefix = "ipc://";
@@ -241,6 +243,7 @@ void Endpoint::deliver() {
             if (answer.status != "OK") ++service_.counters().requests_failed;
             service_.request_metrics().record(answer);
             log_answer(answer);
+            sent_ = Clock::now();
         }
         outbox_.send(std::move(answer));
     }
@@ -313,12 +316,11 @@ void Endpoint::stop() {
     service_.finish_stop();
     workers_ended_ = true;
     const auto patience = Clock::now() + linger;
-    while (receive() && Clock::now() < patience) deliver();  // what arrived meanwhile is refused
-    deliver();
-    while (!outbox_.empty() && Clock::now() < patience) {
+    do {
+        while (receive() && Clock::now() < patience) deliver();  // what arrives now is refused
+        deliver();
         std::this_thread::sleep_for(std::chrono::milliseconds(backlog_poll_ms));
-        outbox_.flush();
-    }
+    } while (Clock::now() < patience && (!outbox_.empty() || Clock::now() < sent_ + settling));
 }
 
 }  // namespace contactd::server

@@ -68,12 +68,12 @@ TEST_CASE("Good parameters pass", "[schema]") {
     CHECK_NOTHROW(check_params("contact.solve", wire::solve_params()));
     CHECK_NOTHROW(check_params("contact.solve_many", {{"problems", json(3, wire::solve_params())}}));
     CHECK_NOTHROW(check_params("job.cancel", {{"job", "build-3"}}));
-    for (const char* method : {"server.info", "server.health", "server.describe", "job.list"})
+    for (const char* method : {"server.info", "server.health", "server.describe", "server.metrics", "job.list"})
         CHECK_NOTHROW(check_params(method, json::object()));
 }
 
 TEST_CASE("An unknown method is UNIMPLEMENTED", "[schema]") {
-    for (const std::string method : {"", "contact", "contact.solve.params", "envelope", "server.metrics"}) {
+    for (const std::string method : {"", "contact", "contact.solve.params", "envelope", "server.restart"}) {
         const auto status = wire::status_thrown_by([&] { check_params(method, json::object()); });
         REQUIRE(status);
         CHECK(status->code == StatusCode::unimplemented);
