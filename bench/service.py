@@ -104,7 +104,7 @@ def latency(binaries: Path, rounds: int) -> list[dict[str, Any]]:
             config: dict[str, Any] = {"workers": 2} | ({"endpoint": endpoint} if endpoint else {})
             daemon = LocalDaemon(binaries / "contactd", folder=Path(folder) / name, config=config)
             endpoints.append(stack.enter_context(daemon).endpoint)
-        ran = subprocess.run([str(binaries / "bench_service"), str(rounds), *endpoints], check=True, capture_output=True)
+        ran = subprocess.run([str(binaries / "bench_service"), str(rounds), *endpoints], check=True, stdout=subprocess.PIPE)
     return json.loads(ran.stdout)
 
 

@@ -81,7 +81,8 @@ void start_solve(const CallPtr& call, const SolveTools& tools) {
                   [call, job](const proto::Status& status) {
                       job->end();
                       call->fail(status);
-                  }});
+                  },
+                  true});
 }
 
 void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const proto::Limits& limits) {

@@ -1,5 +1,6 @@
 #include "solve_task.hpp"
 
+#include <thread>
 #include <utility>
 
 #include "contactd/ic_exchange.hpp"
@@ -106,7 +107,12 @@ void check(const ContactProblem& problem) {
 
 void start(const SolveTools& tools, SolveTask task) {
     const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.influences, tools.counters, {}});
-    const auto queue = [work, &workers = tools.workers] { workers.post([work] { solve(work); }); };
+    // A worker that finds the tables at hand goes on by itself: another one would have to wake up first.
+    const auto caller = work->task.in_caller ? std::this_thread::get_id() : std::thread::id();
+    const auto queue = [work, caller, &workers = tools.workers] {
+        if (std::this_thread::get_id() == caller) return solve(work);
+        workers.post([work] { solve(work); });
+    };
     if (!needs_tables(work->task.problem)) return queue();
     fetch_pair(
         work->task.call, tools.ics, specs_of(work->task.problem),

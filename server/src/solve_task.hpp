@@ -32,6 +32,7 @@ struct SolveTask {
     /// One of them is called, from any thread; what `done` throws goes to `failed`.
     std::function<void(const proto::SolveReply&)> done;
     std::function<void(const proto::Status&)> failed;
+    bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
 };
 
 /// Notes how a solve ended and what it took.
@@ -40,7 +41,7 @@ void count(Counters& counters, const ContactSolution& solution);
 /// Throws for a problem that cannot be solved as stated.
 void check(const ContactProblem& problem);
 
-/// Returns at once.
+/// Returns at once, unless the task is solved by the caller.
 void start(const SolveTools& tools, SolveTask task);
 
 }  // namespace contactd::server

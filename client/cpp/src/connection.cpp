@@ -108,7 +108,7 @@ Reply Connection::call(const std::string& method, json params, std::vector<std::
         }
         const proto::Status status = proto::status_from_json(answer["status"]);
         if (!status.ok()) throw proto::StatusError(status);
-        json result = answer.value("result", json::object());
+        json result = answer.contains("result") ? std::move(answer["result"]) : json::object();
         check_schema(method + ".result", result);
         message.erase(message.begin());
         return {std::move(result), std::move(message)};
