@@ -27,7 +27,7 @@ for target in "${targets[@]}"; do
     mkdir -p "$work/corpus/$target" "$work/found" "$kept"
     if [ $keep = yes ]; then
         new=$(mktemp -d "$work/kept.XXXXXX")
-        "$program" -set_cover_merge=1 "${limits[@]}" "$new" "$work/seeds/$target" "$kept" "$work/corpus/$target" 2>/dev/null
+        "$program" -set_cover_merge=1 -use_counters=0 "${limits[@]}" "$new" "$work/seeds/$target" "$kept" "$work/corpus/$target" 2>/dev/null
         rm -rf "$kept" && mv "$new" "$kept" && chmod 755 "$kept"
         echo "$target: $(find "$kept" -type f | wc -l) inputs, $(du -sb "$kept" | cut -f1) bytes"
         continue
