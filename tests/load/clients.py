@@ -14,7 +14,6 @@ import zmq
 from load.workload import KINDS, draw, is_right, request
 
 PATIENCE = 60.0  # seconds for one answer
-RETRY = {"QUEUE_FULL", "RATE_LIMITED", "TOO_MANY_REQUESTS"}
 
 
 @dataclass
@@ -64,9 +63,9 @@ class Client:
         tally.answered += 1
         kind, status = KINDS[self.kind], envelope["status"]
         details = status.get("details", {})
-        if status["code"] != 0 and details.get("reason") in RETRY:
+        if status["name"] == "RESOURCE_EXHAUSTED" and "retry_delay_ms" in details:
             tally.refused += 1
-            self.resume = now + details.get("retry_delay_ms", 100) / 1000
+            self.resume = now + details["retry_delay_ms"] / 1000
             return
         if status["code"] != 0:
             return tally.problem(f"{kind.name}: {status}")

@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import collections
 import json
+import math
 import sys
 import time
 from collections.abc import Iterator
@@ -62,10 +63,17 @@ def reply(socket: zmq.Socket[bytes], about: object) -> dict[str, Any]:
             return envelope
 
 
+def finite(number: str) -> float:
+    """Refuses what no double holds, as the daemon does; NaN and Infinity, too."""
+    if not math.isfinite(value := float(number)):
+        raise ValueError(number)
+    return value
+
+
 def readable_id(message: Message) -> str | None:
     """The id that every JSON parser would find; None where they may differ."""
     try:
-        envelope = json.loads(message.text.decode())
+        envelope = json.loads(message.text.decode(), parse_float=finite, parse_int=finite, parse_constant=finite)
     except (ValueError, RecursionError):
         return None
     found = envelope.get("id") if isinstance(envelope, dict) else None
