@@ -58,7 +58,7 @@ class Endpoint {
     std::vector<CallPtr> open_;  // not answered yet, or not noticed yet that they are
     std::atomic<int> parsing_ = 0;
     Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
-    Call::Clock::time_point sent_;  // when the last answer went out
+    Call::Clock::time_point sent_;                                  // when the last answer went out
     bool workers_ended_ = false;
 };
 

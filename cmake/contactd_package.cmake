@@ -1,0 +1,67 @@
+# Debian packages by CPack: contactd (daemon, builder, unit, configuration) and python3-contactd (client).
+#   ./dev package
+set(package_files ${PROJECT_SOURCE_DIR}/packaging)
+
+# contactd_compressed(FILE NAME DESTINATION COMPONENT) installs FILE as NAME.gz, the same bytes every time.
+function(contactd_compressed file name destination component)
+  set(made ${PROJECT_BINARY_DIR}/packaging/${component}/${name}.gz)
+  add_custom_command(OUTPUT ${made} DEPENDS ${file}
+    COMMAND sh -c "mkdir -p '${PROJECT_BINARY_DIR}/packaging/${component}' && gzip -9nc '${file}' >'${made}'" VERBATIM)
+  add_custom_target(contactd_${component}_${name} ALL DEPENDS ${made})
+  install(FILES ${made} DESTINATION ${destination} COMPONENT ${component})
+endfunction()
+
+contactd_compressed(${package_files}/man/contactd.8 contactd.8 share/man/man8 programs)
+contactd_compressed(${package_files}/man/contactd-ic.1 contactd-ic.1 share/man/man1 programs)
+contactd_compressed(${package_files}/debian/changelog changelog share/doc/contactd programs)
+contactd_compressed(${package_files}/debian/changelog changelog share/doc/python3-contactd python)
+install(FILES ${package_files}/debian/copyright DESTINATION share/doc/contactd COMPONENT programs)
+install(FILES ${package_files}/debian/copyright DESTINATION share/doc/python3-contactd COMPONENT python)
+install(FILES ${package_files}/contactd.service DESTINATION lib/systemd/system COMPONENT programs)
+install(FILES ${package_files}/contactd.json DESTINATION /etc/contactd COMPONENT programs)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/client/python/contactd DESTINATION lib/python3/dist-packages COMPONENT python
+  PATTERN __pycache__ EXCLUDE)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME contactd)
+# The first line of each description: that of the project.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "elastic contact with computed influence coefficients, as a service")
+set(CPACK_PACKAGE_CONTACT "contactd authors <contactd@example.org>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL programs python)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME contactd)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "adduser, init-system-helpers (>= 1.52)")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "openmpi-bin")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "python3-contactd")
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "The daemon solves contact problems with the boundary element method. Where the
+influence coefficients of the bodies have no closed form, a second program
+computes them with finite elements; they are kept in HDF5 files. Clients talk
+to it over ZeroMQ, with JSON envelopes and raw array frames.")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_CONTROL_EXTRA ${package_files}/debian/postinst ${package_files}/debian/prerm
+  ${package_files}/debian/postrm ${PROJECT_BINARY_DIR}/packaging/conffiles)
+file(WRITE ${PROJECT_BINARY_DIR}/packaging/conffiles "/etc/contactd/contactd.json\n")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-contactd)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.10), python3-numpy, python3-zmq")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, contactd")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "client of contactd, elastic contact as a service (Python 3)
+Contact problems, tables of influence coefficients and stresses inside bodies
+from Python: plain classes in, NumPy arrays out.")
+# Control files have fixed names; those of this package are kept under its own.
+foreach(script postinst prerm)
+  configure_file(${package_files}/debian/python3-contactd.${script} ${PROJECT_BINARY_DIR}/packaging/python/${script} COPYONLY)
+endforeach()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packaging/python/postinst
+  ${PROJECT_BINARY_DIR}/packaging/python/prerm)
+include(CPack)

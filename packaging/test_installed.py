@@ -1,0 +1,17 @@
+"""Uses an installed daemon through the installed client: closed form, and a table that the builder makes."""
+
+import sys
+
+from contactd import AnalyticIcs, Client, FemIcs, Friction, Grid, Material, Paraboloid
+
+with Client(sys.argv[1], timeout=120) as client:
+    for ics in (AnalyticIcs(), FemIcs(accuracy=0.02)):
+        solution = client.solve(
+            grid=Grid(40, 40, 0.06, 0.06) if isinstance(ics, AnalyticIcs) else Grid(12, 12, 0.2, 0.2),
+            upper=Material(G=200, nu=0.42), ics=ics, gap=Paraboloid(Rx=50, Ry=50), approach=0.02,
+            friction=Friction(mu=0.4, rigid_shift=(0.00817, 0)),
+        )  # fmt: skip
+        print(type(ics).__name__, f"Fn {solution.forces.Fn:.3f} N, Fx {solution.forces.Fx:.3f} N")
+        assert solution.converged
+        assert 8 < solution.forces.Fn < 10
+        assert -3.6 < solution.forces.Fx < -2.8

@@ -1,0 +1,58 @@
+# Runs inside the fresh root of test_package.sh, as root: sh test_installed.sh FOLDER
+folder=$1
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+say() { echo "package test: $*" >&2; }
+fail() { say "$*"; exit 1; }
+
+# What a package leaves: everything but what dpkg and apt keep for themselves, and the logs of installing.
+files() {
+    find / -xdev \( -path /proc -o -path /sys -o -path /dev -o -path /run -o -path /tmp -o -path "$folder" \
+        -o -path /var/lib/dpkg -o -path /var/lib/apt -o -path /var/cache -o -path /var/log \) -prune -o -print | sort
+}
+
+files >/tmp/before
+apt-get update -qq
+say "installing with what the packages depend on, and nothing else"
+apt-get install -y -qq --no-install-recommends "$folder"/contactd_*.deb "$folder"/python3-contactd_*.deb >/tmp/install.log 2>&1 ||
+    { tail -n 30 /tmp/install.log >&2; fail "the packages cannot be installed"; }
+
+say "$(contactd --version | head -n 2 | tr '\n' ' ')"
+getent passwd contactd >/dev/null || fail "the user contactd was not made"
+[ "$(stat -c %U:%a /var/lib/contactd)" = contactd:750 ] || fail "/var/lib/contactd is not the daemon's own"
+[ "$(dpkg-query -W -f='${Conffiles}' contactd | grep -c /etc/contactd/contactd.json)" = 1 ] || fail "the configuration is no conffile"
+# As the unit starts it: its command line, its user, its folder.
+command=$(sed -n 's/^ExecStart=//p' /usr/lib/systemd/system/contactd.service)
+setpriv --reuid contactd --regid contactd --clear-groups $command --check-config
+
+say "starting the daemon and solving"
+cd /var/lib/contactd
+# At a socket of its own: the network is that of the machine.
+endpoint=ipc:///var/lib/contactd/socket
+setpriv --reuid contactd --regid contactd --clear-groups $command --endpoint $endpoint >/tmp/ready 2>/tmp/daemon.log &
+daemon=$!
+trap 'kill $daemon 2>/dev/null || true' EXIT
+tries=0
+until [ -s /tmp/ready ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 300 ] || { cat /tmp/daemon.log >&2; fail "the daemon did not start"; }
+    sleep 0.1
+done
+cd /
+contactd --ping $endpoint
+PYTHONDONTWRITEBYTECODE=1 python3 "$folder/test_installed.py" $endpoint || { cat /tmp/daemon.log >&2; fail "the client failed"; }
+kill -TERM $daemon
+wait $daemon || fail "the daemon ended with status $?"
+trap - EXIT
+[ -n "$(find /var/lib/contactd/store -name '*.h5')" ] || fail "the table was not kept"
+
+say "removing and purging"
+apt-get remove -y -qq contactd python3-contactd >/tmp/remove.log 2>&1 || { cat /tmp/remove.log >&2; fail "removal failed"; }
+[ -e /etc/contactd/contactd.json ] || fail "removal took the configuration"
+[ -d /var/lib/contactd ] || fail "removal took the tables"
+[ ! -e /usr/bin/contactd ] || fail "removal left the daemon"
+apt-get purge -y -qq contactd python3-contactd >/tmp/purge.log 2>&1 || { cat /tmp/purge.log >&2; fail "purging failed"; }
+files >/tmp/after
+left=$(comm -13 /tmp/before /tmp/after | grep -i contactd || true)
+[ -z "$left" ] || fail "files left behind: $left"
+! getent passwd contactd >/dev/null || fail "the user contactd was left behind"
+say "all is well"

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Installs the packages in a fresh Debian 13 root, starts the daemon there as its user, solves, and removes everything:
+#   packaging/test_package.sh FOLDER_OF_THE_PACKAGES [MIRROR]
+# Needs mmdebstrap and the network. Nothing stays behind: the root is thrown away by mmdebstrap itself.
+set -euo pipefail
+
+here=$(dirname "$(readlink -f "$0")")
+packages=$(readlink -f "$1")
+shift
+mode=auto
+[ "$(id -u)" -eq 0 ] || mode=unshare
+staged=$(mktemp -d)
+trap 'rm -rf "$staged"' EXIT
+cp "$packages"/contactd_*.deb "$packages"/python3-contactd_*.deb "$here/test_installed.sh" "$here/test_installed.py" "$staged/"
+chmod -R a+rX "$staged"
+
+mmdebstrap --variant=apt --mode="$mode" --format=null \
+    --customize-hook="copy-in $staged/. /root" \
+    --customize-hook='chroot "$1" sh -eu /root/test_installed.sh /root' \
+    trixie /dev/null "$@"
