@@ -49,6 +49,8 @@ def connected(endpoint: str) -> Iterator[zmq.Socket[bytes]]:
 
 def answer(socket: zmq.Socket[bytes]) -> None:
     envelope = json.loads(socket.recv_multipart()[0])
+    while "progress" in envelope:
+        envelope = json.loads(socket.recv_multipart()[0])
     if envelope["status"]["code"] != 0:
         raise RuntimeError(envelope["status"]["message"])
 
