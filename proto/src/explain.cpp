@@ -107,6 +107,11 @@ class Explainer {
             const json& field = member(properties.contains(name) ? properties : known, name);
             if (!value.contains(name)) report(joined(path, name), "is missing; it must be " + expected(field));
         }
+        const json& names = member(schema, "propertyNames");
+        for (const auto& entry : value.items())
+            if (characters(entry.key()) > names.value("maxLength", entry.key().size()))
+                report(path, "has a field of " + std::to_string(characters(entry.key())) +
+                                 " characters; a name must have at most " + shown(names["maxLength"]));
         visit_members(schema, properties, value, path);
         visit_size(schema, properties, value, path);
         visit_alternatives(schema, known, value, path);
@@ -158,8 +163,10 @@ class Explainer {
         if (value.size() >= least && value.size() <= most) return;
         const std::string amount = least == most ? "exactly " : value.size() < least ? "at least " : "at most ";
         const std::size_t bound = value.size() < least ? least : most;
-        report(path, "is " + shown(value) + "; it must hold " + amount + (bound == 1 ? "one" : std::to_string(bound)) +
-                         " of " + listed(names_of(properties)));
+        const std::string words = "is " + shown(value) + "; it must hold " + amount;
+        const std::string number = bound == 1 ? "one" : std::to_string(bound);
+        const bool open = schema.contains("additionalProperties") && schema["additionalProperties"] != false;
+        report(path, words + number + (open ? " fields" : " of " + listed(names_of(properties))));
     }
 
     /// if: fields that are there, constants of some; then: the names of the fields that go with them, and perhaps, as

@@ -6,6 +6,7 @@
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/status.hpp"
 #include "json_reader.hpp"
+#include "shown.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -44,6 +45,27 @@ void check_limits(std::size_t envelope_bytes, const std::vector<std::string>& fr
     }
     if (bytes > limits.max_message_bytes)
         limit_exceeded("The number of bytes of the message", bytes, limits.max_message_bytes);
+}
+
+/// Before the rest of the envelope, which in another version may be another one.
+void check_version(const nlohmann::json& envelope) {
+    const auto at = envelope.find("contactd");
+    if (at == envelope.end() || !at->is_number_integer()) return;  // for the schema to say
+    const auto served = [&](int version) { return *at == version; };
+    if (std::any_of(protocol_versions.begin(), protocol_versions.end(), served)) return;
+    Status status{StatusCode::unimplemented, {}, std::string(reason::protocol_version), {}, 0};
+    status.versions.assign(protocol_versions.begin(), protocol_versions.end());
+    const bool newer = *at > protocol_versions.back();
+    status.message = "The request is of version " + shown(*at) + " of the protocol; this daemon, contactd " +
+                     CONTACTD_VERSION + ", serves version " + std::to_string(protocol_version) + ": upgrade the " +
+                     (newer ? "daemon" : "client") + ".";
+    throw StatusError(std::move(status));
+}
+
+std::optional<Priority> priority_of(const nlohmann::json& envelope) {
+    const auto at = envelope.find("priority");
+    if (at == envelope.end()) return std::nullopt;
+    return *at == "high" ? Priority::high : *at == "low" ? Priority::low : Priority::normal;
 }
 
 void check_envelope(const nlohmann::json& envelope) {
@@ -85,6 +107,7 @@ Request parse_request(std::string_view text, std::vector<std::string> frames, co
     if (!envelope.is_object())
         throw StatusError(StatusCode::invalid_argument, reason::not_an_object,
                           std::string("The envelope is a JSON ") + envelope.type_name() + "; it must be an object.");
+    check_version(envelope);
     check_envelope(envelope);
 
     Request request;
@@ -94,6 +117,9 @@ Request parse_request(std::string_view text, std::vector<std::string> frames, co
     request.metadata = member_or_empty(envelope, "metadata");
     request.timeout_ms = envelope.value("timeout_ms", 0);
     request.arrays = envelope.value("arrays", "frame") == "list" ? ArrayEncoding::list : ArrayEncoding::frame;
+    request.priority = priority_of(envelope);
+    request.bytes = text.size();
+    for (const std::string& frame : frames) request.bytes += frame.size();
     request.frames = std::move(frames);
     return request;
 }

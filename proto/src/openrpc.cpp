@@ -36,6 +36,8 @@ constexpr Summary summaries[]{
     {"contact.subsurface", "Stresses inside a body, a half-space, under the tractions of a contact."},
     {"job.list", "The work that waits and runs."},
     {"job.cancel", "Ends a job; everyone waiting for it gets CANCELLED."},
+    {"request.cancel",
+     "Ends a request that its client has sent before, whatever it is; the answer to that is CANCELLED."},
 };
 
 /// One error for each status code; `data` of a reply's status says more (components.schemas.status).
@@ -51,7 +53,7 @@ json errors_of(std::string_view method) {
         add(StatusCode::deadline_exceeded);
         add(StatusCode::resource_exhausted);
     }
-    if (method == "job.cancel") add(StatusCode::not_found);
+    if (method == "job.cancel" || method == "request.cancel") add(StatusCode::not_found);
     return errors;
 }
 

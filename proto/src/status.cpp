@@ -43,6 +43,18 @@ int retry_delay_from(const nlohmann::json& details) {
     return at->get<int>();
 }
 
+std::vector<int> versions_from(const nlohmann::json& details) {
+    const auto at = details.find("versions");
+    if (at == details.end()) return {};
+    if (!at->is_array()) no_status("has versions that are no list");
+    std::vector<int> versions;
+    for (const auto& version : *at) {
+        if (!version.is_number_integer()) no_status("has a version that is no integer");
+        versions.push_back(version.get<int>());
+    }
+    return versions;
+}
+
 }  // namespace
 
 std::string_view name_of(StatusCode code) {
@@ -58,6 +70,7 @@ nlohmann::json to_json(const Status& status) {
     for (const Violation& violation : status.violations)
         details["violations"].push_back({{"field", violation.field}, {"description", violation.description}});
     if (status.retry_delay_ms > 0) details["retry_delay_ms"] = status.retry_delay_ms;
+    if (!status.versions.empty()) details["versions"] = status.versions;
     if (!details.empty()) json["details"] = std::move(details);
     return json;
 }
@@ -75,6 +88,7 @@ Status status_from_json(const nlohmann::json& json) {
         status.reason = text_of(*details, "reason");
         status.violations = violations_from(*details);
         status.retry_delay_ms = retry_delay_from(*details);
+        status.versions = versions_from(*details);
     }
     return status;
 }

@@ -1,6 +1,8 @@
 #include "call.hpp"
 
+#include <algorithm>
 #include <new>
+#include <utility>
 
 #include "contactd/error.hpp"
 
@@ -16,32 +18,90 @@ json envelope(const json& id) {
     return {{"contactd", proto::protocol_version}, {"id", id}};
 }
 
+/// The name of the client as its metadata give it.
+std::string agent_of(const proto::Request& request) {
+    const auto at = request.metadata.find("client");
+    return at == request.metadata.end() ? std::string() : at->get<std::string>();
+}
+
+[[noreturn]] void too_large(const std::string& what, std::size_t is, std::size_t limit, const char* name) {
+    throw proto::StatusError(StatusCode::invalid_argument, proto::reason::answer_too_large,
+                             "The answer would have " + std::to_string(is) + " " + what + "; at most " +
+                                 std::to_string(limit) + " are allowed (limits." + name +
+                                 "). Ask for less at once, or for arrays as frames.");
+}
+
+/// What the client could not take must not be sent.
+void check_limits(const std::string& text, const std::vector<std::string>& frames, const proto::Limits& limits) {
+    std::size_t largest = text.size(), total = text.size();
+    for (const auto& frame : frames) {
+        largest = std::max(largest, frame.size());
+        total += frame.size();
+    }
+    if (frames.size() + 1 > limits.max_frames) too_large("frames", frames.size() + 1, limits.max_frames, "max_frames");
+    if (largest > limits.max_frame_bytes)
+        too_large("bytes in one frame", largest, limits.max_frame_bytes, "max_frame_bytes");
+    if (total > limits.max_message_bytes) too_large("bytes", total, limits.max_message_bytes, "max_message_bytes");
+}
+
 }  // namespace
 
 void Call::succeed(const json& result, std::vector<std::string> frames) {
-    finish(Status{}, &result, std::move(frames));
+    if (answered_) return;
+    json reply = envelope(request.id);
+    reply["status"] = proto::to_json(Status{});
+    std::string text = proto::dump(reply);
+    text.replace(text.size() - 1, 1, ",\"result\":" + proto::dump(result) + "}");  // without a copy of it
+    try {
+        check_limits(text, frames, limits_);
+    } catch (const proto::StatusError& error) {
+        return fail(error.status());
+    }
+    finish(Status{}, std::move(text), std::move(frames));
+}
+
+void Call::check_deadline() {
+    if (answered_ || Clock::now() < deadline()) return;
+    fail({StatusCode::deadline_exceeded,
+          "The answer was not ready within " + std::to_string(request.timeout_ms) + " ms.",
+          std::string(proto::reason::deadline_passed),
+          {},
+          0});
+}
+
+void Call::when_answered(std::function<void()> then) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!answered_) return then_.push_back(std::move(then));
+    }
+    then();
 }
 
 void Call::fail(const Status& status) {
-    finish(status, nullptr, {});
-}
-
-void Call::finish(const Status& status, const json* result, std::vector<std::string> frames) {
-    if (answered_.exchange(true)) return;
+    if (answered_) return;
     json reply = envelope(request.id);
     reply["status"] = proto::to_json(status);
-    std::string text = proto::dump(reply);
-    if (result) text.replace(text.size() - 1, 1, ",\"result\":" + proto::dump(*result) + "}");  // without a copy of it
+    finish(status, proto::dump(reply), {});
+}
+
+void Call::finish(const Status& status, std::string text, std::vector<std::string> frames) {
+    std::vector<std::function<void()>> then;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (answered_.exchange(true)) return;
+        then = std::exchange(then_, {});
+    }
+    for (const auto& step : then) step();
     const std::chrono::duration<double, std::milli> spent = Clock::now() - received;
     post_({route_, std::move(text), std::move(frames), false, request.id, request.method,
-           std::string(proto::name_of(status.code)), spent.count(), status.reason});
+           std::string(proto::name_of(status.code)), spent.count(), status.reason, agent_of(request)});
 }
 
 void Call::progress(const json& progress) {
     if (answered_ || route_.empty_delimiter) return;
     json message = envelope(request.id);
     message["progress"] = progress;
-    post_({route_, proto::dump(message), {}, true, {}, {}, {}, 0, {}});
+    post_({route_, proto::dump(message), {}, true, {}, {}, {}, 0, {}, {}});
 }
 
 void guarded(const CallPtr& call, const std::function<void()>& work) {
@@ -56,7 +116,7 @@ Answer refusal(Route route, const std::string& id, const Status& status) {
     json reply = envelope(id.empty() ? json(nullptr) : json(id));
     reply["status"] = proto::to_json(status);
     return {std::move(route), proto::dump(reply), {}, false, id, "?", std::string(proto::name_of(status.code)), 0,
-            status.reason};
+            status.reason, {}};
 }
 
 Status status_of(const std::exception& error) {

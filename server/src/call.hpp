@@ -3,13 +3,16 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "contactd/proto/message.hpp"
 #include "contactd/proto/status.hpp"
+#include "worker_pool.hpp"
 
 namespace contactd::server {
 
@@ -18,6 +21,9 @@ struct Route {
     std::string identity;          ///< of the client, given by ROUTER
     bool empty_delimiter = false;  ///< a REQ socket: one answer only, behind an empty frame
 };
+
+/// Of an open request; 0 of one that is answered at once.
+using CallNumber = std::uint64_t;
 
 /// What goes out: frame 0 and the arrays behind it.
 struct Answer {
@@ -29,6 +35,8 @@ struct Answer {
     std::string id, method, status;
     double milliseconds = 0;
     std::string reason;  ///< empty when the status is OK
+    std::string agent;   ///< what the client calls itself
+    CallNumber number = 0;
 };
 
 /// Answers once, from any thread; what comes after the first answer is dropped.
@@ -37,11 +45,22 @@ class Call {
     using Clock = std::chrono::steady_clock;
     using Post = std::function<void(Answer)>;  ///< to the I/O thread
 
-    Call(Route route, proto::Request parsed, Clock::time_point received_at, Post post)
-        : request(std::move(parsed)), received(received_at), route_(std::move(route)), post_(std::move(post)) {}
+    Call(Route route, proto::Request parsed, Clock::time_point received_at, proto::Priority its_priority,
+         const proto::Limits& limits, Post post)
+        : request(std::move(parsed)),
+          received(received_at),
+          priority(its_priority),
+          route_(std::move(route)),
+          limits_(limits),
+          post_(std::move(post)) {}
 
     const proto::Request request;
     const Clock::time_point received;
+    const proto::Priority priority;
+
+    /// Who asked, as fairness and limits count clients.
+    const std::string& client() const { return route_.identity; }
+    bool takes_progress() const { return !route_.empty_delimiter; }
 
     /// The deadline the client gave, or never.
     Clock::time_point deadline() const {
@@ -49,19 +68,32 @@ class Call {
                                       : Clock::time_point::max();
     }
     bool answered() const { return answered_; }
+    /// Answers DEADLINE_EXCEEDED when it is time.
+    void check_deadline();
+    /// Called with the answer, or now when there is one already. Not for what holds this call.
+    void when_answered(std::function<void()> then);
+    /// An answer beyond the limits of a message becomes ANSWER_TOO_LARGE.
     void succeed(const nlohmann::json& result, std::vector<std::string> frames = {});
     void fail(const proto::Status& status);
     void progress(const nlohmann::json& progress);
 
    private:
-    void finish(const proto::Status& status, const nlohmann::json* result, std::vector<std::string> frames);
+    void finish(const proto::Status& status, std::string text, std::vector<std::string> frames);
 
     const Route route_;
+    const proto::Limits& limits_;
     const Post post_;
     std::atomic<bool> answered_ = false;
+    std::mutex mutex_;
+    std::vector<std::function<void()>> then_;
 };
 
 using CallPtr = std::shared_ptr<Call>;
+
+/// The turn of work for `call` in a pool; work for a call that was answered is dropped.
+inline Turn turn_of(const CallPtr& call) {
+    return {call->client(), call->priority, [call] { return call->answered(); }};
+}
 
 /// The reply to a request whose envelope could not be read; `id` is empty when it is not known.
 Answer refusal(Route route, const std::string& id, const proto::Status& status);

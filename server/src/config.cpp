@@ -79,6 +79,8 @@ Config config_from_json(const json& given) {
     config.max_grid_elements = limits["max_grid_elements"];
     config.max_queue = limits["max_queue"];
     config.max_outbox_bytes = limits["max_outbox_bytes"];
+    config.max_queue_per_client = limits["max_queue_per_client"];
+    config.max_queue_bytes = limits["max_queue_bytes"];
     config.log = {all["log"]["level"], all["log"]["format"], all["log"]["file"].get<std::string>()};
     config.http = {all["http"]["address"]};
     config.shutdown = {all["shutdown"]["drain_seconds"]};
@@ -117,7 +119,9 @@ json to_json(const Config& config) {
               {"max_array_elements", config.limits.max_array_elements},
               {"max_grid_elements", config.max_grid_elements},
               {"max_queue", config.max_queue},
-              {"max_outbox_bytes", config.max_outbox_bytes}}},
+              {"max_outbox_bytes", config.max_outbox_bytes},
+              {"max_queue_per_client", config.max_queue_per_client},
+              {"max_queue_bytes", config.max_queue_bytes}}},
             {"log", {{"level", config.log.level}, {"format", config.log.format}, {"file", config.log.file.string()}}},
             {"http", {{"address", config.http.address}}},
             {"shutdown", {{"drain_seconds", config.shutdown.drain_seconds}}}};

@@ -30,6 +30,8 @@ struct Config {
     std::size_t max_grid_elements;
     std::size_t max_queue;
     std::size_t max_outbox_bytes;
+    std::size_t max_queue_per_client;
+    std::size_t max_queue_bytes;
     struct {
         std::string level;
         std::string format;

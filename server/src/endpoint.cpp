@@ -29,7 +29,6 @@ namespace {
 /// Envelopes up to this size are read by the I/O thread itself; larger ones would keep others waiting.
 constexpr std::size_t small_envelope = 64 << 10;
 constexpr int messages_per_turn = 64;
-constexpr int queue_retry_ms = 500;
 constexpr int messages_in_socket = 32;
 constexpr int backlog_poll_ms = 5;
 constexpr auto linger = std::chrono::milliseconds(2000);  // of answers, for a client that reads slowly
@@ -87,15 +86,8 @@ void log_answer(const Answer& answer) {
                {"method", answer.method},
                {"status", answer.status},
                {"ms", std::round(answer.milliseconds * 1000) / 1000},
-               {"client", name_of(answer.route.identity)}});
-}
-
-Status queue_full() {
-    return {StatusCode::resource_exhausted,
-            "Too many requests wait for an answer; try again later.",
-            std::string(proto::reason::queue_full),
-            {},
-            queue_retry_ms};
+               {"client", name_of(answer.route.identity)},
+               {"agent", answer.agent}});
 }
 
 }  // namespace
@@ -105,7 +97,8 @@ Endpoint::Endpoint(const Config& config, Service& service)
       service_(service),
       socket_(context_, zmq::socket_type::router),
       monitor_(context_, socket_),
-      outbox_(socket_, config.max_outbox_bytes) {
+      outbox_(socket_, config.max_outbox_bytes),
+      thread_(std::this_thread::get_id()) {
     socket_.set(zmq::sockopt::router_mandatory, true);
     socket_.set(zmq::sockopt::linger, static_cast<int>(linger.count()));
     // ZeroMQ counts messages, not bytes: what it holds for each client must be few, so that our budgets mean something.
@@ -157,8 +150,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
 void Endpoint::note_levels() {
     Counters& counters = service_.counters();
     counters.outbox_bytes = static_cast<long long>(outbox_.bytes());
-    const std::scoped_lock lock(mutex_);
-    counters.open_requests = static_cast<long long>(open_.size());
+    counters.open_requests = static_cast<long long>(service_.open_calls().count());
 }
 
 void Endpoint::handle_signal(int signal, const Notifier& notifier, const std::function<void()>& reload) {
@@ -201,37 +193,57 @@ bool Endpoint::receive() {
 
 void Endpoint::accept(Route route, std::string envelope, std::vector<std::string> frames) {
     const auto received = Clock::now();
-    const bool is_small = envelope.size() <= small_envelope;
     ++service_.counters().requests;
-    if (!is_small && parsing_ >= static_cast<int>(config_.max_queue))
-        return mailbox_.put(refusal(std::move(route), "", queue_full()));
-    auto parse = [this, received, route = std::move(route), envelope = std::move(envelope),
-                  frames = std::move(frames)]() mutable {
-        std::string id;
-        try {
-            open_call(route, proto::parse_request(envelope, std::move(frames), config_.limits, id), received);
-        } catch (const std::exception& error) {
-            mailbox_.put(refusal(route, id, status_of(error)));
-        }
-    };
-    if (is_small || workers_ended_) return parse();
-    ++parsing_;
-    service_.defer([this, parse = std::move(parse)]() mutable {
-        parse();
-        --parsing_;
-    });
+    if (envelope.size() <= small_envelope || parser_ended_)
+        return parse_now(route, envelope, std::move(frames), received, {});
+    // In a thread of its own rather than a worker, which may be long in coming, while the deadline is not known yet.
+    try {
+        std::size_t bytes = envelope.size();
+        for (const auto& frame : frames) bytes += frame.size();
+        OpenCalls::Admission admission = service_.open_calls().admit(route, bytes);
+        Turn turn{route.identity};
+        parser_.post(std::move(turn), [this, received, route = std::move(route), envelope = std::move(envelope),
+                                       frames = std::move(frames), admission = std::move(admission)]() mutable {
+            parse_now(route, envelope, std::move(frames), received, std::move(admission));
+        });
+    } catch (const std::exception& error) {
+        mailbox_.put(refusal(route, "", status_of(error)));
+    }
 }
 
-void Endpoint::open_call(Route route, proto::Request request, Clock::time_point received) {
-    auto call = std::make_shared<Call>(std::move(route), std::move(request), received,
-                                       [this](Answer answer) { mailbox_.put(std::move(answer)); });
-    if (!service_.is_quick(call->request.method)) {
-        const std::scoped_lock lock(mutex_);
-        std::erase_if(open_, [](const CallPtr& known) { return known->answered(); });
-        if (open_.size() >= config_.max_queue) return call->fail(queue_full());
-        open_.push_back(call);
+void Endpoint::parse_now(const Route& route, const std::string& envelope, std::vector<std::string> frames,
+                         Clock::time_point received, OpenCalls::Admission admission) {
+    const CallNumber number = admission.number;
+    std::string id;
+    try {
+        open_call(route, proto::parse_request(envelope, std::move(frames), config_.limits, id), received,
+                  std::move(admission));
+    } catch (const std::exception& error) {
+        Answer answer = refusal(route, id, status_of(error));
+        answer.number = number;
+        mailbox_.put(std::move(answer));
     }
+}
+
+void Endpoint::open_call(const Route& route, proto::Request request, Clock::time_point received,
+                         OpenCalls::Admission admission) {
+    OpenCalls& open = service_.open_calls();
+    const bool counts = !service_.is_quick(request.method);
+    if (counts && admission.number == 0) admission = open.admit(route, request.bytes);
+    const auto priority = request.priority.value_or(service_.priority_of(request.method));
+    auto call = std::make_shared<Call>(route, std::move(request), received, priority, config_.limits,
+                                       [this, admission](Answer answer) {
+                                           if (!answer.is_progress) answer.number = admission.number;
+                                           mailbox_.put(std::move(answer));
+                                       });
+    if (admission.number != 0 && !open.attach(admission.number, call)) return;  // answered while it was read
+    if (call->request.method == "request.cancel" && open.has_unread(route.identity)) {
+        // Perhaps it is the unread one that is meant: not before that has been read.
+        return parser_.post(Turn{route.identity}, [this, call] { service_.handle(call); });
+    }
+    const bool has_deadline = call->request.timeout_ms > 0;
     service_.handle(std::move(call));
+    if (counts && has_deadline && std::this_thread::get_id() != thread_) mailbox_.wake();  // its poll must know of it
 }
 
 // --- out -------------------------------------------------------------------------------------------------------------
@@ -244,37 +256,19 @@ void Endpoint::deliver() {
             service_.request_metrics().record(answer);
             log_answer(answer);
             sent_ = Clock::now();
+            service_.open_calls().close(answer.number);
         }
         outbox_.send(std::move(answer));
     }
 }
 
 void Endpoint::end_overdue() {
-    const auto now = Clock::now();
-    std::vector<CallPtr> overdue;
-    {
-        const std::scoped_lock lock(mutex_);
-        std::erase_if(open_, [](const CallPtr& call) { return call->answered(); });
-        std::copy_if(open_.begin(), open_.end(), std::back_inserter(overdue),
-                     [&](const CallPtr& call) { return call->deadline() <= now; });
-    }
-    for (const CallPtr& call : overdue)
-        call->fail({StatusCode::deadline_exceeded,
-                    "The answer was not ready within " + std::to_string(call->request.timeout_ms) + " ms.",
-                    std::string(proto::reason::deadline_passed),
-                    {},
-                    0});
+    for (const CallPtr& call : service_.open_calls().overdue(Clock::now())) call->check_deadline();
 }
 
 long Endpoint::poll_milliseconds() {
-    auto next = Clock::time_point::max();
-    {
-        const std::scoped_lock lock(mutex_);
-        for (const CallPtr& call : open_)
-            if (!call->answered()) next = std::min(next, call->deadline());
-    }
+    const auto next = std::min(service_.open_calls().next_deadline(), end_);
     long wait = -1;
-    next = std::min(next, end_);
     if (next != Clock::time_point::max())
         wait =
             std::max(0L, static_cast<long>(std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now()).count()));
@@ -286,9 +280,7 @@ long Endpoint::poll_milliseconds() {
 
 bool Endpoint::is_idle() {
     deliver();  // what was answered since the last look
-    const std::scoped_lock lock(mutex_);
-    std::erase_if(open_, [](const CallPtr& call) { return call->answered(); });
-    return open_.empty() && parsing_ == 0 && mailbox_.empty() && outbox_.empty();
+    return service_.open_calls().count() == 0 && mailbox_.empty() && outbox_.empty();
 }
 
 void Endpoint::begin_drain(const Notifier& notifier) {
@@ -297,24 +289,21 @@ void Endpoint::begin_drain(const Notifier& notifier) {
     service_.begin_drain();
     notifier.stopping("Finishing what was accepted",
                       time + std::chrono::ceil<std::chrono::seconds>(2 * linger) + stop_time);
-    const std::scoped_lock lock(mutex_);
-    if (!open_.empty()) spdlog::info("up to {} s for {} open requests", time.count(), open_.size());
+    if (const auto open = service_.open_calls().count()) spdlog::info("up to {} s for {} open requests", time.count(), open);
 }
 
 void Endpoint::stop() {
-    std::vector<CallPtr> open;
-    {
-        const std::scoped_lock lock(mutex_);
-        open.swap(open_);
+    for (const auto& [route, call] : service_.open_calls().take_all()) {
+        if (call)
+            call->fail(Service::stop_status());
+        else
+            mailbox_.put(refusal(route, "", Service::stop_status()));
     }
-    for (const CallPtr& call : open) call->fail(Service::stop_status());
     service_.begin_stop();
     deliver();
-    // Large envelopes that workers still read are answered too; what the workers do has been told to end.
-    for (const auto patience = Clock::now() + stop_time; parsing_ > 0 && Clock::now() < patience;)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    parser_.stop();  // what it had not read yet has been answered above
+    parser_ended_ = true;
     service_.finish_stop();
-    workers_ended_ = true;
     const auto patience = Clock::now() + linger;
     do {
         while (receive() && Clock::now() < patience) deliver();  // what arrives now is refused

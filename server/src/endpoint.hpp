@@ -1,11 +1,10 @@
 // The I/O thread: owns the ROUTER socket, takes requests in and sends answers out.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 #include <zmq.hpp>
 
@@ -14,6 +13,7 @@
 #include "connection_monitor.hpp"
 #include "mailbox.hpp"
 #include "notify.hpp"
+#include "open_calls.hpp"
 #include "outbox.hpp"
 #include "service.hpp"
 
@@ -36,7 +36,10 @@ class Endpoint {
    private:
     bool receive();  ///< some of what has arrived; true when there is more
     void accept(Route route, std::string envelope, std::vector<std::string> frames);
-    void open_call(Route route, proto::Request request, Call::Clock::time_point received);
+    void parse_now(const Route& route, const std::string& envelope, std::vector<std::string> frames,
+                   Call::Clock::time_point received, OpenCalls::Admission admission);
+    void open_call(const Route& route, proto::Request request, Call::Clock::time_point received,
+                   OpenCalls::Admission admission);
     void deliver();
     void end_overdue();
     long poll_milliseconds();
@@ -54,12 +57,11 @@ class Endpoint {
     zmq::socket_t socket_;
     ConnectionMonitor monitor_;
     Outbox outbox_;
-    std::mutex mutex_;
-    std::vector<CallPtr> open_;  // not answered yet, or not noticed yet that they are
-    std::atomic<int> parsing_ = 0;
     Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
     Call::Clock::time_point sent_;                                  // when the last answer went out
-    bool workers_ended_ = false;
+    bool parser_ended_ = false;
+    const std::thread::id thread_;
+    WorkerPool parser_{1};  // last: its thread uses everything above
 };
 
 }  // namespace contactd::server

@@ -78,7 +78,7 @@ void start_export(const CallPtr& call, IcService& ics, WorkerPool& workers, std:
         call, ics, {work->specs[0], work->specs[1]},
         [work, &workers](const IcAnswers& answers) {
             work->answers = answers;
-            workers.post([work] { answer(work); });
+            workers.post(turn_of(work->call), [work] { answer(work); });
         },
         [call](const proto::Status& status) { call->fail(status); });
 }

@@ -28,18 +28,18 @@ void fetch(const PairPtr& pair, std::size_t body, IcService& ics) {
     }
     while (body < pair->specs.size() && !pair->specs[body]) ++body;
     if (body == pair->specs.size()) return pair->done(pair->answers);
-    ics.request(*pair->specs[body], {[pair, body, &ics](const IcAnswer& answer) {
-                                         pair->answers[body] = answer;
-                                         try {
-                                             fetch(pair, body + 1, ics);
-                                         } catch (const std::exception& error) {
-                                             pair->failed(status_of(error));
-                                         }
-                                     },
-                                     pair->failed,
-                                     [pair](const Job& job, const JobProgress& progress) {
-                                         pair->call->progress(to_json(job, progress));
-                                     }});
+    ics.request(*pair->specs[body],
+                {[pair, body, &ics](const IcAnswer& answer) {
+                     pair->answers[body] = answer;
+                     try {
+                         fetch(pair, body + 1, ics);
+                     } catch (const std::exception& error) {
+                         pair->failed(status_of(error));
+                     }
+                 },
+                 pair->failed,
+                 [pair](const Job& job, const JobProgress& progress) { pair->call->progress(to_json(job, progress)); },
+                 turn_of(pair->call)});
 }
 
 }  // namespace

@@ -161,7 +161,10 @@ bool IcService::queue_build(const FlightPtr& flight) {
     });
     flight->job->callers = static_cast<int>(flight->callers.size());
     for (const IcCaller& caller : flight->callers) caller.progress(*flight->job, flight->job->progress());
-    builders_.post([this, flight] { build(flight); });
+    // A build goes on for the cache when its callers have gone.
+    Turn turn = flight->callers.empty() ? Turn{} : flight->callers.front().turn;
+    turn.abandoned = nullptr;
+    builders_.post(std::move(turn), [this, flight] { build(flight); });
     return true;
 }
 

@@ -35,6 +35,7 @@ struct IcCaller {
     std::function<void(const IcAnswer&)> done;
     std::function<void(const proto::Status&)> failed;
     std::function<void(const Job&, const JobProgress&)> progress;
+    Turn turn{};  ///< of a build that the caller is the first to want
 };
 
 class IcService {

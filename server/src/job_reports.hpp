@@ -16,7 +16,12 @@ namespace contactd::server {
 
 /// A job of kind "solve", ... on which one call waits; cancelling the job answers the call.
 inline std::shared_ptr<Job> make_job(const std::string& kind, const CallPtr& call, JobTable& jobs) {
-    return jobs.create(kind, [call] { call->fail(status_of(Cancelled("The job was cancelled."))); });
+    auto job = jobs.create(kind, [call] { call->fail(status_of(Cancelled("The job was cancelled."))); });
+    // Nobody waits for it any more, whatever holds it still.
+    call->when_answered([waiting = std::weak_ptr(job)] {
+        if (const auto known = waiting.lock()) known->end();
+    });
+    return job;
 }
 
 inline JobProgress to_job_progress(const Progress& progress) {
@@ -47,13 +52,16 @@ class Reporter {
     Call::Clock::time_point last_ = Call::Clock::now();
 };
 
-/// Ends a computation when its job is cancelled or its call has been answered.
+/// Ends a computation when its job is cancelled, its call has been answered, or the call's time is up.
 class JobObserver final : public Observer {
    public:
     JobObserver(CallPtr call, std::shared_ptr<Job> job, std::function<void(const Progress&)> progress)
         : call_(std::move(call)), job_(std::move(job)), progress_(std::move(progress)) {}
     void on_progress(const Progress& progress) override { progress_(progress); }
-    bool cancelled() const override { return job_->cancelled() || call_->answered(); }
+    bool cancelled() const override {
+        call_->check_deadline();
+        return job_->cancelled() || call_->answered();
+    }
 
    private:
     const CallPtr call_;

@@ -31,6 +31,11 @@ class Mailbox {
             const std::scoped_lock lock(mutex_);
             mail_.push_back(std::move(value));
         }
+        wake();
+    }
+
+    /// Makes fd() readable without mail.
+    void wake() {
         const std::uint64_t one = 1;
         // Fails only when the counter is full, and then the reader is awake anyway.
         [[maybe_unused]] const ssize_t written = ::write(fd_, &one, sizeof one);

@@ -75,6 +75,7 @@ void check_grid_limits(const json& problems, std::size_t most) {
 
 Service::Service(const Config& config)
     : config_(config),
+      open_calls_({config.max_queue, config.max_queue_per_client, config.max_queue_bytes}),
       methods_{{"server.info", {&Service::server_info, true}},
                {"server.health", {&Service::server_health, true}},
                {"server.describe", {&Service::server_describe, true}},
@@ -82,10 +83,11 @@ Service::Service(const Config& config)
                {"ic.get", {&Service::ic_get, false}},
                {"ic.export", {&Service::ic_export, false}},
                {"contact.solve", {&Service::contact_solve, false}},
-               {"contact.solve_many", {&Service::contact_solve_many, false}},
+               {"contact.solve_many", {&Service::contact_solve_many, false, proto::Priority::low}},
                {"contact.subsurface", {&Service::contact_subsurface, false}},
                {"job.list", {&Service::job_list, true}},
-               {"job.cancel", {&Service::job_cancel, true}}},
+               {"job.cancel", {&Service::job_cancel, true}},
+               {"request.cancel", {&Service::request_cancel, true}}},
       request_metrics_(names_of(methods_)),
       ics_(
           {{config.builds.launcher, config.builds.program}, config.builds.concurrent, config.store.memory_budget_bytes},
@@ -100,12 +102,19 @@ bool Service::is_quick(const std::string& method) const {
     return entry == methods_.end() || entry->second.is_quick;
 }
 
+proto::Priority Service::priority_of(const std::string& method) const {
+    const auto entry = methods_.find(method);
+    return entry == methods_.end() ? proto::Priority::normal : entry->second.priority;
+}
+
 void Service::handle(CallPtr call) {
     const auto entry = methods_.find(call->request.method);
     const Method method = entry == methods_.end() ? nullptr : entry->second.method;
     if (is_quick(call->request.method)) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
-    workers_.post([this, method, call = std::move(call)] {
+    Turn turn = turn_of(call);
+    workers_.post(std::move(turn), [this, method, call = std::move(call)] {
+        call->check_deadline();
         if (!call->answered()) run(method, call);
     });
 }
@@ -144,10 +153,13 @@ void Service::server_info(const CallPtr& call) {
     json limits = proto::to_json(config_.limits);
     limits["max_grid_elements"] = config_.max_grid_elements;
     limits["max_queue"] = config_.max_queue;
+    limits["max_queue_per_client"] = config_.max_queue_per_client;
+    limits["max_queue_bytes"] = config_.max_queue_bytes;
     const IcCache::Usage cache = ics_.cache_usage();
     call->succeed({{"version", version()},
                    {"commit", commit()},
                    {"protocol", proto::protocol_version},
+                   {"protocol_versions", proto::protocol_versions},
                    {"libraries", all_library_versions()},
                    {"limits", limits},
                    {"counters",
@@ -185,18 +197,18 @@ void Service::ic_get(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
     const IcSpec spec = proto::decode_ic_spec(call->request.params);
     validate(spec);
-    ics_.request(spec,
-                 {[call, spec](const IcAnswer& answer) {
-                      guarded(call, [&] {
-                          const proto::IcReply reply{answer.key, answer.origin, spec, table_of(answer, spec),
-                                                     answer.record->evidence};
-                          proto::ArrayWriter arrays(call->request.arrays);
-                          const json result = proto::encode_ic_reply(reply, arrays);
-                          call->succeed(result, arrays.take_frames());
-                      });
-                  },
-                  [call](const Status& status) { call->fail(status); },
-                  [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); }});
+    ics_.request(spec, {[call, spec](const IcAnswer& answer) {
+                            guarded(call, [&] {
+                                const proto::IcReply reply{answer.key, answer.origin, spec, table_of(answer, spec),
+                                                           answer.record->evidence};
+                                proto::ArrayWriter arrays(call->request.arrays);
+                                const json result = proto::encode_ic_reply(reply, arrays);
+                                call->succeed(result, arrays.take_frames());
+                            });
+                        },
+                        [call](const Status& status) { call->fail(status); },
+                        [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); },
+                        turn_of(call)});
 }
 
 void Service::ic_export(const CallPtr& call) {
@@ -245,6 +257,22 @@ void Service::job_cancel(const CallPtr& call) {
                           "There is no job " + json(name).dump() + "; job.list names those that wait or run.");
     job->cancel();
     call->succeed({{"job", name}});
+}
+
+void Service::request_cancel(const CallPtr& call) {
+    const std::string id = call->request.params.at("id");
+    const auto open = open_calls_.find(call->client(), id);
+    if (open.empty())
+        throw StatusError(StatusCode::not_found, proto::reason::request_unknown,
+                          "No request of this client with the id " + json(id).dump() + " waits for an answer.");
+    for (const CallPtr& cancelled : open)
+        cancelled->fail({StatusCode::cancelled,
+                         "The request was cancelled by its client.",
+                         std::string(proto::reason::request_cancelled),
+                         {},
+                         0});
+    workers_.drop_abandoned();
+    call->succeed({{"id", id}});
 }
 
 }  // namespace contactd::server

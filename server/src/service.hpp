@@ -12,6 +12,7 @@
 #include "influence_cache.hpp"
 #include "job.hpp"
 #include "metrics.hpp"
+#include "open_calls.hpp"
 #include "worker_pool.hpp"
 
 namespace contactd::server {
@@ -24,9 +25,6 @@ class Service {
     /// others go to the workers. Never throws.
     void handle(CallPtr call);
 
-    /// Work that must not hold up the I/O thread.
-    void defer(WorkerPool::Task task) { workers_.post(std::move(task)); }
-
     /// False for methods that take their time and count against the limit on open requests.
     bool is_quick(const std::string& method) const;
 
@@ -38,6 +36,9 @@ class Service {
     void finish_stop();
     static const proto::Status& stop_status();
 
+    /// Of requests to the method that name none.
+    proto::Priority priority_of(const std::string& method) const;
+
     Counters& counters() { return counters_; }
     RequestMetrics& request_metrics() { return request_metrics_; }
 
@@ -48,12 +49,14 @@ class Service {
     /// Why requests should not be sent here at present, a sentence; empty when all is well. From any thread.
     std::string not_ready() const;
     void set_serving() { serving_ = true; }
+    OpenCalls& open_calls() { return open_calls_; }
 
    private:
     using Method = void (Service::*)(const CallPtr&);
     struct Entry {
         Method method;
         bool is_quick;
+        proto::Priority priority = proto::Priority::normal;
     };
 
     void run(Method method, const CallPtr& call);
@@ -68,9 +71,11 @@ class Service {
     void contact_subsurface(const CallPtr& call);
     void job_list(const CallPtr& call);
     void job_cancel(const CallPtr& call);
+    void request_cancel(const CallPtr& call);
 
     const Config& config_;
     const Call::Clock::time_point started_ = Call::Clock::now();
+    OpenCalls open_calls_;  // outlives every call
     Counters counters_;
     JobTable jobs_;
     std::map<std::string, Entry> methods_;

@@ -111,7 +111,7 @@ void start(const SolveTools& tools, SolveTask task) {
     const auto caller = work->task.in_caller ? std::this_thread::get_id() : std::thread::id();
     const auto queue = [work, caller, &workers = tools.workers] {
         if (std::this_thread::get_id() == caller) return solve(work);
-        workers.post([work] { solve(work); });
+        workers.post(turn_of(work->task.call), [work] { solve(work); });
     };
     if (!needs_tables(work->task.problem)) return queue();
     fetch_pair(

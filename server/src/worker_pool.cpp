@@ -1,5 +1,6 @@
 #include "worker_pool.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace contactd::server {
@@ -12,21 +13,42 @@ WorkerPool::~WorkerPool() {
     stop();
 }
 
-void WorkerPool::post(Task task) {
+void WorkerPool::post(Turn turn, Task task) {
     {
         const std::scoped_lock lock(mutex_);
         if (stopping_) return;
-        tasks_.push_back(std::move(task));
+        auto& lines = levels_[static_cast<std::size_t>(turn.priority)].lines;
+        auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& l) { return l.client == turn.client; });
+        if (line == lines.end()) line = lines.insert(lines.end(), Line{std::move(turn.client), {}});
+        line->tasks.push_back({std::move(task), std::move(turn.abandoned)});
+        ++waiting_;
     }
     changed_.notify_one();
 }
 
+void WorkerPool::drop_abandoned() {
+    std::vector<Waiting> dropped;  // destroyed after the lock: what they hold may be much
+    const std::scoped_lock lock(mutex_);
+    for (Level& level : levels_) {
+        for (Line& line : level.lines) {
+            const auto kept = std::stable_partition(line.tasks.begin(), line.tasks.end(), [](const Waiting& waiting) {
+                return !waiting.abandoned || !waiting.abandoned();
+            });
+            std::move(kept, line.tasks.end(), std::back_inserter(dropped));
+            line.tasks.erase(kept, line.tasks.end());
+        }
+        std::erase_if(level.lines, [](const Line& line) { return line.tasks.empty(); });
+    }
+    waiting_ -= static_cast<int>(dropped.size());
+}
+
 void WorkerPool::stop() {
-    std::deque<Task> dropped;
+    Levels dropped;
     {
         const std::scoped_lock lock(mutex_);
         stopping_ = true;
-        dropped.swap(tasks_);
+        waiting_ = 0;
+        dropped = std::exchange(levels_, {});
     }
     changed_.notify_all();
     threads_.clear();  // joins
@@ -34,7 +56,7 @@ void WorkerPool::stop() {
 
 int WorkerPool::waiting() const {
     const std::scoped_lock lock(mutex_);
-    return static_cast<int>(tasks_.size());
+    return waiting_;
 }
 
 int WorkerPool::running() const {
@@ -42,13 +64,36 @@ int WorkerPool::running() const {
     return running_;
 }
 
+WorkerPool::Level& WorkerPool::next_level() {
+    const auto has_tasks = [](const Level& level) { return !level.lines.empty(); };
+    // Of several that have waited long enough the lowest first: it has waited longest.
+    const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
+        return has_tasks(level) && level.passed_over >= patience;
+    });
+    Level& next = overdue != levels_.rend() ? *overdue : *std::find_if(levels_.begin(), levels_.end(), has_tasks);
+    next.passed_over = 0;
+    for (Level* lower = &next + 1; lower != levels_.data() + levels_.size(); ++lower)
+        lower->passed_over = has_tasks(*lower) ? lower->passed_over + 1 : 0;
+    return next;
+}
+
+WorkerPool::Task WorkerPool::take_next() {
+    auto& lines = next_level().lines;
+    Line line = std::move(lines.front());
+    lines.pop_front();
+    Task task = std::move(line.tasks.front().task);
+    line.tasks.pop_front();
+    if (!line.tasks.empty()) lines.push_back(std::move(line));  // behind everybody else
+    --waiting_;
+    return task;
+}
+
 void WorkerPool::work() {
     std::unique_lock lock(mutex_);
     for (;;) {
-        changed_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });
+        changed_.wait(lock, [this] { return stopping_ || waiting_ > 0; });
         if (stopping_) return;
-        Task task = std::move(tasks_.front());
-        tasks_.pop_front();
+        Task task = take_next();
         ++running_;
         lock.unlock();
         task();

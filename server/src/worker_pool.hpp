@@ -1,35 +1,68 @@
-// A fixed number of threads and a queue of tasks.
+// A fixed number of threads and a queue of tasks in which clients take turns.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "contactd/proto/message.hpp"
+
 namespace contactd::server {
 
+/// In whose name and how urgently a task waits.
+struct Turn {
+    std::string client;
+    proto::Priority priority = proto::Priority::normal;
+    std::function<bool()> abandoned{};  ///< nobody waits for the task any more; asked under the pool's lock
+};
+
+/// Tasks of a higher priority go first, and within a priority one task of each client in turn. So that nothing starves,
+/// a priority that was passed over `patience` times while it had tasks goes next.
 class WorkerPool {
    public:
     using Task = std::function<void()>;  ///< must not throw
+    static constexpr int patience = 16;
 
     explicit WorkerPool(int threads);
     /// Tasks that have not begun are dropped; running ones are waited for.
     ~WorkerPool();
 
-    void post(Task task);
+    void post(Turn turn, Task task);
+    /// Drops the waiting tasks that were abandoned, and what they hold.
+    void drop_abandoned();
     void stop();  ///< what the destructor does; may be called before it
 
     int waiting() const;
     int running() const;
 
    private:
+    struct Waiting {
+        Task task;
+        std::function<bool()> abandoned;
+    };
+    struct Line {
+        std::string client;
+        std::deque<Waiting> tasks;  // never empty
+    };
+    struct Level {
+        std::deque<Line> lines;  // the client at the front is the next
+        int passed_over = 0;
+    };
+    using Levels = std::array<Level, 3>;  // by priority, the highest first
+
     void work();
+    Level& next_level();
+    Task take_next();
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<Task> tasks_;
+    Levels levels_;
+    int waiting_ = 0;
     int running_ = 0;
     bool stopping_ = false;
     std::vector<std::jthread> threads_;

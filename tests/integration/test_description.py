@@ -67,7 +67,7 @@ def test_an_answer_repeats_the_id_it_was_asked_under(raw):
 
 
 def test_metadata_are_the_clients_own_business(raw):
-    assert raw.ask("server.health", metadata={"wheel": 3, "deep": [{}]}).status == "OK"
+    assert raw.ask("server.health", metadata={"wheel": 3, "side": "left"}).status == "OK"
 
 
 def test_requests_are_answered_as_they_get_ready_not_in_turn(raw, shared):

@@ -46,19 +46,57 @@ TEST_CASE("A request is read with its defaults", "[message]") {
     CHECK(request.metadata == json::object());
     CHECK(request.timeout_ms == 0);
     CHECK(request.arrays == ArrayEncoding::frame);
+    CHECK_FALSE(request.priority);
 }
 
 TEST_CASE("A request is read with all its fields", "[message]") {
     std::string id;
     const Request request = parse_request(
-        envelope_with(R"("timeout_ms": 2000, "arrays": "list", "metadata": {"a": [1]}, "params": {"b": 0.1})"),
+        envelope_with(
+            R"("timeout_ms": 2000, "arrays": "list", "metadata": {"a": 1}, "priority": "high", "params": {"b": 0.1})"),
         {"first", "second"}, {}, id);
 
     CHECK(request.timeout_ms == 2000);
     CHECK(request.arrays == ArrayEncoding::list);
-    CHECK(request.metadata == json{{"a", {1}}});
+    CHECK(request.metadata == json{{"a", 1}});
+    CHECK(request.priority == Priority::high);
     CHECK(request.params == json{{"b", 0.1}});
     CHECK(request.frames == std::vector<std::string>{"first", "second"});
+}
+
+TEST_CASE("Another version of the protocol is told which side to upgrade", "[message]") {
+    const auto status_of = [](const std::string& version) {
+        std::string id;
+        const auto status = wire::status_thrown_by([&] {
+            parse_request(R"({"contactd": )" + version + R"(, "id": "7f", "call": "what 2 may call it"})", {}, {}, id);
+        });
+        REQUIRE(status);
+        CHECK(status->code == StatusCode::unimplemented);
+        CHECK(status->reason == "PROTOCOL_VERSION");
+        CHECK(status->versions == std::vector<int>{1});
+        CHECK(id == "7f");
+        return *status;
+    };
+    CHECK_THAT(status_of("2").message, ContainsSubstring("version 2") && ContainsSubstring("upgrade the daemon"));
+    CHECK_THAT(status_of("0").message, ContainsSubstring("upgrade the client"));
+    CHECK(status_from_json(to_json(status_of("9999999999"))).versions == std::vector<int>{1});
+    CHECK(refusal_of(R"({"contactd": "2", "id": "7f", "method": "a"})").status.reason == "ENVELOPE_INVALID");
+}
+
+TEST_CASE("Metadata are few and plain", "[message]") {
+    std::string many;
+    for (int n = 0; n < 17; ++n) many += (n ? ", \"" : "\"") + std::to_string(n) + "\": 1";
+    const auto [metadata, field] =
+        GENERATE_COPY(table<std::string, std::string>({{R"({"a": [1]})", "metadata.a"},
+                                                       {R"({"a": null})", "metadata.a"},
+                                                       {R"({"client": 1})", "metadata.client"},
+                                                       {R"({"a": ")" + std::string(257, 'x') + "\"}", "metadata.a"},
+                                                       {"{" + many + "}", "metadata"},
+                                                       {R"({")" + std::string(65, 'x') + "\": 1}", "metadata"}}));
+    CAPTURE(metadata);
+    const Refusal refusal = refusal_of(envelope_with(R"("metadata": )" + metadata));
+    CHECK(refusal.status.reason == "ENVELOPE_INVALID");
+    CHECK(refusal.field() == field);
 }
 
 TEST_CASE("Of repeated keys the last one counts", "[message]") {
@@ -79,7 +117,7 @@ TEST_CASE("What is not JSON is refused as NOT_JSON", "[message]") {
 TEST_CASE("The id is found before the mistake", "[message]") {
     CHECK(refusal_of(R"({"contactd": 1, "id": "7f", "method": oops})").id == "7f");
     CHECK(refusal_of(R"({"contactd": oops, "id": "7f"})").id.empty());
-    CHECK(refusal_of(R"({"contactd": 2, "id": "7f", "method": "a"})").id == "7f");
+    CHECK(refusal_of(R"({"contactd": "1", "id": "7f", "method": "a"})").id == "7f");
     CHECK(refusal_of(R"([{"id": "7f"}])").id.empty());
     CHECK(refusal_of(R"({"contactd": 1, "id": 7, "method": "a"})").id.empty());
 }
@@ -126,7 +164,7 @@ TEST_CASE("A bad envelope is refused by field", "[message]") {
     };
     const Case c = GENERATE(
         Case{R"({"id": "1", "method": "a"})", "contactd", "is missing"},
-        Case{R"({"contactd": 2, "id": "1", "method": "a"})", "contactd", "is 2; it must be 1"},
+        Case{R"({"contactd": 1.5, "id": "1", "method": "a"})", "contactd", "is 1.5; it must be 1"},
         Case{R"({"contactd": "1", "id": "1", "method": "a"})", "contactd", "is \"1\"; it must be 1"},
         Case{R"({"contactd": 1, "method": "a"})", "id", "is missing"},
         Case{R"({"contactd": 1, "id": "", "method": "a"})", "id", "0 characters; it must have at least 1"},

@@ -28,6 +28,8 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
     CHECK(config.http.address.empty());
     CHECK(config.shutdown.drain_seconds == 10);
     CHECK(config.log.format == "text");
+    CHECK(config.max_queue_per_client == 64);
+    CHECK(config.max_queue_bytes == 1u << 30);
 }
 
 TEST_CASE("What is given wins over the defaults, the rest of its section keeps them") {

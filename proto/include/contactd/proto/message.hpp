@@ -1,7 +1,9 @@
 // The envelope and the array frames behind it (docs/protocol.md).
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +16,8 @@
 namespace contactd::proto {
 
 inline constexpr int protocol_version = 1;
+/// Those that the daemon serves, oldest first.
+inline constexpr std::array<int, 1> protocol_versions{1};
 
 /// What one message may cost; published by server.info, enforced by server and clients.
 struct Limits {
@@ -35,19 +39,25 @@ struct Message {
 /// How the sender of a request wants arrays in the reply.
 enum class ArrayEncoding { frame, list };
 
+/// How urgently a request wants its turn; higher ones come first.
+enum class Priority { high, normal, low };
+
 /// A request after its envelope has been checked. `params` is checked against the method's schema separately.
 struct Request {
     std::string id;
     std::string method;
     nlohmann::json params;    ///< an object
-    nlohmann::json metadata;  ///< an object
+    nlohmann::json metadata;  ///< an object of plain values
     int timeout_ms = 0;       ///< 0: none
     ArrayEncoding arrays = ArrayEncoding::frame;
+    std::optional<Priority> priority;  ///< left out: the method's own
     std::vector<std::string> frames;
+    std::size_t bytes = 0;  ///< of the message as it came
 };
 
-/// Parses frame 0 and checks the envelope. Throws StatusError (NOT_JSON, NOT_AN_OBJECT, ENVELOPE_INVALID,
-/// LIMIT_EXCEEDED); `id_out` receives the id as soon as it is known, so that the error can be answered.
+/// Parses frame 0 and checks the envelope. Throws StatusError (NOT_JSON, NOT_AN_OBJECT, PROTOCOL_VERSION,
+/// ENVELOPE_INVALID, LIMIT_EXCEEDED); `id_out` receives the id as soon as it is known, so that the error can be
+/// answered.
 Request parse_request(std::string_view envelope, std::vector<std::string> frames, const Limits& limits,
                       std::string& id_out);
 

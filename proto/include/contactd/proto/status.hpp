@@ -38,6 +38,7 @@ namespace reason {
 inline constexpr std::string_view not_json = "NOT_JSON";
 inline constexpr std::string_view not_an_object = "NOT_AN_OBJECT";
 inline constexpr std::string_view envelope_invalid = "ENVELOPE_INVALID";
+inline constexpr std::string_view protocol_version = "PROTOCOL_VERSION";
 inline constexpr std::string_view unknown_method = "UNKNOWN_METHOD";
 inline constexpr std::string_view field_invalid = "FIELD_INVALID";
 inline constexpr std::string_view array_invalid = "ARRAY_INVALID";
@@ -45,6 +46,9 @@ inline constexpr std::string_view limit_exceeded = "LIMIT_EXCEEDED";
 inline constexpr std::string_view queue_full = "QUEUE_FULL";
 inline constexpr std::string_view build_failed = "BUILD_FAILED";
 inline constexpr std::string_view job_cancelled = "JOB_CANCELLED";
+inline constexpr std::string_view request_cancelled = "REQUEST_CANCELLED";
+inline constexpr std::string_view request_unknown = "REQUEST_UNKNOWN";
+inline constexpr std::string_view answer_too_large = "ANSWER_TOO_LARGE";
 inline constexpr std::string_view deadline_passed = "DEADLINE_PASSED";
 inline constexpr std::string_view job_unknown = "JOB_UNKNOWN";
 inline constexpr std::string_view stopping = "STOPPING";
@@ -64,11 +68,13 @@ struct Status {
     std::string reason;                 ///< empty when ok
     std::vector<Violation> violations;  ///< of an invalid argument
     int retry_delay_ms = 0;             ///< of a full queue, else 0
+    std::vector<int> versions{};        ///< of the protocol that are served, when another one was asked for
 
     bool ok() const { return code == StatusCode::ok; }
 };
 
-/// {"code", "name", "message", "details": {"reason", "violations", "retry_delay_ms"}}, empty details left out.
+/// {"code", "name", "message", "details": {"reason", "violations", "retry_delay_ms", "versions"}}, empty details left
+/// out.
 nlohmann::json to_json(const Status& status);
 /// Throws StatusError (UNKNOWN) when `json` is no status.
 Status status_from_json(const nlohmann::json& json);

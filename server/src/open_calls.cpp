@@ -1,0 +1,119 @@
+#include "open_calls.hpp"
+
+#include <algorithm>
+
+namespace contactd::server {
+namespace {
+
+constexpr int queue_retry_ms = 500;
+
+[[noreturn]] void refuse(const std::string& what, std::size_t limit, const char* name) {
+    throw proto::StatusError(proto::Status{
+        proto::StatusCode::resource_exhausted,
+        what + " wait for an answer; at most " + std::to_string(limit) + " may (limits." + name + "). Try again later.",
+        std::string(proto::reason::queue_full),
+        {},
+        queue_retry_ms});
+}
+
+}  // namespace
+
+void OpenCalls::check(const Route& route, std::size_t bytes) const {
+    if (entries_.size() >= bounds_.calls)
+        refuse(std::to_string(entries_.size()) + " requests", bounds_.calls, "max_queue");
+    const auto own = per_client_.find(route.identity);
+    if (own != per_client_.end() && own->second >= bounds_.calls_per_client)
+        refuse(std::to_string(own->second) + " requests of this client", bounds_.calls_per_client,
+               "max_queue_per_client");
+    const std::size_t held = bytes_;
+    if (held > 0 && held + bytes > bounds_.bytes)
+        refuse("Requests of " + std::to_string(held) + " bytes, which this one of " + std::to_string(bytes) +
+                   " would join,",
+               bounds_.bytes, "max_queue_bytes");
+}
+
+OpenCalls::Admission OpenCalls::admit(const Route& route, std::size_t bytes) {
+    const std::scoped_lock lock(mutex_);
+    check(route, bytes);
+    const Number number = ++last_;
+    entries_.emplace(number, Entry{route, nullptr});
+    ++per_client_[route.identity];
+    bytes_ += bytes;
+    return {number, HeldBytes(nullptr, [this, bytes](const void*) { bytes_ -= bytes; })};
+}
+
+bool OpenCalls::attach(Number number, const CallPtr& call) {
+    const std::scoped_lock lock(mutex_);
+    const auto at = entries_.find(number);
+    if (at == entries_.end()) return false;
+    at->second.call = call;
+    if (call->deadline() != Call::Clock::time_point::max()) deadlines_.emplace(call->deadline(), number);
+    return true;
+}
+
+void OpenCalls::forget(const Entry& entry, Number number) {
+    if (entry.call) deadlines_.erase({entry.call->deadline(), number});
+    const auto own = per_client_.find(entry.route.identity);
+    if (--own->second == 0) per_client_.erase(own);
+}
+
+void OpenCalls::close(Number number) {
+    CallPtr last;  // may go here, which is not for the lock
+    const std::scoped_lock lock(mutex_);
+    const auto at = entries_.find(number);
+    if (at == entries_.end()) return;
+    forget(at->second, number);
+    last = std::move(at->second.call);
+    entries_.erase(at);
+}
+
+bool OpenCalls::has_unread(const std::string& client) const {
+    const std::scoped_lock lock(mutex_);
+    return per_client_.contains(client) && std::any_of(entries_.begin(), entries_.end(), [&](const auto& numbered) {
+               return !numbered.second.call && numbered.second.route.identity == client;
+           });
+}
+
+std::vector<CallPtr> OpenCalls::find(const std::string& client, const std::string& id) const {
+    std::vector<CallPtr> found;
+    const std::scoped_lock lock(mutex_);
+    if (!per_client_.contains(client)) return found;
+    for (const auto& [number, entry] : entries_)
+        if (entry.call && entry.route.identity == client && entry.call->request.id == id && !entry.call->answered())
+            found.push_back(entry.call);
+    return found;
+}
+
+std::vector<CallPtr> OpenCalls::overdue(Call::Clock::time_point now) const {
+    std::vector<CallPtr> found;
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [deadline, number] : deadlines_) {
+        if (deadline > now) break;
+        found.push_back(entries_.at(number).call);
+    }
+    return found;
+}
+
+Call::Clock::time_point OpenCalls::next_deadline() const {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [deadline, number] : deadlines_)
+        if (!entries_.at(number).call->answered()) return deadline;
+    return Call::Clock::time_point::max();
+}
+
+std::vector<OpenCalls::Entry> OpenCalls::take_all() {
+    std::vector<Entry> taken;
+    const std::scoped_lock lock(mutex_);
+    for (auto& [number, entry] : entries_) taken.push_back(std::move(entry));
+    entries_.clear();
+    per_client_.clear();
+    deadlines_.clear();
+    return taken;
+}
+
+std::size_t OpenCalls::count() const {
+    const std::scoped_lock lock(mutex_);
+    return entries_.size();
+}
+
+}  // namespace contactd::server
