@@ -26,6 +26,9 @@ constexpr Summary summaries[]{
     {"server.health", "Whether the daemon takes requests; never waits for other work."},
     {"server.describe", "This document."},
     {"server.metrics", "What is measured of the daemon: the same names and values as at /metrics."},
+    {"health.watch",
+     "The state of the daemon as progress, now and with each change, until the daemon ends, the deadline passes or the "
+     "request is cancelled. A REQ socket, which gets no progress, is answered when the daemon ends."},
     {"ic.get", "The influence coefficients of one body; requests for the same table join one build."},
     {"ic.export",
      "The influence coefficients of one body, or of two, as a file: HDF5, or text for the CONTACT program."},
@@ -48,7 +51,7 @@ json error(StatusCode code) {
 json errors_of(std::string_view method) {
     json errors{error(StatusCode::invalid_argument), error(StatusCode::unavailable), error(StatusCode::internal)};
     const auto add = [&](StatusCode code) { errors.push_back(error(code)); };
-    if (method.starts_with("contact.") || method == "ic.get" || method == "ic.export") {
+    if (method.starts_with("contact.") || method.starts_with("ic.") || method == "health.watch") {
         add(StatusCode::cancelled);
         add(StatusCode::deadline_exceeded);
         add(StatusCode::resource_exhausted);

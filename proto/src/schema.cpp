@@ -83,8 +83,9 @@ std::vector<Violation> violations(const CompiledSchema& rules, const json& docum
 
 const std::vector<std::string>& method_names() {
     static const std::vector<std::string> names{
-        "server.info",   "server.health",      "server.describe",    "server.metrics", "ic.get",     "ic.export",
-        "contact.solve", "contact.solve_many", "contact.subsurface", "job.list",       "job.cancel", "request.cancel"};
+        "server.info", "server.health", "server.describe", "server.metrics",     "health.watch",
+        "ic.get",      "ic.export",     "contact.solve",   "contact.solve_many", "contact.subsurface",
+        "job.list",    "job.cancel",    "request.cancel"};
     return names;
 }
 

@@ -228,7 +228,7 @@ void Endpoint::parse_now(const Route& route, const std::string& envelope, std::v
 void Endpoint::open_call(const Route& route, proto::Request request, Clock::time_point received,
                          OpenCalls::Admission admission) {
     OpenCalls& open = service_.open_calls();
-    const bool counts = !service_.is_quick(request.method);
+    const bool counts = service_.counts(request.method);
     if (counts && admission.number == 0) admission = open.admit(route, request.bytes);
     const auto priority = request.priority.value_or(service_.priority_of(request.method));
     auto call = std::make_shared<Call>(route, std::move(request), received, priority, config_.limits,
@@ -289,7 +289,8 @@ void Endpoint::begin_drain(const Notifier& notifier) {
     service_.begin_drain();
     notifier.stopping("Finishing what was accepted",
                       time + std::chrono::ceil<std::chrono::seconds>(2 * linger) + stop_time);
-    if (const auto open = service_.open_calls().count()) spdlog::info("up to {} s for {} open requests", time.count(), open);
+    if (const auto open = service_.open_calls().count())
+        spdlog::info("up to {} s for {} open requests", time.count(), open);
 }
 
 void Endpoint::stop() {

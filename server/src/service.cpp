@@ -2,12 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "about.hpp"
 #include "contact_solve.hpp"
 #include "contact_subsurface.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
 #include "ic_export.hpp"
@@ -71,6 +73,31 @@ void check_grid_limits(const json& problems, std::size_t most) {
                                    proto::reason::limit_exceeded);
 }
 
+/// Bytes of the arrays in a result of contact.solve: element division, pressure, tractions and, with friction, slip.
+std::size_t result_bytes(const json& params) {
+    const std::size_t per_element = params.contains("friction") ? 1 + 5 * sizeof(double) : 1 + 3 * sizeof(double);
+    return per_element * static_cast<std::size_t>(elements_of(params));
+}
+
+/// What could not be sent need not be solved. Lists have no size that is known before; they are checked when they go.
+void check_answer_fits(const std::vector<const json*>& problems, const Call& call, const proto::Limits& limits) {
+    if (call.request.arrays == proto::ArrayEncoding::list) return;
+    std::size_t total = 0, largest = 0;
+    for (const json* problem : problems) {
+        total += result_bytes(*problem);
+        largest = std::max(largest, static_cast<std::size_t>(elements_of(*problem)) * sizeof(double));
+    }
+    const auto refuse = [](std::size_t is, const char* what, std::size_t limit, const char* name) {
+        throw proto::invalid_field("grid.nx",
+                                   "and ny make an answer with " + std::to_string(is) + " bytes " + what +
+                                       "; at most " + std::to_string(limit) + " are allowed (limits." + name +
+                                       "): take larger elements, or fewer problems at once",
+                                   proto::reason::answer_too_large);
+    };
+    if (largest > limits.max_frame_bytes) refuse(largest, "in one frame", limits.max_frame_bytes, "max_frame_bytes");
+    if (total > limits.max_message_bytes) refuse(total, "of arrays", limits.max_message_bytes, "max_message_bytes");
+}
+
 }  // namespace
 
 Service::Service(const Config& config)
@@ -80,10 +107,11 @@ Service::Service(const Config& config)
                {"server.health", {&Service::server_health, true}},
                {"server.describe", {&Service::server_describe, true}},
                {"server.metrics", {&Service::server_metrics, true}},
+               {"health.watch", {&Service::health_watch, true, true}},
                {"ic.get", {&Service::ic_get, false}},
                {"ic.export", {&Service::ic_export, false}},
                {"contact.solve", {&Service::contact_solve, false}},
-               {"contact.solve_many", {&Service::contact_solve_many, false, proto::Priority::low}},
+               {"contact.solve_many", {&Service::contact_solve_many, false, true, proto::Priority::low}},
                {"contact.subsurface", {&Service::contact_subsurface, false}},
                {"job.list", {&Service::job_list, true}},
                {"job.cancel", {&Service::job_cancel, true}},
@@ -100,6 +128,11 @@ Service::Service(const Config& config)
 bool Service::is_quick(const std::string& method) const {
     const auto entry = methods_.find(method);
     return entry == methods_.end() || entry->second.is_quick;
+}
+
+bool Service::counts(const std::string& method) const {
+    const auto entry = methods_.find(method);
+    return entry != methods_.end() && entry->second.counts;
 }
 
 proto::Priority Service::priority_of(const std::string& method) const {
@@ -133,10 +166,11 @@ void Service::run(Method method, const CallPtr& call) {
 
 void Service::begin_drain() {
     stopping_ = true;
+    health_.set(HealthState::stopping);
 }
 
 void Service::begin_stop() {
-    stopping_ = true;
+    begin_drain();
     for (const auto& job : jobs_.all()) job->cancel();
 }
 
@@ -185,7 +219,11 @@ void Service::server_info(const CallPtr& call) {
 }
 
 void Service::server_health(const CallPtr& call) {
-    call->succeed({{"state", stopping_ ? "stopping" : "serving"}});
+    call->succeed({{"state", name_of(health_.state())}});
+}
+
+void Service::health_watch(const CallPtr& call) {
+    health_.watch(call);
 }
 
 void Service::server_describe(const CallPtr& call) {
@@ -197,16 +235,18 @@ void Service::ic_get(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
     const IcSpec spec = proto::decode_ic_spec(call->request.params);
     validate(spec);
-    ics_.request(spec, {[call, spec](const IcAnswer& answer) {
-                            guarded(call, [&] {
-                                const proto::IcReply reply{answer.key, answer.origin, spec, table_of(answer, spec),
-                                                           answer.record->evidence};
-                                proto::ArrayWriter arrays(call->request.arrays);
-                                const json result = proto::encode_ic_reply(reply, arrays);
-                                call->succeed(result, arrays.take_frames());
-                            });
-                        },
-                        [call](const Status& status) { call->fail(status); },
+    const proto::IcPart part = proto::decode_ic_part(call->request.params, spec.ny);
+    if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, config_.limits);
+    const auto done = [call, spec, part](const IcAnswer& answer) {
+        guarded(call, [&] {
+            proto::ArrayWriter arrays(call->request.arrays);
+            const IcTable table = table_of(answer, spec);
+            const json result = proto::encode_ic_part_reply(
+                {answer.key, answer.origin, spec, table, answer.record->evidence}, part, arrays);
+            call->succeed(result, arrays.take_frames());
+        });
+    };
+    ics_.request(spec, {done, [call](const Status& status) { call->fail(status); },
                         [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); },
                         turn_of(call)});
 }
@@ -219,12 +259,16 @@ void Service::ic_export(const CallPtr& call) {
 
 void Service::contact_solve(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
+    check_answer_fits({&call->request.params}, *call, config_.limits);
     ++counters_.solves;
     start_solve(call, {ics_, workers_, influences_, jobs_, counters_});
 }
 
 void Service::contact_solve_many(const CallPtr& call) {
     check_grid_limits(call->request.params.at("problems"), config_.max_grid_elements);
+    std::vector<const json*> problems;
+    for (const json& problem : call->request.params.at("problems")) problems.push_back(&problem);
+    check_answer_fits(problems, *call, config_.limits);
     counters_.solves += static_cast<long long>(call->request.params.at("problems").size());
     start_solve_many(call, {ics_, workers_, influences_, jobs_, counters_}, config_.workers, config_.limits);
 }

@@ -8,6 +8,7 @@
 #include "call.hpp"
 #include "config.hpp"
 #include "counters.hpp"
+#include "health.hpp"
 #include "ic_service.hpp"
 #include "influence_cache.hpp"
 #include "job.hpp"
@@ -21,12 +22,12 @@ class Service {
    public:
     explicit Service(const Config& config);
 
-    /// Answers the call now or later. Called from the I/O thread, which `is_quick` methods may keep for a moment; all
-    /// others go to the workers. Never throws.
+    /// Answers the call now or later. Called from the I/O thread, which quick methods may keep for a moment; all others
+    /// go to the workers. Never throws.
     void handle(CallPtr call);
 
-    /// False for methods that take their time and count against the limit on open requests.
-    bool is_quick(const std::string& method) const;
+    /// Whether requests to the method may take their time, and count against the limits on those that do.
+    bool counts(const std::string& method) const;
 
     /// From now on requests are refused with stop_status(); what was accepted goes on.
     void begin_drain();
@@ -55,15 +56,18 @@ class Service {
     using Method = void (Service::*)(const CallPtr&);
     struct Entry {
         Method method;
-        bool is_quick;
+        bool is_quick;            ///< runs in the I/O thread
+        bool counts = !is_quick;  ///< among the requests that wait for an answer
         proto::Priority priority = proto::Priority::normal;
     };
 
+    bool is_quick(const std::string& method) const;
     void run(Method method, const CallPtr& call);
     void server_info(const CallPtr& call);
     void server_health(const CallPtr& call);
     void server_describe(const CallPtr& call);
     void server_metrics(const CallPtr& call);
+    void health_watch(const CallPtr& call);
     void ic_get(const CallPtr& call);
     void ic_export(const CallPtr& call);
     void contact_solve(const CallPtr& call);
@@ -81,6 +85,7 @@ class Service {
     std::map<std::string, Entry> methods_;
     RequestMetrics request_metrics_;
     std::atomic<bool> serving_ = false;
+    Health health_;
     std::atomic<bool> stopping_ = false;
     IcService ics_;
     InfluenceCache influences_;

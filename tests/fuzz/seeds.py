@@ -95,7 +95,7 @@ def requests() -> Iterator[bytes]:
 
     for method in METHODS:
         params = {"job": "build-3"} if method == "job.cancel" else documented(method)
-        yield request(method, params, timeout_ms=2000, arrays="list", metadata={"a": [1, None]})
+        yield request(method, params, timeout_ms=2000, arrays="list", metadata={"a": 1, "client": "seeds 1"})
     for params, frames in solves():
         yield request("contact.solve", params, *frames)
         yield request("contact.solve_many", {"problems": [params, params]}, *frames)

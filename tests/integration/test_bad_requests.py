@@ -68,7 +68,7 @@ def test_json_that_is_no_object(raw, text):
 @pytest.mark.parametrize(
     ("field", "value"),
     [
-        ("contactd", REMOVED), ("contactd", 2), ("contactd", "1"),
+        ("contactd", REMOVED), ("contactd", 1.5), ("contactd", "1"),
         ("id", REMOVED), ("id", ""), ("id", "x" * 129), ("id", 7),
         ("method", REMOVED), ("method", 3), ("method", None), ("method", ""),
         ("params", []), ("params", None),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import zmq
 
-from contactd import Client, Grid, InvalidArgument, ResourceExhausted
+from contactd import AnalyticIcs, Client, Grid, InvalidArgument, ResourceExhausted, SolverSettings
 from support.daemons import eventually
 from support.problems import CATTANEO, CATTANEO_PARAMS, GRID, LONG, QUICK, STEEL
 
@@ -94,3 +94,30 @@ def test_a_req_socket_gets_its_answer_and_no_progress(daemon):
     with daemon.raw(zmq.REQ) as raw:
         assert raw.ask("ic.get", {**params, "ics": ics}).result["origin"] == "built"
         assert raw.ask("server.health").result == {"state": "serving"}
+
+
+def test_a_table_that_is_too_large_for_a_message_comes_in_pieces(daemons, shared):
+    grid = Grid(20, 16, 0.8, 0.8)
+    whole = shared.get_ic(STEEL, grid, AnalyticIcs())
+    small = daemons.start("small", limits={"max_frame_bytes": 3000})
+    with small.client() as client:
+        pieces = client.get_ic(STEEL, grid, AnalyticIcs())
+        assert client.info().counters["closed_form"] == 1
+    assert (pieces.array == whole.array).all()
+    assert (pieces.key, pieces.spec) == (whole.key, whole.spec)
+
+
+def test_a_solve_that_nobody_waits_for_any_more_ends(client):
+    endless = SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
+    problem = CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4), normal=endless)
+
+    class Enough(Exception):
+        pass
+
+    def stop(progress):
+        raise Enough
+
+    with pytest.raises(Enough):
+        client.solve(problem, on_progress=stop)
+    eventually(lambda: client.info().queue["solves_running"] == 0)
+    assert client.jobs() == ()

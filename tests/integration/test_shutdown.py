@@ -131,7 +131,7 @@ def test_what_is_not_finished_in_time_is_cancelled_with_an_answer(daemons, backg
 
 
 def test_every_request_of_a_flood_is_answered(daemons):
-    daemon = daemons.start(shutdown={"drain_seconds": 600})
+    daemon = daemons.start(shutdown={"drain_seconds": 600}, limits={"max_queue_per_client": 256})
     with daemon.raw() as raw:
         sent = {raw.send("contact.solve", CATTANEO_PARAMS) for _ in range(200)}
         answers = [raw.receive()]

@@ -126,7 +126,8 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
             Case{"/ics/max_iterations", "0", "ics.max_iterations", "is 0; it must be at least 1"},
             Case{"/ics/strength_threshold", "-1", "ics.strength_threshold", "is -1; it must lie in [0, 1)"},
             Case{"/ics/colour", "\"red\"", "ics.colour", "is not a field of ics"},
-            Case{"/extra", "{}", "extra", "is not a field of ic.get; known fields are grid, ics, material"}));
+            Case{"/extra", "{}", "extra",
+                 "is not a field of ic.get; known fields are components, grid, ics, material, rows"}));
 }
 
 TEST_CASE("A bad value of contact.solve is named with what would be right", "[schema]") {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
-import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,11 +25,8 @@ def is_valid(name: str, document: object) -> bool:
 
 
 def example_of(method: str) -> Any:
-    """The request that docs/protocol.md shows for the method."""
-    text = (ROOT / "docs" / "protocol.md").read_text().split(f"### `{method}`")[1]
-    block = re.search(r"(?:^ {4}.*\n)+", text, re.MULTILINE)
-    assert block is not None
-    return json.loads(block.group())
+    """The first request that the schema of the method shows."""
+    return copy.deepcopy(DOCUMENTS[f"{method}.params.json"]["examples"][0])
 
 
 @pytest.mark.parametrize("name", sorted(DOCUMENTS))
@@ -39,9 +36,20 @@ def test_is_a_draft_7_schema(name: str) -> None:
     assert DOCUMENTS[name]["description"]
 
 
-@pytest.mark.parametrize("method", ["ic.get", "ic.export", "contact.solve", "contact.solve_many", "contact.subsurface"])
-def test_takes_the_example_of_the_documentation(method: str) -> None:
-    assert is_valid(f"{method}.params.json", example_of(method))
+def examples() -> Iterator[tuple[str, object]]:
+    """What each schema, and each part of definitions.json, shows of itself."""
+    for name, document in DOCUMENTS.items():
+        if name == "definitions.json":
+            for part, schema in document["definitions"].items():
+                yield from ((f"{name}#/definitions/{part}", example) for example in schema["examples"])
+        else:
+            yield from ((name, example) for example in document["examples"])
+
+
+@pytest.mark.parametrize(("reference", "example"), examples(), ids=lambda part: part if isinstance(part, str) else "")
+def test_examples_conform(reference: str, example: object) -> None:
+    errors = jsonschema.Draft7Validator({"$ref": reference}, registry=REGISTRY).iter_errors(example)
+    assert [error.message for error in errors] == []
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,7 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
     CHECK(config.http.address.empty());
     CHECK(config.shutdown.drain_seconds == 10);
     CHECK(config.log.format == "text");
-    CHECK(config.max_queue_per_client == 64);
+    CHECK(config.max_queue_per_client == 128);
     CHECK(config.max_queue_bytes == 1u << 30);
 }
 

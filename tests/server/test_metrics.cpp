@@ -12,7 +12,7 @@ namespace {
 
 Answer answer(const std::string& method, const std::string& status, double milliseconds,
               const std::string& reason = {}) {
-    return {{"client", false}, "", {}, false, "1", method, status, milliseconds, reason};
+    return {{"client", false}, "", {}, false, "1", method, status, milliseconds, reason, {}, 0};
 }
 
 json metric(const MetricFamilies& families, const std::string& name) {

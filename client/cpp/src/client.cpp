@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "connection.hpp"
+#include "contactd/proto/ic_part.hpp"
 
 namespace contactd::client {
 
@@ -21,10 +22,10 @@ class Client::Impl {
             on_progress = [&](const json& progress) {
                 options.on_progress({progress.value("job", ""), progress["stage"].get<std::string>(),
                                      progress["fraction"].get<double>(), progress.value("iteration", 0),
-                                     progress.value("residual", 0.0)});
+                                     progress.value("residual", 0.0), progress.value("state", "")});
             };
         return connection_.call(method, std::move(params), std::move(frames), options.timeout.value_or(default_timeout),
-                                on_progress);
+                                on_progress, options.stop);
     }
 
     json quick(const std::string& method, const CallOptions& options, json params = json::object()) {
@@ -50,6 +51,28 @@ auto decoded(const Decode& decode) {
     }
 }
 
+proto::Limits limits_of(const json& info) {
+    const json& limits = info["limits"];
+    proto::Limits read;
+    read.max_frame_bytes = limits["max_frame_bytes"].get<std::size_t>();
+    read.max_message_bytes = limits["max_message_bytes"].get<std::size_t>();
+    return read;
+}
+
+/// A table that does not fit one message, put together from parts that do.
+template <class Ask>
+proto::IcReply in_pieces(const IcSpec& spec, const json& params, const proto::Limits& limits, const Ask& ask) {
+    proto::IcReply whole;
+    whole.table = IcTable(spec.nx, spec.ny);
+    for (const proto::IcPart& part : proto::parts_within(limits, spec.nx, spec.ny)) {
+        json asked = params;
+        asked.update(proto::encode_ic_part(part));
+        const Reply reply = ask(std::move(asked));
+        decoded([&] { return proto::read_part(reply.result, reply.frames, part, whole); });
+    }
+    return whole;
+}
+
 }  // namespace
 
 Client::Client(const std::string& endpoint, ClientOptions options)
@@ -66,14 +89,33 @@ std::string Client::health(const CallOptions& options) {
     return impl_->quick("server.health", options)["state"].get<std::string>();
 }
 
+std::string Client::watch_health(const std::function<void(const std::string&)>& on_state, CallOptions options) {
+    std::string last;
+    const auto report = [&](const std::string& state) {
+        if (std::exchange(last, state) != state) on_state(state);
+    };
+    options.on_progress = [&](const ProgressReport& progress) { report(progress.state); };
+    report(impl_->quick("health.watch", options)["state"].get<std::string>());
+    return last;
+}
+
 json Client::describe(const CallOptions& options) {
     return impl_->quick("server.describe", options);
 }
 
 proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
     validate(spec);
-    const Reply reply = impl_->call("ic.get", proto::encode_ic_spec(spec), {}, options, impl_->options().build_timeout);
-    return decoded([&] { return proto::decode_ic_reply(reply.result, reply.frames); });
+    const json params = proto::encode_ic_spec(spec);
+    const auto ask = [&](json asked) {
+        return impl_->call("ic.get", std::move(asked), {}, options, impl_->options().build_timeout);
+    };
+    try {
+        const Reply reply = ask(params);
+        return decoded([&] { return proto::decode_ic_reply(reply.result, reply.frames); });
+    } catch (const proto::StatusError& error) {
+        if (error.status().reason != proto::reason::answer_too_large) throw;
+    }
+    return in_pieces(spec, params, limits_of(info(options)), ask);
 }
 
 namespace {

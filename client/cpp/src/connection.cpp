@@ -19,6 +19,9 @@ using std::chrono::milliseconds;
 /// How much longer than the daemon the client waits, so that the daemon's own DEADLINE_EXCEEDED arrives.
 constexpr milliseconds grace{500};
 constexpr milliseconds longest_timeout{86'400'000};
+/// How often a call that can be stopped looks whether it was.
+constexpr milliseconds stop_interval{20};
+constexpr int cancel_linger_ms = 200;
 
 /// Tells the replies to this object's calls from those to anybody else's.
 std::string random_prefix() {
@@ -58,11 +61,21 @@ void check_schema(std::string_view name, const json& document) {
                         " " + violations[0].description + ".");
 }
 
+void check_version(const json& answer) {
+    const auto version = answer.find("contactd");
+    if (version == answer.end() || !version->is_number_integer() || *version == proto::protocol_version) return;
+    throw ProtocolError("The daemon answers in version " + version->dump() +
+                        " of the protocol; this client, contactd " CONTACTD_VERSION ", speaks version " +
+                        std::to_string(proto::protocol_version) + ": upgrade the " +
+                        (*version > proto::protocol_version ? "client." : "daemon."));
+}
+
 json call_envelope(const std::string& id, const std::string& method, json params, milliseconds timeout) {
     return {{"contactd", proto::protocol_version},
             {"id", id},
             {"method", method},
             {"timeout_ms", timeout.count()},
+            {"metadata", {{"client", "contactd-cpp " CONTACTD_VERSION}}},
             {"params", std::move(params)}};
 }
 
@@ -88,15 +101,37 @@ Connection::Connection(std::string endpoint, milliseconds connect_timeout, proto
 }
 
 Reply Connection::call(const std::string& method, json params, std::vector<std::string> frames, milliseconds timeout,
-                       const ProgressHandler& on_progress) {
+                       const ProgressHandler& on_progress, const std::stop_token& stop) {
     timeout = std::clamp(timeout, milliseconds{1}, longest_timeout);
     const std::string id = id_prefix_ + std::to_string(++calls_);
     const std::string envelope = proto::dump(call_envelope(id, method, std::move(params), timeout));
     check_limits(envelope, frames, limits_);
-    const auto deadline = Clock::now() + timeout + grace;
     send(envelope, frames);
+    try {
+        return await(id, method, timeout, on_progress, stop);
+    } catch (const ConnectionError&) {
+        throw;
+    } catch (const ProtocolError&) {
+        throw;
+    } catch (const proto::StatusError&) {
+        if (stop.stop_requested()) cancel(id);
+        throw;
+    } catch (...) {  // the time is over, or on_progress has thrown
+        cancel(id);
+        throw;
+    }
+}
+
+Reply Connection::await(const std::string& id, const std::string& method, milliseconds timeout,
+                        const ProgressHandler& on_progress, const std::stop_token& stop) {
+    const auto deadline = Clock::now() + timeout + grace;
     while (true) {
-        std::vector<std::string> message = receive(deadline);
+        const auto patience = stop.stop_possible() ? std::min(deadline, Clock::now() + stop_interval) : deadline;
+        std::vector<std::string> message = receive(patience);
+        if (message.empty() && stop.stop_requested())
+            throw proto::StatusError(proto::StatusCode::cancelled, proto::reason::request_cancelled,
+                                     "The call of " + method + " was stopped.");
+        if (message.empty() && Clock::now() < deadline) continue;
         if (message.empty())
             throw TimeoutError("No answer to " + method + " from " + endpoint_ + " within " +
                                std::to_string(timeout.count()) + " ms.");
@@ -112,6 +147,19 @@ Reply Connection::call(const std::string& method, json params, std::vector<std::
         check_schema(method + ".result", result);
         message.erase(message.begin());
         return {std::move(result), std::move(message)};
+    }
+}
+
+void Connection::cancel(const std::string& id) noexcept {
+    try {
+        const json request{{"contactd", proto::protocol_version},
+                           {"id", id + "-cancel"},
+                           {"method", "request.cancel"},
+                           {"params", {{"id", id}}}};
+        // Who gives up ends the connection perhaps at once: this may still go out.
+        socket_.set(zmq::sockopt::linger, cancel_linger_ms);
+        socket_.send(zmq::buffer(proto::dump(request)), zmq::send_flags::dontwait);
+    } catch (const std::exception&) {  // the daemon has gone, and the request with it
     }
 }
 
@@ -165,6 +213,7 @@ json Connection::envelope_for(const std::string& id, std::string_view text) cons
     // An error whose id is null answers a request that the daemon could not read: ours, as the last one sent.
     const bool unreadable = answered != answer.end() && answered->is_null();
     if (answered != answer.end() && !unreadable && *answered != id) return nullptr;
+    check_version(answer);
     check_schema(answer.contains("progress") ? "progress" : "reply", answer);
     return answer;
 }

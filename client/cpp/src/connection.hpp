@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,13 +32,17 @@ class Connection {
     /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
     /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError.
     Reply call(const std::string& method, nlohmann::json params, std::vector<std::string> frames,
-               std::chrono::milliseconds timeout, const ProgressHandler& on_progress);
+               std::chrono::milliseconds timeout, const ProgressHandler& on_progress, const std::stop_token& stop);
 
    private:
     using Clock = std::chrono::steady_clock;
 
+    Reply await(const std::string& id, const std::string& method, std::chrono::milliseconds timeout,
+                const ProgressHandler& on_progress, const std::stop_token& stop);
+    /// Tells the daemon that nobody waits for the request any more; its answers are dropped as they come.
+    void cancel(const std::string& id) noexcept;
     void send(const std::string& envelope, const std::vector<std::string>& frames);
-    /// The frames of the next message, or none when `deadline` passes.
+    /// The frames of the next message, or none when `deadline` passes first.
     std::vector<std::string> receive(Clock::time_point deadline);
     /// False when the time is over or a signal came in between.
     bool receive_part(zmq::message_t& part);

@@ -17,6 +17,7 @@
 Units are N and mm, or any consistent system. contactd.errors draws the tree of exceptions.
 """
 
+from ._version import __version__
 from .client import Client
 from .daemon import LocalDaemon
 from .errors import (
@@ -107,5 +108,3 @@ __all__ = [
     "load_table",
     "save_table",
 ]
-
-__version__ = "0.1.0"

@@ -16,8 +16,9 @@ import zmq
 
 from . import problem as asked
 from .arrays import Frames, decode, encode, invalid, plain
-from .connection import PROTOCOL_VERSION, Connection, Reply, status_error_of
-from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired
+from .connection import CLIENT, PROTOCOL_VERSION, Connection, Reply, status_error_of
+from .errors import ConnectionFailed, InvalidArgument, ProtocolError, StatusError, TimeoutExpired
+from .pieces import fetch_in_pieces
 from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
 from .solution import ContactSolution, IcTable, Job, Limits, Progress, ServerInfo
@@ -35,8 +36,8 @@ class Client:
     lasts, so calls of several threads run side by side, and a progress callback may call the client. `timeout`
     (seconds) holds for each call that is not given its own; `connect_timeout` bounds the wait for a daemon to listen.
 
-    A call that is interrupted (Ctrl-C) or times out leaves the client usable; the daemon finishes a build for its
-    cache, unless `cancel_job` ends it.
+    A call that is interrupted (Ctrl-C, an exception of the progress callback) or times out is cancelled and leaves the
+    client usable; the daemon finishes a build for its cache, unless `cancel_job` ends it.
 
     Every method raises StatusError (a subclass per status), TimeoutExpired, ConnectionFailed or ProtocolError.
     """
@@ -87,6 +88,26 @@ class Client:
             raise ProtocolError("The answer to server.metrics lacks its metrics.")
         return metrics
 
+    def watch_health(self, on_state: Callable[[str], None], *, timeout: float | None = None) -> str:
+        """Calls `on_state` with the state of the daemon, at once and whenever it changes, until the daemon ends.
+
+        Returns the last state, ``"stopping"``. An exception of `on_state` ends the watch.
+        """
+        last = ""
+
+        def report(progress: Progress) -> None:
+            nonlocal last
+            if progress.state != last:
+                last = progress.state
+                on_state(last)
+
+        state = self.call("health.watch", timeout=timeout, on_progress=report).get("state")
+        if not isinstance(state, str):
+            raise ProtocolError("The answer to health.watch lacks its state.")
+        if state != last:
+            on_state(state)
+        return state
+
     def describe(self, *, timeout: float | None = None) -> dict[str, Any]:
         """The OpenRPC document of the daemon, with the JSON Schema of every message."""
         return self.call("server.describe", timeout=timeout)
@@ -102,9 +123,20 @@ class Client:
     ) -> IcTable:
         """The influence coefficients of one body; built when no cache has them, which may take minutes.
 
-        A timeout ends the waiting, not the build.
+        A timeout ends the waiting, not the build. A table that is too large for one message comes in several, each with
+        the same timeout.
         """
-        result = self.call("ic.get", asked.table_params(material, grid, ics), timeout=timeout, on_progress=on_progress)
+        params = asked.table_params(material, grid, ics)
+
+        def ask(params: dict[str, Any]) -> dict[str, Any]:
+            return self.call("ic.get", params, timeout=timeout, on_progress=on_progress)
+
+        try:
+            result = ask(params)
+        except InvalidArgument as error:
+            if error.reason != "ANSWER_TOO_LARGE":
+                raise
+            result = fetch_in_pieces(ask, params, grid, self.info(timeout=timeout).limits)
         result["array"] = result.pop("table", None)
         table = read(IcTable, result)
         _check_shapes(table, ["array"], (3, 3, *grid.shape))
@@ -245,6 +277,7 @@ class Client:
             "id": secrets.token_hex(8),
             "method": method,
             "timeout_ms": math.ceil(seconds * 1000),
+            "metadata": {"client": CLIENT},
             "params": encode(params or {}, "", frames),
         }
         if frames:

@@ -11,11 +11,14 @@ from typing import Any
 import zmq
 from zmq.utils.monitor import recv_monitor_message
 
+from ._version import __version__
 from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired, Violation, status_error
 
-__all__ = ["Connection", "Reply", "status_error_of"]
+__all__ = ["CLIENT", "PROTOCOL_VERSION", "Connection", "Reply", "status_error_of"]
 
 PROTOCOL_VERSION = 1
+CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
+_CANCEL_LINGER_MS = 200
 
 
 @dataclass(frozen=True)
@@ -29,7 +32,8 @@ class Reply:
 class Connection:
     """A socket of its own, for one exchange at a time; belongs to one thread while that lasts.
 
-    An exchange that timed out leaves the socket usable: its late answer is recognised by its id and dropped.
+    An exchange that timed out leaves the socket usable: its late answer is recognised by its id and dropped. What the
+    exchange gives up, it cancels.
     """
 
     def __init__(self, context: zmq.Context[zmq.Socket[bytes]], endpoint: str) -> None:
@@ -70,14 +74,36 @@ class Connection:
         """
         self._forget_disconnections()
         self._send([json.dumps(envelope, allow_nan=False).encode(), *frames], deadline, connect_timeout)
+        try:
+            answer, arrays = self._await(envelope, deadline, on_progress)
+        except BaseException as error:
+            if not isinstance(error, (ConnectionFailed, ProtocolError)):
+                self._cancel(envelope["id"])
+            raise
+        return _reply(answer, arrays)
+
+    def _await(
+        self, envelope: dict[str, Any], deadline: float, on_progress: Callable[[dict[str, Any]], None] | None
+    ) -> tuple[dict[str, Any], Sequence[bytes]]:
         while True:
             message = self._receive(deadline, envelope["method"])
             answer = _parse(message[0])
             if "status" in answer and answer.get("id") in (envelope["id"], None):
-                return _reply(answer, message[1:])
+                return answer, message[1:]
             if "progress" in answer and answer.get("id") == envelope["id"] and on_progress is not None:
                 on_progress(answer["progress"])
             # Anything else belongs to an exchange that was given up.
+
+    def _cancel(self, name: str) -> None:
+        """Tells the daemon that nobody waits for this request any more. Its answers are dropped as they come."""
+        params = {"id": name}
+        request = {"contactd": PROTOCOL_VERSION, "id": f"{name}-cancel", "method": "request.cancel", "params": params}
+        try:
+            # Who gives up closes the socket perhaps at once: this may still go out.
+            self._socket.setsockopt(zmq.LINGER, _CANCEL_LINGER_MS)
+            self._socket.send(json.dumps(request).encode(), flags=zmq.DONTWAIT)
+        except zmq.ZMQError:
+            pass  # the daemon has gone, and the request with it
 
     def _send(self, message: list[bytes], deadline: float, connect_timeout: float) -> None:
         patience = min(deadline, time.monotonic() + connect_timeout) - time.monotonic()
@@ -114,9 +140,16 @@ def _parse(text: bytes) -> dict[str, Any]:
         answer = json.loads(text)
     except (ValueError, RecursionError):
         raise ProtocolError(f"The answer is no JSON: {text[:80]!r}") from None
-    if not isinstance(answer, dict) or answer.get("contactd") != PROTOCOL_VERSION:
-        raise ProtocolError(f"The answer is no message of contactd's protocol {PROTOCOL_VERSION}: {text[:80]!r}")
-    return answer
+    version = answer.get("contactd") if isinstance(answer, dict) else None
+    if type(version) is not int:
+        raise ProtocolError(f"The answer is no message of contactd's protocol: {text[:80]!r}")
+    if version != PROTOCOL_VERSION:
+        side = "client (the Python package contactd)" if version > PROTOCOL_VERSION else "daemon"
+        raise ProtocolError(
+            f"The daemon answers in version {version} of the protocol; this client speaks {PROTOCOL_VERSION}: "
+            f"upgrade the {side}."
+        )
+    return dict(answer)
 
 
 def _reply(answer: dict[str, Any], frames: Sequence[bytes]) -> Reply:

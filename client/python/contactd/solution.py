@@ -44,6 +44,7 @@ class Progress:
     job: str = ""  #: what cancel_job takes
     iteration: int = 0  #: within the stage
     residual: float = 0.0  #: the figure that the stage's stop test compares
+    state: str = ""  #: of health.watch
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,10 @@
 
 #include <chrono>
 #include <cstring>
+#include <future>
 #include <limits>
+#include <stop_token>
+#include <thread>
 
 #include "contactd/client/client.hpp"
 #include "contactd/proto/schema.hpp"
@@ -350,4 +353,92 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
         CHECK(error.status().reason == "LIMIT_EXCEEDED");
     }
     CHECK(requests == 0);
+}
+
+namespace {
+
+/// Never answers; the ids of what was asked and of what was cancelled.
+struct Silent {
+    std::string asked;
+    std::promise<std::string> cancelled;
+    bool with_progress = false;
+    fake::Daemon daemon{[this](const json& request, const Frames&) -> std::vector<Frames> {
+        if (request["method"] == "request.cancel") {
+            cancelled.set_value(request["params"]["id"]);
+            return {};
+        }
+        asked = request["id"];
+        if (!with_progress) return {};
+        return {{fake::progress(request, {{"stage", "pcg"}, {"fraction", 0.1}})}};
+    }};
+};
+
+}  // namespace
+
+TEST_CASE("A call that times out is cancelled", "[client]") {
+    Silent silent;
+    Client client(silent.daemon.endpoint());
+    CHECK_THROWS_AS(client.health({.timeout = 10ms}), TimeoutError);
+    CHECK(silent.cancelled.get_future().get() == silent.asked);
+}
+
+TEST_CASE("A call whose progress handler throws is cancelled", "[client]") {
+    Silent silent;
+    silent.with_progress = true;
+    Client client(silent.daemon.endpoint());
+    const auto enough = [](const ProgressReport&) { throw std::runtime_error("enough"); };
+    CHECK_THROWS_AS(client.health({.on_progress = enough}), std::runtime_error);
+    CHECK(silent.cancelled.get_future().get() == silent.asked);
+}
+
+TEST_CASE("A call is stopped from another thread", "[client]") {
+    Silent silent;
+    Client client(silent.daemon.endpoint());
+    std::stop_source stop;
+    const std::jthread stopper([&] { stop.request_stop(); });
+    try {
+        client.health({.stop = stop.get_token()});
+        FAIL("nothing was thrown");
+    } catch (const proto::StatusError& error) {
+        CHECK(error.status().code == proto::StatusCode::cancelled);
+    }
+    CHECK(silent.cancelled.get_future().get() == silent.asked);
+}
+
+TEST_CASE("Requests name the client", "[client]") {
+    json seen;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        seen = request;
+        return {{fake::reply(request, healthy)}};
+    });
+    Client(daemon.endpoint()).health();
+    CHECK_THAT(seen["metadata"]["client"].get<std::string>(), ContainsSubstring("contactd-cpp "));
+    CHECK(proto::violations_of("envelope", seen).empty());
+}
+
+TEST_CASE("Another version is named with the side to upgrade", "[client]") {
+    int version = 0;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        json answer = json::parse(fake::reply(request, healthy));
+        answer["contactd"] = version;
+        return {{answer.dump()}};
+    });
+    Client client(daemon.endpoint());
+    CHECK_THROWS_MATCHES(client.health(), ProtocolError, MessageMatches(ContainsSubstring("upgrade the daemon")));
+    version = 2;
+    CHECK_THROWS_MATCHES(client.health(), ProtocolError, MessageMatches(ContainsSubstring("upgrade the client")));
+}
+
+TEST_CASE("The states of the daemon are watched", "[client]") {
+    fake::Daemon daemon([&](const json& request, const Frames&) {
+        std::vector<Frames> answers;
+        for (const char* state : {"serving", "serving", "stopping"})
+            answers.push_back({fake::progress(request, {{"stage", "watch"}, {"fraction", 0}, {"state", state}})});
+        answers.push_back({fake::reply(request, {{"state", "stopping"}})});
+        return answers;
+    });
+    std::vector<std::string> seen;
+    CHECK(Client(daemon.endpoint()).watch_health([&](const std::string& state) { seen.push_back(state); }) ==
+          "stopping");
+    CHECK(seen == std::vector<std::string>{"serving", "stopping"});
 }

@@ -92,4 +92,4 @@ def test_the_documentation_has_every_option_and_every_word():
     for options in (PROBLEM, FRICTION, ROLLING, MOTION, FRICTION["kinetic"]["properties"]):
         for name, option in options.items():
             for word in [name, *option.get("enum", [])]:
-                assert f"`{word}`" in text or f'"{word}"' in text, word
+                assert any(form in text for form in (f"`{word}`", f".{word}`", f'"{word}"')), word

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct ProgressReport {
     double fraction = 0;  ///< of the whole work, 0..1, an estimate
     int iteration = 0;    ///< within the stage
     double residual = 0;  ///< the figure the stage's stop test compares
+    std::string state{};  ///< of watch_health
 };
 
 struct CallOptions {
@@ -49,6 +51,9 @@ struct CallOptions {
     std::optional<std::chrono::milliseconds> timeout{};
     /// Called in the calling thread while the call waits. An exception it throws ends the call.
     std::function<void(const ProgressReport&)> on_progress{};
+    /// Ends the call with StatusError (CANCELLED) soon after a stop is requested, from any thread. The daemon is told,
+    /// as it is when a call times out or on_progress throws; a build goes on for its cache.
+    std::stop_token stop{};
 };
 
 /// Work that waits or runs in the daemon.
@@ -77,10 +82,13 @@ class Client {
     nlohmann::json info(const CallOptions& options = {});
     /// "serving" or "stopping".
     std::string health(const CallOptions& options = {});
+    /// Calls `on_state` with the state now and with each change, until the daemon ends; gives the last one, "stopping".
+    std::string watch_health(const std::function<void(const std::string&)>& on_state, CallOptions options = {});
     /// The OpenRPC document of the service.
     nlohmann::json describe(const CallOptions& options = {});
 
-    /// The influence coefficients of one body in mm^3/N. Waits for a build when the daemon has no such table.
+    /// The influence coefficients of one body in mm^3/N. Waits for a build when the daemon has no such table. One that
+    /// is too large for a message comes in several, each with the same timeout.
     proto::IcReply get_ic(const IcSpec& spec, const CallOptions& options = {});
 
     /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).

@@ -1,0 +1,141 @@
+"""Whose turn it is. One worker is kept busy while requests line up; an endless one at the wrong place would show."""
+
+import time
+
+import numpy as np
+import pytest
+
+from conformance.requests import ENDLESS, SOLVE, STRESS
+from conformance.wire import INVALID_ARGUMENT, OK, RESOURCE_EXHAUSTED
+
+PASSED_OVER = 16
+
+
+@pytest.fixture
+def busy(start):
+    """A daemon of one worker, which a first peer keeps busy until it cancels."""
+    daemon = start(workers=1)
+    with daemon.peer() as first:
+        name = first.send("contact.solve", ENDLESS)
+        assert first.message().progress["stage"]
+        daemon.release = lambda: first.cancel(name)
+        with daemon.peer() as daemon.onlooker:
+            yield daemon
+
+
+def line_up(daemon, peer, method, params, times=1, **envelope):
+    """Sends, and waits until the requests stand in the queue; the ids."""
+
+    def waiting():
+        return daemon.onlooker.ask("server.info").result["queue"]["solves_waiting"]
+
+    before = waiting()
+    names = [peer.send(method, params, **envelope) for _ in range(times)]
+    while waiting() < before + times:
+        time.sleep(0.005)
+    return names if times > 1 else names[0]
+
+
+def test_clients_take_turns(busy):
+    with busy.peer() as greedy, busy.peer() as modest:
+        endless = line_up(busy, greedy, "contact.solve", ENDLESS, times=3)
+        line_up(busy, modest, "contact.subsurface", STRESS)
+        busy.release()
+        assert greedy.message().id == endless[0]
+        # The first one of the greedy client runs, and is ended; then it is the other one's turn.
+        greedy.cancel(endless[0])
+        assert modest.reply().code == OK
+        greedy.cancel(endless[1])
+        greedy.cancel(endless[2])
+
+
+@pytest.mark.parametrize(("first", "then"), [("low", "normal"), ("normal", "high"), ("low", "high")])
+def test_a_higher_priority_goes_first(busy, first, then):
+    with busy.peer() as patient, busy.peer() as urgent:
+        endless = line_up(busy, patient, "contact.solve", ENDLESS, priority=first)
+        line_up(busy, urgent, "contact.subsurface", STRESS, priority=then)
+        busy.release()
+        assert urgent.reply().code == OK
+        patient.cancel(endless)
+
+
+def test_many_problems_are_low_and_others_normal_unless_they_say_so(busy):
+    with busy.peer() as batch, busy.peer() as single:
+        endless = line_up(busy, batch, "contact.solve_many", {"problems": [ENDLESS]})
+        line_up(busy, single, "contact.subsurface", STRESS)
+        busy.release()
+        assert single.reply().code == OK
+        batch.cancel(endless)
+
+
+def test_a_step_overtakes_a_batch_that_runs(start):
+    daemon = start(workers=1)
+    problem = {**SOLVE, "grid": {"nx": 100, "ny": 100, "dx": 0.024, "dy": 0.024}}
+    with daemon.peer() as batch, daemon.peer() as step:
+        many = batch.send("contact.solve_many", {"problems": [problem] * 100})
+        assert batch.message().progress["stage"] == "batch"
+        assert step.ask("contact.solve", SOLVE, priority="high").code == OK
+        batch.send("request.cancel", {"id": many})
+        assert batch.reply().reason == "REQUEST_CANCELLED", "the batch was through before the step"
+
+
+def test_nothing_starves(busy):
+    with busy.peer() as patient, busy.peer() as urgent:
+        line_up(busy, patient, "contact.subsurface", STRESS, priority="low")
+        line_up(busy, urgent, "contact.subsurface", STRESS, times=PASSED_OVER, priority="high")
+        endless = line_up(busy, urgent, "contact.solve", ENDLESS, priority="high")
+        busy.release()
+        assert patient.reply().code == OK
+        assert [urgent.reply().code for _ in range(PASSED_OVER)] == [OK] * PASSED_OVER
+        urgent.cancel(endless)
+
+
+def refused(reply, name):
+    assert (reply.code, reply.reason) == (RESOURCE_EXHAUSTED, "QUEUE_FULL")
+    assert name in reply.text
+    return reply.details["retry_delay_ms"] > 0
+
+
+def test_requests_that_wait_are_bounded(start):
+    daemon = start(limits={"max_queue": 2})
+    with daemon.peer() as peer, daemon.peer() as other:
+        names = [peer.send("health.watch"), other.send("contact.solve", ENDLESS)]
+        assert other.message().progress["stage"]
+        assert peer.message().progress["state"]
+        assert refused(peer.ask("contact.solve", SOLVE), "max_queue)")
+        assert peer.ask("server.health").code == OK  # answered at once, so never too many
+        peer.cancel(names[0])
+        assert peer.ask("contact.solve", SOLVE).code == OK
+        other.cancel(names[1])
+
+
+def test_requests_of_one_client_are_bounded(start):
+    daemon = start(limits={"max_queue_per_client": 2})
+    with daemon.peer() as greedy, daemon.peer() as other:
+        names = [greedy.send("health.watch"), greedy.send("health.watch")]
+        assert refused(greedy.ask("contact.solve", SOLVE), "max_queue_per_client")
+        assert other.ask("contact.solve", SOLVE).code == OK
+        greedy.cancel(names[0])
+        assert greedy.ask("contact.solve", SOLVE).code == OK
+
+
+def test_bytes_of_requests_that_wait_are_bounded(start):
+    daemon = start(workers=1, limits={"max_queue_bytes": 1_000_000})
+    gap = np.zeros((320, 320))
+    params = {**ENDLESS, "gap": {"array": {"$array": {"frame": 1, "dtype": "<f8", "shape": [320, 320]}}}}
+    with daemon.peer() as peer:
+        first = peer.send("contact.solve", params, gap.tobytes())
+        assert peer.message().progress["stage"]
+        assert refused(peer.ask("contact.solve", params, gap.tobytes()), "max_queue_bytes")
+        small = peer.send("contact.solve", SOLVE)
+        peer.cancel(first)
+        assert peer.reply().id == small
+
+
+def test_a_request_larger_than_the_bound_is_let_in_alone(start):
+    daemon = start(limits={"max_queue_bytes": 1024})
+    listed = {**SOLVE, "gap": {"array": [[0.0123456789] * 6] * 5}, "previous": {"pressure": [[0.0123456789] * 6] * 5}}
+    with daemon.peer() as peer:
+        assert peer.ask("contact.solve", {**listed, "initial": {"pressure": [[0.01234567] * 6] * 5}}).code in (
+            OK, INVALID_ARGUMENT,
+        )  # fmt: skip

@@ -1,0 +1,200 @@
+"""contactd's wire, spoken with nothing but ZeroMQ and JSON: docs/protocol.md is all that this knows of the daemon.
+
+Every message that a Peer receives is kept in RECORD, and held against the daemon's own OpenRPC document when the suite ends.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import select
+import shutil
+import signal
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import zmq
+
+BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / "development" / "bin"))
+PATIENCE_MS = 30_000
+
+OK, CANCELLED, INVALID_ARGUMENT, DEADLINE_EXCEEDED, NOT_FOUND = 0, 1, 3, 4, 5
+RESOURCE_EXHAUSTED, UNIMPLEMENTED, INTERNAL, UNAVAILABLE = 8, 12, 13, 14
+
+#: What was received: the method of the request ("" when not known), and the envelope.
+RECORD: list[tuple[str, dict[str, Any]]] = []
+
+
+@dataclass(frozen=True)
+class Message:
+    envelope: dict[str, Any]
+    frames: list[bytes]
+
+    @property
+    def id(self) -> str | None:
+        return self.envelope["id"]
+
+    @property
+    def is_progress(self) -> bool:
+        return "progress" in self.envelope
+
+    @property
+    def progress(self) -> dict[str, Any]:
+        return self.envelope["progress"]
+
+    @property
+    def code(self) -> int:
+        return self.envelope["status"]["code"]
+
+    @property
+    def text(self) -> str:
+        return self.envelope["status"]["message"]
+
+    @property
+    def details(self) -> dict[str, Any]:
+        return self.envelope["status"].get("details", {})
+
+    @property
+    def reason(self) -> str:
+        return self.details.get("reason", "")
+
+    @property
+    def fields(self) -> list[str]:
+        return [violation["field"] for violation in self.details.get("violations", [])]
+
+    @property
+    def result(self) -> dict[str, Any]:
+        assert self.code == OK, self.envelope["status"]
+        return self.envelope["result"]
+
+    def array(self, value: Any) -> np.ndarray[Any, Any]:
+        """The array that `value` of this message stands for: a list, or a reference to a frame."""
+        if isinstance(value, list):
+            return np.array(value)
+        reference = value["$array"]
+        frame = self.frames[reference["frame"] - 1]
+        return np.frombuffer(frame, reference["dtype"]).reshape(reference["shape"])
+
+
+class Peer:
+    """One socket. Ids are this peer's own; what is received is recorded."""
+
+    def __init__(self, endpoint: str, kind: int = zmq.DEALER) -> None:
+        self._context = zmq.Context()
+        self.socket = self._context.socket(kind)
+        self.socket.setsockopt(zmq.LINGER, 0)
+        self.socket.connect(endpoint)
+        self._ids = (f"{n}" for n in itertools.count(1))
+        self._methods: dict[str | None, str] = {}
+
+    def __enter__(self) -> Peer:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self._context.destroy(linger=0)
+
+    def send(self, method: str, params: Any = None, *frames: bytes, **envelope: Any) -> str:
+        """Sends a request and returns its id."""
+        fields = {"contactd": 1, "id": next(self._ids), "method": method, **envelope}
+        if params is not None:
+            fields["params"] = params
+        self._methods[fields["id"]] = method
+        self.send_bytes(json.dumps(fields).encode(), *frames)
+        return fields["id"]
+
+    def send_bytes(self, *parts: bytes) -> None:
+        self.socket.send_multipart(parts)
+
+    def message(self) -> Message:
+        """The next message, progress or reply."""
+        assert self.socket.poll(PATIENCE_MS), "no message within half a minute"
+        text, *frames = self.socket.recv_multipart()
+        message = Message(json.loads(text), frames)
+        RECORD.append((self._methods.get(message.id, ""), message.envelope))
+        return message
+
+    def reply(self) -> Message:
+        """The next reply, whatever progress comes before it."""
+        while (message := self.message()).is_progress:
+            pass
+        return message
+
+    def ask(self, method: str, params: Any = None, *frames: bytes, **envelope: Any) -> Message:
+        name = self.send(method, params, *frames, **envelope)
+        reply = self.reply()
+        assert reply.id == name
+        return reply
+
+    def ask_text(self, text: str | bytes, *frames: bytes) -> Message:
+        """Sends frame 0 as it is; where it has an id, that is "x"."""
+        try:
+            self._methods["x"] = json.loads(text)["method"]
+        except (ValueError, KeyError, TypeError, RecursionError):
+            pass  # what cannot be read, or lacks it, has no result either
+        self.send_bytes(text.encode() if isinstance(text, str) else text, *frames)
+        return self.reply()
+
+    def cancel(self, name: str) -> None:
+        """Ends one of this peer's requests, whose reply comes first."""
+        self.send("request.cancel", {"id": name})
+        assert (self.reply().code, self.reply().code) == (CANCELLED, OK)
+
+    def is_silent(self) -> bool:
+        """That nothing is under way: an answer asked for now is the next message."""
+        name = self.send("server.health")
+        return self.message().id == name
+
+
+@dataclass
+class Daemon:
+    """A daemon in a folder of its own."""
+
+    config: dict[str, Any]
+    folder: Path = field(default_factory=lambda: Path(tempfile.mkdtemp(prefix="contactd-wire-")))
+
+    def __post_init__(self) -> None:
+        config = {
+            "endpoint": f"ipc://{self.folder}/socket",
+            "store": {"folder": str(self.folder / "store")},
+            "log": {"file": str(self.folder / "log")},
+            **self.config,
+        }
+        (self.folder / "config.json").write_text(json.dumps(config))
+        self.process = subprocess.Popen(
+            [BIN / "contactd", "--config", self.folder / "config.json"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        )  # fmt: skip
+        assert select.select([self.process.stdout], [], [], 30)[0], "the daemon was not ready within half a minute"
+        self.endpoint = json.loads(self.process.stdout.readline())["endpoint"]
+
+    def peer(self, kind: int = zmq.DEALER) -> Peer:
+        return Peer(self.endpoint, kind)
+
+    @property
+    def log(self) -> str:
+        return (self.folder / "log").read_text()
+
+    def terminate(self) -> None:
+        self.process.send_signal(signal.SIGTERM)
+
+    def finish(self) -> None:
+        """Ends it in order; nothing but its log, configuration and tables may be left."""
+        try:
+            self.process.terminate()
+            try:
+                assert self.process.wait(30) == 0
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+                raise
+            finally:
+                self.process.stdout.close()
+            left = [path for path in self.folder.rglob("*") if not path.is_dir() and path.suffix != ".h5"]
+            assert {path.name for path in left} <= {"log", "config.json"}, left
+        finally:
+            shutil.rmtree(self.folder)
