@@ -6,23 +6,36 @@
 #include "spectral_products.hpp"
 
 namespace contactd {
+namespace {
+
+double* parts(Complex* values) {
+    return reinterpret_cast<double*>(values);
+}
+
+}  // namespace
 
 struct PaddedFft::Workspace {
     std::array<Buffer<Complex>, 2> spectrum;  // [ny, columns], one per field
     std::array<Buffer<Complex>, 2> column;    // transformed, [padded_ny, block]
-    Buffer<Complex> staged;                   // on its way to or from there, [padded_ny, block]
+    Buffer<Complex> padded_column;            // on its way there, zero beyond the grid
+    Buffer<Complex> result;                   // on its way back
     Buffer<double> padded_row, row;
+    Buffer<Complex> padded_rows, transformed_rows, rows;  // of a pair of fields, [block, padded_nx]
 
     explicit Workspace(const Plans& plans)
         : padded_row(make_buffer<double>(static_cast<std::size_t>(plans.padded_nx))),
           row(make_buffer<double>(static_cast<std::size_t>(plans.padded_nx))) {
         for (auto& buffer : column) buffer = make_buffer<Complex>(plans.block_size());
-        staged = make_buffer<Complex>(plans.block_size());
+        padded_column = make_buffer<Complex>(plans.block_size());
+        result = make_buffer<Complex>(plans.block_size());
         spectrum[0] = make_buffer<Complex>(plans.row_offset(plans.ny));
     }
 
     void need_pair(const Plans& plans) {
-        if (!spectrum[1]) spectrum[1] = make_buffer<Complex>(plans.row_offset(plans.ny));
+        if (spectrum[1]) return;
+        spectrum[1] = make_buffer<Complex>(plans.row_offset(plans.ny));
+        for (Buffer<Complex>* buffer : {&padded_rows, &transformed_rows, &rows})
+            *buffer = make_buffer<Complex>(block * static_cast<std::size_t>(plans.padded_nx));
     }
 };
 
@@ -84,17 +97,68 @@ void PaddedFft::rows_inverse(Workspace& workspace, std::size_t field, std::span<
     }
 }
 
-namespace {
-
-void gather_columns(const Complex* spectrum, std::size_t columns, int ny, int padded_ny, Complex* column) {
-    for (int l = 0; l < ny; ++l)
-        std::copy_n(spectrum + static_cast<std::size_t>(l) * columns, block, column + l * block);
-    std::fill(column + ny * block, column + padded_ny * block, Complex{});
+// The two fields as the real and the imaginary part of one, a block of rows at a time. Rows of the block beyond the last
+// one of the grid are transformed too, and nobody looks at them.
+void PaddedFft::rows_forward(const std::array<std::span<const double>, 2>& in, Workspace& workspace) const {
+    const auto& plans = *plans_;
+    const auto nx = static_cast<std::size_t>(plans.nx), padded_nx = static_cast<std::size_t>(plans.padded_nx);
+    for (int first = 0; first < plans.ny; first += block) {
+        const int end = std::min(first + block, plans.ny);
+        const std::size_t offset = static_cast<std::size_t>(first) * nx;
+        const auto is_zero = [&](std::span<const double> field) {
+            const double* values = field.data() + offset;
+            return std::all_of(values, values + static_cast<std::size_t>(end - first) * nx,
+                               [](double v) { return v == 0; });
+        };
+        Complex *x = workspace.spectrum[0].get() + plans.row_offset(first),
+                *y = workspace.spectrum[1].get() + plans.row_offset(first);
+        if (is_zero(in[0]) && is_zero(in[1])) {
+            std::fill_n(x, plans.row_offset(end - first), Complex{});
+            std::fill_n(y, plans.row_offset(end - first), Complex{});
+            continue;
+        }
+        for (std::size_t row = 0; row < static_cast<std::size_t>(end - first); ++row)
+            interleave(nx, in[0].data() + offset + row * nx, in[1].data() + offset + row * nx,
+                       parts(workspace.padded_rows.get() + row * padded_nx));
+        fftw_execute_dft(plans.rows_forward.get(), raw(workspace.padded_rows.get()),
+                         raw(workspace.transformed_rows.get()));
+        for (int row = 0; row < end - first; ++row)
+            split_transforms(padded_nx, parts(workspace.transformed_rows.get() + static_cast<std::size_t>(row) * padded_nx),
+                             parts(x + plans.row_offset(row)), parts(y + plans.row_offset(row)));
+    }
 }
 
-void scatter_columns(const Complex* column, std::size_t columns, int ny, Complex* spectrum) {
-    for (int l = 0; l < ny; ++l)
-        std::copy_n(column + l * block, block, spectrum + static_cast<std::size_t>(l) * columns);
+void PaddedFft::rows_inverse(Workspace& workspace, const std::array<std::span<double>, 2>& out) const {
+    const auto& plans = *plans_;
+    const auto nx = static_cast<std::size_t>(plans.nx), padded_nx = static_cast<std::size_t>(plans.padded_nx);
+    for (int first = 0; first < plans.ny; first += block) {
+        const int end = std::min(first + block, plans.ny);
+        for (int row = first; row < end; ++row)
+            join_transforms(padded_nx, parts(workspace.spectrum[0].get() + plans.row_offset(row)),
+                            parts(workspace.spectrum[1].get() + plans.row_offset(row)),
+                            parts(workspace.transformed_rows.get() + static_cast<std::size_t>(row - first) * padded_nx));
+        fftw_execute_dft(plans.rows_inverse.get(), raw(workspace.transformed_rows.get()), raw(workspace.rows.get()));
+        for (int row = first; row < end; ++row)
+            deinterleave(nx, parts(workspace.rows.get() + static_cast<std::size_t>(row - first) * padded_nx),
+                         out[0].data() + static_cast<std::size_t>(row) * nx,
+                         out[1].data() + static_cast<std::size_t>(row) * nx);
+    }
+}
+
+namespace {
+
+// Plain moves: a call of the library for so few numbers costs more than they do.
+void copy_rows(int ny, const double* from, std::size_t from_stride, double* to, std::size_t to_stride) {
+    for (int l = 0; l < ny; ++l, from += from_stride, to += to_stride)
+        for (int i = 0; i < 2 * block; ++i) to[i] = from[i];
+}
+
+void gather_columns(Complex* spectrum, std::size_t columns, int ny, Complex* column) {
+    copy_rows(ny, parts(spectrum), 2 * columns, parts(column), 2 * block);
+}
+
+void scatter_columns(Complex* column, std::size_t columns, int ny, Complex* spectrum) {
+    copy_rows(ny, parts(column), 2 * block, parts(spectrum), 2 * columns);
 }
 
 }  // namespace
@@ -107,21 +171,27 @@ void PaddedFft::convolve(const std::array<std::span<const double>, inputs>& in,
     const Lease lease(*this);
     Workspace& workspace = *lease;
     if constexpr (inputs + outputs > 2) workspace.need_pair(plans);
-    for (std::size_t field = 0; field < inputs; ++field) rows_forward(in[field], workspace, field);
-    Complex *x = workspace.column[0].get(), *y = workspace.column[1].get(), *staged = workspace.staged.get();
+    if constexpr (inputs == 2)
+        rows_forward(in, workspace);
+    else
+        rows_forward(in[0], workspace, 0);
+    Complex *x = workspace.column[0].get(), *y = workspace.column[1].get(), *padded = workspace.padded_column.get(),
+            *result = workspace.result.get();
     for (int b = 0; b < plans.blocks; ++b) {
         for (std::size_t field = 0; field < inputs; ++field) {
-            gather_columns(workspace.spectrum[field].get() + b * block, plans.columns, plans.ny, plans.padded_ny,
-                           staged);
-            fftw_execute_dft(plans.block_forward.get(), raw(staged), raw(workspace.column[field].get()));
+            gather_columns(workspace.spectrum[field].get() + b * block, plans.columns, plans.ny, padded);
+            fftw_execute_dft(plans.block_forward.get(), raw(padded), raw(workspace.column[field].get()));
         }
         product(x, y, static_cast<std::size_t>(b) * plans.block_size(), plans.block_size());
         for (std::size_t field = 0; field < outputs; ++field) {
-            fftw_execute_dft(plans.block_inverse.get(), raw(workspace.column[field].get()), raw(staged));
-            scatter_columns(staged, plans.columns, plans.ny, workspace.spectrum[field].get() + b * block);
+            fftw_execute_dft(plans.block_inverse.get(), raw(workspace.column[field].get()), raw(result));
+            scatter_columns(result, plans.columns, plans.ny, workspace.spectrum[field].get() + b * block);
         }
     }
-    for (std::size_t field = 0; field < outputs; ++field) rows_inverse(workspace, field, out[field]);
+    if constexpr (outputs == 2)
+        rows_inverse(workspace, out);
+    else
+        rows_inverse(workspace, 0, out[0]);
 }
 
 namespace {
@@ -132,10 +202,6 @@ using Out = std::span<double>;
 // Without the checks for infinities of the operator of std::complex.
 Complex times(double real, double imag, const Complex& b) {
     return {real * b.real() - imag * b.imag(), real * b.imag() + imag * b.real()};
-}
-
-double* parts(Complex* values) {
-    return reinterpret_cast<double*>(values);
 }
 
 Complex times_i(const Complex& a) {

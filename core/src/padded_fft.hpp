@@ -85,6 +85,8 @@ class PaddedFft {
     void transform_columns(const std::complex<double>* spectrum, const Store& store) const;
     void rows_forward(std::span<const double> in, Workspace& workspace, std::size_t field) const;
     void rows_inverse(Workspace& workspace, std::size_t field, std::span<double> out) const;
+    void rows_forward(const std::array<std::span<const double>, 2>& in, Workspace& workspace) const;
+    void rows_inverse(Workspace& workspace, const std::array<std::span<double>, 2>& out) const;
 
     std::shared_ptr<const Plans> plans_;
     mutable std::mutex idle_mutex_;

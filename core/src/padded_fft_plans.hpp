@@ -15,7 +15,8 @@ namespace contactd {
 
 using Complex = std::complex<double>;
 
-/// Columns are transformed in blocks that stay in the first-level cache: transform, product, inverse.
+/// Columns are transformed in blocks that stay in the first-level cache: transform, product, inverse. So are the rows of
+/// a pair of fields, since FFTW fills vector registers with transforms that are alike.
 inline constexpr int block = 4;
 
 struct FftwFree {
@@ -45,7 +46,8 @@ struct PaddedFft::Plans {
     int nx, ny, padded_nx, padded_ny;
     int blocks;           // of columns
     std::size_t columns;  // in memory, a multiple of the block
-    Plan row_forward, row_inverse, block_forward, block_inverse;
+    Plan row_forward, row_inverse;                               // one real row
+    Plan rows_forward, rows_inverse, block_forward, block_inverse;  // a block of complex rows or columns
 
     Plans(int nx_, int ny_, int padded_nx_, int padded_ny_);
 

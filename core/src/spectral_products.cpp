@@ -36,4 +36,54 @@ void multiply_pair(std::size_t n, double* x, double* y, const ComplexFactor& xx,
     multiply(n, x, y, xx.real, xx.imag, xy.real, xy.imag, yx.real, yx.imag, yy.real, yy.imag);
 }
 
+CONTACTD_WIDE
+void interleave(std::size_t n, const double* __restrict x, const double* __restrict y, double* __restrict both) {
+    for (std::size_t i = 0; i < n; ++i) {
+        both[2 * i] = x[i];
+        both[2 * i + 1] = y[i];
+    }
+}
+
+CONTACTD_WIDE
+void deinterleave(std::size_t n, const double* __restrict both, double* __restrict x, double* __restrict y) {
+    for (std::size_t i = 0; i < n; ++i) {
+        x[i] = both[2 * i];
+        y[i] = both[2 * i + 1];
+    }
+}
+
+// X(k) = (Z(k) + conj Z(n-k))/2, Y(k) = (Z(k) - conj Z(n-k))/(2i)
+CONTACTD_WIDE
+void split_transforms(std::size_t n, const double* __restrict both, double* __restrict x, double* __restrict y) {
+    x[0] = both[0];
+    x[1] = 0;
+    y[0] = both[1];
+    y[1] = 0;
+    for (std::size_t k = 1; k <= n / 2; ++k) {
+        const double ar = both[2 * k], ai = both[2 * k + 1], br = both[2 * (n - k)], bi = both[2 * (n - k) + 1];
+        x[2 * k] = 0.5 * (ar + br);
+        x[2 * k + 1] = 0.5 * (ai - bi);
+        y[2 * k] = 0.5 * (ai + bi);
+        y[2 * k + 1] = 0.5 * (br - ar);
+    }
+}
+
+// Z(k) = X(k) + i Y(k), Z(n-k) = conj X(k) + i conj Y(k); X and Y are real at 0 and at n/2 but for rounding.
+CONTACTD_WIDE
+void join_transforms(std::size_t n, const double* __restrict x, const double* __restrict y, double* __restrict both) {
+    both[0] = x[0];
+    both[1] = y[0];
+    for (std::size_t k = 1; 2 * k < n; ++k) {
+        const double xr = x[2 * k], xi = x[2 * k + 1], yr = y[2 * k], yi = y[2 * k + 1];
+        both[2 * k] = xr - yi;
+        both[2 * k + 1] = xi + yr;
+        both[2 * (n - k)] = xr + yi;
+        both[2 * (n - k) + 1] = yr - xi;
+    }
+    if (n > 1 && n % 2 == 0) {
+        both[n] = x[n];
+        both[n + 1] = y[n];
+    }
+}
+
 }  // namespace contactd
