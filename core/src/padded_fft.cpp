@@ -34,6 +34,7 @@ struct PaddedFft::Workspace {
     void need_pair(const Plans& plans) {
         if (spectrum[1]) return;
         spectrum[1] = make_buffer<Complex>(plans.row_offset(plans.ny));
+        if (!plans.rows_forward) return;
         for (Buffer<Complex>* buffer : {&padded_rows, &transformed_rows, &rows})
             *buffer = make_buffer<Complex>(block * static_cast<std::size_t>(plans.padded_nx));
     }
@@ -101,6 +102,10 @@ void PaddedFft::rows_inverse(Workspace& workspace, std::size_t field, std::span<
 // one of the grid are transformed too, and nobody looks at them.
 void PaddedFft::rows_forward(const std::array<std::span<const double>, 2>& in, Workspace& workspace) const {
     const auto& plans = *plans_;
+    if (!plans.rows_forward) {
+        for (std::size_t field = 0; field < in.size(); ++field) rows_forward(in[field], workspace, field);
+        return;
+    }
     const auto nx = static_cast<std::size_t>(plans.nx), padded_nx = static_cast<std::size_t>(plans.padded_nx);
     for (int first = 0; first < plans.ny; first += block) {
         const int end = std::min(first + block, plans.ny);
@@ -130,6 +135,10 @@ void PaddedFft::rows_forward(const std::array<std::span<const double>, 2>& in, W
 
 void PaddedFft::rows_inverse(Workspace& workspace, const std::array<std::span<double>, 2>& out) const {
     const auto& plans = *plans_;
+    if (!plans.rows_inverse) {
+        for (std::size_t field = 0; field < out.size(); ++field) rows_inverse(workspace, field, out[field]);
+        return;
+    }
     const auto nx = static_cast<std::size_t>(plans.nx), padded_nx = static_cast<std::size_t>(plans.padded_nx);
     for (int first = 0; first < plans.ny; first += block) {
         const int end = std::min(first + block, plans.ny);

@@ -46,8 +46,9 @@ struct PaddedFft::Plans {
     int nx, ny, padded_nx, padded_ny;
     int blocks;           // of columns
     std::size_t columns;  // in memory, a multiple of the block
-    Plan row_forward, row_inverse;                               // one real row
-    Plan rows_forward, rows_inverse, block_forward, block_inverse;  // a block of complex rows or columns
+    Plan row_forward, row_inverse;      // of one real row
+    Plan rows_forward, rows_inverse;    // of a block of complex rows; null where that would leave the first-level cache
+    Plan block_forward, block_inverse;  // of a block of columns
 
     Plans(int nx_, int ny_, int padded_nx_, int padded_ny_);
 
