@@ -98,8 +98,8 @@ void PaddedFft::rows_inverse(Workspace& workspace, std::size_t field, std::span<
     }
 }
 
-// The two fields as the real and the imaginary part of one, a block of rows at a time. Rows of the block beyond the last
-// one of the grid are transformed too, and nobody looks at them.
+// The two fields as the real and the imaginary part of one, a block of rows at a time. Rows of the block beyond the
+// last one of the grid are transformed too, and nobody looks at them.
 void PaddedFft::rows_forward(const std::array<std::span<const double>, 2>& in, Workspace& workspace) const {
     const auto& plans = *plans_;
     if (!plans.rows_forward) {
@@ -128,7 +128,8 @@ void PaddedFft::rows_forward(const std::array<std::span<const double>, 2>& in, W
         fftw_execute_dft(plans.rows_forward.get(), raw(workspace.padded_rows.get()),
                          raw(workspace.transformed_rows.get()));
         for (int row = 0; row < end - first; ++row)
-            split_transforms(padded_nx, parts(workspace.transformed_rows.get() + static_cast<std::size_t>(row) * padded_nx),
+            split_transforms(padded_nx,
+                             parts(workspace.transformed_rows.get() + static_cast<std::size_t>(row) * padded_nx),
                              parts(x + plans.row_offset(row)), parts(y + plans.row_offset(row)));
     }
 }
@@ -143,9 +144,10 @@ void PaddedFft::rows_inverse(Workspace& workspace, const std::array<std::span<do
     for (int first = 0; first < plans.ny; first += block) {
         const int end = std::min(first + block, plans.ny);
         for (int row = first; row < end; ++row)
-            join_transforms(padded_nx, parts(workspace.spectrum[0].get() + plans.row_offset(row)),
-                            parts(workspace.spectrum[1].get() + plans.row_offset(row)),
-                            parts(workspace.transformed_rows.get() + static_cast<std::size_t>(row - first) * padded_nx));
+            join_transforms(
+                padded_nx, parts(workspace.spectrum[0].get() + plans.row_offset(row)),
+                parts(workspace.spectrum[1].get() + plans.row_offset(row)),
+                parts(workspace.transformed_rows.get() + static_cast<std::size_t>(row - first) * padded_nx));
         fftw_execute_dft(plans.rows_inverse.get(), raw(workspace.transformed_rows.get()), raw(workspace.rows.get()));
         for (int row = first; row < end; ++row)
             deinterleave(nx, parts(workspace.rows.get() + static_cast<std::size_t>(row - first) * padded_nx),

@@ -15,8 +15,8 @@ namespace contactd {
 
 using Complex = std::complex<double>;
 
-/// Columns are transformed in blocks that stay in the first-level cache: transform, product, inverse. So are the rows of
-/// a pair of fields, since FFTW fills vector registers with transforms that are alike.
+/// Columns are transformed in blocks that stay in the first-level cache: transform, product, inverse. So are the rows
+/// of a pair of fields, since FFTW fills vector registers with transforms that are alike.
 inline constexpr int block = 4;
 
 struct FftwFree {
@@ -44,8 +44,8 @@ using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDestroy>;
 
 struct PaddedFft::Plans {
     int nx, ny, padded_nx, padded_ny;
-    int blocks;           // of columns
-    std::size_t columns;  // in memory, a multiple of the block
+    int blocks;                         // of columns
+    std::size_t columns;                // in memory, a multiple of the block
     Plan row_forward, row_inverse;      // of one real row
     Plan rows_forward, rows_inverse;    // of a block of complex rows; null where that would leave the first-level cache
     Plan block_forward, block_inverse;  // of a block of columns

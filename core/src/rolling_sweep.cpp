@@ -77,7 +77,7 @@ RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const
 
 void RollingSweep::linearise(const Linearisation& linearisation, double stiffness) {
     linearisation_ = &linearisation;
-    for (std::size_t e = 0; e < m_; ++e) inverse_diagonal_[e] = 1 / (diagonal_ + linearisation.turning[e] / stiffness);
+    shifted_reciprocal(m_, linearisation.turning.data(), diagonal_ * stiffness, stiffness, inverse_diagonal_.data());
 }
 
 void RollingSweep::solve(const Field& r, Field& z) const {

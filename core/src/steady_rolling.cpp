@@ -154,10 +154,9 @@ double SteadyRolling::violation() const {
 void SteadyRolling::linearise() {
     linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.turning.data(), r_);
     const double stiff = stiff_self * self_ * sweep_.diagonal();
-    for (std::size_t e = 0; e < m_; ++e) {
-        weight_[e] = stiff / (stiff + law_.turning[e]);
-        diagonal_[e] = (1 - weight_[e] * weight_[e]) / (sweep_self * self_);
-    }
+    const double to_diagonal = 1 / (sweep_self * self_);
+    shifted_reciprocal(m_, law_.turning.data(), stiff, stiff, weight_.data());
+    for (std::size_t e = 0; e < m_; ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal;
     slipping_ = static_cast<std::size_t>(std::count(law_.slips.begin(), law_.slips.end(), 1));
     sweep_.linearise(law_, sweep_self * self_);
 }
@@ -231,13 +230,7 @@ void SteadyRolling::take_step() {
     move_tractions(m_, step_, g_.data(), on_bound, p_, law_.slips.data());
     update_slip();
     const double push = accepted_push * settings_.tolerance * rms_w_;
-    for (std::size_t e = 0; e < m_; ++e) {
-        if (law_.slips[e] && s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e] > push * g_[e]) law_.slips[e] = false;
-        change.x[e] = p_.x[e] - change.x[e];
-        change.y[e] = p_.y[e] - change.y[e];
-        response.x[e] = s_.x[e] - response.x[e];
-        response.y[e] = s_.y[e] - response.y[e];
-    }
+    take_differences(m_, p_, s_, push, g_.data(), law_.slips.data(), change, response);
     history_.accept();
     division_changed_ = before_ != law_.slips;
 }

@@ -15,7 +15,7 @@ constexpr double near_bound = 1e-3;  // the same of an estimate
 constexpr double rounding = 1e-12;   // of the slip distance
 constexpr double largest_slack = 1e-3;
 constexpr double negligible = 1e-12;  // traction over bound that counts as none
-constexpr double stale = 0.1;         // drift over update from which the slip distance is computed anew
+constexpr double stale = 0.2;         // drift over update from which the slip distance is computed anew
 constexpr double stale_at_end = 0.1;  // drift over tolerance
 constexpr double stale_at_start = 1e-2;
 
@@ -58,7 +58,7 @@ double TangCg::start(const Field& estimate) {
     return error_;
 }
 
-TangentialSolution TangCg::solve() {
+TangentialSolution TangCg::solve(bool as_estimate) {
     TangentialSolution result;
     double update = error_;
     for (int iteration = 0;; ++iteration) {
@@ -66,7 +66,7 @@ TangentialSolution TangCg::solve() {
         // A small update alone may only mean slow progress.
         const double figure = std::max(error_, update);
         report(iteration, figure);
-        const bool is_final = stands_ && released_ && drift_ <= stale_at_end * settings_.tolerance;
+        const bool is_final = as_estimate || (stands_ && released_ && drift_ <= stale_at_end * settings_.tolerance);
         result.evidence = {iteration, figure, is_final && figure <= settings_.tolerance, 0};
         if (result.evidence.converged || iteration == settings_.max_iterations) break;
         update = step();
@@ -208,8 +208,8 @@ void TangCg::update_division(double update) {
 }
 
 void TangCg::refresh_if_stale(double update) {
-    const bool at_end = update <= settings_.tolerance && drift_ > stale_at_end * settings_.tolerance;
-    if (++steps_since_refresh_ < steps_per_refresh_ && drift_ <= stale * update && !at_end) return;
+    const double allowed = std::max(stale * update, stale_at_end * settings_.tolerance);
+    if (++steps_since_refresh_ < steps_per_refresh_ && drift_ <= allowed) return;
     update_slip_distance();
     watch();
 }

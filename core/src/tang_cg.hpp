@@ -19,7 +19,8 @@ class TangCg {
 
     // Starts from an estimate of the tractions and returns its error, relative.
     double start(const Field& estimate);
-    TangentialSolution solve();
+    // An estimate for a finer grid need not have a division that stands, nor a slip distance without drift.
+    TangentialSolution solve(bool as_estimate = false);
 
    private:
     void set_tractions(const Field& estimate);

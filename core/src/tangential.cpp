@@ -34,7 +34,7 @@ Field full_size(std::span<const double> x, std::span<const double> y, std::size_
 }
 
 TangentialSolution solve(const InfluenceOperator& influence, const Problem& problem, const SolverSettings& settings,
-                         const Field* initial, Observer& observer);
+                         const Field* initial, bool as_estimate, Observer& observer);
 
 // What is smooth up to the edge of the contact is the traction over its bound: that is interpolated, weighted with the
 // bound, so that slip on the coarser grid is slip on the finer one.
@@ -65,22 +65,23 @@ Field estimate_on_coarser_grid(const InfluenceOperator& influence, const Problem
     coarse_settings.tolerance = std::max(settings.tolerance, coarse_tolerance);
     SilentObserver silent(observer);
     const Problem coarse{to_coarser(problem.bound), to_coarser(problem.rigid_x), to_coarser(problem.rigid_y)};
-    return refined(influence, problem.bound, coarse.bound, solve(coarser, coarse, coarse_settings, nullptr, silent));
+    return refined(influence, problem.bound, coarse.bound,
+                   solve(coarser, coarse, coarse_settings, nullptr, true, silent));
 }
 
 TangentialSolution solve(const InfluenceOperator& influence, const Problem& problem, const SolverSettings& settings,
-                         const Field* initial, Observer& observer) {
+                         const Field* initial, bool as_estimate, Observer& observer) {
     const Contact contact(problem.bound, problem.rigid_x, problem.rigid_y);
     TangCg solver(influence, contact, settings, observer);
     const bool can_coarsen = influence.coarser() != nullptr && contact.size() > 0;
     const double poor =
         std::min(poor_estimate, poor_times_elements / std::sqrt(static_cast<double>(contact.size() + 1)));
-    if (initial != nullptr && (solver.start(*initial) <= poor || !can_coarsen)) return solver.solve();
+    if (initial != nullptr && (solver.start(*initial) <= poor || !can_coarsen)) return solver.solve(as_estimate);
     if (can_coarsen)
         solver.start(estimate_on_coarser_grid(influence, problem, settings, observer));
     else
         solver.start(Field(influence.size()));
-    return solver.solve();
+    return solver.solve(as_estimate);
 }
 
 }  // namespace
@@ -104,7 +105,7 @@ TangentialSolution solve_tangential(const InfluenceOperator& influence, std::spa
     initial.x = restriction.crop(whole.x);
     initial.y = restriction.crop(whole.y);
     const TangentialSolution part =
-        solve(restriction.influence(), problem, settings, has_estimate ? &initial : nullptr, observer);
+        solve(restriction.influence(), problem, settings, has_estimate ? &initial : nullptr, false, observer);
     TangentialSolution solution;
     solution.traction_x.resize(influence.size());
     solution.traction_y.resize(influence.size());

@@ -144,4 +144,24 @@ MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const ch
     return {change, scaling};
 }
 
+CONTACTD_WIDE
+void shifted_reciprocal(std::size_t m, const double* __restrict a, double added, double numerator,
+                        double* __restrict out) {
+    for (std::size_t e = 0; e < m; ++e) out[e] = numerator / (added + a[e]);
+}
+
+CONTACTD_WIDE
+void take_differences(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips,
+                      MutableVectors before_p, MutableVectors before_s) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const bool pushed_back = s.x[e] * p.x[e] + s.y[e] * p.y[e] > push * g[e];
+        slips[e] = pushed_back ? 0 : slips[e];
+        before_p.x[e] = p.x[e] - before_p.x[e];
+        before_p.y[e] = p.y[e] - before_p.y[e];
+        before_s.x[e] = s.x[e] - before_s.x[e];
+        before_s.y[e] = s.y[e] - before_s.y[e];
+    }
+}
+
 }  // namespace contactd

@@ -56,4 +56,12 @@ struct MoveParts {
 MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const char* slips, const double* g,
                      MutableVectors p, MutableVectors s);
 
+/// out = numerator/(added + a)
+void shifted_reciprocal(std::size_t m, const double* a, double added, double numerator, double* out);
+
+/// After a step to p and s: slip ends where s . p > push g, and the tractions and slips of before become what the step
+/// changed of them.
+void take_differences(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips,
+                      MutableVectors before_p, MutableVectors before_s);
+
 }  // namespace contactd

@@ -69,8 +69,9 @@ void check_coupling_against_dense_sums(const InfluenceOperator& influence, const
 }  // namespace
 
 TEST_CASE("convolution equals the dense sum", "[convolution]") {
-    const auto [nx, ny] = GENERATE(std::pair{1, 1}, std::pair{1, 9}, std::pair{8, 1}, std::pair{2, 2},
-                                   std::pair{13, 11}, std::pair{8, 6}, std::pair{5, 17}, std::pair{23, 3});
+    const auto [nx, ny] =
+        GENERATE(std::pair{1, 1}, std::pair{1, 9}, std::pair{8, 1}, std::pair{2, 2}, std::pair{13, 11}, std::pair{8, 6},
+                 std::pair{5, 17}, std::pair{23, 3}, std::pair{128, 2}, std::pair{129, 3});
     CAPTURE(nx, ny);
     const IcTable table = rough_table(Grid::centred(nx + 2, ny + 1, 1, 0.7));
     const ConvolutionOperator influence(table, nx, ny);
@@ -109,6 +110,22 @@ TEST_CASE("convolution skips rows without traction correctly", "[convolution]") 
     influence.normal(random_values(42, 5), u);  // leaves its marks in the workspace
     influence.normal(p, u);
     check_equal(u, dense_product(table, Axis::z, Axis::z, 6, 7, p));
+}
+
+TEST_CASE("convolution of both tangential components skips rows without traction correctly", "[convolution]") {
+    const int nx = 6, ny = 11;
+    const IcTable table = rough_table(Grid::centred(nx, ny, 1, 1));
+    const ConvolutionOperator influence(table, nx, ny);
+    const Values noise = random_values(influence.size(), 5), none(influence.size());
+    Values p(influence.size()), ux(influence.size()), uy(ux);
+    p[56] = 2;
+    influence.tangential(noise, noise, ux, uy);  // leaves its marks in the workspace
+    influence.tangential(p, none, ux, uy);
+    check_equal(ux, dense_product(table, Axis::x, Axis::x, nx, ny, p));
+    check_equal(uy, dense_product(table, Axis::y, Axis::x, nx, ny, p));
+    influence.tangential(none, p, ux, uy);
+    check_equal(ux, dense_product(table, Axis::x, Axis::y, nx, ny, p));
+    check_equal(uy, dense_product(table, Axis::y, Axis::y, nx, ny, p));
 }
 
 TEST_CASE("one operator serves several threads at once", "[convolution]") {
