@@ -93,6 +93,21 @@ TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy]") {
     CHECK(difference(spec, closed_form(accurate_spec(1e-2, spec.material.nu, 1, 8)), reference.table) > 1e-2);
 }
 
+TEST_CASE("The error that a block's table states is no less than its difference to a finer table", "[fem][accuracy]") {
+    // Near the clamped edges of a nearly incompressible block, where finite elements have the hardest time.
+    IcSpec spec = accurate_spec(1e-2, 0.49, 1, 12);
+    spec.body = BodyShape::block;
+    spec.fem.L_over_h = 13;
+    IcSpec finer_spec = spec;
+    finer_spec.accuracy = 1e-3;
+    const IcRecord record = build(spec), finer = build(finer_spec);
+    IcEvidence difference_to_finer;
+    compare_tables(spec, record.table, finer.table, difference_to_finer);
+    CHECK(difference_to_finer.error_zz->largest <= record.evidence.error_zz->largest + 1e-3);
+    CHECK(difference_to_finer.error_xx->largest <= record.evidence.error_xx->largest + 1e-3);
+    CHECK(record.evidence.error_zz->largest > finer.evidence.error_zz->largest);
+}
+
 TEST_CASE("A family differs from a direct computation by less than a tenth of the accuracy", "[fem][family]") {
     IcSpec family = accurate_spec(1e-2, 0, 1, 6);
     family.any_nu = true;
