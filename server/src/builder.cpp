@@ -7,6 +7,7 @@
 #include <reproc++/reproc.hpp>
 #include <string_view>
 
+#include "builder_environment.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/codec.hpp"
 
@@ -123,10 +124,14 @@ void run_builder(const BuilderCommand& command, const IcSpec& spec, const std::f
 
     reproc::options options;
     options.redirect.in.type = options.redirect.out.type = options.redirect.err.type = reproc::redirect::pipe;
-    options.env.behavior = reproc::env::extend;
+    options.env.behavior = reproc::env::empty;
+    Environment environment = passed_on(command.environment);
     // Threads inside BLAS slow a build down by orders of magnitude on a busy machine.
-    options.env.extra =
-        std::vector<std::pair<std::string, std::string>>{{"OMP_NUM_THREADS", "1"}, {"OPENBLAS_NUM_THREADS", "1"}};
+    for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"}) {
+        std::erase_if(environment, [&](const auto& variable) { return variable.first == name; });
+        environment.emplace_back(name, "1");
+    }
+    options.env.extra = environment;
     options.stop = {{reproc::stop::terminate, 800ms}, {reproc::stop::kill, 2000ms}, {}};
 
     reproc::process child;

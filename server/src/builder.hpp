@@ -12,8 +12,9 @@
 namespace contactd::server {
 
 struct BuilderCommand {
-    std::vector<std::string> launcher;  ///< e.g. {"mpirun", "-np", "4"}; empty: none
-    std::filesystem::path program;      ///< contactd-ic
+    std::vector<std::string> launcher;                     ///< e.g. {"mpirun", "-np", "4"}; empty: none
+    std::filesystem::path program;                         ///< contactd-ic
+    std::vector<std::string> environment{"PATH", "HOME"};  ///< variables that are passed on (passed_on)
 };
 
 /// Writes the table of `spec` to `output` and returns when the child has ended. The child lives no longer than this

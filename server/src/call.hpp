@@ -20,6 +20,7 @@ namespace contactd::server {
 struct Route {
     std::string identity;          ///< of the client, given by ROUTER
     bool empty_delimiter = false;  ///< a REQ socket: one answer only, behind an empty frame
+    std::string user{};            ///< who sent the request (AccessControl); empty when its key was revoked
 };
 
 /// Of an open request; 0 of one that is answered at once.

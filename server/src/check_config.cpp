@@ -12,7 +12,9 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "curve_keys.hpp"
 #include "store_folder.hpp"
 
 namespace contactd::server {
@@ -112,6 +114,20 @@ Finding launcher_finding(const Config& config) {
                              : "builds.launcher starts with \"" + name + "\"; no such program is found on PATH."};
 }
 
+Finding keys_finding(const Config& config) {
+    const auto& curve = config.security.curve;
+    std::vector<std::string> problems;
+    try {
+        read_secret_key(curve.secret_key_file);
+        AllowedKeys::read(curve.allowed_keys, problems);
+    } catch (const std::exception& error) {
+        problems.emplace_back(error.what());
+    }
+    std::string sentences;
+    for (const std::string& problem : problems) sentences += (sentences.empty() ? "" : "\n") + problem;
+    return {"security.curve " + curve.allowed_keys.string(), sentences};
+}
+
 Finding log_finding(const Config& config) {
     const fs::path& file = config.log.file;
     std::error_code error;
@@ -130,6 +146,7 @@ Finding log_finding(const Config& config) {
 int check_config(const Config& config, std::ostream& good, std::ostream& bad) {
     std::vector<Finding> findings{endpoint_finding(config), store_finding(config), builder_finding(config)};
     if (!config.builds.launcher.empty()) findings.push_back(launcher_finding(config));
+    if (!config.security.curve.secret_key_file.empty()) findings.push_back(keys_finding(config));
     if (!config.log.file.empty()) findings.push_back(log_finding(config));
     if (!config.http.address.empty()) findings.push_back({"http.address " + config.http.address, {}});
     int problems = 0;

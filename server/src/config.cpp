@@ -8,6 +8,7 @@
 #include "config_schema.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/schema.hpp"
+#include "endpoint_rules.hpp"
 
 namespace contactd::server {
 namespace {
@@ -67,12 +68,20 @@ Config config_from_json(const json& given) {
     const json all = with_defaults(config_schema(), given);
     Config config;
     config.endpoint = all["endpoint"];
+    const json& security = all["security"];
+    config.security = {
+        security["allow_unencrypted_remote"],
+        {security["curve"]["secret_key_file"].get<std::string>(), security["curve"]["allowed_keys"].get<std::string>()},
+        security["handshake_seconds"],
+        {security["per_user"]["requests_per_second"], security["per_user"]["burst"],
+         security["per_user"]["open_requests"]}};
     config.workers = all["workers"];
     const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
     config.store = {folder.empty() ? default_store_folder() : std::filesystem::path(folder),
                     all["store"]["memory_budget_bytes"], all["store"]["influence_budget_bytes"]};
     config.builds = {all["builds"]["concurrent"], all["builds"]["launcher"],
-                     program.empty() ? default_builder() : std::filesystem::path(program)};
+                     program.empty() ? default_builder() : std::filesystem::path(program),
+                     all["builds"]["environment"]};
     const json& limits = all["limits"];
     config.limits = {limits["max_frame_bytes"], limits["max_frames"], limits["max_message_bytes"],
                      limits["max_array_elements"]};
@@ -84,16 +93,19 @@ Config config_from_json(const json& given) {
     config.log = {all["log"]["level"], all["log"]["format"], all["log"]["file"].get<std::string>()};
     config.http = {all["http"]["address"]};
     config.shutdown = {all["shutdown"]["drain_seconds"]};
+    check_endpoint(config);
     return config;
 }
 
-Config config_from_file(const std::filesystem::path& path) {
+Config config_from_file(const std::filesystem::path& path, const json& overrides) {
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) throw Error("The configuration " + path.string() + " cannot be read.");
     try {
-        return config_from_json(json::parse(text.str()));
+        json given = json::parse(text.str());
+        if (given.is_object()) given.merge_patch(overrides);
+        return config_from_json(given);
     } catch (const json::exception& error) {
         throw Error("The configuration " + path.string() + " is no JSON: " + error.what());
     } catch (const Error& error) {
@@ -102,7 +114,18 @@ Config config_from_file(const std::filesystem::path& path) {
 }
 
 json to_json(const Config& config) {
+    const auto& security = config.security;
     return {{"endpoint", config.endpoint},
+            {"security",
+             {{"allow_unencrypted_remote", security.allow_unencrypted_remote},
+              {"curve",
+               {{"secret_key_file", security.curve.secret_key_file.string()},
+                {"allowed_keys", security.curve.allowed_keys.string()}}},
+              {"handshake_seconds", security.handshake_seconds},
+              {"per_user",
+               {{"requests_per_second", security.per_user.requests_per_second},
+                {"burst", security.per_user.burst},
+                {"open_requests", security.per_user.open_requests}}}}},
             {"workers", config.workers},
             {"store",
              {{"folder", config.store.folder.string()},
@@ -111,7 +134,8 @@ json to_json(const Config& config) {
             {"builds",
              {{"concurrent", config.builds.concurrent},
               {"launcher", config.builds.launcher},
-              {"program", config.builds.program.string()}}},
+              {"program", config.builds.program.string()},
+              {"environment", config.builds.environment}}},
             {"limits",
              {{"max_frame_bytes", config.limits.max_frame_bytes},
               {"max_frames", config.limits.max_frames},

@@ -15,6 +15,19 @@ namespace contactd::server {
 /// Field by field as in configs/schema.json, where every default stands too.
 struct Config {
     std::string endpoint;
+    struct {
+        bool allow_unencrypted_remote;
+        struct {
+            std::filesystem::path secret_key_file;  ///< empty: no encryption
+            std::filesystem::path allowed_keys;
+        } curve;
+        int handshake_seconds;
+        struct {
+            double requests_per_second;  ///< 0: no limit
+            int burst;
+            std::size_t open_requests;  ///< 0: no limit
+        } per_user;
+    } security;
     int workers;
     struct {
         std::filesystem::path folder;
@@ -25,6 +38,7 @@ struct Config {
         int concurrent;
         std::vector<std::string> launcher;
         std::filesystem::path program;
+        std::vector<std::string> environment;  ///< variables the builder gets (passed_on)
     } builds;
     proto::Limits limits;
     std::size_t max_grid_elements;
@@ -48,7 +62,8 @@ struct Config {
 /// Throws contactd::Error with every problem found, naming field, value and what would be right. `{}` gives the
 /// defaults.
 Config config_from_json(const nlohmann::json& json);
-Config config_from_file(const std::filesystem::path& path);
+/// `overrides` win over the file, field by field (a JSON merge patch).
+Config config_from_file(const std::filesystem::path& path, const nlohmann::json& overrides = nlohmann::json::object());
 
 /// The configuration with its defaults filled in, as config_from_json reads it.
 nlohmann::json to_json(const Config& config);

@@ -87,7 +87,8 @@ void log_answer(const Answer& answer) {
                {"status", answer.status},
                {"ms", std::round(answer.milliseconds * 1000) / 1000},
                {"client", name_of(answer.route.identity)},
-               {"agent", answer.agent}});
+               {"agent", answer.agent},
+               {"user", answer.route.user}});
 }
 
 }  // namespace
@@ -95,6 +96,8 @@ void log_answer(const Answer& answer) {
 Endpoint::Endpoint(const Config& config, Service& service)
     : config_(config),
       service_(service),
+      access_(config, context_),
+      rate_limit_(config.security.per_user.requests_per_second, config.security.per_user.burst),
       socket_(context_, zmq::socket_type::router),
       monitor_(context_, socket_),
       outbox_(socket_, config.max_outbox_bytes),
@@ -106,6 +109,7 @@ Endpoint::Endpoint(const Config& config, Service& service)
     socket_.set(zmq::sockopt::rcvhwm, messages_in_socket);
     // A frame above this costs its sender the connection, without a word; up to it we can answer in words.
     socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(2 * config.limits.max_frame_bytes));
+    access_.protect(socket_);
     bind(socket_, config.endpoint);
 }
 
@@ -119,10 +123,11 @@ std::string Endpoint::address() const {
 }
 
 void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload) {
-    std::array<zmq::pollitem_t, 4> items{{{socket_.handle(), 0, ZMQ_POLLIN, 0},
+    std::array<zmq::pollitem_t, 5> items{{{socket_.handle(), 0, ZMQ_POLLIN, 0},
                                           {nullptr, mailbox_.fd(), ZMQ_POLLIN, 0},
                                           {nullptr, signal_fd, ZMQ_POLLIN, 0},
-                                          {monitor_.handle(), 0, ZMQ_POLLIN, 0}}};
+                                          {monitor_.handle(), 0, ZMQ_POLLIN, 0},
+                                          {access_.handle(), 0, ZMQ_POLLIN, 0}}};
     service_.set_serving();
     notifier.ready("Serving at " + address());
     auto told = Clock::now();
@@ -139,6 +144,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         if (items[0].revents & ZMQ_POLLIN) receive();
         end_overdue();
         if (items[3].revents & ZMQ_POLLIN) monitor_.read(service_.counters().connections);
+        if (items[4].revents & ZMQ_POLLIN) access_.answer_all();
         note_levels();
         signalfd_siginfo signal{};
         if (items[2].revents & ZMQ_POLLIN && ::read(signal_fd, &signal, sizeof signal) == sizeof signal)
@@ -157,6 +163,7 @@ void Endpoint::handle_signal(int signal, const Notifier& notifier, const std::fu
     if (signal == SIGHUP) {
         notifier.reloading();
         reload();
+        reload_keys();
         return notifier.ready("Serving at " + address());
     }
     spdlog::info("ending on {}", ::strsignal(signal));
@@ -172,7 +179,7 @@ bool Endpoint::receive() {
     for (int n = 0; n < messages_per_turn; ++n) {
         zmq::message_t part;
         if (!socket_.recv(part, zmq::recv_flags::dontwait)) return false;
-        Route route{part.to_string(), false};
+        Route route{part.to_string(), false, access_.user_of(part)};
         std::vector<std::string> frames;
         std::size_t count = 0;
         while (part.more()) {
@@ -194,6 +201,7 @@ bool Endpoint::receive() {
 void Endpoint::accept(Route route, std::string envelope, std::vector<std::string> frames) {
     const auto received = Clock::now();
     ++service_.counters().requests;
+    if (!admit(route, envelope.size() <= small_envelope ? envelope : "", received)) return;
     if (envelope.size() <= small_envelope || parser_ended_)
         return parse_now(route, envelope, std::move(frames), received, {});
     // In a thread of its own rather than a worker, which may be long in coming, while the deadline is not known yet.
@@ -244,6 +252,29 @@ void Endpoint::open_call(const Route& route, proto::Request request, Clock::time
     const bool has_deadline = call->request.timeout_ms > 0;
     service_.handle(std::move(call));
     if (counts && has_deadline && std::this_thread::get_id() != thread_) mailbox_.wake();  // its poll must know of it
+}
+
+/// False, and answered, when the sender may not ask for anything, or not now. The id of the request is looked for in
+/// `envelope`.
+bool Endpoint::admit(const Route& route, std::string_view envelope, Clock::time_point received) {
+    const bool revoked = route.user.empty();
+    const auto wait = revoked ? std::chrono::milliseconds{0} : rate_limit_.take(route.user, received);
+    if (!revoked && wait.count() == 0) return true;
+    std::string id;
+    try {
+        if (!envelope.empty()) proto::parse_request(envelope, {}, config_.limits, id);
+    } catch (const std::exception&) {
+        // The id, where there was one, is all that was wanted.
+    }
+    mailbox_.put(refusal(route, id, revoked ? key_revoked() : rate_limit_.refusal(wait)));
+    return false;
+}
+
+/// Reads the allowed keys again, and ends the requests of those who are not allowed any more.
+void Endpoint::reload_keys() {
+    access_.reload();
+    for (const auto& [route, call] : service_.open_calls().all())
+        if (call && !access_.knows(route.user)) call->fail(key_revoked());
 }
 
 // --- out -------------------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include <vector>
 #include <zmq.hpp>
 
+#include "access_control.hpp"
 #include "call.hpp"
 #include "config.hpp"
 #include "connection_monitor.hpp"
@@ -15,6 +16,7 @@
 #include "notify.hpp"
 #include "open_calls.hpp"
 #include "outbox.hpp"
+#include "rate_limit.hpp"
 #include "service.hpp"
 
 namespace contactd::server {
@@ -30,10 +32,12 @@ class Endpoint {
 
     /// Serves until SIGTERM or SIGINT arrives at `signal_fd` (a signalfd). Then new requests are refused, those
     /// accepted have their time to be finished (shutdown.drain_seconds, or until the next such signal), and what is
-    /// left is answered with STOPPING and ended. `reload` is called on SIGHUP.
+    /// left is answered with STOPPING and ended. SIGHUP reads the allowed keys again, and calls `reload`.
     void run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload);
 
    private:
+    bool admit(const Route& route, std::string_view envelope, Call::Clock::time_point received);
+    void reload_keys();
     bool receive();  ///< some of what has arrived; true when there is more
     void accept(Route route, std::string envelope, std::vector<std::string> frames);
     void parse_now(const Route& route, const std::string& envelope, std::vector<std::string> frames,
@@ -54,6 +58,8 @@ class Endpoint {
     Service& service_;
     Mailbox<Answer> mailbox_;
     zmq::context_t context_;
+    AccessControl access_;
+    RateLimit rate_limit_;
     zmq::socket_t socket_;
     ConnectionMonitor monitor_;
     Outbox outbox_;

@@ -3,7 +3,7 @@
 //   contactd --config configs/contactd.json
 //
 // Prints one JSON line with the endpoint when it listens, logs to standard error, ends in order on SIGTERM and SIGINT,
-// opens its log file again on SIGHUP.
+// opens its log file and reads the allowed keys again on SIGHUP.
 #include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -18,7 +18,9 @@
 #include "check_config.hpp"
 #include "config.hpp"
 #include "contactd/version.hpp"
+#include "curve_keys.hpp"
 #include "endpoint.hpp"
+#include "endpoint_rules.hpp"
 #include "http_listener.hpp"
 #include "log.hpp"
 #include "notify.hpp"
@@ -42,11 +44,6 @@ int signal_descriptor() {
     return ::signalfd(-1, &signals, SFD_CLOEXEC);
 }
 
-bool is_private(const std::string& endpoint) {
-    return endpoint.starts_with("ipc://") || endpoint.starts_with("tcp://127.") ||
-           endpoint.starts_with("tcp://[::1]") || endpoint.starts_with("tcp://localhost:");
-}
-
 std::unique_ptr<HttpListener> listen_to_http(const Config& config, Service& service) {
     if (config.http.address.empty()) return nullptr;
     auto http = std::make_unique<HttpListener>(
@@ -63,7 +60,7 @@ int serve(const Config& config) {
     Service service(config);
     const auto http = listen_to_http(config, service);
     Endpoint endpoint(config, service);
-    if (!is_private(endpoint.address()))
+    if (!is_local(endpoint.address()) && config.security.curve.secret_key_file.empty())
         spdlog::warn("{} can be reached from other machines, and whoever reaches it can use it", endpoint.address());
     spdlog::info("contactd {} listens at {}, store {}", contactd::version(), endpoint.address(),
                  config.store.folder.string());
@@ -81,11 +78,23 @@ int answer_ping(const std::string& endpoint) {
     return result.serving ? 0 : 1;
 }
 
+int make_keys(const std::string& folder, const std::string& name) {
+    try {
+        const NewKeys files = generate_keys(folder, name);
+        std::cout << "secret key, for " << name << " alone:  " << files.secret_file.string() << "\n"
+                  << "public key, for the others:  " << files.public_file.string() << "\n";
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << "contactd: " << error.what() << "\n";
+        return 1;
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app("contactd: influence coefficients and elastic contact, as a service.");
-    std::string config_file, endpoint, ping_endpoint;
+    std::string config_file, endpoint, ping_endpoint, key_name, key_folder = ".";
     bool print_config = false, only_check = false;
     app.add_option("-c,--config", config_file, "configuration (JSON); without one the defaults hold");
     app.add_option("-e,--endpoint", endpoint, "where to listen, in place of the configuration's endpoint");
@@ -93,14 +102,19 @@ int main(int argc, char** argv) {
     app.add_flag("--check-config", only_check, "look for what would go wrong with the configuration, and end");
     app.add_option("--ping", ping_endpoint, "ask the daemon that listens there whether it serves, and end");
     app.set_version_flag("-v,--version", about());
+    CLI::App* keygen = app.add_subcommand("keygen", "make a pair of CURVE keys (docs/security.md), and end");
+    keygen->add_option("NAME", key_name, "whose keys: a user's name, or the daemon's")->required();
+    keygen->add_option("-f,--folder", key_folder, "where NAME.key and NAME.key_secret are written")
+        ->capture_default_str();
     CLI11_PARSE(app, argc, argv);
+    if (keygen->parsed()) return make_keys(key_folder, key_name);
     if (!ping_endpoint.empty()) return answer_ping(ping_endpoint);
 
     Config config;
     try {
         nlohmann::json overrides = nlohmann::json::object();
-        config = config_file.empty() ? config_from_json(overrides) : config_from_file(config_file);
-        if (!endpoint.empty()) config.endpoint = endpoint;
+        if (!endpoint.empty()) overrides["endpoint"] = endpoint;
+        config = config_file.empty() ? config_from_json(overrides) : config_from_file(config_file, overrides);
     } catch (const std::exception& error) {
         std::cerr << "contactd: " << error.what() << "\n";
         return status_bad_configuration;

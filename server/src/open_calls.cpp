@@ -1,17 +1,19 @@
 #include "open_calls.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace contactd::server {
 namespace {
 
 constexpr int queue_retry_ms = 500;
 
-[[noreturn]] void refuse(const std::string& what, std::size_t limit, const char* name) {
+[[noreturn]] void refuse(const std::string& what, std::size_t limit, const char* name,
+                         std::string_view reason = proto::reason::queue_full) {
     throw proto::StatusError(proto::Status{
         proto::StatusCode::resource_exhausted,
-        what + " wait for an answer; at most " + std::to_string(limit) + " may (limits." + name + "). Try again later.",
-        std::string(proto::reason::queue_full),
+        what + " wait for an answer; at most " + std::to_string(limit) + " may (" + name + "). Try again later.",
+        std::string(reason),
         {},
         queue_retry_ms});
 }
@@ -20,16 +22,20 @@ constexpr int queue_retry_ms = 500;
 
 void OpenCalls::check(const Route& route, std::size_t bytes) const {
     if (entries_.size() >= bounds_.calls)
-        refuse(std::to_string(entries_.size()) + " requests", bounds_.calls, "max_queue");
+        refuse(std::to_string(entries_.size()) + " requests", bounds_.calls, "limits.max_queue");
     const auto own = per_client_.find(route.identity);
     if (own != per_client_.end() && own->second >= bounds_.calls_per_client)
         refuse(std::to_string(own->second) + " requests of this client", bounds_.calls_per_client,
-               "max_queue_per_client");
+               "limits.max_queue_per_client");
+    const auto users = per_user_.find(route.user);
+    if (bounds_.calls_per_user > 0 && users != per_user_.end() && users->second >= bounds_.calls_per_user)
+        refuse(std::to_string(users->second) + " requests of yours", bounds_.calls_per_user,
+               "security.per_user.open_requests", proto::reason::too_many_open);
     const std::size_t held = bytes_;
     if (held > 0 && held + bytes > bounds_.bytes)
         refuse("Requests of " + std::to_string(held) + " bytes, which this one of " + std::to_string(bytes) +
                    " would join,",
-               bounds_.bytes, "max_queue_bytes");
+               bounds_.bytes, "limits.max_queue_bytes");
 }
 
 OpenCalls::Admission OpenCalls::admit(const Route& route, std::size_t bytes) {
@@ -38,6 +44,7 @@ OpenCalls::Admission OpenCalls::admit(const Route& route, std::size_t bytes) {
     const Number number = ++last_;
     entries_.emplace(number, Entry{route, nullptr});
     ++per_client_[route.identity];
+    ++per_user_[route.user];
     bytes_ += bytes;
     return {number, HeldBytes(nullptr, [this, bytes](const void*) { bytes_ -= bytes; })};
 }
@@ -55,6 +62,8 @@ void OpenCalls::forget(const Entry& entry, Number number) {
     if (entry.call) deadlines_.erase({entry.call->deadline(), number});
     const auto own = per_client_.find(entry.route.identity);
     if (--own->second == 0) per_client_.erase(own);
+    const auto users = per_user_.find(entry.route.user);
+    if (--users->second == 0) per_user_.erase(users);
 }
 
 void OpenCalls::close(Number number) {
@@ -107,8 +116,16 @@ std::vector<OpenCalls::Entry> OpenCalls::take_all() {
     for (auto& [number, entry] : entries_) taken.push_back(std::move(entry));
     entries_.clear();
     per_client_.clear();
+    per_user_.clear();
     deadlines_.clear();
     return taken;
+}
+
+std::vector<OpenCalls::Entry> OpenCalls::all() const {
+    std::vector<Entry> found;
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [number, entry] : entries_) found.push_back(entry);
+    return found;
 }
 
 std::size_t OpenCalls::count() const {

@@ -23,7 +23,8 @@ class OpenCalls {
     struct Bounds {
         std::size_t calls;
         std::size_t calls_per_client;
-        std::size_t bytes;  ///< of their messages; one request alone is let in whatever its size
+        std::size_t bytes;               ///< of their messages; one request alone is let in whatever its size
+        std::size_t calls_per_user = 0;  ///< over all connections together; 0: any number
     };
     /// Given back when the last copy goes.
     using HeldBytes = std::shared_ptr<const void>;
@@ -34,7 +35,8 @@ class OpenCalls {
 
     explicit OpenCalls(const Bounds& bounds) : bounds_(bounds) {}
 
-    /// Throws StatusError (RESOURCE_EXHAUSTED, QUEUE_FULL) naming the bound that is reached.
+    /// Throws StatusError (RESOURCE_EXHAUSTED; QUEUE_FULL, or TOO_MANY_OPEN of one user) naming the bound that is
+    /// reached.
     Admission admit(const Route& route, std::size_t bytes);
     /// False when the request has been closed meanwhile: somebody else has answered it.
     bool attach(Number number, const CallPtr& call);
@@ -53,6 +55,7 @@ class OpenCalls {
     };
     /// Closes all.
     std::vector<Entry> take_all();
+    std::vector<Entry> all() const;
     std::size_t count() const;
     std::size_t bytes() const { return bytes_; }
 
@@ -65,7 +68,7 @@ class OpenCalls {
     mutable std::mutex mutex_;
     Number last_ = 0;
     std::map<Number, Entry> entries_;
-    std::map<std::string, std::size_t> per_client_;
+    std::map<std::string, std::size_t> per_client_, per_user_;
     std::set<std::pair<Call::Clock::time_point, Number>> deadlines_;
 };
 

@@ -102,7 +102,8 @@ void check_answer_fits(const std::vector<const json*>& problems, const Call& cal
 
 Service::Service(const Config& config)
     : config_(config),
-      open_calls_({config.max_queue, config.max_queue_per_client, config.max_queue_bytes}),
+      open_calls_({config.max_queue, config.max_queue_per_client, config.max_queue_bytes,
+                   config.security.per_user.open_requests}),
       methods_{{"server.info", {&Service::server_info, true}},
                {"server.health", {&Service::server_health, true}},
                {"server.describe", {&Service::server_describe, true}},
@@ -117,9 +118,10 @@ Service::Service(const Config& config)
                {"job.cancel", {&Service::job_cancel, true}},
                {"request.cancel", {&Service::request_cancel, true}}},
       request_metrics_(names_of(methods_)),
-      ics_(
-          {{config.builds.launcher, config.builds.program}, config.builds.concurrent, config.store.memory_budget_bytes},
-          open_store(config, counters_), jobs_, counters_),
+      ics_({{config.builds.launcher, config.builds.program, config.builds.environment},
+            config.builds.concurrent,
+            config.store.memory_budget_bytes},
+           open_store(config, counters_), jobs_, counters_),
       influences_(config.store.influence_budget_bytes),
       workers_(config.workers) {
     count_store(counters_, config.store.folder);

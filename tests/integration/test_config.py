@@ -64,7 +64,9 @@ def test_a_file_that_does_not_exist_is_named(tmp_path):
 
 def test_an_endpoint_that_is_taken_ends_the_daemon_with_a_message(daemon, tmp_path):
     tcp = tmp_path / "config.json"
-    tcp.write_text(json.dumps({"endpoint": "tcp://192.0.2.1:5555", "store": {"folder": str(tmp_path / "store")}}))
+    security = {"allow_unencrypted_remote": True}
+    store = {"folder": str(tmp_path / "store")}
+    tcp.write_text(json.dumps({"endpoint": "tcp://192.0.2.1:5555", "security": security, "store": store}))
     ended = subprocess.run([BIN / "contactd", "--config", tcp], capture_output=True, text=True, timeout=30)
     assert ended.returncode == 1
     assert "192.0.2.1" in ended.stderr

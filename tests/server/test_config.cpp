@@ -8,6 +8,7 @@
 
 #include "config.hpp"
 #include "contactd/error.hpp"
+#include "endpoint_rules.hpp"
 
 using namespace contactd::server;
 using Catch::Matchers::ContainsSubstring;
@@ -78,4 +79,35 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
 TEST_CASE("The configurations that come with contactd can be used") {
     for (const char* name : {"contactd.json", "mpi.json", "container.json"})
         CHECK_NOTHROW(config_from_file(std::filesystem::path(CONFIGS) / name));
+}
+
+TEST_CASE("An address that is not surely this machine's own needs keys, or the flag") {
+    const std::string endpoint =
+        GENERATE("tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://[::]:5555", "tcp://localhost:5555", "tcp://eth0:5555",
+                 "tcp://127.0.0.1", "tcp://127.0.0.1@evil:1", "tcp://127.1:5555", "tcp://0x7f000001:5555",
+                 "tcp://[::ffff:127.0.0.1]:5555", "tcp://[::1", "tcp://:5555", "tcp://128.0.0.1:5555");
+    CHECK_FALSE(is_local(endpoint));
+    CHECK_THROWS_MATCHES(config_from_json({{"endpoint", endpoint}}), contactd::Error,
+                         MessageMatches(ContainsSubstring("security.curve")));
+
+    CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}, {"security", {{"allow_unencrypted_remote", true}}}}));
+    const json curve{{"secret_key_file", "a"}, {"allowed_keys", "b"}};
+    CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}, {"security", {{"curve", curve}}}}));
+}
+
+TEST_CASE("Loopback and ipc need nothing") {
+    const std::string endpoint =
+        GENERATE("ipc:///tmp/s", "tcp://127.0.0.1:5555", "tcp://127.8.7.6:*", "tcp://[::1]:5555");
+    CHECK(is_local(endpoint));
+    CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}}));
+}
+
+TEST_CASE("An override is part of what is checked") {
+    const auto path = std::filesystem::temp_directory_path() / "contactd-test-override.json";
+    std::ofstream(path) << R"({"endpoint": "tcp://*:5555", "workers": 3})";
+    const Config config = config_from_file(path, {{"endpoint", "ipc:///tmp/s"}});
+    CHECK(config.endpoint == "ipc:///tmp/s");
+    CHECK(config.workers == 3);
+    CHECK_THROWS_AS(config_from_file(path), contactd::Error);
+    std::filesystem::remove(path);
 }

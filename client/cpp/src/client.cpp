@@ -13,7 +13,9 @@ using nlohmann::json;
 class Client::Impl {
    public:
     Impl(const std::string& endpoint, ClientOptions options)
-        : options_(std::move(options)), connection_(endpoint, options_.connect_timeout, options_.limits) {}
+        : options_(std::move(options)),
+          connection_(endpoint, options_.connect_timeout, options_.limits,
+                      load_curve_keys(options_.server_key, options_.own_key)) {}
 
     Reply call(const std::string& method, json params, std::vector<std::string> frames, const CallOptions& options,
                std::chrono::milliseconds default_timeout) {

@@ -81,18 +81,28 @@ json call_envelope(const std::string& id, const std::string& method, json params
 
 }  // namespace
 
-Connection::Connection(std::string endpoint, milliseconds connect_timeout, proto::Limits limits)
+Connection::Connection(std::string endpoint, milliseconds connect_timeout, proto::Limits limits,
+                       std::optional<CurveKeys> keys)
     : endpoint_(std::move(endpoint)),
       connect_timeout_(connect_timeout),
       limits_(limits),
       id_prefix_(random_prefix()),
-      socket_(context_, zmq::socket_type::dealer) {
+      keys_(std::move(keys)) {
+    connect();
+}
+
+void Connection::connect() {
+    handshakes_.reset();
+    socket_ = zmq::socket_t(context_, zmq::socket_type::dealer);
+    handshakes_ = std::make_unique<HandshakeMonitor>(
+        context_, socket_, "inproc://handshakes-" + std::to_string(++sockets_), endpoint_, keys_.has_value());
     socket_.set(zmq::sockopt::linger, 0);
     // Sending waits for somebody who listens, instead of queueing for nobody.
     socket_.set(zmq::sockopt::immediate, true);
     socket_.set(zmq::sockopt::sndtimeo,
-                static_cast<int>(std::clamp(connect_timeout, milliseconds{0}, longest_timeout).count()));
+                static_cast<int>(std::clamp(connect_timeout_, milliseconds{0}, longest_timeout).count()));
     try {
+        if (keys_) keys_->apply(socket_);
         socket_.connect(endpoint_);
     } catch (const zmq::error_t& error) {
         throw ConnectionError("The endpoint \"" + endpoint_ + "\" cannot be used: " + error.what() +
@@ -163,14 +173,35 @@ void Connection::cancel(const std::string& id) noexcept {
     }
 }
 
+void Connection::wait_until_connected() {
+    const auto deadline = Clock::now() + std::clamp(connect_timeout_, milliseconds{0}, longest_timeout);
+    zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLOUT, 0}, {handshakes_->handle(), 0, ZMQ_POLLIN, 0}};
+    while (Clock::now() < deadline) {
+        try {
+            zmq::poll(items, 2, std::chrono::ceil<milliseconds>(deadline - Clock::now()));
+            if (items[0].revents & ZMQ_POLLOUT) return handshakes_->forget();
+            handshakes_->check();
+        } catch (const zmq::error_t& error) {
+            if (error.num() != EINTR) throw;
+        } catch (const Error&) {
+            connect();  // a socket whose handshake was refused does not try again
+            throw;
+        }
+    }
+    throw ConnectionError("Nobody listens at " + endpoint_ + " (waited " + std::to_string(connect_timeout_.count()) +
+                          " ms); is the daemon running?");
+}
+
 void Connection::send(const std::string& envelope, const std::vector<std::string>& frames) {
     try {
         const auto more = [&](std::size_t sent) {
             return sent < frames.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
         };
-        if (!socket_.send(zmq::buffer(envelope), more(0)))
-            throw ConnectionError("Nobody listens at " + endpoint_ + " (waited " +
-                                  std::to_string(connect_timeout_.count()) + " ms); is the daemon running?");
+        if (!socket_.send(zmq::buffer(envelope), more(0) | zmq::send_flags::dontwait)) {
+            wait_until_connected();
+            if (!socket_.send(zmq::buffer(envelope), more(0)))
+                throw ConnectionError("The daemon at " + endpoint_ + " went away.");
+        }
         for (std::size_t i = 0; i < frames.size(); ++i) socket_.send(zmq::buffer(frames[i]), more(i + 1));
     } catch (const zmq::error_t& error) {
         throw ConnectionError("Sending to " + endpoint_ + " failed: " + error.what() + ".");

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 #include <zmq.hpp>
 
 #include "contactd/proto/message.hpp"
+#include "curve.hpp"
 
 namespace contactd::client {
 
@@ -27,7 +30,8 @@ using ProgressHandler = std::function<void(const nlohmann::json&)>;
 class Connection {
    public:
     /// Throws ConnectionError.
-    Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, proto::Limits limits);
+    Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, proto::Limits limits,
+               std::optional<CurveKeys> keys);
 
     /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
     /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError.
@@ -41,6 +45,8 @@ class Connection {
                 const ProgressHandler& on_progress, const std::stop_token& stop);
     /// Tells the daemon that nobody waits for the request any more; its answers are dropped as they come.
     void cancel(const std::string& id) noexcept;
+    void connect();
+    void wait_until_connected();
     void send(const std::string& envelope, const std::vector<std::string>& frames);
     /// The frames of the next message, or none when `deadline` passes first.
     std::vector<std::string> receive(Clock::time_point deadline);
@@ -54,8 +60,11 @@ class Connection {
     proto::Limits limits_;
     std::string id_prefix_;
     std::uint64_t calls_ = 0;
+    int sockets_ = 0;  // made so far
     zmq::context_t context_;
+    std::optional<CurveKeys> keys_;
     zmq::socket_t socket_;
+    std::unique_ptr<HandshakeMonitor> handshakes_;  // of socket_
 };
 
 }  // namespace contactd::client

@@ -7,6 +7,7 @@ import secrets
 import threading
 import time
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Literal
 
@@ -17,7 +18,8 @@ import zmq
 from . import problem as asked
 from .arrays import Frames, decode, encode, invalid, plain
 from .connection import CLIENT, PROTOCOL_VERSION, Connection, Reply, status_error_of
-from .errors import ConnectionFailed, InvalidArgument, ProtocolError, StatusError, TimeoutExpired
+from .curve import load_curve_keys
+from .errors import ConnectionFailed, InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
 from .pieces import fetch_in_pieces
 from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
@@ -36,16 +38,28 @@ class Client:
     lasts, so calls of several threads run side by side, and a progress callback may call the client. `timeout`
     (seconds) holds for each call that is not given its own; `connect_timeout` bounds the wait for a daemon to listen.
 
+    With the files `server_key` (the daemon's public key) and `own_key` (the secret key of this client, which the daemon
+    has to know) the connection is encrypted; docs/security.md says how to make them.
+
     A call that is interrupted (Ctrl-C, an exception of the progress callback) or times out is cancelled and leaves the
     client usable; the daemon finishes a build for its cache, unless `cancel_job` ends it.
 
     Every method raises StatusError (a subclass per status), TimeoutExpired, ConnectionFailed or ProtocolError.
     """
 
-    def __init__(self, endpoint: str, *, timeout: float = 60.0, connect_timeout: float = 5.0) -> None:
+    def __init__(
+        self,
+        endpoint: str,
+        *,
+        timeout: float = 60.0,
+        connect_timeout: float = 5.0,
+        server_key: str | Path | None = None,
+        own_key: str | Path | None = None,
+    ) -> None:
         self.endpoint = endpoint
         self.timeout = timeout
         self.connect_timeout = connect_timeout
+        self._curve = load_curve_keys(server_key, own_key)
         self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
         self._lock = threading.Lock()  # guards the three below
         self._idle: list[Connection] = []
@@ -298,8 +312,9 @@ class Client:
         connection = self._take()
         try:
             reply = connection.exchange(envelope, frames, deadline, self.connect_timeout, report)
-        except (StatusError, TimeoutExpired):
-            self._give_back(connection)
+        except (StatusError, TimeoutExpired) as error:
+            # A socket whose handshake was refused never connects again.
+            self._give_back(connection, usable=not isinstance(error, Unauthenticated))
             raise
         except BaseException:
             # An interrupt may have come between two frames of a message: this socket cannot be trusted any more.
@@ -312,9 +327,12 @@ class Client:
         with self._lock:
             if self._closed:
                 raise ConnectionFailed("The client is closed.")
-            connection = self._idle.pop() if self._idle else Connection(self._context, self.endpoint)
+            connection = self._idle.pop() if self._idle else self._connect()
             self._busy += 1
             return connection
+
+    def _connect(self) -> Connection:
+        return Connection(self._context, self.endpoint, self._curve)
 
     def _give_back(self, connection: Connection, usable: bool = True) -> None:
         with self._lock:

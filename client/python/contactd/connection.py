@@ -12,6 +12,7 @@ import zmq
 from zmq.utils.monitor import recv_monitor_message
 
 from ._version import __version__
+from .curve import HANDSHAKE_EVENTS, CurveKeys, Handshakes
 from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired, Violation, status_error
 
 __all__ = ["CLIENT", "PROTOCOL_VERSION", "Connection", "Reply", "status_error_of"]
@@ -36,8 +37,11 @@ class Connection:
     exchange gives up, it cancels.
     """
 
-    def __init__(self, context: zmq.Context[zmq.Socket[bytes]], endpoint: str) -> None:
+    def __init__(
+        self, context: zmq.Context[zmq.Socket[bytes]], endpoint: str, curve: CurveKeys | None = None
+    ) -> None:
         self.endpoint = endpoint
+        self._encrypted = curve is not None
         self._socket = context.socket(zmq.DEALER)
         self._socket.setsockopt(zmq.LINGER, 0)
         # Without a listener nothing is queued: sending fails instead of waiting for ever.
@@ -45,7 +49,9 @@ class Connection:
         # Notices a machine that went away without a word; the other side's libzmq answers by itself.
         self._socket.setsockopt(zmq.HEARTBEAT_IVL, 10_000)
         self._socket.setsockopt(zmq.HEARTBEAT_TIMEOUT, 30_000)
-        self._monitor: zmq.Socket[bytes] = self._socket.get_monitor_socket(zmq.EVENT_DISCONNECTED)
+        if curve is not None:
+            curve.apply(self._socket)
+        self._monitor: zmq.Socket[bytes] = self._socket.get_monitor_socket(zmq.EVENT_DISCONNECTED | HANDSHAKE_EVENTS)
         self._monitor.setsockopt(zmq.LINGER, 0)
         try:
             self._socket.connect(endpoint)
@@ -72,7 +78,6 @@ class Connection:
 
         Raises StatusError, TimeoutExpired, ConnectionFailed or ProtocolError.
         """
-        self._forget_disconnections()
         self._send([json.dumps(envelope, allow_nan=False).encode(), *frames], deadline, connect_timeout)
         try:
             answer, arrays = self._await(envelope, deadline, on_progress)
@@ -106,13 +111,34 @@ class Connection:
             pass  # the daemon has gone, and the request with it
 
     def _send(self, message: list[bytes], deadline: float, connect_timeout: float) -> None:
-        patience = min(deadline, time.monotonic() + connect_timeout) - time.monotonic()
-        if not self._socket.poll(max(0, round(patience * 1000)), zmq.POLLOUT):
-            raise ConnectionFailed(f"No daemon answers at {self.endpoint}.")
+        self._wait_until_connected(min(deadline, time.monotonic() + connect_timeout))
         try:
             self._socket.send_multipart(message, flags=zmq.DONTWAIT)
         except zmq.Again:
             raise ConnectionFailed(f"The daemon at {self.endpoint} went away.") from None
+
+    def _wait_until_connected(self, deadline: float) -> None:
+        """Forgets what happened to earlier connections; raises why there is none."""
+        handshakes = Handshakes(self.endpoint, self._encrypted)
+        poller = zmq.Poller()
+        poller.register(self._socket, zmq.POLLOUT)
+        poller.register(self._monitor, zmq.POLLIN)
+        while True:
+            connected = bool(self._socket.poll(0, zmq.POLLOUT))
+            news = bool(self._monitor.poll(0))
+            while self._monitor.poll(0):
+                event = recv_monitor_message(self._monitor)
+                if connected or event["event"] == zmq.EVENT_DISCONNECTED:
+                    continue
+                if (failure := handshakes.judge(event["event"], event["value"])) is not None:
+                    raise failure
+            if connected and not news:
+                return
+            remaining = deadline - time.monotonic()
+            if remaining <= 0:
+                raise ConnectionFailed(f"No daemon answers at {self.endpoint}.")
+            if not news:
+                poller.poll(max(1, round(remaining * 1000)))
 
     def _receive(self, deadline: float, method: str) -> list[bytes]:
         poller = zmq.Poller()
@@ -129,10 +155,6 @@ class Connection:
                 return self._socket.recv_multipart()
             if lost:
                 raise ConnectionFailed(f"The daemon at {self.endpoint} went away while it worked on {method}.")
-
-    def _forget_disconnections(self) -> None:
-        while self._monitor.poll(0):
-            recv_monitor_message(self._monitor)
 
 
 def _parse(text: bytes) -> dict[str, Any]:

@@ -25,7 +25,7 @@
         +-- InternalError         a builder failed, or contactd has a defect
         +-- Unavailable           the daemon is ending
         +-- DataLoss
-        +-- Unauthenticated
+        +-- Unauthenticated       no connection without the right keys
 
 Violations of a request that this package finds before sending it are InvalidArgument too, so a caller handles one kind.
 """
@@ -206,7 +206,7 @@ class DataLoss(StatusError):
 
 
 class Unauthenticated(StatusError):
-    """The daemon does not know this client."""
+    """The daemon does not know this client (any more), or one of the two encrypts and the other does not."""
 
     code, name = 16, "UNAUTHENTICATED"
 

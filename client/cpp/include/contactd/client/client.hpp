@@ -9,6 +9,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -33,6 +34,9 @@ struct ClientOptions {
     std::chrono::milliseconds timeout{60'000};           ///< of a call
     std::chrono::milliseconds build_timeout{3'600'000};  ///< of get_ic, and of solves with finite elements
     proto::Limits limits{};                              ///< checked before a message is sent
+    /// Files of CURVE keys for an encrypted connection (docs/security.md), or neither: the daemon's public key, and the
+    /// secret key of this client, which the daemon has to know.
+    std::filesystem::path server_key{}, own_key{};
 };
 
 /// How far the work of a call is.
@@ -72,7 +76,8 @@ struct Job {
 /// after each of them.
 class Client {
    public:
-    /// `endpoint` as ZeroMQ writes it: "ipc:///path" or "tcp://host:port". Throws ConnectionError when it is malformed.
+    /// `endpoint` as ZeroMQ writes it: "ipc:///path" or "tcp://host:port". Throws ConnectionError when it is malformed,
+    /// Error when a key file cannot be used.
     explicit Client(const std::string& endpoint, ClientOptions options = {});
     ~Client();
     Client(Client&&) noexcept;

@@ -1,0 +1,81 @@
+#include "contactd/proto/key_file.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "contactd/error.hpp"
+
+namespace contactd::proto {
+namespace {
+
+constexpr std::size_t key_characters = 40;
+constexpr off_t largest_file = 64 << 10;
+constexpr std::string_view z85 =
+    "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&<>()[]{}@%$#";
+
+std::string_view stripped(std::string_view text, std::string_view of) {
+    const std::size_t first = text.find_first_not_of(of);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(of) - first + 1);
+}
+
+std::string key_of(std::string_view field, std::string_view value) {
+    value = stripped(value, " \t\r\"'");
+    const bool known =
+        std::all_of(value.begin(), value.end(), [](char c) { return z85.find(c) != std::string_view::npos; });
+    if (value.size() != key_characters || !known)
+        throw Error(std::string(field) + " is no key; it must be 40 characters of Z85, as contactd keygen writes it.");
+    return std::string(value);
+}
+
+struct stat status_of(const std::filesystem::path& path) {
+    struct stat status{};
+    if (::stat(path.c_str(), &status) != 0)
+        throw Error("The key file " + path.string() + " cannot be read: " + std::strerror(errno) + ".");
+    return status;
+}
+
+}  // namespace
+
+KeyFile parse_key_file(std::string_view text) {
+    KeyFile keys;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = stripped(text.substr(0, end), " \t\r");
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t equals = line.find('=');
+        if (line.starts_with('#') || equals == std::string_view::npos) continue;
+        const std::string_view field = stripped(line.substr(0, equals), " \t");
+        if (field == "public-key") keys.public_key = key_of(field, line.substr(equals + 1));
+        if (field == "secret-key") keys.secret_key = key_of(field, line.substr(equals + 1));
+    }
+    if (keys.public_key.empty()) throw Error("There is no line public-key = \"...\" in it.");
+    return keys;
+}
+
+KeyFile read_key_file(const std::filesystem::path& path) {
+    const struct stat status = status_of(path);
+    if (!S_ISREG(status.st_mode) || status.st_size > largest_file)
+        throw Error("The key file " + path.string() + " is no ordinary file of a few lines.");
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file) throw Error("The key file " + path.string() + " cannot be read.");
+    try {
+        return parse_key_file(text);
+    } catch (const Error& error) {
+        throw Error("The key file " + path.string() + " cannot be used: " + error.what());
+    }
+}
+
+void check_private(const std::filesystem::path& path) {
+    if ((status_of(path).st_mode & (S_IRWXG | S_IRWXO)) != 0)
+        throw Error("The key file " + path.string() + " holds a secret that others can get at; run: chmod 600 " +
+                    path.string());
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,18 @@
+// Where the daemon may listen: what only this machine can reach needs no keys, everything else does.
+#pragma once
+
+#include <string>
+
+#include "config.hpp"
+
+namespace contactd::server {
+
+/// True for ipc and for numeric loopback addresses (127.0.0.0/8, [::1]). Names, interfaces and wildcards could be
+/// anything, so they are not.
+bool is_local(const std::string& endpoint);
+
+/// Throws contactd::Error when the configured endpoint can be reached from other machines, is not encrypted, and nobody
+/// said that this is meant; or when CURVE is configured by half.
+void check_endpoint(const Config& config);
+
+}  // namespace contactd::server

@@ -1,0 +1,213 @@
+"""Bytes that no client would send: nobody else is hurt, and the sender hears a clear answer or the line goes dead."""
+
+import json
+import os
+import random
+import socket
+
+import pytest
+
+from support.daemons import eventually
+from support.fortress import Fortress
+
+PATHS = ["../../../../etc/passwd", "/etc/passwd", "..", "a/../../b", "..\\..\\b", "file:///etc/passwd", "%2e%2e%2fetc",
+         "x\u0000/etc/passwd", "~/.ssh/id_rsa", "$(touch hacked)", "; touch hacked", "/dev/zero", "con"]  # fmt: skip
+
+#: The greeting of a client of ZMTP 3.1, of the mechanism NULL.
+GREETING = b"\xff" + bytes(8) + b"\x7f\x03\x01" + b"NULL".ljust(20, b"\0") + bytes(32)
+READY = b"\x04\x1a\x05READY\x0bSocket-Type\x00\x00\x00\x06DEALER"
+
+HOSTILE = {
+    "HTTP": b"GET /metrics HTTP/1.1\r\nHost: localhost\r\n\r\n",
+    "HTTP post": b"POST / HTTP/1.1\r\nContent-Length: 1000000\r\n\r\n" + b"{" * 4096,
+    "zeros": bytes(100_000),
+    "ones": b"\xff" * 100_000,
+    "noise": random.Random(5).randbytes(100_000),
+    "TLS": b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + bytes(506),
+    "SSH": b"SSH-2.0-OpenSSH_9.6\r\n",
+    "ZMTP 1": b"\x01\x00" + b"\x03\x00{}" * 50,
+    "ZMTP 2": b"\xff" + bytes(8) + b"\x7f\x01\x05\x00\x00" + b"\x00\x02{}" * 50,
+    "greeting and noise": GREETING + random.Random(6).randbytes(50_000),
+    "another mechanism": GREETING.replace(b"NULL\0\0\0", b"GSSAPI\0") + bytes(1000),
+    "message before the handshake": GREETING + b"\x00\x02{}" * 100,
+    "frame of 2^63 bytes": GREETING + READY + b"\x02" + b"\x7f" + b"\xff" * 7,
+    "command of 2^40 bytes": GREETING + b"\x06" + (1 << 40).to_bytes(8, "big"),
+}
+
+
+def connect(endpoint):
+    host, port = endpoint.removeprefix("tcp://").rsplit(":", 1)
+    return socket.create_connection((host, int(port)), timeout=20)
+
+
+def hangs_up(stranger):
+    """Reads until the daemon closes the connection."""
+    try:
+        while stranger.recv(65536):
+            pass
+    except ConnectionError:
+        pass
+    return True
+
+
+@pytest.fixture(params=["plain", "CURVE"])
+def target(request, daemons, tmp_path):
+    """Daemon at a port and a client that must not notice anything."""
+    security = {"handshake_seconds": 1}
+    if request.param == "plain":
+        daemon = daemons.start(endpoint="tcp://127.0.0.1:*", security=security)
+        with daemon.client() as client:
+            yield daemon, client
+    else:
+        fortress = Fortress(daemons, tmp_path, security=security)
+        with fortress.client() as client:
+            yield fortress.daemon, client
+
+
+def test_strangers_bytes_end_their_connection_and_nothing_else(target):
+    daemon, client = target
+    assert client.health() == "serving"
+    for name, data in HOSTILE.items():
+        with connect(daemon.endpoint) as stranger:
+            try:
+                stranger.sendall(data)
+            except ConnectionError:
+                pass  # the daemon has hung up already
+            assert client.health() == "serving", name
+            assert hangs_up(stranger), name
+    assert client.info().counters["requests_failed"] == 0
+
+
+def test_half_open_connections_are_closed_and_keep_nobody_out(target):
+    daemon, client = target
+    strangers = [connect(daemon.endpoint) for _ in range(300)]
+    for stranger in strangers[::2]:
+        stranger.sendall(GREETING[:20])
+    assert client.health() == "serving"
+    assert all(hangs_up(stranger) for stranger in strangers)
+    for stranger in strangers:
+        stranger.close()
+    assert client.health() == "serving"
+
+
+def test_a_flood_of_connections_is_survived(target):
+    daemon, client = target
+    before = len(os.listdir(f"/proc/{daemon.pid}/fd"))
+    for n in range(1500):
+        connect(daemon.endpoint).close()
+        if n % 500 == 0:
+            assert client.health() == "serving"
+    eventually(lambda: len(os.listdir(f"/proc/{daemon.pid}/fd")) <= before + 10)
+    assert client.health() == "serving"
+
+
+def test_ten_thousand_frames_are_refused_in_words(raw):
+    answer = raw.ask("server.health", {}, *[b"x"] * 10_000)
+    assert (answer.status, answer.reason) == ("INVALID_ARGUMENT", "LIMIT_EXCEEDED")
+    assert raw.ask("server.health").status == "OK"
+
+
+def test_an_oversize_frame_of_an_allowed_user_costs_that_user_only(daemons, tmp_path):
+    fortress = Fortress(daemons, tmp_path, limits={"max_frame_bytes": 4096, "max_message_bytes": 8192})
+    with fortress.client() as careless, fortress.client() as client:
+        assert careless.health() == "serving"
+        connection = careless._take()  # the client itself would refuse
+        connection._socket.send_multipart([b"{}", bytes(1_000_000)])
+        assert client.health() == "serving"
+        careless._give_back(connection, usable=False)
+        assert careless.health() == "serving"
+
+
+def envelope(**fields):
+    return json.dumps({"contactd": 1, "id": "h", "method": "server.health", "params": {}, **fields}).encode()
+
+
+DEEP = "[" * 50_000 + "]" * 50_000
+WRONG = {
+    "deep list": envelope().replace(b"{}", DEEP.encode()),
+    "deep object": envelope().replace(b"{}", b'{"a":' * 20_000 + b"1" + b"}" * 20_000),
+    "deep metadata": envelope(metadata={"x": 0}).replace(b"0", DEEP.encode(), 1),
+    "deep and cut off": envelope()[:-2] + b'[{"a":' * 50_000,
+    "huge number": envelope(timeout_ms=7).replace(b"7", b"9" * 5000),
+    "huge exponent": envelope(timeout_ms=7).replace(b"7", b"1e999999999"),
+    "huge fraction": envelope(timeout_ms=7).replace(b"7", b"1." + b"1" * 100_000 + b"e-5"),
+    "negative zero": envelope(timeout_ms=7).replace(b"7", b"-0"),
+    "NUL in the text": envelope().replace(b"server", b"ser\0ver"),
+    "NUL escaped in the method": envelope(method="server.health\0"),
+    "invalid UTF-8": envelope().replace(b"server", b"\xc0\xaf"),
+    "UTF-8 surrogate": envelope().replace(b"server", b"\xed\xa0\x80"),
+    "overlong UTF-8": envelope().replace(b"server", b"\xe0\x80\xaf"),
+    "half a surrogate": envelope().replace(b"server", b"\\ud800"),
+    "UTF-16": envelope().decode().encode("utf-16"),
+    "a long name": envelope(**{"x" * 1_000_000: 1}),
+    "many names": envelope(**{f"x{n}": n for n in range(20_000)}),
+    "comment": b"/* */" + envelope(),
+    "two documents": envelope() + envelope(),
+}
+
+
+@pytest.mark.parametrize("text", WRONG.values(), ids=WRONG.keys())
+def test_an_envelope_made_to_hurt_is_refused_in_words(raw, text):
+    raw.send_bytes(text)
+    answer = raw.receive()
+    assert answer.status in ("INVALID_ARGUMENT", "UNIMPLEMENTED")
+    assert answer.reason in ("NOT_JSON", "ENVELOPE_INVALID", "FIELD_INVALID", "LIMIT_EXCEEDED", "UNKNOWN_METHOD")
+    assert len(answer.message) < 2000
+    assert raw.ask("server.health").status == "OK"
+
+
+def test_of_a_field_that_is_there_twice_the_last_counts_in_every_check(raw):
+    raw.send_bytes(envelope().replace(b'"method": "server.health"', b'"method": "server.health", "method": "no.such"'))
+    assert raw.receive().reason == "UNKNOWN_METHOD"
+    raw.send_bytes(envelope(timeout_ms=7).replace(b"7", b'7, "timeout_ms": -1'))
+    assert raw.receive().fields == ["timeout_ms"]
+    raw.send_bytes(envelope(method="no.such").replace(b'"id": "h"', b'"id": "h", "id": "i"'))
+    assert raw.receive().envelope["id"] == "i"
+
+
+def strings_of(value, path=()):
+    """The paths of all strings in a JSON value."""
+    if isinstance(value, str):
+        yield path
+    elif isinstance(value, (dict, list)):
+        for key, part in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from strings_of(part, (*path, key))
+
+
+def with_string(value, path, text):
+    changed = json.loads(json.dumps(value))
+    place = changed
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] = text
+    return changed
+
+
+TABLE = {"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 4, "ny": 4, "dx": 1, "dy": 1}}
+REQUESTS = [
+    ("ic.get", {**TABLE, "ics": {"source": "fem", "preset": "paper-test2", "body": "half_space", "mesh": "hex"}}),
+    ("ic.export", {**TABLE, "ics": {"source": "analytic"}, "format": "contact"}),
+    ("job.cancel", {"job": "build-1"}),
+    ("contact.subsurface", {"grid": TABLE["grid"], "nu": 0.3, "body": "lower", "pressure": [[1] * 4] * 4,
+                            "points": [[0, 0, -1]]}),
+]  # fmt: skip
+
+
+def files_below(folder):
+    return sorted(str(path) for path in folder.rglob("*"))
+
+
+def test_no_text_of_a_request_reaches_the_file_system(shared_daemon, raw):
+    files = files_below(shared_daemon.folder)
+    for method, params in REQUESTS:
+        for path in strings_of(params):
+            for trick in PATHS:
+                answer = raw.ask(method, with_string(params, path, trick))
+                assert answer.status in ("INVALID_ARGUMENT", "NOT_FOUND"), (method, path, trick)
+                assert "root:" not in json.dumps(answer.envelope)
+    for trick in PATHS:
+        assert raw.ask(trick).status == "UNIMPLEMENTED"
+        assert raw.ask("server.health", metadata={"file": trick}).status == "OK"
+        assert raw.ask("server.health", metadata={"name": trick}, arrays=trick).status == "INVALID_ARGUMENT"
+        assert raw.ask("job.cancel", {"job": trick}, id=trick).envelope["id"] == trick
+    assert files_below(shared_daemon.folder) == files
