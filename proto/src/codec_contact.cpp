@@ -60,6 +60,8 @@ bool fits_the_wire(const Paraboloid& paraboloid) {
     return fits(paraboloid.Rx) && fits(paraboloid.Ry) && (paraboloid.Rx != flat || paraboloid.Ry != flat);
 }
 
+}  // namespace
+
 json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays) {
     const auto sampled_gap = [&](const std::vector<double>& values) {
         return json{{"array", arrays.write(std::span<const double>(values), shape_of(grid))}};
@@ -82,6 +84,8 @@ Gap decode_gap(const json& gap, const std::vector<std::string>& frames, const Gr
     const json& radii = gap["paraboloid"];
     return Paraboloid{radii.value("Rx", flat), radii.value("Ry", flat)};
 }
+
+namespace {
 
 json encode_settings(const SolverSettings& settings) {
     return {{"tolerance", finite(settings.tolerance, "A tolerance")}, {"max_iterations", settings.max_iterations}};

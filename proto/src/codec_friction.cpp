@@ -22,8 +22,11 @@ template <class Step>
 void decode_force(const json& source, Step& step) {
     if (!source.contains("force")) return;
     const json& force = source["force"];
-    if (!force[0].is_null()) step.Fx = force[0].get<double>();
-    if (!force[1].is_null()) step.Fy = force[1].get<double>();
+    const auto component = [&](std::size_t i) {
+        return force[i].is_null() ? std::optional<double>() : std::optional(force[i].get<double>());
+    };
+    step.Fx = component(0);
+    step.Fy = component(1);
 }
 
 json encode(const Shift& shift) {
@@ -34,8 +37,8 @@ json encode(const Shift& shift) {
     return result;
 }
 
-Shift decode_shift(const json& source) {
-    Shift shift;
+/// Fields that are not there are as in `shift`.
+Shift decode_shift(const json& source, Shift shift = {}) {
     if (source.contains("rigid_shift")) {
         shift.x = source["rigid_shift"][0].get<double>();
         shift.y = source["rigid_shift"][1].get<double>();
@@ -59,18 +62,24 @@ json encode(const Rolling& rolling) {
     return result;
 }
 
-Rolling decode_rolling(const json& source) {
-    Rolling rolling;
+/// Fields that are not there are as in `rolling`.
+Rolling decode_rolling(const json& source, Rolling rolling = {}) {
     rolling.xi = source.value("xi", rolling.xi);
     rolling.eta = source.value("eta", rolling.eta);
     rolling.phi = source.value("phi", rolling.phi);
     rolling.chi = source.value("chi", rolling.chi);
     rolling.dq = source.value("dq", rolling.dq);
-    rolling.steady = source.value("kind", "steady") == "steady";
+    if (source.contains("kind")) rolling.steady = source["kind"] == "steady";
     rolling.steps = source.value("steps", rolling.steps);
     rolling.velocity = source.value("velocity", rolling.velocity);
     decode_force(source, rolling);
     return rolling;
+}
+
+template <class Step>
+Step known_or_new(const Motion& motion) {
+    const auto* known = std::get_if<Step>(&motion);
+    return known ? *known : Step{};
 }
 
 json encode_kinetic(const KineticFriction& kinetic) {
@@ -100,17 +109,20 @@ json encode_friction(const Friction& friction, const Grid& grid, ArrayWriter& ar
     return result;
 }
 
-Friction decode_friction(const json& source, const std::vector<std::string>& frames, const Grid& grid) {
-    Friction friction;
-    if (source["mu"].is_number())
-        friction.mu = {source["mu"].get<double>()};
-    else
-        friction.mu = read_array(source["mu"], frames, shape_of(grid), "friction.mu");
+Friction decode_friction(const json& source, const std::vector<std::string>& frames, const Grid& grid,
+                         Friction friction) {
+    if (source.contains("mu")) {
+        if (source["mu"].is_number())
+            friction.mu = {source["mu"].get<double>()};
+        else
+            friction.mu = read_array(source["mu"], frames, shape_of(grid), "friction.mu");
+    }
     if (source.contains("kinetic")) friction.kinetic = decode_kinetic(source["kinetic"]);
-    if (source.contains("rolling"))
-        friction.motion = decode_rolling(source["rolling"]);
-    else
-        friction.motion = decode_shift(source);
+    const auto has = [&](const char* field) { return source.contains(field); };
+    if (has("rolling"))
+        friction.motion = decode_rolling(source["rolling"], known_or_new<Rolling>(friction.motion));
+    else if (has("rigid_shift") || has("rotation") || has("duration") || has("force"))
+        friction.motion = decode_shift(source, known_or_new<Shift>(friction.motion));
     return friction;
 }
 

@@ -72,6 +72,9 @@ nlohmann::json encode_fem(const FemSpec& fem);
 /// The fields that are there; the others stay as they are.
 void decode_fem(const nlohmann::json& json, FemSpec& fem);
 
+nlohmann::json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays);
+Gap decode_gap(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
+
 /// Coefficients that the request itself holds, which cover `grid`. Throws StatusError (ARRAY_INVALID).
 nlohmann::json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays);
 GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
@@ -79,7 +82,23 @@ GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::str
 nlohmann::json encode_use(const IcUse& use);
 
 nlohmann::json encode_friction(const Friction& friction, const Grid& grid, ArrayWriter& arrays);
-Friction decode_friction(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
+/// Fields that are not there are as in `friction`.
+Friction decode_friction(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid,
+                         Friction friction = {});
+
+/// The parts of a result that hold no arrays: of a solution all but its evidence, and that of its solvers.
+nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
+void decode_summary(const nlohmann::json& result, ContactSolution& solution);
+nlohmann::json encode_solvers(const ContactSolution& solution);
+void decode_solvers(const nlohmann::json& evidence, ContactSolution& solution);
+/// `element_division` of a result.
+nlohmann::json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays);
+std::vector<ElementState> decode_division(const nlohmann::json& result, const std::vector<std::string>& frames,
+                                          const std::vector<std::size_t>& shape);
+
+/// `evidence.ics` of a result.
+nlohmann::json encode_uses(const std::optional<IcUse>& upper, const std::optional<IcUse>& lower,
+                           const std::optional<IcUse>& pair);
 
 /// Motion as it stands in a result.
 nlohmann::json encode_motion(const Motion& motion);

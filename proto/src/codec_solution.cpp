@@ -25,17 +25,18 @@ IcUse decode_use(const json& source) {
     return {source["origin"].get<std::string>(), source["key"].get<std::string>(), decode_evidence(source["evidence"])};
 }
 
-/// The parts of a solution or reply that may be left out, with their names; Solution and Reply may be const.
+template <class Reply>
+void decode_uses(const json& uses, Reply& reply) {
+    for (const auto& [name, use] :
+         {std::pair("upper", &reply.upper), std::pair("lower", &reply.lower), std::pair("pair", &reply.pair)})
+        if (uses.contains(name)) *use = decode_use(uses[name]);
+}
+
+/// The parts of a solution that may be left out, with their names; Solution may be const.
 template <class Solution>
 auto solvers_of(Solution& solution) {
     return std::array{std::pair("tangential", &solution.tangential), std::pair("outer", &solution.outer),
                       std::pair("force", &solution.force)};
-}
-
-template <class Reply>
-auto uses_of(Reply& reply) {
-    return std::array{std::pair("upper", &reply.upper), std::pair("lower", &reply.lower),
-                      std::pair("pair", &reply.pair)};
 }
 
 template <class Solution>
@@ -114,39 +115,65 @@ json encode_friction_results(const ContactSolution& solution, const Grid& grid) 
     return result;
 }
 
-json encode_evidence(const SolveReply& reply) {
-    json result{{"normal", encode_solver_evidence(reply.solution.normal)}, {"ics", json::object()}};
-    for (const auto& [name, solver] : solvers_of(reply.solution))
-        if (*solver) result[name] = encode_solver_evidence(**solver);
-    for (const auto& [name, use] : uses_of(reply))
-        if (*use) result["ics"][name] = encode_use(**use);
-    return result;
-}
-
-void decode_evidence(const json& evidence, SolveReply& reply) {
-    reply.solution.normal = decode_solver_evidence(evidence["normal"]);
-    for (const auto& [name, solver] : solvers_of(reply.solution))
-        if (evidence.contains(name)) *solver = decode_solver_evidence(evidence[name]);
-    for (const auto& [name, use] : uses_of(reply))
-        if (evidence["ics"].contains(name)) *use = decode_use(evidence["ics"][name]);
-}
-
 }  // namespace
 
 json encode_use(const IcUse& use) {
     return {{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}};
 }
 
-json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays) {
-    const ContactSolution& solution = reply.solution;
+json encode_uses(const std::optional<IcUse>& upper, const std::optional<IcUse>& lower,
+                 const std::optional<IcUse>& pair) {
+    json uses = json::object();
+    for (const auto& [name, use] : {std::pair("upper", &upper), std::pair("lower", &lower), std::pair("pair", &pair)})
+        if (*use) uses[name] = encode_use(**use);
+    return uses;
+}
+
+json encode_summary(const ContactSolution& solution, const Grid& grid) {
     json result = encode_totals(solution);
     result.update(encode_friction_results(solution, grid));
-    result["evidence"] = encode_evidence(reply);
+    return result;
+}
+
+void decode_summary(const json& result, ContactSolution& solution) {
+    decode_totals(result, solution);
+    for (const auto& [name, value] : dissipation_of(solution))
+        if (result.contains(name)) *value = result[name].get<double>();
+    if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
+}
+
+json encode_solvers(const ContactSolution& solution) {
+    json evidence{{"normal", encode_solver_evidence(solution.normal)}};
+    for (const auto& [name, solver] : solvers_of(solution))
+        if (*solver) evidence[name] = encode_solver_evidence(**solver);
+    return evidence;
+}
+
+void decode_solvers(const json& evidence, ContactSolution& solution) {
+    solution.normal = decode_solver_evidence(evidence["normal"]);
+    for (const auto& [name, solver] : solvers_of(solution))
+        if (evidence.contains(name)) *solver = decode_solver_evidence(evidence[name]);
+}
+
+json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays) {
+    const std::vector<unsigned char> division = bytes_of(solution.element_division);
+    return arrays.write(std::span<const unsigned char>(division), shape_of(grid));
+}
+
+std::vector<ElementState> decode_division(const json& result, const std::vector<std::string>& frames,
+                                          const std::vector<std::size_t>& shape) {
+    return states_of(read_byte_array(result["element_division"], frames, shape, "element_division"));
+}
+
+json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays) {
+    const ContactSolution& solution = reply.solution;
+    json result = encode_summary(solution, grid);
+    result["evidence"] = encode_solvers(solution);
+    result["evidence"]["ics"] = encode_uses(reply.upper, reply.lower, reply.pair);
     const auto add = [&](const char* name, const std::vector<double>& values) {
         result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
     };
-    const std::vector<unsigned char> division = bytes_of(solution.element_division);
-    result["element_division"] = arrays.write(std::span<const unsigned char>(division), shape_of(grid));
+    result["element_division"] = encode_division(solution, grid, arrays);
     add("pressure", solution.pressure);
     add("traction_x", solution.traction_x);
     add("traction_y", solution.traction_y);
@@ -158,10 +185,7 @@ json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& 
 SolveReply decode_solve_reply(const json& result, const std::vector<std::string>& frames) {
     SolveReply reply;
     ContactSolution& solution = reply.solution;
-    decode_totals(result, solution);
-    for (const auto& [name, value] : dissipation_of(solution))
-        if (result.contains(name)) *value = result[name].get<double>();
-    if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
+    decode_summary(result, solution);
     const Shape shape = claimed_shape(result["pressure"], 2);
     if (shape.size() != 2)
         throw invalid_field("pressure", "has " + std::to_string(shape.size()) + " dimensions; it must have 2",
@@ -172,9 +196,9 @@ SolveReply decode_solve_reply(const json& result, const std::vector<std::string>
     solution.traction_y = array("traction_y");
     if (result.contains("slip_x")) solution.slip_x = array("slip_x");
     if (result.contains("slip_y")) solution.slip_y = array("slip_y");
-    solution.element_division =
-        states_of(read_byte_array(result["element_division"], frames, shape, "element_division"));
-    decode_evidence(result["evidence"], reply);
+    solution.element_division = decode_division(result, frames, shape);
+    decode_solvers(result["evidence"], solution);
+    decode_uses(result["evidence"]["ics"], reply);
     return reply;
 }
 

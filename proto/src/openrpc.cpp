@@ -37,6 +37,14 @@ constexpr Summary summaries[]{
      "rolling."},
     {"contact.solve_many", "Many problems of contact.solve at once; one that fails does not fail the others."},
     {"contact.subsurface", "Stresses inside a body, a half-space, under the tractions of a contact."},
+    {"session.open",
+     "Opens a session: fixes what the steps of a simulation have in common, and waits until its tables lie ready."},
+    {"session.step", "Solves the next step of a session, which starts where the last one ended."},
+    {"session.save", "Keeps where a session is, for session.restore."},
+    {"session.restore", "Takes a session back, or forward, to a saved state; as often as wanted."},
+    {"session.forget", "Frees a saved state."},
+    {"session.close", "Ends a session."},
+    {"session.list", "Counts and ages of the open sessions."},
     {"job.list", "The work that waits and runs."},
     {"job.cancel", "Ends a job; everyone waiting for it gets CANCELLED."},
     {"request.cancel",
@@ -51,12 +59,18 @@ json error(StatusCode code) {
 json errors_of(std::string_view method) {
     json errors{error(StatusCode::invalid_argument), error(StatusCode::unavailable), error(StatusCode::internal)};
     const auto add = [&](StatusCode code) { errors.push_back(error(code)); };
-    if (method.starts_with("contact.") || method.starts_with("ic.") || method == "health.watch") {
+    const bool in_session = method.starts_with("session.") && method != "session.list";
+    if (method.starts_with("contact.") || method.starts_with("ic.") || in_session || method == "health.watch") {
         add(StatusCode::cancelled);
         add(StatusCode::deadline_exceeded);
         add(StatusCode::resource_exhausted);
     }
-    if (method == "job.cancel" || method == "request.cancel") add(StatusCode::not_found);
+    if (method == "job.cancel" || method == "request.cancel" || (in_session && method != "session.open"))
+        add(StatusCode::not_found);
+    if (method == "session.step") {
+        add(StatusCode::failed_precondition);
+        add(StatusCode::aborted);
+    }
     return errors;
 }
 

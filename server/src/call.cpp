@@ -46,8 +46,8 @@ void check_limits(const std::string& text, const std::vector<std::string>& frame
 
 }  // namespace
 
-void Call::succeed(const json& result, std::vector<std::string> frames) {
-    if (answered_) return;
+bool Call::succeed(const json& result, std::vector<std::string> frames) {
+    if (answered_) return false;
     json reply = envelope(request.id);
     reply["status"] = proto::to_json(Status{});
     std::string text = proto::dump(reply);
@@ -56,9 +56,10 @@ void Call::succeed(const json& result, std::vector<std::string> frames) {
         // What the daemon says of itself is as large as it is, however small the limits are.
         if (!request.method.starts_with("server.")) check_limits(text, frames, limits_);
     } catch (const proto::StatusError& error) {
-        return fail(error.status());
+        fail(error.status());
+        return false;
     }
-    finish(Status{}, std::move(text), std::move(frames));
+    return finish(Status{}, std::move(text), std::move(frames));
 }
 
 void Call::check_deadline() {
@@ -85,17 +86,18 @@ void Call::fail(const Status& status) {
     finish(status, proto::dump(reply), {});
 }
 
-void Call::finish(const Status& status, std::string text, std::vector<std::string> frames) {
+bool Call::finish(const Status& status, std::string text, std::vector<std::string> frames) {
     std::vector<std::function<void()>> then;
     {
         const std::scoped_lock lock(mutex_);
-        if (answered_.exchange(true)) return;
+        if (answered_.exchange(true)) return false;
         then = std::exchange(then_, {});
     }
     for (const auto& step : then) step();
     const std::chrono::duration<double, std::milli> spent = Clock::now() - received;
     post_({route_, std::move(text), std::move(frames), false, request.id, request.method,
            std::string(proto::name_of(status.code)), spent.count(), status.reason, agent_of(request)});
+    return true;
 }
 
 void Call::progress(const json& progress) {

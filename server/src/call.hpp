@@ -73,13 +73,13 @@ class Call {
     void check_deadline();
     /// Called with the answer, or now when there is one already. Not for what holds this call.
     void when_answered(std::function<void()> then);
-    /// An answer beyond the limits of a message becomes ANSWER_TOO_LARGE.
-    void succeed(const nlohmann::json& result, std::vector<std::string> frames = {});
+    /// An answer beyond the limits of a message becomes ANSWER_TOO_LARGE. True when the result was the answer.
+    bool succeed(const nlohmann::json& result, std::vector<std::string> frames = {});
     void fail(const proto::Status& status);
     void progress(const nlohmann::json& progress);
 
    private:
-    void finish(const proto::Status& status, std::string text, std::vector<std::string> frames);
+    bool finish(const proto::Status& status, std::string text, std::vector<std::string> frames);
 
     const Route route_;
     const proto::Limits& limits_;

@@ -90,6 +90,9 @@ Config config_from_json(const json& given) {
     config.max_outbox_bytes = limits["max_outbox_bytes"];
     config.max_queue_per_client = limits["max_queue_per_client"];
     config.max_queue_bytes = limits["max_queue_bytes"];
+    const json& sessions = all["sessions"];
+    config.sessions = {sessions["max_sessions"], sessions["max_bytes"], sessions["max_states"],
+                       sessions["lease_seconds"], sessions["max_lease_seconds"]};
     config.log = {all["log"]["level"], all["log"]["format"], all["log"]["file"].get<std::string>()};
     config.http = {all["http"]["address"]};
     config.shutdown = {all["shutdown"]["drain_seconds"]};
@@ -146,6 +149,12 @@ json to_json(const Config& config) {
               {"max_outbox_bytes", config.max_outbox_bytes},
               {"max_queue_per_client", config.max_queue_per_client},
               {"max_queue_bytes", config.max_queue_bytes}}},
+            {"sessions",
+             {{"max_sessions", config.sessions.max_sessions},
+              {"max_bytes", config.sessions.max_bytes},
+              {"max_states", config.sessions.max_states},
+              {"lease_seconds", config.sessions.lease_seconds},
+              {"max_lease_seconds", config.sessions.max_lease_seconds}}},
             {"log", {{"level", config.log.level}, {"format", config.log.format}, {"file", config.log.file.string()}}},
             {"http", {{"address", config.http.address}}},
             {"shutdown", {{"drain_seconds", config.shutdown.drain_seconds}}}};

@@ -12,6 +12,15 @@
 
 namespace contactd::server {
 
+/// What sessions may take; published by server.info.
+struct SessionLimits {
+    std::size_t max_sessions;  ///< open at the same time
+    std::size_t max_bytes;     ///< of all sessions and their states together
+    std::size_t max_states;    ///< saved ones of one session
+    double lease_seconds;      ///< of a request that does not say
+    double max_lease_seconds;
+};
+
 /// Field by field as in configs/schema.json, where every default stands too.
 struct Config {
     std::string endpoint;
@@ -46,6 +55,7 @@ struct Config {
     std::size_t max_outbox_bytes;
     std::size_t max_queue_per_client;
     std::size_t max_queue_bytes;
+    SessionLimits sessions;
     struct {
         std::string level;
         std::string format;

@@ -5,6 +5,7 @@
 
 #include "contactd/error.hpp"
 #include "job_reports.hpp"
+#include "problem_tables.hpp"
 
 namespace contactd::server {
 namespace {

@@ -143,6 +143,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         deliver();
         if (items[0].revents & ZMQ_POLLIN) receive();
         end_overdue();
+        service_.sessions().expire(Clock::now());
         if (items[3].revents & ZMQ_POLLIN) monitor_.read(service_.counters().connections);
         if (items[4].revents & ZMQ_POLLIN) access_.answer_all();
         note_levels();
@@ -298,7 +299,7 @@ void Endpoint::end_overdue() {
 }
 
 long Endpoint::poll_milliseconds() {
-    const auto next = std::min(service_.open_calls().next_deadline(), end_);
+    const auto next = std::min({service_.open_calls().next_deadline(), service_.sessions().next_expiry(), end_});
     long wait = -1;
     if (next != Clock::time_point::max())
         wait =

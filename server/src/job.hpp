@@ -28,7 +28,7 @@ class Job {
         : name(std::move(job_name)), kind(std::move(job_kind)), on_cancel_(std::move(on_cancel)) {}
 
     const std::string name;  ///< "build-3"
-    const std::string kind;  ///< "build", "solve" or "subsurface"
+    const std::string kind;  ///< "build", "solve", "subsurface" or "step"
     const std::chrono::steady_clock::time_point created = std::chrono::steady_clock::now();
 
     void cancel() {

@@ -13,6 +13,7 @@
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
 #include "ic_export.hpp"
+#include "session_methods.hpp"
 #include "store_folder.hpp"
 
 namespace contactd::server {
@@ -114,6 +115,13 @@ Service::Service(const Config& config)
                {"contact.solve", {&Service::contact_solve, false}},
                {"contact.solve_many", {&Service::contact_solve_many, false, true, proto::Priority::low}},
                {"contact.subsurface", {&Service::contact_subsurface, false}},
+               {"session.open", {&Service::session_open, false}},
+               {"session.step", {&Service::session_step, false, true, proto::Priority::high}},
+               {"session.save", {&Service::session_save, false, true, proto::Priority::high}},
+               {"session.restore", {&Service::session_restore, false, true, proto::Priority::high}},
+               {"session.forget", {&Service::session_forget, false, true, proto::Priority::high}},
+               {"session.close", {&Service::session_close, true}},
+               {"session.list", {&Service::session_list, true}},
                {"job.list", {&Service::job_list, true}},
                {"job.cancel", {&Service::job_cancel, true}},
                {"request.cancel", {&Service::request_cancel, true}}},
@@ -123,6 +131,7 @@ Service::Service(const Config& config)
             config.store.memory_budget_bytes},
            open_store(config, counters_), jobs_, counters_),
       influences_(config.store.influence_budget_bytes),
+      sessions_(config.sessions),
       workers_(config.workers) {
     count_store(counters_, config.store.folder);
 }
@@ -191,6 +200,10 @@ void Service::server_info(const CallPtr& call) {
     limits["max_queue"] = config_.max_queue;
     limits["max_queue_per_client"] = config_.max_queue_per_client;
     limits["max_queue_bytes"] = config_.max_queue_bytes;
+    limits["max_sessions"] = config_.sessions.max_sessions;
+    limits["max_session_bytes"] = config_.sessions.max_bytes;
+    limits["max_session_states"] = config_.sessions.max_states;
+    limits["max_lease_seconds"] = config_.sessions.max_lease_seconds;
     const IcCache::Usage cache = ics_.cache_usage();
     call->succeed({{"version", version()},
                    {"commit", commit()},
@@ -263,7 +276,7 @@ void Service::contact_solve(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
     check_answer_fits({&call->request.params}, *call, config_.limits);
     ++counters_.solves;
-    start_solve(call, {ics_, workers_, influences_, jobs_, counters_});
+    start_solve(call, solve_tools());
 }
 
 void Service::contact_solve_many(const CallPtr& call) {
@@ -272,12 +285,42 @@ void Service::contact_solve_many(const CallPtr& call) {
     for (const json& problem : call->request.params.at("problems")) problems.push_back(&problem);
     check_answer_fits(problems, *call, config_.limits);
     counters_.solves += static_cast<long long>(call->request.params.at("problems").size());
-    start_solve_many(call, {ics_, workers_, influences_, jobs_, counters_}, config_.workers, config_.limits);
+    start_solve_many(call, solve_tools(), config_.workers, config_.limits);
 }
 
 void Service::contact_subsurface(const CallPtr& call) {
     check_grid_limit(call->request.params, config_.max_grid_elements);
     answer_subsurface(call, jobs_, config_.limits);
+}
+
+void Service::session_open(const CallPtr& call) {
+    check_grid_limit(call->request.params, config_.max_grid_elements);
+    open_session(call, solve_tools(), sessions_);
+}
+
+void Service::session_step(const CallPtr& call) {
+    ++counters_.solves;
+    step_session(call, solve_tools(), sessions_);
+}
+
+void Service::session_save(const CallPtr& call) {
+    save_session(call, solve_tools(), sessions_);
+}
+
+void Service::session_restore(const CallPtr& call) {
+    restore_session(call, solve_tools(), sessions_);
+}
+
+void Service::session_forget(const CallPtr& call) {
+    forget_state(call, solve_tools(), sessions_);
+}
+
+void Service::session_close(const CallPtr& call) {
+    close_session(call, sessions_);
+}
+
+void Service::session_list(const CallPtr& call) {
+    list_sessions(call, sessions_);
 }
 
 void Service::job_list(const CallPtr& call) {

@@ -14,6 +14,7 @@
 #include "job.hpp"
 #include "metrics.hpp"
 #include "open_calls.hpp"
+#include "session_table.hpp"
 #include "worker_pool.hpp"
 
 namespace contactd::server {
@@ -40,6 +41,9 @@ class Service {
     /// Of requests to the method that name none.
     proto::Priority priority_of(const std::string& method) const;
 
+    /// The open sessions, whose leases the I/O thread watches.
+    SessionTable& sessions() { return sessions_; }
+
     Counters& counters() { return counters_; }
     RequestMetrics& request_metrics() { return request_metrics_; }
 
@@ -62,6 +66,7 @@ class Service {
     };
 
     bool is_quick(const std::string& method) const;
+    SolveTools solve_tools() { return {ics_, workers_, influences_, jobs_, counters_}; }
     void run(Method method, const CallPtr& call);
     void server_info(const CallPtr& call);
     void server_health(const CallPtr& call);
@@ -73,6 +78,13 @@ class Service {
     void contact_solve(const CallPtr& call);
     void contact_solve_many(const CallPtr& call);
     void contact_subsurface(const CallPtr& call);
+    void session_open(const CallPtr& call);
+    void session_step(const CallPtr& call);
+    void session_save(const CallPtr& call);
+    void session_restore(const CallPtr& call);
+    void session_forget(const CallPtr& call);
+    void session_close(const CallPtr& call);
+    void session_list(const CallPtr& call);
     void job_list(const CallPtr& call);
     void job_cancel(const CallPtr& call);
     void request_cancel(const CallPtr& call);
@@ -89,6 +101,7 @@ class Service {
     std::atomic<bool> stopping_ = false;
     IcService ics_;
     InfluenceCache influences_;
+    SessionTable sessions_;
     WorkerPool workers_;  // last: its threads use everything above
 };
 

@@ -3,12 +3,9 @@
 #include <thread>
 #include <utility>
 
-#include "contactd/ic_exchange.hpp"
 #include "contactd/solve_contact.hpp"
-#include "contactd/tangential.hpp"
-#include "contactd/version.hpp"
-#include "ic_pair.hpp"
 #include "job_reports.hpp"
+#include "problem_tables.hpp"
 
 namespace contactd::server {
 namespace {
@@ -22,48 +19,6 @@ struct Solve {
 };
 using SolvePtr = std::shared_ptr<Solve>;
 
-IcSpec spec_of(const ContactProblem& problem, const Material& material) {
-    const Grid& grid = problem.grid;
-    return {problem.ics, material, grid.dx, grid.dy, grid.nx, grid.ny};
-}
-
-bool needs_tables(const ContactProblem& problem) {
-    return problem.model == Model::full && !problem.given_ics;
-}
-
-IcTable body_table(const Solve& work, std::size_t body, const Material& material) {
-    const Grid& grid = work.task.problem.grid;
-    if (material.is_rigid()) return IcTable(grid.nx, grid.ny);
-    return table_of(work.ics[body], spec_of(work.task.problem, material));
-}
-
-ContactInfluence influence_of(const Solve& work) {
-    const ContactProblem& problem = work.task.problem;
-    if (problem.model != Model::full) return {};
-    if (problem.given_ics) return make_influence(problem, problem.given_ics->table);
-    return work.influences.of(influence_key(problem, work.ics[0].key, work.ics[1].key), [&] {
-        return make_influence(
-            problem, pair_of(body_table(work, 0, problem.bodies.upper), body_table(work, 1, problem.bodies.lower)));
-    });
-}
-
-void add_ics(const Solve& work, proto::SolveReply& reply) {
-    const ContactProblem& problem = work.task.problem;
-    if (problem.model != Model::full) return;
-    if (problem.given_ics) {
-        reply.pair = {"given", ic_key(*problem.given_ics), {}};
-        reply.pair->evidence.source = "table";
-        reply.pair->evidence.version = "contactd " + version();
-        return;
-    }
-    const auto use = [&](std::size_t body) {
-        const IcAnswer& answer = work.ics[body];
-        return proto::IcUse{answer.origin, answer.key, answer.record->evidence};
-    };
-    if (!problem.bodies.upper.is_rigid()) reply.upper = use(0);
-    if (!problem.bodies.lower.is_rigid()) reply.lower = use(1);
-}
-
 void solve(const SolvePtr& work) {
     const SolveTask& task = work->task;
     try {
@@ -71,22 +26,16 @@ void solve(const SolvePtr& work) {
         observer.throw_if_cancelled();
         task.job->set_running();
         proto::SolveReply reply;
-        reply.solution = solve_contact(task.problem, influence_of(*work), observer);
+        reply.solution = solve_contact(task.problem, influence_of(task.problem, work->ics, work->influences), observer);
         count(work->counters, reply.solution);
-        add_ics(*work, reply);
+        IcUses uses = uses_of(task.problem, work->ics);
+        reply.upper = std::move(uses.upper);
+        reply.lower = std::move(uses.lower);
+        reply.pair = std::move(uses.pair);
         task.done(reply);
     } catch (const std::exception& error) {
         task.failed(status_of(error));
     }
-}
-
-/// The tables wanted; none of a rigid body.
-std::array<std::optional<IcSpec>, 2> specs_of(const ContactProblem& problem) {
-    std::array<std::optional<IcSpec>, 2> specs;
-    const auto& [upper, lower] = problem.bodies;
-    if (!upper.is_rigid()) specs[0] = spec_of(problem, upper);
-    if (!lower.is_rigid()) specs[1] = spec_of(problem, lower);
-    return specs;
 }
 
 }  // namespace
@@ -95,14 +44,6 @@ void count(Counters& counters, const ContactSolution& solution) {
     ++(solution.converged() ? counters.solves_converged : counters.solves_not_converged);
     counters.normal_iterations += solution.normal.iterations;
     if (solution.tangential) counters.tangential_iterations += solution.tangential->iterations;
-}
-
-void check(const ContactProblem& problem) {
-    validate(problem);
-    if (!needs_tables(problem)) return;
-    const auto specs = specs_of(problem);
-    if (specs[0]) validate_body(*specs[0], "bodies.upper");
-    if (specs[1]) validate_body(*specs[1], "bodies.lower");
 }
 
 void start(const SolveTools& tools, SolveTask task) {

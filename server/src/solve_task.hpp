@@ -38,9 +38,6 @@ struct SolveTask {
 /// Notes how a solve ended and what it took.
 void count(Counters& counters, const ContactSolution& solution);
 
-/// Throws for a problem that cannot be solved as stated.
-void check(const ContactProblem& problem);
-
 /// Returns at once, unless the task is solved by the caller.
 void start(const SolveTools& tools, SolveTask task);
 

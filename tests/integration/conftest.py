@@ -11,6 +11,7 @@ import pytest
 from contactd import Client
 from support.daemons import BIN, Daemons, TestDaemon
 from support.raw import RawClient
+from support.sessions import OPEN
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -59,6 +60,14 @@ def shared(shared_daemon: TestDaemon) -> Iterator[Client]:
 def raw(shared_daemon: TestDaemon) -> Iterator[RawClient]:
     with shared_daemon.raw() as connected:
         yield connected
+
+
+@pytest.fixture
+def session(raw: RawClient) -> Iterator[str]:
+    """The name of a session of `raw`, closed afterwards."""
+    name = raw.ask("session.open", OPEN).result["session"]
+    yield name
+    raw.ask("session.close", {"session": name})
 
 
 class Background(Protocol):

@@ -25,6 +25,11 @@ def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
     assert run_examples("ic-tables.md", shared)["evidence"].warnings[0].startswith("L_over_h is 40")
 
 
+def test_the_guide_to_sessions(shared):
+    assert run_examples("sessions.md", shared)["contact"].Fx < -5000
+    assert not shared.sessions()
+
+
 def test_the_guide_to_contact_problems(shared):
     names = run_examples("contact.md", shared)
     assert abs(names["force"] / names["expected"] - 1).max() < 0.02

@@ -31,6 +31,11 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
     CHECK(config.log.format == "text");
     CHECK(config.max_queue_per_client == 128);
     CHECK(config.max_queue_bytes == 1u << 30);
+    CHECK(config.sessions.max_sessions == 256);
+    CHECK(config.sessions.max_bytes == std::size_t{1} << 30u);
+    CHECK(config.sessions.max_states == 64);
+    CHECK(config.sessions.lease_seconds == 300);
+    CHECK(config.sessions.max_lease_seconds == 86400);
 }
 
 TEST_CASE("What is given wins over the defaults, the rest of its section keeps them") {
@@ -61,7 +66,8 @@ TEST_CASE("Every problem of a configuration is named with its field") {
         Case{{{"http", {{"address", "127.0.0.1:65536"}}}}, "http.address"},
         Case{{{"shutdown", {{"drain_seconds", -1}}}}, "shutdown.drain_seconds"},
         Case{{{"builds", {{"launcher", "mpirun"}}}}, "builds.launcher"},
-        Case{{{"limits", {{"max_frames", -1}}}}, "limits.max_frames"});
+        Case{{{"limits", {{"max_frames", -1}}}}, "limits.max_frames"},
+        Case{{{"sessions", {{"lease_seconds", 0}}}}, "sessions.lease_seconds"});
 
     CHECK_THROWS_MATCHES(config_from_json(given), contactd::Error, MessageMatches(ContainsSubstring(field)));
 }

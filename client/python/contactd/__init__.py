@@ -21,6 +21,7 @@ from ._version import __version__
 from .client import Client
 from .daemon import LocalDaemon
 from .errors import (
+    Aborted,
     Cancelled,
     ConnectionFailed,
     ContactdError,
@@ -54,11 +55,13 @@ from .problem import (
     SemiAxes,
     SolverSettings,
 )
+from .session import SavedState, Session, SessionSummary, StepSolution
 from .solution import ContactSolution, IcEvidence, IcTable, Job, Limits, Progress, ServerInfo, SolverEvidence
 from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
 
 __all__ = [
+    "Aborted",
     "AnalyticIcs",
     "Cancelled",
     "Client",
@@ -90,12 +93,16 @@ __all__ = [
     "ResourceExhausted",
     "RigidBody",
     "Rolling",
+    "SavedState",
     "SemiAxes",
     "ServerInfo",
+    "Session",
+    "SessionSummary",
     "Shift",
     "SolverEvidence",
     "SolverSettings",
     "StatusError",
+    "StepSolution",
     "StressBlock",
     "SubsurfaceStress",
     "TableFileError",

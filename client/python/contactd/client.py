@@ -23,6 +23,7 @@ from .errors import ConnectionFailed, InvalidArgument, ProtocolError, StatusErro
 from .pieces import fetch_in_pieces
 from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
+from .session import Session, SessionSummary, listed_sessions, opened_session
 from .solution import ContactSolution, IcTable, Job, Limits, Progress, ServerInfo
 from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
 
@@ -260,6 +261,22 @@ class Client:
         stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
         _check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
         return stress
+
+    def session(
+        self,
+        *,
+        lease: float | None = None,
+        accept_unconverged: bool = False,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        **fields: Any,
+    ) -> Session:
+        """Opens a Session, which says more: the steps of a simulation. The fields are those of ContactProblem."""
+        return opened_session(self, fields, lease, accept_unconverged, timeout, on_progress)
+
+    def sessions(self, *, timeout: float | None = None) -> tuple[SessionSummary, ...]:
+        """Ages and counts of the open sessions, oldest first."""
+        return listed_sessions(self.call("session.list", timeout=timeout))
 
     def jobs(self, *, timeout: float | None = None) -> tuple[Job, ...]:
         """Work that waits or runs."""

@@ -14,12 +14,12 @@
         +-- UnknownError
         +-- InvalidArgument       .violations says which fields, and why                         (ValueError)
         +-- DeadlineExceeded
-        +-- NotFound              no such job
+        +-- NotFound              no such job, session or saved state
         +-- AlreadyExists
         +-- PermissionDenied
-        +-- ResourceExhausted     the queue is full; .retry_delay (s)
-        +-- FailedPrecondition
-        +-- Aborted
+        +-- ResourceExhausted     the queue is full (.retry_delay, s), or too many sessions
+        +-- FailedPrecondition    a step out of turn
+        +-- Aborted               a step of a session did not converge
         +-- OutOfRange
         +-- Unimplemented         no such method
         +-- InternalError         a builder failed, or contactd has a defect

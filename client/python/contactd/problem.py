@@ -278,7 +278,7 @@ def body_params(body: Material | RigidBody) -> dict[str, Any]:
 
 def problem_params(problem: ContactProblem) -> dict[str, Any]:
     """The parameters of contact.solve."""
-    params = {"grid": plain(problem.grid), "gap": _gap_params(problem.gap)}
+    params = {"grid": plain(problem.grid), "gap": gap_params(problem.gap)}
     for name in ("approach", "Fn", "model"):
         if (value := getattr(problem, name)) is not None:
             params[name] = value
@@ -296,7 +296,8 @@ def problem_params(problem: ContactProblem) -> dict[str, Any]:
     return params
 
 
-def _gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
+def gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
+    """`gap` of contact.solve."""
     if isinstance(gap, Paraboloid):
         return {"paraboloid": plain(gap)}
     if isinstance(gap, SemiAxes):

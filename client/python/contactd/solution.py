@@ -285,7 +285,7 @@ class Job:
     """A build, a solve or stresses that wait or run."""
 
     job: str  #: what cancel_job takes
-    kind: str  #: "build", "solve" or "subsurface"
+    kind: str  #: "build", "solve", "subsurface" or "step"
     state: str  #: "queued" or "running"
     stage: str
     fraction: float

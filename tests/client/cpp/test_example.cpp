@@ -13,6 +13,7 @@
 #include <reproc++/run.hpp>
 
 #include "contactd/client/client.hpp"
+#include "contactd/client/session.hpp"
 
 using namespace std::chrono_literals;
 using Catch::Approx;
@@ -124,4 +125,40 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     CHECK(stresses.shape == std::vector<std::size_t>{3, 1, 1});
     CHECK(stresses.stress.zz[0] == Approx(-inside.pressure[4 * 8 + 4]).epsilon(1e-9));
     CHECK(stresses.largest.depth() == 0.4);
+}
+
+TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]") {
+    Daemon daemon;
+    contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
+    contactd::proto::SessionSpec spec;
+    spec.problem.grid = contactd::Grid::centred(12, 12, 0.2, 0.2);
+    spec.problem.bodies = {{200, 0.42}, {200, 0.42}};
+    spec.problem.gap = contactd::Paraboloid{50, 50};
+    spec.has_load = false;
+    contactd::Shift shift;
+    shift.x = 0.004;
+    spec.problem.friction = contactd::Friction{{0.4}, {}, shift};
+    contactd::proto::StepInput input;
+    input.approach = 0.02;
+    input.fields = {contactd::proto::SolutionField::pressure};
+    {
+        contactd::client::Session session(client, spec);
+        const auto first = session.step(input);
+        const contactd::client::SavedState state = session.save();
+        const auto second = session.step(input);
+        session.restore(state);
+        CHECK(session.last_step() == 1);
+        const auto again = session.step(input);
+
+        CHECK(first.solution.pressure.size() == 144);
+        CHECK(std::abs(second.solution.Fx) > std::abs(first.solution.Fx));  // shifted further
+        CHECK(again.step == 2);
+        CHECK(again.solution.Fx == second.solution.Fx);
+        session.forget(state);
+        CHECK_THROWS_AS(session.restore(state), contactd::proto::StatusError);
+        session.close();
+        CHECK_THROWS_AS(session.step(input), contactd::proto::StatusError);
+    }
+    const contactd::client::Session other(client, spec);
+    CHECK(other.lease_seconds() == 300);
 }

@@ -54,6 +54,13 @@ inline constexpr std::string_view request_unknown = "REQUEST_UNKNOWN";
 inline constexpr std::string_view answer_too_large = "ANSWER_TOO_LARGE";
 inline constexpr std::string_view deadline_passed = "DEADLINE_PASSED";
 inline constexpr std::string_view job_unknown = "JOB_UNKNOWN";
+inline constexpr std::string_view session_unknown = "SESSION_UNKNOWN";
+inline constexpr std::string_view session_expired = "SESSION_EXPIRED";
+inline constexpr std::string_view session_limit = "SESSION_LIMIT";
+inline constexpr std::string_view state_unknown = "STATE_UNKNOWN";
+inline constexpr std::string_view step_out_of_order = "STEP_OUT_OF_ORDER";
+inline constexpr std::string_view step_differs = "STEP_DIFFERS";
+inline constexpr std::string_view not_converged = "NOT_CONVERGED";
 inline constexpr std::string_view stopping = "STOPPING";
 inline constexpr std::string_view unexpected = "UNEXPECTED";
 }  // namespace reason

@@ -63,7 +63,7 @@ struct CallOptions {
 /// Work that waits or runs in the daemon.
 struct Job {
     std::string job;      ///< its name
-    std::string kind;     ///< "build", "solve" or "subsurface"
+    std::string kind;     ///< "build", "solve", "subsurface" or "step"
     std::string state;    ///< "queued" or "running"
     std::string stage;    ///< empty while queued
     double fraction = 0;  ///< 0..1, an estimate
@@ -116,6 +116,7 @@ class Client {
     void cancel_job(const std::string& job, const CallOptions& options = {});
 
    private:
+    friend class Session;
     class Impl;
     std::unique_ptr<Impl> impl_;
 };

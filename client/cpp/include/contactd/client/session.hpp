@@ -1,0 +1,62 @@
+// A session of the daemon: the steps of a simulation, each of which starts where the one before ended.
+//
+//     contactd::proto::SessionSpec spec;
+//     spec.problem = ...;                       // what all steps have in common
+//     contactd::client::Session session(client, spec);
+//     contactd::proto::StepInput input;
+//     input.approach = 0.02;
+//     std::cout << session.step(input).solution.Fn << " N\n";
+#pragma once
+
+#include <string>
+
+#include "contactd/client/client.hpp"
+#include "contactd/proto/session.hpp"
+
+namespace contactd::client {
+
+/// What Session::save returns and Session::restore takes.
+struct SavedState {
+    std::string name;
+    long long step = 0;  ///< number of the last step when it was saved
+};
+
+/// Belongs to the thread of its client. Steps are numbered here: one whose answer does not come (TimeoutError,
+/// ConnectionError) is asked for once more under its number, which the daemon answers without solving twice. A step
+/// that fails leaves the session as it was. Every call throws what Client's do.
+class Session {
+   public:
+    /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
+    /// InvalidArgument too, for a problem that cannot be solved as stated.
+    Session(Client& client, proto::SessionSpec spec, const CallOptions& options = {});
+    /// Ends the session; should the daemon be out of reach, its lease does.
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Solves the next step. Arrays of the solution are empty unless `input.fields` names them.
+    proto::StepReply step(const proto::StepInput& input, const CallOptions& options = {});
+
+    /// Keeps where the session is.
+    SavedState save(const CallOptions& options = {});
+    /// Takes the session to a saved state, which stays: as often as wanted.
+    void restore(const SavedState& state, const CallOptions& options = {});
+    void forget(const SavedState& state, const CallOptions& options = {});
+    /// Ends the session now, and says so when it has ended already (StatusError, NOT_FOUND).
+    void close(const CallOptions& options = {});
+
+    long long last_step() const { return step_; }
+    double lease_seconds() const { return lease_seconds_; }  ///< it ends when unused for that long
+
+   private:
+    nlohmann::json ask(const char* method, const CallOptions& options, nlohmann::json more = nlohmann::json::object());
+
+    Client& client_;
+    const proto::SessionSpec spec_;
+    std::string name_;
+    double lease_seconds_ = 0;
+    long long step_ = 0;
+    bool open_ = false;
+};
+
+}  // namespace contactd::client

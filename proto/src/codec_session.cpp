@@ -1,0 +1,179 @@
+// session.open and session.step: the messages of contact.solve, of which a step carries only what changes.
+#include "contactd/proto/session.hpp"
+
+#include <array>
+#include <utility>
+
+#include "codec_parts.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+constexpr Words<SolutionField, 6> field_names{{{"element_division", SolutionField::element_division},
+                                               {"pressure", SolutionField::pressure},
+                                               {"traction_x", SolutionField::traction_x},
+                                               {"traction_y", SolutionField::traction_y},
+                                               {"slip_x", SolutionField::slip_x},
+                                               {"slip_y", SolutionField::slip_y}}};
+
+/// An array of doubles of a solution; Solution may be const.
+template <class Solution>
+auto* array_of(SolutionField field, Solution& solution) {
+    switch (field) {
+        case SolutionField::pressure:
+            return &solution.pressure;
+        case SolutionField::traction_x:
+            return &solution.traction_x;
+        case SolutionField::traction_y:
+            return &solution.traction_y;
+        case SolutionField::slip_x:
+            return &solution.slip_x;
+        case SolutionField::slip_y:
+            return &solution.slip_y;
+        default:
+            throw Error("Bytes are no doubles.");
+    }
+}
+
+/// All components of the force are said, so that none of session.open stays by accident.
+void say_force(json& motion) {
+    if (!motion.contains("force")) motion["force"] = {nullptr, nullptr};
+}
+
+/// Where the step prescribes a force and names no estimate of the creepage, the last step knows a better one than
+/// session.open. Of shifts it does not: what shifted the bodies then says nothing of what is left to shift.
+void take_estimates(const json& friction, const Motion& last, Motion& motion) {
+    const auto* before = std::get_if<Rolling>(&last);
+    auto* rolling = std::get_if<Rolling>(&motion);
+    if (!before || !rolling) return;
+    const json named = friction.value("rolling", json::object());
+    if (before->Fx && rolling->Fx && !named.contains("xi")) rolling->xi = before->xi;
+    if (before->Fy && rolling->Fy && !named.contains("eta")) rolling->eta = before->eta;
+}
+
+void apply_friction(const json& params, const std::vector<std::string>& frames, ContactProblem& problem) {
+    const json& friction = params["friction"];
+    if (!problem.friction && !friction.contains("mu"))
+        throw invalid_field("friction.mu",
+                            "is missing; a step that names friction must say it where session.open named none");
+    problem.friction = decode_friction(friction, frames, problem.grid, problem.friction.value_or(Friction{}));
+}
+
+}  // namespace
+
+json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
+    ContactProblem problem = spec.problem;
+    if (!spec.has_gap) problem.gap = Paraboloid{1, 1};  // takes no frame
+    for (auto* initial : {&problem.initial_pressure, &problem.initial_traction_x, &problem.initial_traction_y})
+        initial->clear();
+    json params = encode_problem(problem, arrays);
+    if (!spec.has_gap) params.erase("gap");
+    if (!spec.has_load) {
+        params.erase("approach");
+        params.erase("Fn");
+    }
+    if (spec.lease_seconds) params["lease_seconds"] = finite(*spec.lease_seconds, "lease_seconds");
+    params["accept_unconverged"] = spec.accept_unconverged;
+    return params;
+}
+
+SessionSpec decode_session_spec(const json& params, const std::vector<std::string>& frames) {
+    SessionSpec spec;
+    spec.has_gap = params.contains("gap");
+    spec.has_load = params.contains("approach") || params.contains("Fn");
+    json whole = params;
+    if (!spec.has_gap) whole["gap"] = {{"paraboloid", {{"Rx", 1}, {"Ry", 1}}}};
+    if (!spec.has_load) whole["approach"] = 1;
+    spec.problem = decode_problem(whole, frames);
+    if (params.contains("lease_seconds")) spec.lease_seconds = params["lease_seconds"].get<double>();
+    spec.accept_unconverged = params.value("accept_unconverged", false);
+    return spec;
+}
+
+json encode_session_reply(const SessionReply& reply) {
+    return {{"session", reply.session},
+            {"lease_seconds", reply.lease_seconds},
+            {"step", 0},
+            {"ics", encode_uses(reply.upper, reply.lower, reply.pair)},
+            {"bytes", reply.bytes}};
+}
+
+json encode_step(const std::string& session, long long step, const StepInput& input, const Grid& grid,
+                 ArrayWriter& arrays) {
+    json params{{"session", session}, {"step", step}};
+    if (input.Fn)
+        params["Fn"] = finite(*input.Fn, "Fn");
+    else if (input.approach)
+        params["approach"] = finite(*input.approach, "approach");
+    if (input.gap) params["gap"] = encode_gap(*input.gap, grid, arrays);
+    if (input.friction) {
+        json friction = encode_friction(*input.friction, grid, arrays);
+        say_force(friction.contains("rolling") ? friction["rolling"] : friction);
+        params["friction"] = std::move(friction);
+    }
+    for (const SolutionField field : input.fields) params["fields"].push_back(word_for(field_names, field));
+    return params;
+}
+
+void apply_step(const json& params, const std::vector<std::string>& frames, const SessionSpec& spec,
+                const std::optional<Motion>& last, ContactProblem& problem) {
+    if (params.contains("approach")) {
+        problem.Fn.reset();
+        problem.approach = params["approach"].get<double>();
+    } else if (params.contains("Fn")) {
+        problem.Fn = params["Fn"].get<double>();
+    } else if (!spec.has_load) {
+        throw invalid_field("approach", "is missing; session.open named neither it nor Fn, so every step must");
+    }
+    if (params.contains("gap"))
+        problem.gap = decode_gap(params["gap"], frames, problem.grid);
+    else if (!spec.has_gap)
+        throw invalid_field("gap", "is missing; session.open named none, so every step must");
+    if (params.contains("friction")) apply_friction(params, frames, problem);
+    if (last && problem.friction)
+        take_estimates(params.value("friction", json::object()), *last, problem.friction->motion);
+}
+
+std::vector<SolutionField> decode_fields(const json& params) {
+    std::vector<SolutionField> fields;
+    for (const json& name : params.value("fields", json::array())) fields.push_back(meaning_of(name, field_names));
+    return fields;
+}
+
+json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid,
+                       const std::vector<SolutionField>& fields, ArrayWriter& arrays) {
+    json result = encode_summary(solution, grid);
+    result["step"] = step;
+    result["evidence"] = encode_solvers(solution);
+    for (const SolutionField field : fields) {
+        const std::string name(word_for(field_names, field));
+        if (result.contains(name)) continue;  // asked for twice
+        if (field == SolutionField::element_division) {
+            result[name] = encode_division(solution, grid, arrays);
+        } else if (const auto* values = array_of(field, solution); !values->empty()) {  // slip needs friction
+            result[name] = arrays.write(std::span<const double>(*values), shape_of(grid));
+        }
+    }
+    return result;
+}
+
+StepReply decode_step_reply(const json& result, const std::vector<std::string>& frames, const Grid& grid) {
+    StepReply reply;
+    reply.step = result["step"].get<long long>();
+    decode_summary(result, reply.solution);
+    decode_solvers(result["evidence"], reply.solution);
+    for (const auto& [name, field] : field_names) {
+        if (!result.contains(name)) continue;
+        if (field == SolutionField::element_division)
+            reply.solution.element_division = decode_division(result, frames, shape_of(grid));
+        else
+            *array_of(field, reply.solution) =
+                read_array(result[std::string(name)], frames, shape_of(grid), std::string(name));
+    }
+    return reply;
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,33 @@
+// From a contact problem to the tables of its bodies, and from these to the operators that solve it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "contactd/contact.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/solve_contact.hpp"
+#include "ic_pair.hpp"
+#include "influence_cache.hpp"
+
+namespace contactd::server {
+
+/// False for quick models, and where the request holds its coefficients.
+bool needs_tables(const ContactProblem& problem);
+
+/// The tables wanted; none of a rigid body.
+std::array<std::optional<IcSpec>, 2> specs_of(const ContactProblem& problem);
+
+/// Throws for a problem that cannot be solved as stated.
+void check(const ContactProblem& problem);
+
+/// The operators of the pair, from the cache where they can be; none of a quick model.
+ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache);
+
+/// Where the coefficients came from, as a reply says it.
+struct IcUses {
+    std::optional<proto::IcUse> upper{}, lower{}, pair{};
+};
+IcUses uses_of(const ContactProblem& problem, const IcAnswers& ics);
+
+}  // namespace contactd::server

@@ -1,0 +1,165 @@
+#include "session_table.hpp"
+
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace contactd::server {
+
+using proto::StatusCode;
+using proto::StatusError;
+
+namespace {
+
+constexpr std::size_t remembered_expired = 1024;
+
+/// 128 bits that cannot be guessed: who knows the name of a session can use it.
+std::string random_name() {
+    std::array<unsigned char, 16> bytes{};
+    if (::getentropy(bytes.data(), bytes.size()) != 0)
+        throw std::system_error(errno, std::generic_category(), "getentropy");
+    constexpr const char* digits = "0123456789abcdef";
+    std::string name;
+    for (const unsigned char byte : bytes) {
+        name += digits[byte >> 4u];
+        name += digits[byte & 15u];
+    }
+    return name;
+}
+
+StatusError limit(const std::string& sentence) {
+    return {StatusCode::resource_exhausted, proto::reason::session_limit, sentence};
+}
+
+}  // namespace
+
+std::chrono::duration<double> SessionTable::lease(const std::optional<double>& seconds) const {
+    const double wanted = seconds.value_or(std::min(limits_.lease_seconds, limits_.max_lease_seconds));
+    if (wanted > limits_.max_lease_seconds)
+        throw proto::invalid_field("lease_seconds",
+                                   "is " + proto::dump(wanted) + "; at most " + proto::dump(limits_.max_lease_seconds) +
+                                       " are allowed (limits.max_lease_seconds)",
+                                   proto::reason::limit_exceeded);
+    return std::chrono::duration<double>(wanted);
+}
+
+std::size_t SessionTable::sum_of_bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [name, session] : sessions_) sum += session->bytes();
+    return sum;
+}
+
+void SessionTable::check_bytes(std::size_t more) const {
+    const std::size_t bytes = sum_of_bytes();
+    if (bytes + more > limits_.max_bytes)
+        throw limit("Sessions and their states take " + std::to_string(bytes) + " bytes, and this would be " +
+                    std::to_string(more) + " more; at most " + std::to_string(limits_.max_bytes) +
+                    " are allowed together (limits.max_session_bytes). Close sessions or forget states.");
+}
+
+void SessionTable::check_room(std::size_t bytes) const {
+    const std::scoped_lock lock(mutex_);
+    if (sessions_.size() >= limits_.max_sessions)
+        throw limit("There are " + std::to_string(sessions_.size()) +
+                    " sessions, as many as are allowed (limits.max_sessions); close one, or wait until a lease ends.");
+    check_bytes(bytes);
+}
+
+std::string SessionTable::add(SessionPtr session) {
+    check_room(session->bytes());
+    std::string name = random_name();
+    const std::scoped_lock lock(mutex_);
+    const auto expiry = Clock::now() + std::chrono::duration_cast<Clock::duration>(session->lease);
+    next_expiry_ = std::min(next_expiry_, expiry);
+    sessions_.emplace(name, std::move(session));
+    return name;
+}
+
+StatusError SessionTable::absent(const std::string& name) const {
+    if (std::find(expired_.begin(), expired_.end(), name) == expired_.end()) return session_unknown();
+    return {StatusCode::not_found, proto::reason::session_expired,
+            "The session has ended: no request used it within its lease. Open another one."};
+}
+
+SessionPtr SessionTable::find(const std::string& name) {
+    expire(Clock::now());
+    const std::scoped_lock lock(mutex_);
+    const auto at = sessions_.find(name);
+    if (at == sessions_.end()) throw absent(name);
+    at->second->renew();
+    return at->second;
+}
+
+SessionPtr SessionTable::remove(const std::string& name) {
+    SessionPtr session = find(name);
+    {
+        const std::scoped_lock lock(mutex_);
+        if (sessions_.erase(name) == 0) throw session_unknown();
+    }
+    session->close();
+    return session;
+}
+
+std::string SessionTable::save(Session& session) {
+    const std::scoped_lock lock(mutex_);
+    if (session.states() >= limits_.max_states)
+        throw limit("The session has " + std::to_string(session.states()) +
+                    " saved states, as many as are allowed (limits.max_session_states); session.forget frees one.");
+    check_bytes(session.state_bytes());
+    return session.save();
+}
+
+void SessionTable::bury(const std::string& name) {
+    expired_.push_back(name);
+    if (expired_.size() > remembered_expired) expired_.pop_front();
+}
+
+void SessionTable::expire(Clock::time_point now) {
+    std::vector<SessionPtr> ended;  // closed and freed without the lock
+    {
+        const std::scoped_lock lock(mutex_);
+        if (now < next_expiry_) return;
+        next_expiry_ = Clock::time_point::max();
+        for (auto at = sessions_.begin(); at != sessions_.end();) {
+            const std::chrono::duration<double> left = at->second->lease - at->second->idle(now);
+            if (left.count() <= 0) {
+                bury(at->first);
+                ended.push_back(std::move(at->second));
+                at = sessions_.erase(at);
+                continue;
+            }
+            // Renewed meanwhile, it lives on for longer, which is found out then.
+            next_expiry_ = std::min(next_expiry_, now + std::chrono::ceil<std::chrono::milliseconds>(left));
+            ++at;
+        }
+    }
+    for (const SessionPtr& session : ended) session->close();
+}
+
+SessionTable::Clock::time_point SessionTable::next_expiry() const {
+    const std::scoped_lock lock(mutex_);
+    return next_expiry_;
+}
+
+std::vector<SessionPtr> SessionTable::all() const {
+    std::vector<SessionPtr> sessions;
+    {
+        const std::scoped_lock lock(mutex_);
+        for (const auto& [name, session] : sessions_) sessions.push_back(session);
+    }
+    std::sort(sessions.begin(), sessions.end(),
+              [](const SessionPtr& a, const SessionPtr& b) { return a->created < b->created; });
+    return sessions;
+}
+
+std::size_t SessionTable::bytes() const {
+    const std::scoped_lock lock(mutex_);
+    return sum_of_bytes();
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,193 @@
+#include <catch2/catch_test_macros.hpp>
+
+#include "contactd/proto/schema.hpp"
+#include "contactd/proto/session.hpp"
+#include "wire.hpp"
+
+using namespace contactd;
+using namespace contactd::proto;
+using nlohmann::json;
+
+namespace {
+
+SessionSpec spec() {
+    SessionSpec spec;
+    spec.problem.grid = Grid{3, 2, 0.1, 0.2, -7, 0.3};
+    spec.problem.bodies = {{200, 0.42}, {100, 0.3}};
+    spec.problem.gap = std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    spec.problem.approach = 0.02;
+    Rolling rolling;
+    rolling.xi = 1e-3;
+    rolling.dq = 0.05;
+    rolling.steady = false;
+    rolling.Fy = 2;
+    spec.problem.friction = Friction{{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {}, rolling};
+    spec.problem.previous.pressure = {1, 2, 3, 4, 5, 6};
+    spec.lease_seconds = 7;
+    spec.accept_unconverged = true;
+    return spec;
+}
+
+SessionSpec arrived(const SessionSpec& original) {
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = json::parse(dump(encode_session_spec(original, arrays)));
+    CAPTURE(params.dump());
+    CHECK(violations_of("session.open.params", params).empty());
+    const std::vector<std::string> frames = arrays.take_frames();
+    CHECK_NOTHROW(check_frames_used(params, frames));
+    return decode_session_spec(params, frames);
+}
+
+/// What becomes of the problem of `opened` when a step says `input`.
+ContactProblem stepped(const SessionSpec& opened, const json& input, const std::optional<Motion>& last = {}) {
+    json params = input;
+    params["session"] = "s";
+    params["step"] = 1;
+    CAPTURE(params.dump());
+    REQUIRE(violations_of("session.step.params", params).empty());
+    ContactProblem problem = opened.problem;
+    apply_step(params, {}, opened, last, problem);
+    return problem;
+}
+
+Rolling rolling_of(const ContactProblem& problem) {
+    return std::get<Rolling>(problem.friction->motion);
+}
+
+std::string refused_field(const SessionSpec& opened, const json& input) {
+    const auto status = wire::status_thrown_by([&] { stepped(opened, input); });
+    REQUIRE(status);
+    return status->violations.at(0).field;
+}
+
+}  // namespace
+
+TEST_CASE("What a session is opened with arrives as it was sent") {
+    const SessionSpec original = spec();
+    const SessionSpec read = arrived(original);
+
+    CHECK(read.problem.grid == original.problem.grid);
+    CHECK(read.problem.gap == original.problem.gap);
+    CHECK(read.problem.approach == original.problem.approach);
+    CHECK(read.problem.friction == original.problem.friction);
+    CHECK(read.problem.previous == original.problem.previous);
+    CHECK(read.has_gap);
+    CHECK(read.has_load);
+    CHECK(read.lease_seconds == 7.0);
+    CHECK(read.accept_unconverged);
+}
+
+TEST_CASE("What a session leaves to its steps arrives as left out, and can be validated all the same") {
+    SessionSpec original = spec();
+    original.has_gap = original.has_load = false;
+    original.lease_seconds.reset();
+    original.accept_unconverged = false;
+    const SessionSpec read = arrived(original);
+
+    CHECK_FALSE(read.has_gap);
+    CHECK_FALSE(read.has_load);
+    CHECK_FALSE(read.lease_seconds);
+    CHECK_FALSE(read.accept_unconverged);
+    CHECK_NOTHROW(validate(read.problem));
+    CHECK(refused_field(read, {{"gap", {{"paraboloid", {{"Rx", 1}}}}}}) == "approach");
+    CHECK(refused_field(read, {{"Fn", 1}}) == "gap");
+}
+
+TEST_CASE("A step changes what it names and nothing else") {
+    const ContactProblem problem =
+        stepped(spec(), {{"Fn", 9}, {"friction", {{"rolling", {{"xi", -2e-3}, {"force", {nullptr, nullptr}}}}}}});
+
+    CHECK(problem.Fn == 9.0);
+    CHECK(problem.gap == spec().problem.gap);
+    CHECK(problem.friction->mu == spec().problem.friction->mu);
+    Rolling expected = rolling_of(spec().problem);
+    expected.xi = -2e-3;
+    expected.Fy.reset();
+    CHECK(rolling_of(problem) == expected);
+}
+
+TEST_CASE("An approach takes the place of the force that the session was opened with") {
+    SessionSpec opened = spec();
+    opened.problem.Fn = 5;
+    const ContactProblem problem = stepped(opened, {{"approach", 0.01}});
+
+    CHECK_FALSE(problem.Fn);
+    CHECK(problem.approach == 0.01);
+    CHECK(stepped(opened, json::object()).Fn == 5.0);
+}
+
+TEST_CASE("A step may shift where the session was opened to roll") {
+    const ContactProblem problem = stepped(spec(), {{"friction", {{"rigid_shift", {1, 2}}}}});
+
+    CHECK(std::get<Shift>(problem.friction->motion).y == 2);
+}
+
+TEST_CASE(
+    "The creepage that the last step found for a force is the estimate, unless the step names one or prescribes none") {
+    Rolling last;
+    last.xi = 7;
+    last.eta = 8;
+    last.Fy = 1;
+
+    CHECK(rolling_of(stepped(spec(), json::object(), last)).eta == 8);
+    CHECK(rolling_of(stepped(spec(), json::object(), last)).xi == 1e-3);  // not found, but given
+    CHECK(rolling_of(stepped(spec(), {{"friction", {{"rolling", {{"eta", 3}}}}}}, last)).eta == 3);
+    CHECK(rolling_of(stepped(spec(), {{"friction", {{"rolling", {{"force", {1, nullptr}}}}}}}, last)).eta == 0);
+    CHECK(rolling_of(stepped(spec(), json::object(), Shift{})).eta == 0);
+}
+
+TEST_CASE("Friction needs its coefficient from the session or the step") {
+    SessionSpec opened = spec();
+    opened.problem.friction.reset();
+
+    CHECK(refused_field(opened, {{"friction", {{"rigid_shift", {0, 0}}}}}) == "friction.mu");
+    CHECK(stepped(opened, {{"friction", {{"mu", 0.3}}}}).friction->mu_of(0) == 0.3);
+}
+
+TEST_CASE("A step of the client arrives whole: nothing that session.open said stays by accident") {
+    StepInput input;
+    input.approach = 0.5;
+    input.gap = Paraboloid{2, 3};
+    Rolling rolling;
+    rolling.eta = 4;
+    input.friction = Friction{{0.9}, {}, rolling};
+    input.fields = {SolutionField::slip_x, SolutionField::pressure};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = encode_step("abc", 12, input, spec().problem.grid, arrays);
+    REQUIRE(violations_of("session.step.params", params).empty());
+    ContactProblem problem = spec().problem;
+    apply_step(params, arrays.take_frames(), spec(), {}, problem);
+
+    CHECK(params["session"] == "abc");
+    CHECK(params["step"] == 12);
+    CHECK(problem.approach == 0.5);
+    CHECK(problem.gap == Gap(Paraboloid{2, 3}));
+    CHECK(problem.friction->mu == std::vector<double>{0.9});
+    rolling.dq = 0.05;  // 0 stands for the one of the session
+    CHECK(rolling_of(problem) == rolling);
+    CHECK(decode_fields(params) == input.fields);
+}
+
+TEST_CASE("An answer holds the arrays that were asked for") {
+    const Grid grid{2, 1, 1, 1, 0, 0};
+    ContactSolution solution;
+    solution.Fn = 3;
+    solution.pressure = {1, 2};
+    solution.traction_x = {3, 4};
+    solution.element_division = {ElementState::slip, ElementState::adhesion};
+    solution.normal = {4, 1e-9, true, 0.1};
+    ArrayWriter arrays(ArrayEncoding::list);
+    using enum SolutionField;
+    const json result = encode_step_reply(5, solution, grid, {pressure, element_division, pressure, slip_x}, arrays);
+    CAPTURE(result.dump());
+    REQUIRE(violations_of("session.step.result", result).empty());
+    const StepReply reply = decode_step_reply(result, {}, grid);
+
+    CHECK(reply.step == 5);
+    CHECK(reply.solution.Fn == 3);
+    CHECK(reply.solution.pressure == solution.pressure);
+    CHECK(reply.solution.element_division == solution.element_division);
+    CHECK(reply.solution.traction_x.empty());
+    CHECK(reply.solution.slip_x.empty());
+    CHECK(reply.solution.normal.iterations == 4);
+}

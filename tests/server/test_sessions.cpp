@@ -1,0 +1,202 @@
+// Turns, states, leases and limits of sessions, without a daemon around them.
+#include <catch2/catch_test_macros.hpp>
+#include <future>
+#include <thread>
+
+#include "session_table.hpp"
+
+using namespace contactd;
+using namespace contactd::server;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr SessionLimits limits{2, 1'000'000, 2, 300, 3600};
+
+SessionPtr session(std::chrono::duration<double> lease = 300s) {
+    proto::SessionSpec spec;
+    spec.problem.grid = Grid{4, 4, 1, 1, 0, 0};
+    spec.problem.bodies = {{1, 0}, {1, 0}};
+    return std::make_shared<Session>(std::move(spec), lease, IcAnswers{}, ContactInfluence{});
+}
+
+std::string reason_of(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const proto::StatusError& error) {
+        return error.status().reason;
+    }
+    return "none";
+}
+
+SessionStatePtr state_at(long long step) {
+    auto state = std::make_shared<SessionState>();
+    state->step = step;
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("Turns of one session run one after another in the order they came, while other sessions run") {
+    WorkerPool workers(3);
+    const auto one = session(), other = session();
+    std::promise<void> begun, go_on, last;
+    std::vector<int> order;
+    workers.post({}, [&] {
+        one->take_turn(
+            {},
+            [&](Session&) {
+                begun.set_value();
+                go_on.get_future().wait();
+                order.push_back(0);
+            },
+            workers);
+    });
+    begun.get_future().wait();
+    for (int n = 1; n <= 20; ++n)
+        one->take_turn(
+            {},
+            [&order, &last, n](Session&) {
+                order.push_back(n);
+                if (n == 20) last.set_value();
+            },
+            workers);
+    std::promise<void> beside;
+    other->take_turn({}, [&](Session&) { beside.set_value(); }, workers);
+    beside.get_future().wait();
+    go_on.set_value();
+    last.get_future().wait();
+
+    CHECK(order.size() == 21);
+    CHECK(std::is_sorted(order.begin(), order.end()));
+}
+
+TEST_CASE("What waits in a session goes with the workers") {
+    const auto held = std::make_shared<int>(1);
+    {
+        WorkerPool workers(1);
+        const auto one = session();
+        std::promise<void> begun, go_on;
+        workers.post({}, [&] {
+            one->take_turn(
+                {},
+                [&](Session&) {
+                    begun.set_value();
+                    go_on.get_future().wait();
+                },
+                workers);
+        });
+        begun.get_future().wait();
+        one->take_turn({}, [held](Session&) {}, workers);
+        auto stopping = std::async(std::launch::async, [&] { workers.stop(); });
+        go_on.set_value();
+        stopping.wait();
+    }
+    CHECK(held.use_count() == 1);
+}
+
+TEST_CASE("A saved state stays what it was and can be forgotten") {
+    const auto one = session();
+    const std::string start = one->save();
+    one->set_state(state_at(5));
+    const std::string later = one->save();
+    one->set_state(state_at(6));
+
+    CHECK(start != later);
+    CHECK(one->saved(start)->step == 0);
+    CHECK(one->saved(later)->step == 5);
+    CHECK(one->forget(start) == 1);
+    CHECK(reason_of([&] { one->saved(start); }) == "STATE_UNKNOWN");
+    CHECK(reason_of([&] { one->forget(start); }) == "STATE_UNKNOWN");
+}
+
+TEST_CASE("Saved states count as bytes of their session") {
+    const auto one = session();
+    const std::size_t before = one->bytes();
+    one->save();
+
+    CHECK(one->bytes() == before + one->state_bytes());
+}
+
+TEST_CASE("Names of sessions differ in all places") {
+    SessionTable table(limits);
+    const std::string one = table.add(session()), other = table.add(session());
+
+    CHECK(one.size() == 32);
+    CHECK(one.find_first_not_of("0123456789abcdef") == std::string::npos);
+    CHECK(one.substr(0, 16) != other.substr(0, 16));
+    CHECK(one.substr(16) != other.substr(16));
+}
+
+TEST_CASE("A session that was closed, and one that never was, are unknown") {
+    SessionTable table(limits);
+    const std::string name = table.add(session());
+    const SessionPtr closed = table.remove(name);
+
+    CHECK(closed->closed());
+    CHECK(reason_of([&] { table.find(name); }) == "SESSION_UNKNOWN");
+    CHECK(reason_of([&] { table.remove(name); }) == "SESSION_UNKNOWN");
+    CHECK(reason_of([&] { table.find("0"); }) == "SESSION_UNKNOWN");
+    CHECK(table.all().empty());
+}
+
+TEST_CASE("An unused session expires, and a renewed one later") {
+    SessionTable table(limits);
+    const std::string brief = table.add(session(10s)), longer = table.add(session(20s));
+    const auto start = Session::Clock::now();
+
+    CHECK(table.next_expiry() <= start + 10s);
+    table.expire(start + 9s);
+    CHECK(table.all().size() == 2);
+    table.expire(start + 11s);
+    CHECK(table.all().size() == 1);
+    CHECK(table.next_expiry() > start + 11s);
+    CHECK(table.next_expiry() <= start + 21s);
+    CHECK(reason_of([&] { table.find(brief); }) == "SESSION_EXPIRED");
+    CHECK(reason_of([&] { table.find(longer); }) == "none");
+    table.expire(start + 60s);
+    CHECK(table.all().empty());
+    CHECK(table.next_expiry() == Session::Clock::time_point::max());
+}
+
+TEST_CASE("A session does not expire while it is used") {
+    SessionTable table(limits);
+    const SessionPtr busy = session(0.5s);
+    table.add(busy);
+    WorkerPool workers(1);
+    busy->take_turn(
+        {},
+        [&](Session&) {
+            table.expire(Session::Clock::now() + 60s);
+            CHECK(table.all().size() == 1);
+        },
+        workers);
+    table.expire(Session::Clock::now() + 120s);
+
+    CHECK(table.all().empty());
+}
+
+TEST_CASE("Sessions, their states and their bytes are limited") {
+    const SessionLimits two_fit{3, 2 * session()->bytes() + session()->state_bytes(), 1, 300, 3600};
+    SessionTable table(two_fit);
+    const std::string name = table.add(session());
+    table.add(session());
+
+    CHECK(reason_of([&] { table.add(session()); }) == "SESSION_LIMIT");  // bytes
+    CHECK(reason_of([&] { table.save(*table.find(name)); }) == "none");
+    CHECK(reason_of([&] { table.save(*table.find(name)); }) == "SESSION_LIMIT");  // states
+    table.remove(name);
+    CHECK(reason_of([&] { table.check_room(session()->bytes()); }) == "none");
+    SessionTable few(limits);
+    few.add(session());
+    few.add(session());
+    CHECK(reason_of([&] { few.add(session()); }) == "SESSION_LIMIT");  // count
+}
+
+TEST_CASE("A lease is what was asked for, within its bound") {
+    const SessionTable table(limits);
+
+    CHECK(table.lease({}) == 300s);
+    CHECK(table.lease(2.5) == 2.5s);
+    CHECK(reason_of([&] { (void)table.lease(3601); }) == "LIMIT_EXCEEDED");
+}
