@@ -45,6 +45,17 @@ TEST_CASE("Requests are bounded in number, by client and in bytes") {
     CHECK(refusal_of(open, "a", 1).find("max_queue_bytes") != std::string::npos);  // still held by `first`
 }
 
+TEST_CASE("Requests of a user are counted over all clients, and given back") {
+    OpenCalls open({9, 9, 100, 2});
+    const auto first = open.admit({"a", false, "alice"}, 1);
+    open.admit({"b", false, "alice"}, 1);
+    CHECK_THROWS_AS(open.admit({"c", false, "alice"}, 1), StatusError);
+    CHECK_NOTHROW(open.admit({"a", false, "bob"}, 1));
+    open.close(first.number);
+    CHECK_NOTHROW(open.admit({"c", false, "alice"}, 1));
+    CHECK_THROWS_AS(open.admit({"d", false, "alice"}, 1), StatusError);
+}
+
 TEST_CASE("Bytes are given back when nobody holds them any more") {
     OpenCalls open({3, 3, 100});
     auto admission = open.admit({"a"}, 200);  // alone, so it is let in
