@@ -16,7 +16,7 @@ SOLVE: dict[str, Any] = {
 ENDLESS: dict[str, Any] = {
     **SOLVE,
     "grid": {"nx": 320, "ny": 320, "dx": 0.0075, "dy": 0.0075},
-    "settings": {"normal": {"tolerance": 1e-300, "max_iterations": 1_000_000}},
+    "friction": {"mu": 0.4, "rolling": {"kind": "transient", "xi": 1e-3, "steps": 100_000}},
 }
 #: Stresses at one point, in one turn of a worker.
 STRESS: dict[str, Any] = {

@@ -2,7 +2,7 @@
 
 import zmq
 
-from conformance.requests import SOLVE
+from conformance.requests import ENDLESS, SOLVE
 from conformance.wire import OK, UNAVAILABLE
 
 
@@ -37,11 +37,7 @@ def test_health_does_not_wait_for_work(start):
 def test_a_daemon_that_ends_answers_what_it_has(start):
     daemon = start(shutdown={"drain_seconds": 0})
     with daemon.peer() as peer:
-        name = peer.send("contact.solve", {
-            **SOLVE,
-            "grid": {"nx": 320, "ny": 320, "dx": 0.0075, "dy": 0.0075},
-            "settings": {"normal": {"tolerance": 1e-300, "max_iterations": 1_000_000}},
-        })  # fmt: skip
+        name = peer.send("contact.solve", ENDLESS)
         assert peer.message().progress["stage"]
         daemon.terminate()
         reply = peer.reply()

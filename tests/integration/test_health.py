@@ -2,17 +2,14 @@
 
 import time
 
-from contactd import Grid, SolverSettings
 from support.daemons import eventually
-from support.problems import CATTANEO, GRID, LONG, STEEL
+from support.problems import ENDLESS, GRID, LONG, STEEL
 
 
 def test_health_answers_while_a_build_and_two_large_solves_run(daemon, client, background):
-    endless = SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
-    problem = CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4), normal=endless)
     work = [background(client.get_ic, STEEL, GRID, LONG)]
     eventually(client.jobs)  # the solves take all workers, behind which a build would not even begin
-    work += [background(client.solve, problem) for _ in range(2)]
+    work += [background(client.solve, ENDLESS) for _ in range(2)]
     eventually(lambda: sum(job.state == "running" for job in client.jobs()) == 3)
     latencies = []
     for _ in range(50):

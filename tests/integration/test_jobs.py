@@ -8,13 +8,11 @@ from contactd import (
     Cancelled,
     DeadlineExceeded,
     FemIcs,
-    Grid,
     NotFound,
-    SolverSettings,
     TimeoutExpired,
 )
 from support.daemons import eventually
-from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
+from support.problems import CATTANEO, ENDLESS, GRID, LONG, QUICK, STEEL
 
 
 def assert_cancelled(future):
@@ -103,9 +101,7 @@ def test_cancelling_the_build_cancels_the_solve_that_waits_for_it(daemon, client
 
 
 def test_a_running_solve_can_be_cancelled(client, background):
-    endless = SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
-    problem = CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4), normal=endless)
-    solve = background(client.solve, problem)
+    solve = background(client.solve, ENDLESS)
     eventually(lambda: any(job.kind == "solve" and job.state == "running" for job in client.jobs()))
     client.cancel_job(client.jobs()[0].job)
     assert_cancelled(solve)

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from contactd import Grid, SolverSettings
+from contactd import SolverSettings
 from support.daemons import BIN, Daemons, eventually
 from support.metrics import metric, parse
-from support.problems import CATTANEO, GRID, QUICK, STEEL
+from support.problems import CATTANEO, ENDLESS, GRID, QUICK, STEEL
 
 HTTP = {"address": "127.0.0.1:0"}
 OPERATIONS = Path(__file__).parents[2] / "docs" / "operations.md"
@@ -146,9 +146,8 @@ def test_a_store_that_is_gone_makes_the_daemon_unready_until_it_is_back(daemons)
 
 def test_a_draining_daemon_is_alive_but_not_ready(daemons, background):
     daemon = daemons.start(http=HTTP, shutdown={"drain_seconds": 600})
-    endless = SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
     with daemon.client() as client:
-        caller = background(client.solve, CATTANEO.replace(grid=Grid.centred(320, 320, 2.4, 2.4), normal=endless))
+        caller = background(client.solve, ENDLESS)
         eventually(lambda: any(job.state == "running" for job in client.jobs()))
         daemon.process.send_signal(signal.SIGTERM)
         eventually(lambda: get(daemon, "/readyz") == (503, "The daemon is ending.\n"))

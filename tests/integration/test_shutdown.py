@@ -4,14 +4,11 @@ import signal
 
 import pytest
 
-from contactd import Cancelled, Grid, SolverSettings, Unavailable
+from contactd import Cancelled, Grid, Unavailable
 from support.daemons import eventually
 from support.metrics import metric
-from support.problems import CATTANEO, CATTANEO_PARAMS, GRID, LONG, QUICK, STEEL
+from support.problems import CATTANEO, CATTANEO_PARAMS, ENDLESS, GRID, LONG, QUICK, STEEL
 
-ENDLESS = CATTANEO.replace(
-    grid=Grid.centred(320, 320, 2.4, 2.4), normal=SolverSettings(tolerance=1e-300, max_iterations=1_000_000)
-)
 LARGE_TABLE = {
     "material": {"G": 82000, "nu": 0.28},
     "grid": {"nx": 300, "ny": 300, "dx": 0.8, "dy": 0.8},

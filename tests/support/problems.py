@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contactd import ContactProblem, FemIcs, Friction, Grid, Material, Paraboloid
+from contactd import ContactProblem, FemIcs, Friction, Grid, Material, Paraboloid, Rolling
 
 STEEL = Material(G=82000, nu=0.28)
 GRID = Grid(6, 6, 0.8, 0.8)
@@ -20,7 +20,14 @@ CATTANEO = ContactProblem(
     friction=Friction(mu=0.4, rigid_shift=(0.00817, 0)),
 )
 
-#: The same as parameters on the wire.
+#: Ends by being ended only. Rolling a hundred thousand steps takes hours; a tolerance that cannot be reached would not do,
+#: as an iteration may come to rest with an update of exactly zero.
+ENDLESS = CATTANEO.replace(
+    grid=Grid.centred(320, 320, 2.4, 2.4),
+    friction=Friction(mu=0.4, rolling=Rolling(kind="transient", xi=1e-3, steps=100_000)),
+)
+
+#: The same as CATTANEO, as parameters on the wire.
 CATTANEO_PARAMS = {
     "grid": {"nx": 40, "ny": 40, "dx": 0.06, "dy": 0.06},
     "bodies": {"upper": {"G": 200, "nu": 0.42}},
