@@ -11,8 +11,9 @@ EXPORT = {**LONG_BUILD, "format": "contact"}
 STRESSES = {
     "grid": {"nx": 160, "ny": 160, "dx": 1, "dy": 1},
     "nu": 0.3,
-    "pressure": [[1] * 160] * 160,
-    "points": [[0.3 * n, 0.1 * n, -0.7 * n] for n in range(20_000)],
+    "pressure": [[(k * k + 7 * l) % 5 for k in range(160)] for l in range(160)],
+    # No raster: every point is a sum over all elements.
+    "block": {"x": [n**0.5 for n in range(1000)], "y": [n**0.5 for n in range(1000)], "z": [-1, -2]},
 }
 MANY = {"problems": [ENDLESS, SOLVE]}
 SLOW = pytest.mark.parametrize(
