@@ -15,7 +15,7 @@ from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolE
 from .friction import Force, Friction, Motion, RollingKind
 from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, gap_params, problem_params
 from .reading import read
-from .solution import Areas, Counts, Forces, IcUse, Progress, SolverEvidence
+from .solution import Areas, Counts, Forces, IcUse, Progress, SolverEvidence, WithForces
 
 if TYPE_CHECKING:
     from .client import Client
@@ -37,7 +37,7 @@ class StepEvidence:
 
 
 @dataclass(frozen=True, eq=False)
-class StepSolution:
+class StepSolution(WithForces):
     """The solution of a step. Its fields are those of ContactSolution; arrays are None unless `fields` named them."""
 
     step: int
@@ -58,26 +58,6 @@ class StepSolution:
     traction_y: Array | None = None
     slip_x: Array | None = None
     slip_y: Array | None = None
-
-    @property
-    def Fn(self) -> float:
-        """Normal force (N), > 0 in compression."""
-        return self.forces.Fn
-
-    @property
-    def Fx(self) -> float:
-        """Tangential force along x on the upper body (N)."""
-        return self.forces.Fx
-
-    @property
-    def Fy(self) -> float:
-        """Tangential force along y on the upper body (N)."""
-        return self.forces.Fy
-
-    @property
-    def Mz(self) -> float:
-        """Moment of the tractions on the upper body about z at the origin (N mm)."""
-        return self.forces.Mz
 
 
 @dataclass(frozen=True)

@@ -204,8 +204,34 @@ class Forces:
     Mz: float  #: at the origin: sum of x p_y - y p_x over the elements (N mm)
 
 
+class WithForces:
+    """What has forces, with short names for them."""
+
+    forces: Forces
+
+    @property
+    def Fn(self) -> float:
+        """Normal force (N), > 0 in compression."""
+        return self.forces.Fn
+
+    @property
+    def Fx(self) -> float:
+        """Tangential force along x on the upper body (N)."""
+        return self.forces.Fx
+
+    @property
+    def Fy(self) -> float:
+        """Tangential force along y on the upper body (N)."""
+        return self.forces.Fy
+
+    @property
+    def Mz(self) -> float:
+        """Moment of the tractions on the upper body about z at the origin (N mm)."""
+        return self.forces.Mz
+
+
 @dataclass(frozen=True, eq=False)
-class ContactSolution:
+class ContactSolution(WithForces):
     """The solution of a ContactProblem. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
     A solve that did not converge is a solution too: ask `converged`. Read `warnings`. A solution may be `previous` or
@@ -232,26 +258,6 @@ class ContactSolution:
     frictional_work: float | None = None  #: of a shift: what friction dissipates in the step (N mm)
     frictional_power: float | None = None  #: of rolling: what friction dissipates (N mm/s)
     motion: Motion | None = None  #: as asked for, with what a prescribed force made of it
-
-    @property
-    def Fn(self) -> float:
-        """Normal force (N), > 0 in compression."""
-        return self.forces.Fn
-
-    @property
-    def Fx(self) -> float:
-        """Tangential force along x (N)."""
-        return self.forces.Fx
-
-    @property
-    def Fy(self) -> float:
-        """Tangential force along y (N)."""
-        return self.forces.Fy
-
-    @property
-    def Mz(self) -> float:
-        """Moment of the tractions on the upper body about z at the origin (N mm)."""
-        return self.forces.Mz
 
 
 @dataclass(frozen=True)
