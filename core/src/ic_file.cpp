@@ -17,6 +17,7 @@
 #include "contactd/ic_store.hpp"
 #include "ic_hdf5.hpp"
 #include "sha256.hpp"
+#include "writer.hpp"
 
 namespace contactd {
 namespace {
@@ -89,7 +90,8 @@ std::array<unsigned char, header_size> header_of(Bytes image) {
 /// The temporary file carries a lock while it is written, so that a sweep by another process leaves it alone.
 bool lock_and_still_there(const File& file) {
     struct stat status;
-    return ::flock(file.fd(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file.fd(), &status) == 0 && status.st_nlink > 0;
+    const bool held_by_another = ::flock(file.fd(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    return !held_by_another && ::fstat(file.fd(), &status) == 0 && status.st_nlink > 0;
 }
 
 void write_renamed(const fs::path& path, const fs::path& temporary, const File& file, Bytes bytes) {
@@ -119,8 +121,7 @@ void write_ic_file(const fs::path& path, const IcRecord& record) {
     const std::vector<unsigned char> bytes = to_ic_file(record);
     constexpr int tries = 16;
     for (int n = 0; n < tries; ++n) {
-        const fs::path temporary =
-            path.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
+        const fs::path temporary = path.string() + "." + writer_name() + "." + std::to_string(serial++) + ".tmp";
         const File file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0644);
         if (!file.is_open() && errno == EEXIST) continue;
         if (!file.is_open()) fail("create", temporary);
@@ -131,11 +132,15 @@ void write_ic_file(const fs::path& path, const IcRecord& record) {
 }
 
 IcRecord read_ic_file(const fs::path& path) {
-    const std::vector<unsigned char> bytes = read_all(path);
+    return from_ic_file(read_all(path), path);
+}
+
+IcRecord from_ic_file(std::span<const unsigned char> bytes, const fs::path& path) {
     if (bytes.size() <= header_size || !std::equal(magic.begin(), magic.end(), bytes.begin()))
         throw DamagedTable(path.string() + " is no table of influence coefficients, or its beginning is lost.");
-    const Bytes image = Bytes(bytes).subspan(header_size);
-    const std::string kept(bytes.begin() + magic.size(), bytes.begin() + magic.size() + digest_size);
+    const Bytes image = bytes.subspan(header_size);
+    const Bytes digest = bytes.subspan(magic.size(), digest_size);
+    const std::string kept(digest.begin(), digest.end());
     if (sha256_hex(image) != kept) throw DamagedTable(path.string() + " does not match its digest.");
     try {
         return from_hdf5(image);

@@ -32,6 +32,8 @@ constexpr Summary summaries[]{
     {"ic.get", "The influence coefficients of one body; requests for the same table join one build."},
     {"ic.export",
      "The influence coefficients of one body, or of two, as a file: HDF5, or text for the CONTACT program."},
+    {"ic.list", "The tables of the store, and builds in quarantine."},
+    {"ic.delete", "Removes the tables of a key, and forgets that its builds failed."},
     {"contact.solve",
      "Normal contact with the approach or the force prescribed and, with friction, tangential contact: a shift or "
      "rolling."},
@@ -65,12 +67,14 @@ json errors_of(std::string_view method) {
         add(StatusCode::deadline_exceeded);
         add(StatusCode::resource_exhausted);
     }
-    if (method == "job.cancel" || method == "request.cancel" || (in_session && method != "session.open"))
+    if (method == "job.cancel" || method == "request.cancel" || method == "ic.delete" ||
+        (in_session && method != "session.open"))
         add(StatusCode::not_found);
     if (method == "session.step") {
         add(StatusCode::failed_precondition);
         add(StatusCode::aborted);
     }
+    if (method == "ic.get" || method == "ic.export" || method == "contact.solve") add(StatusCode::failed_precondition);
     return errors;
 }
 

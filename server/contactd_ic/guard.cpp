@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <sys/eventfd.h>
 #include <sys/signalfd.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,6 +16,8 @@ namespace {
 
 constexpr int signal_base = 128;  // exit status of a program ended by signal n is 128 + n, as shells have it
 constexpr auto patience = std::chrono::seconds(2);
+constexpr auto heartbeat_interval = std::chrono::seconds(1);
+constexpr auto least_work = std::chrono::milliseconds(1);  // more than the guard itself needs for a heartbeat
 
 sigset_t ending_signals() {
     sigset_t set;
@@ -58,6 +61,28 @@ void Guard::watch_standard_input() {
     ::eventfd_write(wake_, 1);
 }
 
+void Guard::beat(int rank, bool only_while_working) {
+    only_while_working_ = only_while_working;
+    rank_ = rank;
+    ::eventfd_write(wake_, 1);
+}
+
+/// Says that the program lives when it is time to; returns the time until the next word, -1 when there will be none.
+int Guard::milliseconds_to_beat() {
+    if (rank_ < 0) return -1;
+    const auto now = std::chrono::steady_clock::now();
+    if (now >= next_beat_) {
+        next_beat_ = now + heartbeat_interval;
+        timespec used{};
+        ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+        const auto time = std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
+        const bool works = time - processor_time_ > least_work;
+        processor_time_ = time;
+        if (works || !only_while_working_) lines_.write_unless_stuck({{"heartbeat", rank_.load()}});
+    }
+    return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(next_beat_ - now).count());
+}
+
 void Guard::stand_down() {
     standing_down_ = true;
     ::eventfd_write(wake_, 1);
@@ -68,7 +93,7 @@ void Guard::watch() {
         // A negative descriptor is passed over by poll.
         std::array<pollfd, 3> watched{
             {{wake_, POLLIN, 0}, {signals_, POLLIN, 0}, {watching_input_ ? STDIN_FILENO : -1, POLLIN, 0}}};
-        if (::poll(watched.data(), watched.size(), -1) < 0) continue;
+        if (::poll(watched.data(), watched.size(), milliseconds_to_beat()) < 0) continue;
         if (standing_down_) return;
         if (watched[0].revents != 0) {
             eventfd_t ignored;
@@ -93,7 +118,7 @@ void Guard::end(int exit_code, const char* why) {
     const std::unique_lock<std::timed_mutex> file(writing_, patience);
     if (standing_down_) return;
     ::signal(SIGPIPE, SIG_IGN);
-    if (!silent_) lines_.write_error_unless_stuck(why);
+    if (!silent_) lines_.write_unless_stuck(error_line("", why));
     ::_exit(exit_code);
 }
 

@@ -13,11 +13,13 @@ namespace {
 constexpr auto shortest_interval = std::chrono::milliseconds(50);
 constexpr auto patience = std::chrono::milliseconds(200);
 
-nlohmann::json error_line(const std::string& field, const std::string& message) {
-    return {{"error", {{"field", field}, {"message", message}}}};
-}
-
 }  // namespace
+
+nlohmann::json error_line(const std::string& field, const std::string& message, const std::string& kind) {
+    nlohmann::json error = {{"field", field}, {"message", message}};
+    if (!kind.empty()) error["kind"] = kind;
+    return {{"error", std::move(error)}};
+}
 
 void Lines::write(const nlohmann::json& line) {
     const std::string text = proto::dump(line) + "\n";
@@ -26,16 +28,24 @@ void Lines::write(const nlohmann::json& line) {
     std::fflush(stdout);
 }
 
-void Lines::write_error(const std::string& field, const std::string& message) {
-    std::fprintf(stderr, "contactd-ic: %s\n", message.c_str());
-    write(error_line(field, message));
+void Lines::write_table(const std::vector<unsigned char>& bytes, const std::string& problem) {
+    const std::string text = proto::dump({{"table_bytes", bytes.size()}, {"problem", problem}}) + "\n";
+    const std::lock_guard lock(mutex_);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+    std::fflush(stdout);
 }
 
-void Lines::write_error_unless_stuck(const std::string& message) {
+void Lines::write_error(const std::string& field, const std::string& message, const std::string& kind) {
+    std::fprintf(stderr, "contactd-ic: %s\n", message.c_str());
+    write(error_line(field, message, kind));
+}
+
+void Lines::write_unless_stuck(const nlohmann::json& line) {
     const std::unique_lock<std::timed_mutex> lock(mutex_, patience);
     pollfd output{STDOUT_FILENO, POLLOUT, 0};
     if (!lock.owns_lock() || ::poll(&output, 1, 0) != 1 || !(output.revents & POLLOUT)) return;
-    const std::string text = proto::dump(error_line("", message)) + "\n";
+    const std::string text = proto::dump(line) + "\n";
     [[maybe_unused]] const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
 }
 

@@ -11,10 +11,12 @@
 //
 // The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
 // line: {"stage", "fraction", "iteration", "residual"}, at last {"done": true, "output", "evidence"} or
-// {"error": {"field", "message"}}. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve
-// did not converge; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else.
+// {"error": {"field", "message", "kind"}}; with --exit-with-stdin also {"heartbeat": rank} from every process, once a
+// second. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when
+// memory ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else.
 // The file appears whole or not at all.
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +27,7 @@
 
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/half_space.hpp"
+#include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
@@ -34,12 +37,14 @@ namespace contactd::ic {
 namespace {
 
 namespace fs = std::filesystem;
-enum ExitCode { success = 0, failure = 1, bad_input = 2, not_converged = 3 };
+enum ExitCode { success = 0, failure = 1, bad_input = 2, not_converged = 3, out_of_memory = 4 };
 
 struct Options {
     std::string spec;
     std::string output;
     bool exit_with_stdin = false;
+    bool or_print = false;
+    std::uint64_t max_memory = 0;
 };
 
 /// What every process knows: options, place among the others, and means to speak and to end.
@@ -130,8 +135,18 @@ IcRecord make_record(const Context& context, const IcSpec& spec) {
     return record;
 }
 
+void write_or_print(const Context& context, const IcRecord& record) {
+    try {
+        write_ic_file(context.options.output, record);
+    } catch (const StoreError& error) {
+        if (!context.options.or_print) throw;
+        context.lines.write_table(to_ic_file(record), error.what());
+    }
+}
+
 void run(const Context& context) {
     const Options& options = context.options;
+    if (options.exit_with_stdin) context.guard.beat(context.runtime.rank(), context.runtime.processes() == 1);
     const std::string text = on_first(context.runtime, [&] {
         std::string read = read_spec(options);
         // Under mpirun standard input belongs to the first process; the others follow its end.
@@ -140,19 +155,24 @@ void run(const Context& context) {
     });
     const IcSpec spec = parse_spec(text);
     on_first(context.runtime, [&] {
-        check_output(options.output);
+        if (!options.or_print) check_output(options.output);
         return std::string();
     });
     const IcRecord record = make_record(context, spec);
     on_first(context.runtime, [&] {
         const std::lock_guard lock(context.guard.writing());
-        write_ic_file(options.output, record);
+        write_or_print(context, record);
         context.guard.stand_down();
         return std::string();
     });
     if (context.runtime.rank() == 0)
         context.lines.write(
             {{"done", true}, {"output", options.output}, {"evidence", proto::encode_evidence(record.evidence)}});
+}
+
+void limit_memory(std::uint64_t bytes) {
+    const rlimit limit{bytes, bytes};
+    if (bytes > 0) ::setrlimit(RLIMIT_AS, &limit);
 }
 
 int guarded_run(const Context& context) {
@@ -173,7 +193,9 @@ int guarded_run(const Context& context) {
     } catch (const StoreError& error) {
         return everywhere("", error.what(), failure);
     } catch (const std::bad_alloc&) {
-        context.lines.write_error("", "The build ran out of memory.");
+        context.lines.write_error("", "The build ran out of memory.", "out_of_memory");
+        if (context.runtime.processes() > 1) context.runtime.abort(out_of_memory);
+        return out_of_memory;
     } catch (const std::exception& error) {  // of MFEM or hypre, and perhaps on this process alone
         context.lines.write_error("", std::string("The build failed: ") + error.what());
     }
@@ -198,6 +220,9 @@ int main(int argc, char** argv) {
     app.add_option("-o,--output", options.output, "The file to write; it appears whole or not at all")->required();
     app.add_flag("--exit-with-stdin", options.exit_with_stdin,
                  "End at once when standard input ends: whoever started the build is gone");
+    app.add_flag("--or-print", options.or_print,
+                 "When the file cannot be written, print {\"table_bytes\": n, \"problem\"} and then the n bytes of it");
+    app.add_option("--max-memory", options.max_memory, "Bytes of address space that each process may use; 0: no limit");
     app.set_version_flag("--version", fem::fem_version());
 
     ic::Lines lines;
@@ -209,6 +234,7 @@ int main(int argc, char** argv) {
         if (runtime.rank() == 0) lines.write_error("", error.what());
         return ic::bad_input;
     }
+    ic::limit_memory(options.max_memory);
     ic::Guard guard(lines, runtime.processes() > 1);
     return ic::guarded_run({options, runtime, lines, guard});
 }

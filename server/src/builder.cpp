@@ -1,6 +1,5 @@
 #include "builder.hpp"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -8,6 +7,7 @@
 #include <string_view>
 
 #include "builder_environment.hpp"
+#include "builder_listener.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/codec.hpp"
 
@@ -17,63 +17,16 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = reproc::milliseconds(100);
-constexpr std::size_t longest_line = 1 << 20;
-constexpr std::size_t kept_error_bytes = 4096;
-
-/// What the child says: JSON lines on standard output, words on standard error.
-class Listener {
-   public:
-    Listener(Job& job, const std::function<void(const JobProgress&)>& on_progress)
-        : job_(job), on_progress_(on_progress) {}
-
-    void hear_output(std::string_view bytes) {
-        line_ += bytes;
-        for (std::size_t end; (end = line_.find('\n')) != std::string::npos; line_.erase(0, end + 1))
-            hear_line(std::string_view(line_).substr(0, end));
-        if (line_.size() > longest_line) line_.clear();
-    }
-    void hear_error(std::string_view bytes) {
-        words_ += bytes;
-        if (words_.size() > kept_error_bytes) words_.erase(0, words_.size() - kept_error_bytes);
-    }
-    /// The builder's own sentence when it gave one, else the end of what it wrote to standard error.
-    std::string complaint() const {
-        if (!complaint_.empty()) return complaint_;
-        std::string words = words_;
-        while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back()))) words.pop_back();
-        return words;
-    }
-
-   private:
-    void hear_line(std::string_view line) {
-        const auto json = nlohmann::json::parse(line, nullptr, false);
-        if (!json.is_object()) return;  // a launcher may chat
-        if (const auto error = json.find("error"); error != json.end() && error->is_object())
-            complaint_ = error->value("message", std::string());
-        if (!json.contains("stage") || !json["stage"].is_string()) return;
-        const auto number = [&](const char* name) {
-            const auto at = json.find(name);
-            return at != json.end() && at->is_number() ? at->get<double>() : 0.0;
-        };
-        const JobProgress progress{json["stage"].get<std::string>(), std::clamp(number("fraction"), 0.0, 1.0),
-                                   static_cast<int>(number("iteration")), number("residual")};
-        job_.set_progress(progress);
-        on_progress_(progress);
-    }
-
-    Job& job_;
-    const std::function<void(const JobProgress&)>& on_progress_;
-    std::string line_, words_, complaint_;
-};
 
 /// How the child ended, in words. reproc gives 128 + signal for a signal.
 std::string ending(int status) {
+    if (status == 128 + SIGKILL) return "was ended by signal 9, as the kernel does when the machine's memory runs out";
     if (status > 128) return "was ended by signal " + std::to_string(status - 128);
     return "ended with status " + std::to_string(status);
 }
 
 void check(const std::error_code& error, const char* doing) {
-    if (error) throw Error(std::string("Cannot ") + doing + " the builder: " + error.message() + ".");
+    if (error) throw BuilderUnusable(std::string("Cannot ") + doing + " the builder: " + error.message() + ".");
 }
 
 /// Writes everything. A child that ended already is no error here: its own words say more.
@@ -86,11 +39,37 @@ void send(reproc::process& child, std::string_view text) {
     }
 }
 
-/// Reads until both streams end or the job is cancelled.
-void listen(reproc::process& child, Listener& listener, const Job& job) {
-    std::array<uint8_t, 4096> buffer;
+/// Throws when there is a reason to end the child.
+class Watch {
+   public:
+    Watch(const BuilderCommand& command, const BuilderListener& listener, const Job& job,
+          const std::function<void()>& on_tick)
+        : command_(command), listener_(listener), job_(job), on_tick_(on_tick) {}
+
+    void check() const {
+        if (job_.cancelled()) throw Cancelled("The build was cancelled.");
+        on_tick_();
+        if (command_.stall > 0s && listener_.silence() > command_.stall)
+            throw Error("The builder gave no sign of life for " + std::to_string(command_.stall.count()) +
+                        " s (builds.stall_seconds) and was ended.");
+        if (command_.longest > 0s && std::chrono::steady_clock::now() - begin_ > command_.longest)
+            throw Error("The build took longer than " + std::to_string(command_.longest.count()) +
+                        " s (builds.max_seconds) and was ended.");
+    }
+
+   private:
+    const BuilderCommand& command_;
+    const BuilderListener& listener_;
+    const Job& job_;
+    const std::function<void()>& on_tick_;
+    const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Reads until both streams end.
+void listen(reproc::process& child, BuilderListener& listener, const Watch& watch) {
+    std::array<uint8_t, 1 << 16> buffer;
     for (;;) {
-        if (job.cancelled()) throw Cancelled("The build was cancelled.");
+        watch.check();
         const auto [events, poll_error] = child.poll(reproc::event::out | reproc::event::err, poll_interval);
         if (poll_error == std::errc::broken_pipe) return;
         check(poll_error, "listen to");
@@ -105,23 +84,34 @@ void listen(reproc::process& child, Listener& listener, const Job& job) {
     }
 }
 
-int wait_for(reproc::process& child, const Job& job) {
+int wait_for(reproc::process& child, const Watch& watch) {
     for (;;) {
         const auto [status, error] = child.wait(poll_interval);
         if (!error) return status;
         if (error != std::errc::timed_out) check(error, "wait for");
-        if (job.cancelled()) throw Cancelled("The build was cancelled.");
+        watch.check();
     }
+}
+
+std::string memory_sentence(const BuilderCommand& command) {
+    const std::string begin = "The build ran out of memory";
+    if (command.max_memory_bytes == 0) return begin + ": the machine has no more for it.";
+    return begin + ": each of its processes may use " + std::to_string(command.max_memory_bytes) +
+           " bytes (builds.max_memory_bytes).";
+}
+
+std::vector<std::string> arguments_of(const BuilderCommand& command, const std::filesystem::path& output) {
+    std::vector<std::string> arguments = command.launcher;
+    arguments.insert(arguments.end(), {command.program.string(), "-", "--output", output.string(), "--exit-with-stdin",
+                                       "--or-print", "--max-memory", std::to_string(command.max_memory_bytes)});
+    return arguments;
 }
 
 }  // namespace
 
-void run_builder(const BuilderCommand& command, const IcSpec& spec, const std::filesystem::path& output, Job& job,
-                 const std::function<void(const JobProgress&)>& on_progress) {
-    std::vector<std::string> arguments = command.launcher;
-    arguments.insert(arguments.end(),
-                     {command.program.string(), "-", "--output", output.string(), "--exit-with-stdin"});
-
+BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const std::filesystem::path& output,
+                       const Job& job, const std::function<void(const JobProgress&)>& on_progress,
+                       const std::function<void()>& on_tick) {
     reproc::options options;
     options.redirect.in.type = options.redirect.out.type = options.redirect.err.type = reproc::redirect::pipe;
     options.env.behavior = reproc::env::empty;
@@ -132,22 +122,25 @@ void run_builder(const BuilderCommand& command, const IcSpec& spec, const std::f
         environment.emplace_back(name, "1");
     }
     options.env.extra = environment;
+    // A stopped process hears no SIGTERM; what is behind a launcher is ended by the launcher, which needs its time.
     options.stop = {{reproc::stop::terminate, 800ms}, {reproc::stop::kill, 2000ms}, {}};
 
     reproc::process child;
-    check(child.start(arguments, options), "start");
-    Listener listener(job, on_progress);
+    check(child.start(arguments_of(command, output), options), "start");
+    BuilderListener listener(!command.launcher.empty(), on_progress);
+    const Watch watch(command, listener, job, on_tick);
     int status = 0;
     try {
         send(child, proto::dump(proto::encode_ic_spec(spec)) + "\n");
-        listen(child, listener, job);
-        status = wait_for(child, job);
+        listen(child, listener, watch);
+        status = wait_for(child, watch);
     } catch (...) {
         child.stop(options.stop);
         throw;
     }
-    if (status == 0) return;
+    if (status == 0) return listener.take_table();
     const std::string complaint = listener.complaint();
+    if (listener.ran_out_of_memory()) throw BuilderOutOfMemory(memory_sentence(command));
     throw Error("The builder " + ending(status) + (complaint.empty() ? "." : ": " + complaint));
 }
 

@@ -78,10 +78,18 @@ Config config_from_json(const json& given) {
     config.workers = all["workers"];
     const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
     config.store = {folder.empty() ? default_store_folder() : std::filesystem::path(folder),
-                    all["store"]["memory_budget_bytes"], all["store"]["influence_budget_bytes"]};
-    config.builds = {all["builds"]["concurrent"], all["builds"]["launcher"],
+                    all["store"]["memory_budget_bytes"], all["store"]["disk_budget_bytes"],
+                    all["store"]["influence_budget_bytes"]};
+    const json& builds = all["builds"];
+    config.builds = {builds["concurrent"],
+                     builds["launcher"],
                      program.empty() ? default_builder() : std::filesystem::path(program),
-                     all["builds"]["environment"]};
+                     builds["environment"],
+                     builds["max_memory_bytes"],
+                     builds["stall_seconds"],
+                     builds["max_seconds"],
+                     builds["max_failures"],
+                     builds["quarantine_seconds"]};
     const json& limits = all["limits"];
     config.limits = {limits["max_frame_bytes"], limits["max_frames"], limits["max_message_bytes"],
                      limits["max_array_elements"]};
@@ -133,12 +141,18 @@ json to_json(const Config& config) {
             {"store",
              {{"folder", config.store.folder.string()},
               {"memory_budget_bytes", config.store.memory_budget_bytes},
+              {"disk_budget_bytes", config.store.disk_budget_bytes},
               {"influence_budget_bytes", config.store.influence_budget_bytes}}},
             {"builds",
              {{"concurrent", config.builds.concurrent},
               {"launcher", config.builds.launcher},
               {"program", config.builds.program.string()},
-              {"environment", config.builds.environment}}},
+              {"environment", config.builds.environment},
+              {"max_memory_bytes", config.builds.max_memory_bytes},
+              {"stall_seconds", config.builds.stall_seconds},
+              {"max_seconds", config.builds.max_seconds},
+              {"max_failures", config.builds.max_failures},
+              {"quarantine_seconds", config.builds.quarantine_seconds}}},
             {"limits",
              {{"max_frame_bytes", config.limits.max_frame_bytes},
               {"max_frames", config.limits.max_frames},

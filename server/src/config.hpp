@@ -41,6 +41,7 @@ struct Config {
     struct {
         std::filesystem::path folder;
         std::size_t memory_budget_bytes;
+        std::size_t disk_budget_bytes;
         std::size_t influence_budget_bytes;
     } store;
     struct {
@@ -48,6 +49,11 @@ struct Config {
         std::vector<std::string> launcher;
         std::filesystem::path program;
         std::vector<std::string> environment;  ///< variables the builder gets (passed_on)
+        std::size_t max_memory_bytes;
+        int stall_seconds;
+        int max_seconds;
+        int max_failures;
+        int quarantine_seconds;
     } builds;
     proto::Limits limits;
     std::size_t max_grid_elements;

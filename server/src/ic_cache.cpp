@@ -2,16 +2,9 @@
 
 #include <algorithm>
 
+#include "store_keeper.hpp"
+
 namespace contactd::server {
-namespace {
-
-std::size_t bytes_of(const IcRecord& record) {
-    std::size_t values = record.table.values.size();
-    for (const IcTable& table : record.family) values += table.values.size();
-    return values * sizeof(double);
-}
-
-}  // namespace
 
 IcCache::Record IcCache::find(const std::string& key, int nx, int ny) {
     const std::scoped_lock lock(mutex_);
@@ -39,6 +32,22 @@ void IcCache::insert(const std::string& key, Record record) {
     }
     entries_.push_front({key, std::move(record), bytes});
     bytes_ += bytes;
+}
+
+void IcCache::remove(const std::string& key) {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(entries_, [&](const Entry& entry) {
+        if (entry.key != key) return false;
+        bytes_ -= entry.bytes;
+        return true;
+    });
+}
+
+std::vector<std::string> IcCache::keys() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<std::string> keys;
+    for (const Entry& entry : entries_) keys.push_back(entry.key);
+    return keys;
 }
 
 IcCache::Usage IcCache::usage() const {

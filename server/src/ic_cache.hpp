@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "contactd/ic_store.hpp"
 
@@ -21,6 +22,10 @@ class IcCache {
     Record find(const std::string& key, int nx, int ny);
     /// Keeps the record when it fits the budget, all tables of a family counted; tables that it covers go.
     void insert(const std::string& key, Record record);
+
+    void remove(const std::string& key);
+    /// Keys, the most recently used first.
+    std::vector<std::string> keys() const;
 
     struct Usage {
         std::size_t tables = 0;

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "build_quarantine.hpp"
 #include "builder.hpp"
 #include "contactd/ic_store.hpp"
 #include "contactd/proto/status.hpp"
+#include "contactd/table_lock.hpp"
 #include "counters.hpp"
 #include "ic_cache.hpp"
 #include "job.hpp"
+#include "store_keeper.hpp"
 #include "worker_pool.hpp"
 
 namespace contactd::server {
@@ -43,7 +46,9 @@ class IcService {
     struct Settings {
         BuilderCommand command;
         int concurrent_builds = 1;
-        std::size_t memory_budget_bytes = 0;
+        std::size_t memory_budget_bytes = 0;  ///< of tables in memory, and of those that wait for the disk
+        std::uintmax_t disk_budget_bytes = 0;
+        BuildQuarantine::Settings quarantine = {};
     };
 
     IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters);
@@ -55,6 +60,17 @@ class IcService {
     /// Ends running builds; their callers get `status`. No build starts afterwards.
     void stop(const proto::Status& status);
 
+    struct Forgotten {
+        int tables = 0;
+        bool failures = false;
+    };
+    /// Removes the tables of a key from disk and memory, and forgets that its builds failed. Throws StoreError.
+    Forgotten forget(const std::string& key);
+
+    const IcStore& store() const { return keeper_.store(); }
+    std::vector<BuildQuarantine::Entry> quarantined() { return quarantine_.entries(); }
+    /// What keeps the store from being used, as a sentence; empty when all is well.
+    std::string store_problem() const { return keeper_.problem(); }
     IcCache::Usage cache_usage() const { return cache_.usage(); }
     int builds_waiting() const { return builders_.waiting(); }
     int builds_running() const { return builders_.running(); }
@@ -68,17 +84,23 @@ class IcService {
     void look_up(const FlightPtr& flight);
     bool queue_build(const FlightPtr& flight);
     void build(const FlightPtr& flight);
+    void wait_for_turn(const FlightPtr& flight, TableLock& lock);
+    IcCache::Record run_build(const FlightPtr& flight, const TableLock& lock);
+    void report(const FlightPtr& flight, const JobProgress& progress);
+    std::vector<std::string> keys_in_flight();
     void cancel_queued(const FlightPtr& flight);
     void land(const FlightPtr& flight, IcCache::Record record, const char* origin);
     void crash(const FlightPtr& flight, const proto::Status& status);
     std::vector<IcCaller> close(const FlightPtr& flight);
+    void fail_build(const FlightPtr& flight, const proto::Status& status);
     proto::Status cancelled_status();
 
     const Settings settings_;
-    const IcStore store_;
+    StoreKeeper keeper_;
     JobTable& jobs_;
     Counters& counters_;
     IcCache cache_;
+    BuildQuarantine quarantine_;
     std::mutex mutex_;
     std::vector<FlightPtr> flights_;  // looking up, queued or building
     bool stopping_ = false;

@@ -13,6 +13,7 @@
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
 #include "ic_export.hpp"
+#include "ic_list.hpp"
 #include "session_methods.hpp"
 #include "store_folder.hpp"
 
@@ -36,6 +37,16 @@ IcStore open_store(const Config& config, Counters& counters) {
         ++counters.tables_set_aside;
         spdlog::warn("store: {}", sentence);
     });
+}
+
+IcService::Settings ic_settings(const Config& config) {
+    const auto& builds = config.builds;
+    return {{builds.launcher, builds.program, builds.environment, builds.max_memory_bytes, std::chrono::seconds(builds.stall_seconds),
+             std::chrono::seconds(builds.max_seconds)},
+            builds.concurrent,
+            config.store.memory_budget_bytes,
+            config.store.disk_budget_bytes,
+            {builds.max_failures, std::chrono::seconds(builds.quarantine_seconds)}};
 }
 
 template <class Entries>
@@ -112,6 +123,8 @@ Service::Service(const Config& config)
                {"health.watch", {&Service::health_watch, true, true}},
                {"ic.get", {&Service::ic_get, false}},
                {"ic.export", {&Service::ic_export, false}},
+               {"ic.list", {&Service::ic_list, false}},
+               {"ic.delete", {&Service::ic_delete, false}},
                {"contact.solve", {&Service::contact_solve, false}},
                {"contact.solve_many", {&Service::contact_solve_many, false, true, proto::Priority::low}},
                {"contact.subsurface", {&Service::contact_subsurface, false}},
@@ -126,10 +139,7 @@ Service::Service(const Config& config)
                {"job.cancel", {&Service::job_cancel, true}},
                {"request.cancel", {&Service::request_cancel, true}}},
       request_metrics_(names_of(methods_)),
-      ics_({{config.builds.launcher, config.builds.program, config.builds.environment},
-            config.builds.concurrent,
-            config.store.memory_budget_bytes},
-           open_store(config, counters_), jobs_, counters_),
+      ics_(ic_settings(config), open_store(config, counters_), jobs_, counters_),
       influences_(config.store.influence_budget_bytes),
       sessions_(config.sessions),
       workers_(config.workers) {
@@ -234,7 +244,9 @@ void Service::server_info(const CallPtr& call) {
 }
 
 void Service::server_health(const CallPtr& call) {
-    call->succeed({{"state", name_of(health_.state())}});
+    json warnings = json::array();
+    if (std::string problem = ics_.store_problem(); !problem.empty()) warnings.push_back(std::move(problem));
+    call->succeed({{"state", name_of(health_.state())}, {"warnings", std::move(warnings)}});
 }
 
 void Service::health_watch(const CallPtr& call) {
@@ -270,6 +282,16 @@ void Service::ic_export(const CallPtr& call) {
     proto::check_frames_used(call->request.params, call->request.frames);
     check_grid_limit(call->request.params, config_.max_grid_elements);
     start_export(call, ics_, workers_, config_.limits.max_frame_bytes);
+}
+
+void Service::ic_list(const CallPtr& call) {
+    proto::check_frames_used(call->request.params, call->request.frames);
+    answer_ic_list(call, ics_);
+}
+
+void Service::ic_delete(const CallPtr& call) {
+    proto::check_frames_used(call->request.params, call->request.frames);
+    answer_ic_delete(call, ics_);
 }
 
 void Service::contact_solve(const CallPtr& call) {

@@ -75,6 +75,8 @@ class Service {
     void health_watch(const CallPtr& call);
     void ic_get(const CallPtr& call);
     void ic_export(const CallPtr& call);
+    void ic_list(const CallPtr& call);
+    void ic_delete(const CallPtr& call);
     void contact_solve(const CallPtr& call);
     void contact_solve_many(const CallPtr& call);
     void contact_subsurface(const CallPtr& call);

@@ -74,13 +74,17 @@ class Daemons:
         self.folder = Path(tempfile.mkdtemp(prefix="contactd-test-"))
         self._started: list[TestDaemon] = []
 
-    def start(self, name: str = "daemon", **config: Mapping[str, Any]) -> TestDaemon:
+    def start(self, name: str = "daemon", *, program: Path = BIN / "contactd", **config: Mapping[str, Any]) -> TestDaemon:
         """A daemon in the folder `name`; the same name again means the same store."""
         # What a test leaves running is not waited for at the end, unless the test says so.
         config = {"shutdown": {"drain_seconds": 0}, **config}
-        daemon = TestDaemon(BIN / "contactd", folder=self.folder / name, config=config)
+        daemon = TestDaemon(program, folder=self.folder / name, config=config)
         self._started.append(daemon)
         return daemon
+
+    def stop_all(self) -> None:
+        for daemon in self._started:
+            daemon.stop()
 
     def finish(self) -> None:
         try:
@@ -88,9 +92,10 @@ class Daemons:
             assert all(status in (0, -9) for status in ended), f"exit statuses {ended}"
             eventually(lambda: not processes_with(str(self.folder)), "processes left behind")
             left = [path for path in self.folder.rglob("*") if path.is_file() or path.is_socket()]
-            expected = {"contactd.json", "contactd.log", "socket"} if -9 in ended else {"contactd.json", "contactd.log"}
+            expected = {"contactd.json", "contactd.log"} | ({"socket"} if -9 in ended else set())
+            suffixes = {".h5"} | ({".lock", ".tmp"} if -9 in ended else set())  # swept when a daemon starts there again
             strange = [
-                p for p in left if p.name not in expected and p.suffix != ".h5" and p.parent.name != "quarantine"
+                p for p in left if p.name not in expected and p.suffix not in suffixes and p.parent.name != "quarantine"
             ]
             assert not strange, f"files left behind: {strange}"
         finally:

@@ -56,7 +56,18 @@ from .problem import (
     SolverSettings,
 )
 from .session import SavedState, Session, SessionSummary, StepSolution
-from .solution import ContactSolution, IcEvidence, IcTable, Job, Limits, Progress, ServerInfo, SolverEvidence
+from .solution import (
+    ContactSolution,
+    IcEvidence,
+    IcTable,
+    Job,
+    Limits,
+    Progress,
+    QuarantinedIc,
+    ServerInfo,
+    SolverEvidence,
+    StoredIc,
+)
 from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
 
@@ -90,6 +101,7 @@ __all__ = [
     "Paraboloid",
     "Progress",
     "ProtocolError",
+    "QuarantinedIc",
     "ResourceExhausted",
     "RigidBody",
     "Rolling",
@@ -103,6 +115,7 @@ __all__ = [
     "SolverSettings",
     "StatusError",
     "StepSolution",
+    "StoredIc",
     "StressBlock",
     "SubsurfaceStress",
     "TableFileError",

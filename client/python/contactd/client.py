@@ -6,7 +6,7 @@ import math
 import secrets
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Literal
@@ -24,7 +24,7 @@ from .pieces import fetch_in_pieces
 from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
 from .session import Session, SessionSummary, listed_sessions, opened_session
-from .solution import ContactSolution, IcTable, Job, Limits, Progress, ServerInfo
+from .solution import ContactSolution, IcTable, Job, Limits, Progress, QuarantinedIc, ServerInfo, StoredIc
 from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
 
 __all__ = ["Client"]
@@ -181,6 +181,36 @@ class Client:
         if not isinstance(content, np.ndarray) or content.dtype != np.uint8:
             raise ProtocolError("The answer to ic.export lacks its file.")
         return content.tobytes()
+
+    def stored_ics(self, *, timeout: float | None = None) -> Iterator[StoredIc]:
+        """The tables in the daemon's store, by name; asked for a thousand at a time."""
+        params: dict[str, Any] = {}
+        while True:
+            result = self.call("ic.list", params, timeout=timeout)
+            tables = result.get("tables")
+            if not isinstance(tables, list):
+                raise ProtocolError("The answer to ic.list lacks its tables.")
+            yield from (read(StoredIc, table, f"result.tables[{i}]") for i, table in enumerate(tables))
+            if "next" not in result:
+                return
+            params = {"after": result["next"]}
+
+    def quarantined_ics(self, *, timeout: float | None = None) -> tuple[QuarantinedIc, ...]:
+        """Tables whose builds failed too often: requests for them raise FailedPrecondition, with .retry_delay (s)."""
+        entries = self.call("ic.list", {"limit": 1}, timeout=timeout).get("quarantined")
+        if not isinstance(entries, list):
+            raise ProtocolError("The answer to ic.list lacks its builds in quarantine.")
+        return tuple(read(QuarantinedIc, entry, f"result.quarantined[{i}]") for i, entry in enumerate(entries))
+
+    def delete_ic(self, key: str, *, timeout: float | None = None) -> int:
+        """Removes the tables of a key from the daemon's store and ends its quarantine; returns how many tables went.
+
+        Raises NotFound when there was nothing to do.
+        """
+        removed = self.call("ic.delete", {"key": key}, timeout=timeout).get("tables")
+        if not isinstance(removed, int):
+            raise ProtocolError("The answer to ic.delete lacks the number of tables.")
+        return removed
 
     def solve(
         self,

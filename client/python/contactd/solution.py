@@ -30,8 +30,10 @@ __all__ = [
     "Limits",
     "LoadCase",
     "Progress",
+    "QuarantinedIc",
     "ServerInfo",
     "SolverEvidence",
+    "StoredIc",
 ]
 
 
@@ -284,6 +286,28 @@ class ServerInfo:
     cache: Mapping[str, int]
     queue: Mapping[str, int]
     uptime_seconds: float
+
+
+@dataclass(frozen=True)
+class StoredIc:
+    """A table in the daemon's store."""
+
+    key: str  #: what delete_ic takes
+    nx: int
+    ny: int
+    bytes: int
+
+
+@dataclass(frozen=True)
+class QuarantinedIc:
+    """A table whose builds failed too often; it and larger ones with its key are not tried again for now."""
+
+    key: str
+    nx: int
+    ny: int
+    failures: int
+    message: str  #: how the last build failed
+    seconds: float  #: until it may be tried again
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,18 @@ class DamagedTable : public StoreError {
 /// Reads a file, checking its digest before HDF5 sees a byte. Throws DamagedTable when the content is not that of an IC
 /// file written by write_ic_file, StoreError when the file cannot be read at all.
 IcRecord read_ic_file(const std::filesystem::path& path);
+/// The same of the content of a file; `path` is for the words of the exception.
+IcRecord from_ic_file(std::span<const unsigned char> bytes, const std::filesystem::path& path);
+
+/// A file of the store.
+struct StoredTable {
+    std::filesystem::path path;
+    std::string key;
+    int nx = 0;
+    int ny = 0;
+    std::uintmax_t bytes = 0;
+    std::filesystem::file_time_type last_use;  ///< when it was written or last read
+};
 
 /// Safe to use from several threads and, on one folder, from several processes.
 class IcStore {
@@ -47,27 +62,54 @@ class IcStore {
     /// Called with a sentence when a file is set aside.
     using Report = std::function<void(const std::string&)>;
 
-    /// Makes the folder when it is missing. Throws StoreError when it cannot be used.
+    /// Makes the folder when it is missing. Throws StoreError when it cannot be made or read; one that cannot be
+    /// written to is good for what is in it.
     IcStore(std::filesystem::path folder, Report report);
 
     /// The smallest stored table with the key of `spec` that covers its extent, or nothing. A file that fails its check
-    /// is moved to `quarantine/`, reported, and not considered again.
+    /// is moved to `quarantine/`, reported, and not considered again; one that cannot be read is reported and passed
+    /// over. Throws StoreError when the folder itself cannot be read.
     std::optional<IcRecord> find(const IcSpec& spec) const;
 
     /// Where the table of `spec` belongs: <key>.<nx>x<ny>.h5.
     std::filesystem::path path_of(const IcSpec& spec) const;
+    /// The file that says that somebody builds a table with this key.
+    std::filesystem::path lock_of(const std::string& key) const { return folder_ / (key + ".lock"); }
 
     /// Removes tables that the one of `spec` covers, itself excepted.
     void remove_covered_by(const IcSpec& spec) const;
 
-    /// Removes temporary files that no living process is writing; returns how many.
+    /// Marks a table as used now, for evict. find() does so by itself.
+    void note_use(const std::filesystem::path& path) const;
+
+    /// Every table, by name. Throws StoreError when the folder cannot be read.
+    std::vector<StoredTable> list() const;
+
+    /// Removes the tables of a key; returns how many. Throws StoreError when one cannot be removed.
+    int remove(const std::string& key) const;
+
+    /// Makes the folder again when somebody removed it. What keeps it from being written to, as a sentence, or nothing.
+    std::string problem() const;
+
+    /// Removes what dead processes left, temporary files and locks of builds; returns how many files.
     int sweep() const;
+
+    /// Removes files until all together need no more than `budget_bytes`: first damaged ones that were set aside, then
+    /// tables by their last use. Those whose key is in `recent` (the most recent first) count as used after all others;
+    /// those in `kept` stay. Returns the tables that went.
+    std::vector<StoredTable> evict(std::uintmax_t budget_bytes, const std::vector<std::string>& recent,
+                                   const std::vector<std::string>& kept) const;
 
     const std::filesystem::path& folder() const { return folder_; }
 
    private:
+    struct Latest {
+        std::mutex mutex;
+        std::filesystem::file_time_type time{};
+    };
     std::filesystem::path folder_;
     Report report_;
+    std::shared_ptr<Latest> latest_ = std::make_shared<Latest>();  ///< time of use that was given or seen
 };
 
 }  // namespace contactd

@@ -48,6 +48,8 @@ inline constexpr std::string_view rate_limited = "RATE_LIMITED";
 inline constexpr std::string_view too_many_open = "TOO_MANY_OPEN";
 inline constexpr std::string_view key_revoked = "KEY_REVOKED";
 inline constexpr std::string_view build_failed = "BUILD_FAILED";
+inline constexpr std::string_view build_out_of_memory = "BUILD_OUT_OF_MEMORY";
+inline constexpr std::string_view build_quarantined = "BUILD_QUARANTINED";
 inline constexpr std::string_view job_cancelled = "JOB_CANCELLED";
 inline constexpr std::string_view request_cancelled = "REQUEST_CANCELLED";
 inline constexpr std::string_view request_unknown = "REQUEST_UNKNOWN";
@@ -61,6 +63,7 @@ inline constexpr std::string_view state_unknown = "STATE_UNKNOWN";
 inline constexpr std::string_view step_out_of_order = "STEP_OUT_OF_ORDER";
 inline constexpr std::string_view step_differs = "STEP_DIFFERS";
 inline constexpr std::string_view not_converged = "NOT_CONVERGED";
+inline constexpr std::string_view ic_unknown = "IC_UNKNOWN";
 inline constexpr std::string_view stopping = "STOPPING";
 inline constexpr std::string_view unexpected = "UNEXPECTED";
 }  // namespace reason
@@ -77,7 +80,7 @@ struct Status {
     std::string message;
     std::string reason;                 ///< empty when ok
     std::vector<Violation> violations;  ///< of an invalid argument
-    int retry_delay_ms = 0;             ///< of a full queue, else 0
+    int retry_delay_ms = 0;             ///< of a full queue or a table in quarantine, else 0
     std::vector<int> versions{};        ///< of the protocol that are served, when another one was asked for
 
     bool ok() const { return code == StatusCode::ok; }

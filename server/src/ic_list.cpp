@@ -1,0 +1,61 @@
+#include "ic_list.hpp"
+
+#include <algorithm>
+
+namespace contactd::server {
+
+using nlohmann::json;
+
+namespace {
+
+/// Whole names, so that a page may end between two extents of one key.
+std::string name_of(const StoredTable& table) {
+    return table.path.stem().string();
+}
+
+json to_json(const BuildQuarantine::Entry& entry) {
+    const std::chrono::duration<double> left = entry.until - BuildQuarantine::Clock::now();
+    return {{"key", entry.key},
+            {"nx", entry.nx},
+            {"ny", entry.ny},
+            {"failures", entry.failures},
+            {"message", entry.last.message},
+            {"seconds", std::max(0.0, left.count())}};
+}
+
+}  // namespace
+
+void answer_ic_list(const CallPtr& call, IcService& ics) {
+    const json& params = call->request.params;
+    const std::string after = params.value("after", "");
+    const auto limit = params.value("limit", std::size_t(1000));
+    const std::vector<StoredTable> tables = ics.store().list();
+    json result{{"tables", json::array()}, {"count", tables.size()}, {"bytes", 0}, {"quarantined", json::array()}};
+    std::uintmax_t bytes = 0;
+    std::string last;
+    for (const StoredTable& table : tables) {
+        bytes += table.bytes;
+        if (name_of(table) <= after || result.contains("next")) continue;
+        if (result["tables"].size() == limit) {
+            result["next"] = last;
+            continue;
+        }
+        result["tables"].push_back({{"key", table.key}, {"nx", table.nx}, {"ny", table.ny}, {"bytes", table.bytes}});
+        last = name_of(table);
+    }
+    result["bytes"] = bytes;
+    for (const BuildQuarantine::Entry& entry : ics.quarantined()) result["quarantined"].push_back(to_json(entry));
+    call->succeed(result);
+}
+
+void answer_ic_delete(const CallPtr& call, IcService& ics) {
+    const std::string key = call->request.params.at("key");
+    const IcService::Forgotten forgotten = ics.forget(key);
+    if (forgotten.tables == 0 && !forgotten.failures)
+        throw proto::StatusError(
+            proto::StatusCode::not_found, proto::reason::ic_unknown,
+            "There is neither a table nor a failed build with the key " + key + "; ic.list names those there are.");
+    call->succeed({{"key", key}, {"tables", forgotten.tables}, {"failures", forgotten.failures}});
+}
+
+}  // namespace contactd::server

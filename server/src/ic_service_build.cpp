@@ -1,0 +1,164 @@
+// How IcService has a table built: its turn among builds of this daemon and others, the builder, what its end means.
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "ic_flight.hpp"
+#include "store_folder.hpp"
+
+namespace contactd::server {
+
+using proto::Status;
+using proto::StatusCode;
+
+namespace {
+
+constexpr auto lock_sign_interval = std::chrono::seconds(1);
+/// What a sign may need to be seen on another machine, beyond the silence that is taken for a stall.
+constexpr auto lock_sign_delay = std::chrono::seconds(5);
+constexpr auto default_patience = std::chrono::seconds(60);
+
+/// Notes what a build took, and what the store holds afterwards.
+class BuildClock {
+   public:
+    BuildClock(Counters& counters, const std::filesystem::path& folder) : counters_(counters), folder_(folder) {}
+    ~BuildClock() {
+        const auto spent = std::chrono::steady_clock::now() - start_;
+        counters_.build_milliseconds += std::chrono::duration_cast<std::chrono::milliseconds>(spent).count();
+        count_store(counters_, folder_);
+    }
+    BuildClock(const BuildClock&) = delete;
+    BuildClock& operator=(const BuildClock&) = delete;
+
+   private:
+    Counters& counters_;
+    const std::filesystem::path& folder_;
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+bool IcService::queue_build(const FlightPtr& flight) {
+    const std::scoped_lock lock(mutex_);
+    if (stopping_) return false;
+    flight->job = jobs_.create("build", [this, waiting = std::weak_ptr(flight)] {
+        if (const FlightPtr known = waiting.lock()) cancel_queued(known);
+    });
+    flight->job->callers = static_cast<int>(flight->callers.size());
+    for (const IcCaller& caller : flight->callers) caller.progress(*flight->job, flight->job->progress());
+    // A build goes on for the cache when its callers have gone.
+    Turn turn = flight->callers.empty() ? Turn{} : flight->callers.front().turn;
+    turn.abandoned = nullptr;
+    builders_.post(std::move(turn), [this, flight] { build(flight); });
+    return true;
+}
+
+Status IcService::cancelled_status() {
+    const std::scoped_lock lock(mutex_);
+    return stopping_ ? stop_status_
+                     : failure(StatusCode::cancelled, proto::reason::job_cancelled, "The build was cancelled.");
+}
+
+void IcService::cancel_queued(const FlightPtr& flight) {
+    if (flight->job->running()) return;  // the builder thread notices by itself
+    ++counters_.builds_cancelled;
+    crash(flight, cancelled_status());
+}
+
+void IcService::build(const FlightPtr& flight) {
+    Job& job = *flight->job;
+    if (job.cancelled()) return;  // while it was queued; its callers know
+    const BuildClock clock(counters_, keeper_.store().folder());
+    try {
+        job.set_running();
+        TableLock lock(keeper_.store().lock_of(flight->key));
+        wait_for_turn(flight, lock);
+        // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
+        if (auto found = keeper_.find(flight->spec)) {
+            ++counters_.disk_hits;
+            return land(flight, std::make_shared<const IcRecord>(std::move(*found)), "disk");
+        }
+        ++counters_.builds_started;
+        spdlog::info("{} starts: key {} extent {} x {}", job.name, flight->key, flight->spec.nx, flight->spec.ny);
+        auto record = run_build(flight, lock);
+        quarantine_.note_success(flight->key, flight->spec);
+        ++counters_.builds_finished;
+        spdlog::info("{} finished", job.name);
+        land(flight, std::move(record), "built");
+    } catch (const Cancelled&) {
+        ++counters_.builds_cancelled;
+        spdlog::info("{} cancelled", job.name);
+        crash(flight, cancelled_status());
+    } catch (const BuilderUnusable& error) {
+        fail_build(flight, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
+    } catch (const BuilderOutOfMemory& error) {
+        const Status status = failure(StatusCode::resource_exhausted, proto::reason::build_out_of_memory, error.what());
+        quarantine_.note_failure(flight->key, flight->spec, status);
+        fail_build(flight, status);
+    } catch (const std::exception& error) {
+        const Status status = failure(StatusCode::internal, proto::reason::build_failed, error.what());
+        quarantine_.note_failure(flight->key, flight->spec, status);
+        fail_build(flight, status);
+    }
+}
+
+/// Waits while somebody else builds a table with this key. Where locks do not work, and when the
+/// holder gives no sign of life any more, the build goes on without: at worst it is done twice.
+void IcService::wait_for_turn(const FlightPtr& flight, TableLock& lock) {
+    constexpr auto interval = std::chrono::milliseconds(100);
+    const auto stall = settings_.command.stall;
+    const auto patience = (stall.count() > 0 ? stall : default_patience) + lock_sign_delay;
+    auto sign = lock.sign();
+    auto changed = std::chrono::steady_clock::now();
+    for (bool waited = false;; waited = true) {
+        if (lock.try_lock() != TableLock::State::busy) return;
+        if (!waited) report(flight, {"waiting", 0, 0, 0});
+        if (flight->job->cancelled()) throw Cancelled("The build was cancelled.");
+        std::this_thread::sleep_for(interval);
+        const auto now = std::chrono::steady_clock::now();
+        if (const auto latest = lock.sign(); latest != sign) {
+            sign = latest;
+            changed = now;
+        }
+        if (now - changed < patience) continue;
+        spdlog::warn("{} does not wait any longer for whoever holds {}", flight->job->name,
+                     keeper_.store().lock_of(flight->key).string());
+        return;
+    }
+}
+
+IcCache::Record IcService::run_build(const FlightPtr& flight, const TableLock& lock) {
+    const auto output = keeper_.store().path_of(flight->spec);
+    auto next_sign = std::chrono::steady_clock::now();
+    const auto give_sign = [&] {
+        if (std::chrono::steady_clock::now() < next_sign) return;
+        next_sign += lock_sign_interval;
+        lock.give_sign();
+    };
+    keeper_.store().problem();  // makes a folder that was removed
+    const BuiltTable built = run_builder(
+        settings_.command, flight->spec, output, *flight->job,
+        [&](const JobProgress& progress) { report(flight, progress); }, give_sign);
+    if (!built.bytes.empty()) return keeper_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);
+    auto record = std::make_shared<const IcRecord>(read_ic_file(output));
+    keeper_.note_stored(flight->spec, cache_.keys(), keys_in_flight());
+    return record;
+}
+
+void IcService::report(const FlightPtr& flight, const JobProgress& progress) {
+    flight->job->set_progress(progress);
+    const std::scoped_lock lock(mutex_);
+    for (const IcCaller& caller : flight->callers) caller.progress(*flight->job, progress);
+}
+
+void IcService::fail_build(const FlightPtr& flight, const Status& status) {
+    ++counters_.builds_failed;
+    spdlog::error("{} failed: {}", flight->job->name, status.message);
+    crash(flight, status);
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,134 @@
+"""Builders that stop, hang, take too long or run out of memory, and tables whose builds fail again and again."""
+
+import os
+import signal
+from dataclasses import replace
+
+import pytest
+
+from contactd import FailedPrecondition, FemIcs, Grid, InternalError, NotFound, ResourceExhausted
+from support.daemons import BIN, eventually
+from support.faults import script
+from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
+
+
+def failure(client, kind=InternalError, ics=QUICK, grid=GRID):
+    with pytest.raises(kind) as caught:
+        client.get_ic(STEEL, grid, ics)
+    return caught.value
+
+
+def test_a_stopped_builder_is_noticed_and_ended(daemons, background):
+    daemon = daemons.start(builds={"stall_seconds": 2})
+    with daemon.client() as client:
+        caller = background(client.get_ic, STEEL, GRID, LONG)
+        eventually(lambda: any(job.fraction > 0 for job in client.jobs()))
+        os.kill(daemon.builders()[0], signal.SIGSTOP)
+        with pytest.raises(InternalError, match="no sign of life for 2 s"):
+            caller.result()
+        assert daemon.builders() == []
+        assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+
+
+def test_a_builder_that_works_is_not_taken_for_a_stopped_one(daemons, background):
+    daemon = daemons.start(builds={"stall_seconds": 2})
+    with daemon.client() as client:
+        caller = background(client.get_ic, STEEL, GRID, LONG)
+        eventually(daemon.builders)
+        with pytest.raises(TimeoutError):
+            caller.result(timeout=4)
+        client.cancel_job(client.jobs()[0].job)
+        assert caller.exception() is not None
+
+
+def test_a_builder_that_never_says_a_word_is_ended(daemons):
+    program = script(daemons.folder, "exec sleep 600")
+    with daemons.start(builds={"program": str(program), "stall_seconds": 1}).client() as client:
+        assert "no sign of life" in failure(client).message
+    program.unlink()
+
+
+def test_a_build_that_takes_too_long_is_ended(daemons):
+    with daemons.start(builds={"max_seconds": 1}).client() as client:
+        assert "took longer than 1 s" in failure(client, ics=LONG).message
+
+
+def test_a_build_without_memory_says_so_in_plain_words(daemons):
+    daemon = daemons.start(builds={"max_memory_bytes": 700_000_000})
+    with daemon.client() as client:
+        error = failure(client, ResourceExhausted, FemIcs("paper-test1", order=2, L_over_h=1000, solver="amg_pcg"))
+        assert error.reason == "BUILD_OUT_OF_MEMORY"
+        assert "700000000 bytes (builds.max_memory_bytes)" in error.message
+        assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+
+
+def test_a_build_that_failed_twice_is_answered_at_once_until_told_otherwise(daemons):
+    runs = daemons.folder / "runs"
+    program = script(
+        daemons.folder,
+        f"echo run >> {runs}",
+        f'[ -e {daemons.folder}/repaired ] && exec {BIN / "contactd-ic"} "$@"',
+        'echo "the mesh is tangled" >&2; exit 1',
+    )
+    with daemons.start(builds={"program": str(program)}).client() as client:
+        for _ in range(2):
+            assert failure(client).reason == "BUILD_FAILED"
+        refused = failure(client, FailedPrecondition)
+        assert refused.reason == "BUILD_QUARANTINED"
+        assert "the mesh is tangled" in refused.message
+        assert 3000 < refused.retry_delay <= 3600
+        larger = failure(client, FailedPrecondition, grid=replace(GRID, nx=9))
+        assert larger.reason == "BUILD_QUARANTINED"
+        with pytest.raises(FailedPrecondition):
+            client.solve(CATTANEO.replace(upper=STEEL, grid=Grid(6, 6, 0.8, 0.8), ics=QUICK))
+        assert runs.read_text().count("run") == 2
+        assert failure(client, grid=replace(GRID, nx=5)).reason == "BUILD_FAILED"
+
+        (daemons.folder / "repaired").touch()
+        (entry,) = client.quarantined_ics()
+        assert (entry.nx, entry.ny, entry.failures) == (6, 6, 2)
+        assert client.delete_ic(entry.key) == 0
+        assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+        assert client.quarantined_ics() == ()
+    for path in (runs, program, daemons.folder / "repaired"):
+        path.unlink()
+
+
+def test_a_larger_bound_of_iterations_is_tried_although_a_smaller_one_is_in_quarantine(client):
+    bounded = replace(QUICK, solver="amg_pcg", max_iterations=1)
+    for _ in range(2):
+        assert failure(client, ics=bounded).reason == "BUILD_FAILED"
+    assert failure(client, FailedPrecondition, bounded).reason == "BUILD_QUARANTINED"
+    assert client.get_ic(STEEL, GRID, replace(bounded, max_iterations=1000)).origin == "built"
+
+
+def test_a_quarantine_expires(daemons):
+    program = script(daemons.folder, "exit 1")
+    config = {"program": str(program), "max_failures": 1, "quarantine_seconds": 1}
+    with daemons.start(builds=config).client() as client:
+        assert failure(client).reason == "BUILD_FAILED"
+        assert failure(client, FailedPrecondition).reason == "BUILD_QUARANTINED"
+        eventually(lambda: client.quarantined_ics() == ())
+        assert failure(client).reason == "BUILD_FAILED"
+    program.unlink()
+
+
+def test_cancelled_builds_are_no_failures(daemons, background):
+    daemon = daemons.start(builds={"max_failures": 1})
+    with daemon.client() as client:
+        for _ in range(2):
+            caller = background(client.get_ic, STEEL, GRID, LONG)
+            eventually(daemon.builders)
+            client.cancel_job(client.jobs()[0].job)
+            assert caller.exception().reason == "JOB_CANCELLED"
+
+
+def test_a_table_can_be_listed_and_deleted(client):
+    key = client.get_ic(STEEL, GRID, QUICK).key
+    (stored,) = client.stored_ics()
+    assert (stored.key, stored.nx, stored.ny) == (key, 6, 6)
+    assert client.delete_ic(key) == 1
+    assert list(client.stored_ics()) == []
+    assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+    with pytest.raises(NotFound, match="ic.list"):
+        client.delete_ic("0" * 64)
