@@ -18,9 +18,9 @@ struct BuilderCommand {
     std::vector<std::string> launcher;                     ///< e.g. {"mpirun", "-np", "4"}; empty: none
     std::filesystem::path program;                         ///< contactd-ic
     std::vector<std::string> environment{"PATH", "HOME"};  ///< variables that are passed on (passed_on)
-    std::size_t max_memory_bytes = 0;   ///< address space of each process; 0: no limit
-    std::chrono::seconds stall{0};      ///< longest silence; 0: no limit
-    std::chrono::seconds longest{0};    ///< duration of a build; 0: no limit
+    std::size_t max_memory_bytes = 0;                      ///< address space of each process; 0: no limit
+    std::chrono::seconds stall{0};                         ///< longest silence; 0: no limit
+    std::chrono::seconds longest{0};                       ///< duration of a build; 0: no limit
 };
 
 /// What a builder hands over by itself because it could not be written where it belongs; empty otherwise.

@@ -41,8 +41,8 @@ IcStore open_store(const Config& config, Counters& counters) {
 
 IcService::Settings ic_settings(const Config& config) {
     const auto& builds = config.builds;
-    return {{builds.launcher, builds.program, builds.environment, builds.max_memory_bytes, std::chrono::seconds(builds.stall_seconds),
-             std::chrono::seconds(builds.max_seconds)},
+    return {{builds.launcher, builds.program, builds.environment, builds.max_memory_bytes,
+             std::chrono::seconds(builds.stall_seconds), std::chrono::seconds(builds.max_seconds)},
             builds.concurrent,
             config.store.memory_budget_bytes,
             config.store.disk_budget_bytes,

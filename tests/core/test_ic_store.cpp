@@ -1,3 +1,7 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -8,6 +12,8 @@
 #include <vector>
 
 #include "../../core/src/sha256.hpp"
+#include "../../core/src/writer.hpp"
+#include "contactd/table_lock.hpp"
 #include "ic_records.hpp"
 
 using namespace contactd;
@@ -113,4 +119,65 @@ TEST_CASE("Sweeping removes what a killed writer left, nothing else") {
 
     CHECK(store.sweep() == 1);
     CHECK(files_in(folder.path) == 2);
+}
+
+TEST_CASE("Sweeping leaves what a living writer, or one on another machine, may still be writing") {
+    const TemporaryFolder folder;
+    const IcStore store = quiet_store(folder.path);
+    const std::string mine = writer_name();
+    const std::string boot = mine.substr(0, mine.find('-'));
+    std::ofstream(folder.path / ("k.4x4.h5." + boot + "-4194304-1-" + "here.0.tmp")) << "its writer is dead";
+    std::ofstream(folder.path / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp") << "who knows";
+    const fs::path locked = folder.path / ("k.4x4.h5." + mine + ".0.tmp");
+    std::ofstream(locked) << "being written";
+    const int fd = ::open(locked.c_str(), O_RDONLY);
+    REQUIRE(::flock(fd, LOCK_EX) == 0);
+
+    CHECK(store.sweep() == 1);
+    CHECK(fs::exists(locked));
+    CHECK(fs::exists(folder.path / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp"));
+    ::close(fd);
+}
+
+TEST_CASE("A lock of a build is had once, and its file goes with it") {
+    const TemporaryFolder folder;
+    const IcStore store = quiet_store(folder.path);
+    {
+        TableLock first(store.lock_of("key")), second(store.lock_of("key"));
+        CHECK(first.try_lock() == TableLock::State::held);
+        CHECK(second.try_lock() == TableLock::State::busy);
+        CHECK(store.sweep() == 0);
+    }
+    CHECK(files_in(folder.path) == 0);
+    TableLock nowhere(folder.path / "missing" / "key.lock");
+    CHECK(nowhere.try_lock() == TableLock::State::unavailable);
+}
+
+TEST_CASE("Eviction takes damaged tables, then those unused for longest, and never those to be kept") {
+    const TemporaryFolder folder;
+    const IcStore store = quiet_store(folder.path);
+    std::vector<IcSpec> specs;
+    for (const double f : {1.1, 1.2, 1.3, 1.4}) {
+        specs.push_back(fem_spec(4, 4));
+        specs.back().fem.f = f;
+        write_ic_file(store.path_of(specs.back()), record_of(specs.back()));
+    }
+    const std::uintmax_t size = fs::file_size(store.path_of(specs[0]));
+    fs::create_directories(folder.path / "quarantine");
+    std::ofstream(folder.path / "quarantine" / "k.4x4.h5.1") << std::string(size, ' ');
+    // Clocks that were ahead once and are not any more must not turn the order round.
+    const auto ahead = fs::file_time_type::clock::now() + std::chrono::hours(24 * 365);
+    for (const IcSpec& spec : specs) fs::last_write_time(store.path_of(spec), ahead);
+
+    CHECK(store.evict(4 * size, {}, {}).empty());
+    CHECK(files_in(folder.path / "quarantine") == 0);
+
+    store.note_use(store.path_of(specs[0]));
+    CHECK(store.find(specs[1]).has_value());
+    const auto evicted = store.evict(2 * size, {ic_key(specs[3])}, {});
+    REQUIRE(evicted.size() == 2);
+    CHECK(evicted[0].key == ic_key(specs[2]));
+    CHECK(evicted[1].key == ic_key(specs[0]));
+    CHECK(store.evict(0, {}, {ic_key(specs[1])}).size() == 1);
+    CHECK(store.list().size() == 1);
 }

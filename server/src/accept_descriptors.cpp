@@ -1,0 +1,21 @@
+// libzmq 4.3 ends the program when a connection comes to an ipc endpoint and no file descriptor is left, though it
+// bears the same of the whole system (ENFILE). This accept4, which libzmq finds before that of the C library, tells it
+// so.
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <thread>
+
+extern "C" int accept4(int socket, sockaddr* address, socklen_t* length, int flags) {
+    const auto accepted = static_cast<int>(::syscall(SYS_accept4, socket, address, length, flags));
+    if (accepted < 0 && errno == EMFILE) {
+        // The connection stays in the queue, and libzmq asks again at once: without a pause that would cost a
+        // processor.
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        errno = ENFILE;
+    }
+    return accepted;
+}
