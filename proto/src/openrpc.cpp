@@ -74,7 +74,8 @@ json errors_of(std::string_view method) {
         add(StatusCode::failed_precondition);
         add(StatusCode::aborted);
     }
-    if (method == "ic.get" || method == "ic.export" || method == "contact.solve") add(StatusCode::failed_precondition);
+    if (method == "ic.get" || method == "ic.export" || method == "contact.solve" || method == "session.open")
+        add(StatusCode::failed_precondition);
     return errors;
 }
 

@@ -65,8 +65,11 @@ MetricFamilies Service::metrics(bool look_at_store) {
     append(all, counted(counters_));
     const IcCache::Usage tables = ics_.cache_usage();
     const InfluenceCache::Usage operators = influences_.usage();
-    append(all, {gauge("contactd_ready", "1 when requests are taken and the store can be used.",
-                       not_ready().empty() ? 1 : 0),
+    const bool store_usable =
+        ics_.store_problem().empty() && (!look_at_store || store_problem(config_.store.folder).empty());
+    append(all, {gauge("contactd_ready", "1 when requests are taken.", not_ready().empty() ? 1 : 0),
+                 gauge("contactd_store_usable", "1 when the store's folder can be read and written to.",
+                       store_usable ? 1 : 0),
                  gauge("contactd_uptime_seconds", "Time since the start.",
                        std::chrono::duration<double>(Call::Clock::now() - started_).count()),
                  gauge("contactd_workers", "Threads that solve.", number(config_.workers)),
@@ -90,7 +93,7 @@ MetricFamilies Service::metrics(bool look_at_store) {
 std::string Service::not_ready() const {
     if (stopping_) return "The daemon is ending.";
     if (!serving_) return "The daemon is starting.";
-    return store_problem(config_.store.folder);
+    return {};  // without its store, too, it answers: from memory and with what it builds
 }
 
 void Service::server_metrics(const CallPtr& call) {

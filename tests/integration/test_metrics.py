@@ -133,15 +133,15 @@ def test_probes_say_alive_and_ready(http_daemon):
     assert get(http_daemon, "/healthz") == (200, "alive\n")
 
 
-def test_a_store_that_is_gone_makes_the_daemon_unready_until_it_is_back(daemons):
+def test_a_daemon_without_its_store_is_ready_and_its_metrics_show_it(daemons):
     daemon = daemons.start(http=HTTP)
     eventually(lambda: get(daemon, "/readyz")[0] == 200)
+    assert "\ncontactd_store_usable 1\n" in get(daemon, "/metrics")[1]
     shutil.rmtree(daemon.store)
-    status, why = get(daemon, "/readyz")
-    assert (status, str(daemon.store) in why) == (503, True)
-    assert get(daemon, "/healthz")[0] == 200
+    assert "\ncontactd_store_usable 0\n" in get(daemon, "/metrics")[1]
+    assert get(daemon, "/readyz") == (200, "ready\n")
     daemon.store.mkdir()
-    assert get(daemon, "/readyz")[0] == 200
+    assert "\ncontactd_store_usable 1\n" in get(daemon, "/metrics")[1]
 
 
 def test_a_draining_daemon_is_alive_but_not_ready(daemons, background):

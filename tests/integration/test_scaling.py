@@ -10,11 +10,13 @@ from pathlib import Path
 import pytest
 import zmq
 
-from contactd import Cancelled, Unavailable
+from contactd import Cancelled, NotFound, Unavailable
 from support.daemons import BIN, CheckedClient, eventually, processes_with
 from support.problems import CATTANEO, CATTANEO_PARAMS, GRID, LONG, QUICK, STEEL
 from support.raw import RawClient
+from support.sessions import open_session
 
+APPROACHES = [0.02, 0.021, 0.022]
 EXAMPLES = Path(__file__).parents[2] / "client" / "python" / "examples"
 
 
@@ -75,6 +77,48 @@ def test_a_daemon_that_goes_away_behind_the_proxy_is_replaced(daemons, backgroun
         before = requests(left)
         assert client.solve(CATTANEO).converged
         assert requests(left) == before + 1
+
+
+def test_sessions_of_clients_of_their_own_stay_with_their_daemons(daemons):
+    pair = [daemons.start(name) for name in ("first", "second")]
+    with pair[0].client() as direct, open_session(direct) as session:
+        expected = [session.step(approach=approach).forces for approach in APPROACHES]
+    with proxy_for(*pair) as endpoint, contextlib.ExitStack() as stack:
+        clients = [stack.enter_context(CheckedClient(endpoint, timeout=50)) for _ in pair]
+        sessions = [stack.enter_context(open_session(client)) for client in clients]
+        for approach, forces in zip(APPROACHES, expected):
+            assert [session.step(approach=approach).forces for session in sessions] == [forces, forces]
+        assert [len(sessions_of(daemon)) for daemon in pair] == [1, 1]
+        saved = sessions[0].save()
+        sessions[0].restore(saved)
+        assert sessions[0].step(approach=APPROACHES[-1]).step == saved.step + 1
+
+
+def test_a_session_ends_with_its_daemon_and_a_new_one_gets_another(daemons):
+    pair = [daemons.start(name) for name in ("first", "second")]
+    with proxy_for(*pair) as endpoint, CheckedClient(endpoint, timeout=50) as client:
+        session = open_session(client)
+        assert session.step().step == 1
+        (busy,) = [daemon for daemon in pair if sessions_of(daemon)]
+        busy.kill()
+        eventually(lambda: is_unknown(session))
+        with open_session(client) as another:
+            assert another.step().step == 1
+
+
+def is_unknown(session):
+    try:
+        session.step()
+    except Unavailable:
+        return False  # the proxy has not heard of it yet
+    except NotFound as error:
+        return error.reason == "SESSION_UNKNOWN"
+    return False
+
+
+def sessions_of(daemon):
+    with daemon.client() as client:
+        return client.sessions()
 
 
 def jobs(daemon):
