@@ -1,0 +1,68 @@
+// What a fake daemon answers where the answer is to be a good one.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "contactd/contact.hpp"
+#include "contactd/proto/codec.hpp"
+#include "fake_daemon.hpp"
+
+namespace fake {
+
+using namespace contactd;
+
+inline const nlohmann::json healthy{{"state", "serving"}};
+
+inline ContactProblem problem() {
+    ContactProblem problem;
+    problem.grid = Grid::centred(3, 2, 0.1, 0.1);
+    problem.bodies = {{200, 0.42}, {200, 0.42}};
+    problem.gap = Paraboloid{50, 50};
+    problem.approach = 0.02;
+    return problem;
+}
+
+/// Solves by returning the gap as the pressure.
+inline proto::SolveReply gap_as_pressure(const ContactProblem& read) {
+    proto::SolveReply reply;
+    reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = undeformed_distance(read);
+    reply.solution.element_division.assign(read.grid.size(), ElementState::slip);
+    reply.upper = {"closed_form", "", {}};
+    reply.upper->evidence.source = "analytic";
+    reply.lower = reply.upper;
+    return reply;
+}
+
+inline std::vector<Frames> message_of(const nlohmann::json& request, const nlohmann::json& result,
+                                      proto::ArrayWriter& arrays) {
+    Frames message{reply(request, result)};
+    for (std::string& frame : arrays.take_frames()) message.push_back(std::move(frame));
+    return {message};
+}
+
+inline std::vector<Frames> echo_gap(const nlohmann::json& request, const Frames& frames) {
+    const ContactProblem read = proto::decode_problem(request["params"], frames);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    return message_of(request, proto::encode_solve_reply(gap_as_pressure(read), read.grid, arrays), arrays);
+}
+
+/// The same for many; fails those without contact.
+inline std::vector<Frames> echo_gaps(const nlohmann::json& request, const Frames& frames) {
+    std::vector<proto::ReplyOrStatus> replies;
+    std::vector<Grid> grids;
+    for (const auto& problem : proto::decode_problems(request["params"], frames)) {
+        const auto& read = std::get<ContactProblem>(problem);
+        grids.push_back(read.grid);
+        if (read.approach > 0)
+            replies.emplace_back(gap_as_pressure(read));
+        else
+            replies.emplace_back(proto::Status{proto::StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
+    }
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    return message_of(request, proto::encode_solve_replies(replies, grids, arrays), arrays);
+}
+
+}  // namespace fake
