@@ -20,6 +20,7 @@ __all__ = ["CLIENT", "PROTOCOL_VERSION", "Connection", "Reply", "status_error_of
 PROTOCOL_VERSION = 1
 CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
 _CANCEL_LINGER_MS = 200
+_EVENTS = zmq.EVENT_DISCONNECTED | zmq.EVENT_HANDSHAKE_SUCCEEDED | HANDSHAKE_EVENTS
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,8 @@ class Connection:
         self._socket.setsockopt(zmq.HEARTBEAT_TIMEOUT, 30_000)
         if curve is not None:
             curve.apply(self._socket)
-        self._monitor: zmq.Socket[bytes] = self._socket.get_monitor_socket(zmq.EVENT_DISCONNECTED | HANDSHAKE_EVENTS)
+        self._monitor: zmq.Socket[bytes] = self._socket.get_monitor_socket(_EVENTS)
+        self._lost = False  # the connection, and no handshake has made a new one since
         self._monitor.setsockopt(zmq.LINGER, 0)
         try:
             self._socket.connect(endpoint)
@@ -124,11 +126,10 @@ class Connection:
         poller.register(self._socket, zmq.POLLOUT)
         poller.register(self._monitor, zmq.POLLIN)
         while True:
-            connected = bool(self._socket.poll(0, zmq.POLLOUT))
+            connected = bool(self._socket.poll(0, zmq.POLLOUT)) and not self._lost
             news = bool(self._monitor.poll(0))
-            while self._monitor.poll(0):
-                event = recv_monitor_message(self._monitor)
-                if connected or event["event"] == zmq.EVENT_DISCONNECTED:
+            while (event := self._next_event()) is not None:
+                if connected or event["event"] in (zmq.EVENT_DISCONNECTED, zmq.EVENT_HANDSHAKE_SUCCEEDED):
                     continue
                 if (failure := handshakes.judge(event["event"], event["value"])) is not None:
                     raise failure
@@ -137,8 +138,20 @@ class Connection:
             remaining = deadline - time.monotonic()
             if remaining <= 0:
                 raise ConnectionFailed(f"No daemon answers at {self.endpoint}.")
-            if not news:
+            if self._lost:
+                self._monitor.poll(max(1, round(remaining * 1000)))
+            elif not news:
                 poller.poll(max(1, round(remaining * 1000)))
+
+    def _next_event(self) -> dict[str, Any] | None:
+        """What happened to the connection, in order; None when all is read."""
+        if not self._monitor.poll(0):
+            return None
+        event = recv_monitor_message(self._monitor)
+        # The socket itself may take a message for a connection that is being taken down a little longer.
+        if event["event"] in (zmq.EVENT_DISCONNECTED, zmq.EVENT_HANDSHAKE_SUCCEEDED):
+            self._lost = event["event"] == zmq.EVENT_DISCONNECTED
+        return dict(event)
 
     def _receive(self, deadline: float, method: str) -> list[bytes]:
         poller = zmq.Poller()
@@ -150,10 +163,10 @@ class Connection:
                 raise TimeoutExpired(f"{method} was not answered in time by {self.endpoint}.")
             poller.poll(max(1, round(remaining * 1000)))
             # The answer first: a daemon that is ending answers and then hangs up.
-            lost = bool(self._monitor.poll(0))
+            event = self._next_event()
             if self._socket.poll(0):
                 return self._socket.recv_multipart()
-            if lost:
+            if event is not None and event["event"] != zmq.EVENT_HANDSHAKE_SUCCEEDED:
                 raise ConnectionFailed(f"The daemon at {self.endpoint} went away while it worked on {method}.")
 
 
