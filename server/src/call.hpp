@@ -59,8 +59,9 @@ class Call {
     const Clock::time_point received;
     const proto::Priority priority;
 
-    /// Who asked, as fairness and limits count clients.
+    /// The connection that asked, as turns and limits count clients.
     const std::string& client() const { return route_.identity; }
+    const std::string& user() const { return route_.user; }
     bool takes_progress() const { return !route_.empty_delimiter; }
 
     /// The deadline the client gave, or never.
@@ -93,7 +94,7 @@ using CallPtr = std::shared_ptr<Call>;
 
 /// The turn of work for `call` in a pool; work for a call that was answered is dropped.
 inline Turn turn_of(const CallPtr& call) {
-    return {call->client(), call->priority, [call] { return call->answered(); }};
+    return {call->client(), call->priority, [call] { return call->answered(); }, call->user()};
 }
 
 /// The reply to a request whose envelope could not be read; `id` is empty when it is not known.

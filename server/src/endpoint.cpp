@@ -210,7 +210,7 @@ void Endpoint::accept(Route route, std::string envelope, std::vector<std::string
         std::size_t bytes = envelope.size();
         for (const auto& frame : frames) bytes += frame.size();
         OpenCalls::Admission admission = service_.open_calls().admit(route, bytes);
-        Turn turn{route.identity};
+        Turn turn{.client = route.identity, .user = route.user};
         parser_.post(std::move(turn), [this, received, route = std::move(route), envelope = std::move(envelope),
                                        frames = std::move(frames), admission = std::move(admission)]() mutable {
             parse_now(route, envelope, std::move(frames), received, std::move(admission));
@@ -248,7 +248,7 @@ void Endpoint::open_call(const Route& route, proto::Request request, Clock::time
     if (admission.number != 0 && !open.attach(admission.number, call)) return;  // answered while it was read
     if (call->request.method == "request.cancel" && open.has_unread(route.identity)) {
         // Perhaps it is the unread one that is meant: not before that has been read.
-        return parser_.post(Turn{route.identity}, [this, call] { service_.handle(call); });
+        return parser_.post({.client = route.identity, .user = route.user}, [this, call] { service_.handle(call); });
     }
     const bool has_deadline = call->request.timeout_ms > 0;
     service_.handle(std::move(call));

@@ -53,7 +53,7 @@ void Session::take_turn(const Turn& turn, Work work, WorkerPool& workers) {
         const std::scoped_lock lock(mutex_);
         last_used_ = Clock::now();
         // Never abandoned: what waits behind it in the session would be so, too.
-        if (busy_) return waiting_.push_back({{turn.client, turn.priority, {}}, std::move(work)});
+        if (busy_) return waiting_.push_back({{turn.client, turn.priority, {}, turn.user}, std::move(work)});
         busy_ = true;
     }
     run_turns(work, workers);

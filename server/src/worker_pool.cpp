@@ -17,10 +17,9 @@ void WorkerPool::post(Turn turn, Task task) {
     {
         const std::scoped_lock lock(mutex_);
         if (stopping_) return;
-        auto& lines = levels_[static_cast<std::size_t>(turn.priority)].lines;
-        auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& l) { return l.client == turn.client; });
-        if (line == lines.end()) line = lines.insert(lines.end(), Line{std::move(turn.client), {}});
-        line->tasks.push_back({std::move(task), std::move(turn.abandoned)});
+        auto& users = levels_[static_cast<std::size_t>(turn.priority)].users;
+        auto& client = line_of(line_of(users, std::move(turn.user)).parts, std::move(turn.client));
+        client.parts.push_back({std::move(task), std::move(turn.abandoned)});
         ++waiting_;
     }
     changed_.notify_one();
@@ -29,15 +28,18 @@ void WorkerPool::post(Turn turn, Task task) {
 void WorkerPool::drop_abandoned() {
     std::vector<Waiting> dropped;  // destroyed after the lock: what they hold may be much
     const std::scoped_lock lock(mutex_);
+    const auto is_empty = [](const auto& line) { return line.parts.empty(); };
+    const auto is_wanted = [](const Waiting& waiting) { return !waiting.abandoned || !waiting.abandoned(); };
     for (Level& level : levels_) {
-        for (Line& line : level.lines) {
-            const auto kept = std::stable_partition(line.tasks.begin(), line.tasks.end(), [](const Waiting& waiting) {
-                return !waiting.abandoned || !waiting.abandoned();
-            });
-            std::move(kept, line.tasks.end(), std::back_inserter(dropped));
-            line.tasks.erase(kept, line.tasks.end());
+        for (User& user : level.users) {
+            for (auto& [name, tasks] : user.parts) {
+                const auto unwanted = std::stable_partition(tasks.begin(), tasks.end(), is_wanted);
+                std::move(unwanted, tasks.end(), std::back_inserter(dropped));
+                tasks.erase(unwanted, tasks.end());
+            }
+            std::erase_if(user.parts, is_empty);
         }
-        std::erase_if(level.lines, [](const Line& line) { return line.tasks.empty(); });
+        std::erase_if(level.users, is_empty);
     }
     waiting_ -= static_cast<int>(dropped.size());
 }
@@ -65,7 +67,7 @@ int WorkerPool::running() const {
 }
 
 WorkerPool::Level& WorkerPool::next_level() {
-    const auto has_tasks = [](const Level& level) { return !level.lines.empty(); };
+    const auto has_tasks = [](const Level& level) { return !level.users.empty(); };
     // Of several that have waited long enough the lowest first: it has waited longest.
     const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
         return has_tasks(level) && level.passed_over >= patience;
@@ -77,13 +79,31 @@ WorkerPool::Level& WorkerPool::next_level() {
     return next;
 }
 
-WorkerPool::Task WorkerPool::take_next() {
-    auto& lines = next_level().lines;
-    Line line = std::move(lines.front());
+/// The line of that name, a new one at the end when there is none.
+template <class Part>
+WorkerPool::Line<Part>& WorkerPool::line_of(std::deque<Line<Part>>& lines, std::string name) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.name == name; });
+    return found != lines.end() ? *found : lines.emplace_back(Line<Part>{std::move(name), {}});
+}
+
+/// A task from the line at the front, which then goes behind all others.
+template <class Part, class Take>
+WorkerPool::Task WorkerPool::take_in_turn(std::deque<Line<Part>>& lines, const Take& take) {
+    Line<Part> line = std::move(lines.front());
     lines.pop_front();
-    Task task = std::move(line.tasks.front().task);
-    line.tasks.pop_front();
-    if (!line.tasks.empty()) lines.push_back(std::move(line));  // behind everybody else
+    Task task = take(line.parts);
+    if (!line.parts.empty()) lines.push_back(std::move(line));
+    return task;
+}
+
+WorkerPool::Task WorkerPool::take_next() {
+    const auto first = [](std::deque<Waiting>& tasks) {
+        Task task = std::move(tasks.front().task);
+        tasks.pop_front();
+        return task;
+    };
+    Task task =
+        take_in_turn(next_level().users, [&](std::deque<Client>& clients) { return take_in_turn(clients, first); });
     --waiting_;
     return task;
 }

@@ -19,10 +19,11 @@ struct Turn {
     std::string client;
     proto::Priority priority = proto::Priority::normal;
     std::function<bool()> abandoned{};  ///< nobody waits for the task any more; asked under the pool's lock
+    std::string user{};                 ///< who has the client, which may be one of many
 };
 
-/// Tasks of a higher priority go first, and within a priority one task of each client in turn. So that nothing starves,
-/// a priority that was passed over `patience` times while it had tasks goes next.
+/// Tasks of a higher priority go first, within a priority one task of each user in turn, and of a user one of each
+/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next.
 class WorkerPool {
    public:
     using Task = std::function<void()>;  ///< must not throw
@@ -45,15 +46,23 @@ class WorkerPool {
         Task task;
         std::function<bool()> abandoned;
     };
+    template <class Part>
     struct Line {
-        std::string client;
-        std::deque<Waiting> tasks;  // never empty
+        std::string name;
+        std::deque<Part> parts;  // never empty; the one at the front is the next
     };
+    using Client = Line<Waiting>;
+    using User = Line<Client>;
     struct Level {
-        std::deque<Line> lines;  // the client at the front is the next
+        std::deque<User> users;
         int passed_over = 0;
     };
     using Levels = std::array<Level, 3>;  // by priority, the highest first
+
+    template <class Part>
+    static Line<Part>& line_of(std::deque<Line<Part>>& lines, std::string name);
+    template <class Part, class Take>
+    static Task take_in_turn(std::deque<Line<Part>>& lines, const Take& take);
 
     void work();
     Level& next_level();

@@ -96,6 +96,21 @@ TEST_CASE("Clients take turns, however much one of them has posted") {
     CHECK(stalled.order() == Names{"a1", "b1", "c1", "a2", "b2", "a3", "a4"});
 }
 
+TEST_CASE("Users take turns, however many clients one of them has, and their clients among themselves") {
+    Stalled stalled;
+    const auto post = [&](const std::string& name, const std::string& client, const std::string& user) {
+        stalled.post(name, {client, Priority::normal, {}, user});
+    };
+    for (const char* client : {"p", "q", "r"}) {
+        post(std::string("many-") + client + "1", client, "many");
+        post(std::string("many-") + client + "2", client, "many");
+    }
+    post("one-1", "s", "one");
+    post("one-2", "s", "one");
+
+    CHECK(stalled.order() == Names{"many-p1", "one-1", "many-q1", "one-2", "many-r1", "many-p2", "many-q2", "many-r2"});
+}
+
 TEST_CASE("A higher priority overtakes") {
     Stalled stalled;
     stalled.post("low", {"a", Priority::low});
