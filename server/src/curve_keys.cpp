@@ -114,6 +114,9 @@ NewKeys generate_keys(const fs::path& folder, const std::string& name) {
     std::array<char, z85_size> public_key{}, secret_key{};
     if (zmq_curve_keypair(public_key.data(), secret_key.data()) != 0)
         throw Error("The ZeroMQ library of this machine was built without CURVE.");
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw Error("The folder " + folder.string() + " cannot be made: " + error.message() + ".");
     const NewKeys files{folder / (name + ".key_secret"), folder / (name + ".key")};
     const std::string public_line = std::string("    public-key = \"") + public_key.data() + "\"\n";
     const std::string secret_line = std::string("    secret-key = \"") + secret_key.data() + "\"\n";

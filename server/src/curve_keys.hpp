@@ -32,8 +32,9 @@ struct NewKeys {
     std::filesystem::path secret_file, public_file;
 };
 
-/// Makes a pair of keys and writes FOLDER/NAME.key_secret, readable by its owner only, and FOLDER/NAME.key. Throws
-/// Error when the name is no file name or one of the files exists; nothing is ever overwritten.
+/// Makes a pair of keys and writes FOLDER/NAME.key_secret, readable by its owner only, and FOLDER/NAME.key; makes the
+/// folder when it is missing. Throws Error when the name is no file name or one of the files exists; nothing is ever
+/// overwritten.
 NewKeys generate_keys(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace contactd::server

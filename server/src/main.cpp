@@ -72,8 +72,8 @@ int serve(const Config& config) {
     return 0;
 }
 
-int answer_ping(const std::string& endpoint) {
-    const PingResult result = ping(endpoint, std::chrono::seconds(5));
+int answer_ping(const std::string& endpoint, const PingKeys& keys) {
+    const PingResult result = ping(endpoint, keys, std::chrono::seconds(5));
     (result.serving ? std::cout : std::cerr) << result.text << "\n";
     return result.serving ? 0 : 1;
 }
@@ -95,12 +95,20 @@ int make_keys(const std::string& folder, const std::string& name) {
 int main(int argc, char** argv) {
     CLI::App app("contactd: influence coefficients and elastic contact, as a service.");
     std::string config_file, endpoint, ping_endpoint, key_name, key_folder = ".";
+    PingKeys ping_keys;
     bool print_config = false, only_check = false;
     app.add_option("-c,--config", config_file, "configuration (JSON); without one the defaults hold");
     app.add_option("-e,--endpoint", endpoint, "where to listen, in place of the configuration's endpoint");
     app.add_flag("--print-config", print_config, "print the configuration with its defaults, and end");
     app.add_flag("--check-config", only_check, "look for what would go wrong with the configuration, and end");
-    app.add_option("--ping", ping_endpoint, "ask the daemon that listens there whether it serves, and end");
+    CLI::Option* asks =
+        app.add_option("--ping", ping_endpoint, "ask the daemon that listens there whether it serves, and end");
+    CLI::Option* server_key = app.add_option("--server-key", ping_keys.server,
+                                             "of --ping: file with the public key of a daemon that encrypts");
+    CLI::Option* own_key =
+        app.add_option("--own-key", ping_keys.own, "of --ping: file NAME.key_secret of a user whom it allows");
+    server_key->needs(asks, own_key);
+    own_key->needs(asks, server_key);
     app.set_version_flag("-v,--version", about());
     CLI::App* keygen = app.add_subcommand("keygen", "make a pair of CURVE keys (docs/security.md), and end");
     keygen->add_option("NAME", key_name, "whose keys: a user's name, or the daemon's")->required();
@@ -108,7 +116,7 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     if (keygen->parsed()) return make_keys(key_folder, key_name);
-    if (!ping_endpoint.empty()) return answer_ping(ping_endpoint);
+    if (!ping_endpoint.empty()) return answer_ping(ping_endpoint, ping_keys);
 
     Config config;
     try {

@@ -2,15 +2,22 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 
 namespace contactd::server {
+
+/// Of an encrypted connection: the file with the daemon's public key, and that with an own, allowed pair. Neither is
+/// given for a daemon that does not encrypt.
+struct PingKeys {
+    std::filesystem::path server, own;
+};
 
 /// "serving", "stopping", or why there was no answer; `serving` says which.
 struct PingResult {
     bool serving;
     std::string text;
 };
-PingResult ping(const std::string& endpoint, std::chrono::milliseconds patience);
+PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::milliseconds patience);
 
 }  // namespace contactd::server

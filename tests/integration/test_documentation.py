@@ -1,10 +1,21 @@
 """The examples of the guides run as they stand there."""
 
+import json
 import re
+import shlex
+import shutil
+import signal
+import subprocess
+import textwrap
 from pathlib import Path
 from typing import Any
 
 import pytest
+import zmq
+import zmq.auth
+
+from contactd import Client, Unauthenticated
+from support.daemons import BIN, eventually
 
 DOCS = Path(__file__).parents[2] / "docs"
 
@@ -35,3 +46,46 @@ def test_the_guide_to_contact_problems(shared):
     assert abs(names["force"] / names["expected"] - 1).max() < 0.02
     assert names["pulled"].approach == pytest.approx(0.02, rel=1e-6)
     assert names["free"].motion.eta < 0
+
+
+def test_the_guide_to_keys(daemons, tmp_path, monkeypatch):
+    """Its commands with folders of the test's own, its configuration, its clients, and the word to revoke a key."""
+    etc, home = tmp_path / "etc", tmp_path / ".config" / "contactd"
+
+    def here(text):
+        return text.replace("/etc/contactd", str(etc)).replace("~/.config/contactd", str(home))
+
+    page = (DOCS / "security.md").read_text()
+    commands = [shlex.split(here(line)) for line in re.findall(r"^ +\$ (.*)", page, re.MULTILINE)]
+    assert [" ".join(command[:2]) for command in commands] == [
+        "install -d", "contactd keygen", "contactd keygen", "install -m", "contactd --ping"
+    ]  # fmt: skip
+
+    def run(command):
+        program = [BIN / "contactd", *command[1:]] if command[0] == "contactd" else command
+        folder = home if home.exists() else tmp_path
+        ended = subprocess.run(program, cwd=folder, check=True, capture_output=True, text=True, timeout=30)
+        return ended.stdout
+
+    *steps, ask = commands
+    for command in steps:
+        run(command)
+    shutil.copy(etc / "keys" / "server.key", home)
+    config = json.loads(here(re.search(r'^ +(\{"endpoint".*?\}\}\}) *$', page, re.MULTILINE | re.DOTALL)[1]))
+    assert config["endpoint"] == "tcp://0.0.0.0:5555"
+    daemon = daemons.start(**{**config, "endpoint": "tcp://127.0.0.1:*"})
+    assert run([daemon.endpoint if word == "tcp://host:5555" else word for word in ask]) == "serving\n"
+
+    monkeypatch.chdir(home)
+    names = {"Client": Client, "zmq": zmq}
+    for example in re.findall(r"^ +```python\n(.*?)^ +```", page, re.MULTILINE | re.DOTALL):
+        exec(textwrap.dedent(example).replace("tcp://host:5555", daemon.endpoint), names)
+    with names["client"] as client, names["socket"] as socket:
+        assert (client.health(), names["answer"]["result"]["state"]) == ("serving", "serving")
+        (etc / "keys" / "allowed" / "alice.key").unlink()
+        daemon.process.send_signal(signal.SIGHUP)
+        eventually(lambda: "0 keys are allowed" in daemon.log)
+        with pytest.raises(Unauthenticated, match="not allowed any more"):
+            client.health()
+        socket.send_json({"contactd": 1, "id": "2", "method": "server.health"})
+        assert socket.recv_json()["status"]["details"]["reason"] == "KEY_REVOKED"

@@ -138,6 +138,31 @@ def test_checking_the_configuration_looks_at_the_keys(fortress):
     assert "chmod 600" in ended.stderr
 
 
+def ping(fortress, **keys):
+    options = [word for name, path in keys.items() for word in (f"--{name}-key", path)]
+    ask = [BIN / "contactd", "--ping", fortress.daemon.endpoint, *options]
+    return subprocess.run(ask, capture_output=True, text=True, timeout=30)
+
+
+def test_a_ping_with_keys_says_whether_the_daemon_serves(fortress):
+    ended = ping(fortress, server=fortress.public, own=fortress.alice)
+    assert (ended.returncode, ended.stdout) == (0, "serving\n")
+
+
+def test_a_ping_with_other_keys_or_none_says_what_it_takes(fortress):
+    stranger, (_, other) = fortress.make_user("mallory"), keygen(fortress.folder / "other", "server")
+    wrong = [{}, {"server": fortress.public, "own": stranger}, {"server": other, "own": fortress.alice}]
+    for keys in wrong:
+        ended = ping(fortress, **keys)
+        assert ended.returncode == 1
+        assert "an --own-key that it allows" in ended.stderr
+    ended = ping(fortress, server=fortress.public, own=fortress.public)
+    assert (ended.returncode, "holds no secret key" in ended.stderr) == (1, True)
+    ended = ping(fortress, server=fortress.public)
+    assert ended.returncode != 0
+    assert "--own-key" in ended.stderr
+
+
 def test_a_folder_of_keys_that_went_away_changes_nothing(fortress):
     fortress.allowed.rename(fortress.folder / "elsewhere")
     fortress.reload("stay so")
@@ -239,6 +264,14 @@ def test_new_keys_are_private_and_never_overwrite(tmp_path):
     assert subprocess.run(again, capture_output=True, timeout=30).returncode == 1
     assert not secret.exists()
     assert public.read_bytes() == before[1]
+
+
+def test_new_keys_make_their_folder_or_say_why_not(tmp_path):
+    assert keygen(tmp_path / "new" / "folder", "alice")[0].is_file()
+    (tmp_path / "file").write_text("")
+    ask = [BIN / "contactd", "keygen", "alice", "--folder", tmp_path / "file" / "folder"]
+    ended = subprocess.run(ask, capture_output=True, text=True, timeout=30)
+    assert (ended.returncode, f"The folder {tmp_path}/file/folder cannot be made" in ended.stderr) == (1, True)
 
 
 @pytest.mark.parametrize("name", ["../alice", "a/b", "", ".hidden", "a b", "x" * 65, "a\nb"])

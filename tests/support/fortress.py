@@ -14,7 +14,6 @@ from .daemons import BIN, Daemons, eventually
 
 def keygen(folder: Path, name: str) -> tuple[Path, Path]:
     """contactd keygen; the secret and the public file."""
-    folder.mkdir(parents=True, exist_ok=True)
     subprocess.run([BIN / "contactd", "keygen", name, "--folder", folder], check=True, capture_output=True, timeout=30)
     return folder / f"{name}.key_secret", folder / f"{name}.key"
 
