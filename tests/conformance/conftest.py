@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,9 +17,36 @@ from conformance.wire import RECORD, Daemon, Peer
 Start = Callable[..., Daemon]
 
 
+#: What only a defect of the daemon would bring about.
+UNREACHABLE = {"UNEXPECTED"}
+
+
+def _is_whole(session: pytest.Session) -> bool:
+    """Whether the suite ran with every scenario, and none has failed."""
+    folder = Path(__file__).parent
+    modules = {item.path for item in session.items if item.path.parent == folder}
+    chosen = session.config.option.keyword or any("::" in argument for argument in session.config.args)
+    return not chosen and not session.testsfailed and modules == set(folder.glob("test_*.py"))
+
+
+def _unseen(methods: set[str]) -> set[str]:
+    """Methods that were never answered with OK, and reasons of the protocol page that were never given."""
+    page = (Path(__file__).parents[2] / "docs" / "protocol.md").read_text()
+    rows = re.findall(r"^\| [A-Z_]+ \| ([A-Z_, ]+) \|", page, re.MULTILINE)
+    reasons = {reason for row in rows for reason in row.split(", ")}
+    assert len(reasons) > 30
+    statuses = [envelope["status"] for _, envelope in RECORD if "status" in envelope]
+    given = {status.get("details", {}).get("reason") for status in statuses}
+    answered = {method for method, envelope in RECORD if "result" in envelope}
+    return (reasons - given - UNREACHABLE) | (methods - answered)
+
+
 @pytest.fixture(scope="session", autouse=True)
-def every_message_is_as_described() -> Iterator[None]:
-    """Holds all that was received against the schemas of the OpenRPC document that the daemon itself hands out."""
+def every_message_is_as_described(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Holds all that was received against the schemas of the OpenRPC document that the daemon itself hands out.
+
+    Of a whole run, also that every method was answered and every reason was given.
+    """
     yield
     daemon = Daemon({})
     try:
@@ -43,6 +72,9 @@ def every_message_is_as_described() -> Iterator[None]:
             for error in validators[name].iter_errors(part)
         ]
     assert len(RECORD) > 1
+    methods = {method["name"] for method in document["methods"]}
+    unseen = _unseen(methods) if _is_whole(request.session) else set()
+    assert not unseen, f"no scenario of the suite shows {', '.join(sorted(unseen))}"
     assert not wrong, f"{len(wrong)} of {len(RECORD)} messages are not as described:\n" + "\n".join(wrong[:20])
 
 

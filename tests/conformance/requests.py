@@ -15,7 +15,7 @@ SOLVE: dict[str, Any] = {
 #: A solve that ends by being ended only.
 ENDLESS: dict[str, Any] = {
     **SOLVE,
-    "grid": {"nx": 320, "ny": 320, "dx": 0.0075, "dy": 0.0075},
+    "grid": {"nx": 80, "ny": 80, "dx": 0.03, "dy": 0.03},
     "friction": {"mu": 0.4, "rolling": {"kind": "transient", "xi": 1e-3, "steps": 100_000}},
 }
 #: Stresses at one point, in one turn of a worker.

@@ -1,9 +1,11 @@
 """Arrays as lists and as frames, both ways."""
 
+import json
+
 import numpy as np
 import pytest
 
-from conformance.requests import SOLVE, TABLE
+from conformance.requests import SOLVE, STRESS, TABLE
 from conformance.wire import INVALID_ARGUMENT
 
 NX, NY = SOLVE["grid"]["nx"], SOLVE["grid"]["ny"]
@@ -72,3 +74,17 @@ def test_an_array_that_does_not_fit_is_refused(peer, array, frames):
 def test_frames_are_for_requests_that_name_them(peer):
     reply = peer.ask("server.health", {}, b"12345678")
     assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "ARRAY_INVALID", ["frame 1"])
+
+
+@pytest.mark.parametrize("number", ["6.0", "6e0", "60e-1"])
+def test_a_whole_number_has_neither_fraction_nor_exponent(peer, number):
+    request = {"contactd": 1, "id": "x", "method": "contact.solve", "params": SOLVE}
+    reply = peer.ask_text(json.dumps(request).replace('"nx": 6', f'"nx": {number}'))
+    assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "FIELD_INVALID", ["grid.nx"])
+
+
+def test_the_numbers_of_an_envelope_are_bounded(start):
+    daemon = start(limits={"max_array_elements": 100})
+    with daemon.peer() as peer:
+        reply = peer.ask("contact.subsurface", {**STRESS, "points": [[0, 0, -1]] * 3400})
+        assert (reply.code, reply.reason) == (INVALID_ARGUMENT, "LIMIT_EXCEEDED")

@@ -1,5 +1,7 @@
 """What server.info allows is what is allowed, in both directions, and what is beyond it costs nobody but its sender."""
 
+import json
+
 import pytest
 
 from conformance.requests import SOLVE, TABLE
@@ -61,3 +63,10 @@ def test_a_frame_beyond_all_measure_costs_its_sender_only(strict, guest):
     with strict.peer() as careless:
         careless.send("server.health", {}, bytes(100_000))
     assert guest.ask("server.health").code == OK
+
+
+@pytest.mark.parametrize("method", ["server.info", "server.describe", "server.metrics"])
+def test_the_server_answers_for_itself_whatever_the_limits(guest, method):
+    reply = guest.ask(method)
+    assert reply.code == OK
+    assert method == "server.info" or len(json.dumps(reply.envelope)) > LIMITS["max_message_bytes"]

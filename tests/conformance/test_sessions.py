@@ -1,11 +1,13 @@
 """Sessions: a number is answered once, what fails changes nothing, states are gone back to, and the end is the end."""
 
+import time
+
 import pytest
 
-from conformance.requests import SOLVE
-from conformance.wire import INVALID_ARGUMENT, NOT_FOUND, OK
-
-ABORTED, FAILED_PRECONDITION = 10, 9
+from conformance.requests import ENDLESS, SOLVE
+from conformance.wire import (
+    ABORTED, CANCELLED, DEADLINE_EXCEEDED, FAILED_PRECONDITION, INVALID_ARGUMENT, NOT_FOUND, OK, RESOURCE_EXHAUSTED
+)  # fmt: skip
 
 
 @pytest.fixture
@@ -76,3 +78,41 @@ def test_a_closed_session_is_not_found_and_none_is_listed_by_name(peer):
         more = {"step": 1} if method == "session.step" else {}
         reply = peer.ask(method, {"session": session, **more})
         assert (reply.code, reply.reason) == (NOT_FOUND, "SESSION_UNKNOWN")
+
+
+def test_a_session_that_nobody_uses_expires(peer):
+    session = peer.ask("session.open", {**SOLVE, "lease_seconds": 0.1}).result["session"]
+    while any(entry["lease_seconds"] == 0.1 for entry in peer.ask("session.list").result["sessions"]):
+        time.sleep(0.02)
+    reply = step(peer, session, 1)
+    assert (reply.code, reply.reason) == (NOT_FOUND, "SESSION_EXPIRED")
+
+
+def test_sessions_and_their_states_are_bounded(start):
+    daemon = start(sessions={"max_sessions": 1, "max_states": 1})
+    with daemon.peer() as peer:
+        session = peer.ask("session.open", SOLVE).result["session"]
+        second = peer.ask("session.open", SOLVE)
+        assert (second.code, second.reason) == (RESOURCE_EXHAUSTED, "SESSION_LIMIT")
+        assert peer.ask("session.save", {"session": session}).code == OK
+        second = peer.ask("session.save", {"session": session})
+        assert (second.code, second.reason) == (RESOURCE_EXHAUSTED, "SESSION_LIMIT")
+        assert peer.ask("session.close", {"session": session}).code == OK
+        assert peer.ask("session.open", SOLVE).code == OK
+
+
+def test_a_step_that_is_given_up_leaves_its_number_free(peer):
+    session = peer.ask("session.open", ENDLESS).result["session"]
+    reply = peer.ask("session.step", {"session": session, "step": 1}, timeout_ms=60)
+    assert (reply.code, reply.reason) == (DEADLINE_EXCEEDED, "DEADLINE_PASSED")
+    name = peer.send("session.step", {"session": session, "step": 1})
+    peer.send("request.cancel", {"id": name})
+    assert [peer.reply().code, peer.reply().code] == [CANCELLED, OK]
+    assert step(peer, session, 1, friction={"rolling": {"steps": 1}}).code == OK
+    assert peer.ask("session.close", {"session": session}).result == {"step": 1}
+
+
+def test_two_sockets_share_a_session_by_its_name(shared, peer, session):
+    assert step(peer, session, 1).code == OK
+    with shared.peer() as other:
+        assert step(other, session, 2).code == OK

@@ -1,10 +1,9 @@
 """Whose turn it is. One worker is kept busy while requests line up; an endless one at the wrong place would show."""
 
-import time
-
 import numpy as np
 import pytest
 
+from conformance.queues import line_up
 from conformance.requests import ENDLESS, SOLVE, STRESS
 from conformance.wire import INVALID_ARGUMENT, OK, RESOURCE_EXHAUSTED
 
@@ -23,23 +22,10 @@ def busy(start):
             yield daemon
 
 
-def line_up(daemon, peer, method, params, times=1, **envelope):
-    """Sends, and waits until the requests stand in the queue; the ids."""
-
-    def waiting():
-        return daemon.onlooker.ask("server.info").result["queue"]["solves_waiting"]
-
-    before = waiting()
-    names = [peer.send(method, params, **envelope) for _ in range(times)]
-    while waiting() < before + times:
-        time.sleep(0.005)
-    return names if times > 1 else names[0]
-
-
 def test_clients_take_turns(busy):
     with busy.peer() as greedy, busy.peer() as modest:
-        endless = line_up(busy, greedy, "contact.solve", ENDLESS, times=3)
-        line_up(busy, modest, "contact.subsurface", STRESS)
+        endless = line_up(busy.onlooker, greedy, "contact.solve", ENDLESS, times=3)
+        line_up(busy.onlooker, modest, "contact.subsurface", STRESS)
         busy.release()
         assert greedy.message().id == endless[0]
         # The first one of the greedy client runs, and is ended; then it is the other one's turn.
@@ -52,8 +38,8 @@ def test_clients_take_turns(busy):
 @pytest.mark.parametrize(("first", "then"), [("low", "normal"), ("normal", "high"), ("low", "high")])
 def test_a_higher_priority_goes_first(busy, first, then):
     with busy.peer() as patient, busy.peer() as urgent:
-        endless = line_up(busy, patient, "contact.solve", ENDLESS, priority=first)
-        line_up(busy, urgent, "contact.subsurface", STRESS, priority=then)
+        endless = line_up(busy.onlooker, patient, "contact.solve", ENDLESS, priority=first)
+        line_up(busy.onlooker, urgent, "contact.subsurface", STRESS, priority=then)
         busy.release()
         assert urgent.reply().code == OK
         patient.cancel(endless)
@@ -61,8 +47,8 @@ def test_a_higher_priority_goes_first(busy, first, then):
 
 def test_many_problems_are_low_and_others_normal_unless_they_say_so(busy):
     with busy.peer() as batch, busy.peer() as single:
-        endless = line_up(busy, batch, "contact.solve_many", {"problems": [ENDLESS]})
-        line_up(busy, single, "contact.subsurface", STRESS)
+        endless = line_up(busy.onlooker, batch, "contact.solve_many", {"problems": [ENDLESS]})
+        line_up(busy.onlooker, single, "contact.subsurface", STRESS)
         busy.release()
         assert single.reply().code == OK
         batch.cancel(endless)
@@ -81,9 +67,9 @@ def test_a_step_overtakes_a_batch_that_runs(start):
 
 def test_nothing_starves(busy):
     with busy.peer() as patient, busy.peer() as urgent:
-        line_up(busy, patient, "contact.subsurface", STRESS, priority="low")
-        line_up(busy, urgent, "contact.subsurface", STRESS, times=PASSED_OVER, priority="high")
-        endless = line_up(busy, urgent, "contact.solve", ENDLESS, priority="high")
+        line_up(busy.onlooker, patient, "contact.subsurface", STRESS, priority="low")
+        line_up(busy.onlooker, urgent, "contact.subsurface", STRESS, times=PASSED_OVER, priority="high")
+        endless = line_up(busy.onlooker, urgent, "contact.solve", ENDLESS, priority="high")
         busy.release()
         assert patient.reply().code == OK
         assert [urgent.reply().code for _ in range(PASSED_OVER)] == [OK] * PASSED_OVER
@@ -120,9 +106,9 @@ def test_requests_of_one_client_are_bounded(start):
 
 
 def test_bytes_of_requests_that_wait_are_bounded(start):
-    daemon = start(workers=1, limits={"max_queue_bytes": 1_000_000})
-    gap = np.zeros((320, 320))
-    params = {**ENDLESS, "gap": {"array": {"$array": {"frame": 1, "dtype": "<f8", "shape": [320, 320]}}}}
+    daemon = start(workers=1, limits={"max_queue_bytes": 80_000})
+    gap = np.zeros((80, 80))
+    params = {**ENDLESS, "gap": {"array": {"$array": {"frame": 1, "dtype": "<f8", "shape": [80, 80]}}}}
     with daemon.peer() as peer:
         first = peer.send("contact.solve", params, gap.tobytes())
         assert peer.message().progress["stage"]

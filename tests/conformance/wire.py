@@ -24,7 +24,8 @@ BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / 
 PATIENCE_MS = 30_000
 
 OK, CANCELLED, INVALID_ARGUMENT, DEADLINE_EXCEEDED, NOT_FOUND = 0, 1, 3, 4, 5
-RESOURCE_EXHAUSTED, UNIMPLEMENTED, INTERNAL, UNAVAILABLE = 8, 12, 13, 14
+RESOURCE_EXHAUSTED, FAILED_PRECONDITION, ABORTED, UNIMPLEMENTED = 8, 9, 10, 12
+INTERNAL, UNAVAILABLE, UNAUTHENTICATED = 13, 14, 16
 
 #: What was received: the method of the request ("" when not known), and the envelope.
 RECORD: list[tuple[str, dict[str, Any]]] = []
@@ -81,13 +82,24 @@ class Message:
         return np.frombuffer(frame, reference["dtype"]).reshape(reference["shape"])
 
 
+@dataclass(frozen=True)
+class Keys:
+    """For CURVE, in Z85: the daemon's public key, and a pair of one's own."""
+
+    server: bytes
+    own: tuple[bytes, bytes]
+
+
 class Peer:
     """One socket. Ids are this peer's own; what is received is recorded."""
 
-    def __init__(self, endpoint: str, kind: int = zmq.DEALER) -> None:
+    def __init__(self, endpoint: str, kind: int = zmq.DEALER, keys: Keys | None = None) -> None:
         self._context = zmq.Context()
         self.socket = self._context.socket(kind)
         self.socket.setsockopt(zmq.LINGER, 0)
+        if keys is not None:
+            self.socket.curve_serverkey = keys.server
+            self.socket.curve_publickey, self.socket.curve_secretkey = keys.own
         self.socket.connect(endpoint)
         self._ids = (f"{n}" for n in itertools.count(1))
         self._methods: dict[str | None, str] = {}
@@ -172,8 +184,8 @@ class Daemon:
         assert select.select([self.process.stdout], [], [], 30)[0], "the daemon was not ready within half a minute"
         self.endpoint = json.loads(self.process.stdout.readline())["endpoint"]
 
-    def peer(self, kind: int = zmq.DEALER) -> Peer:
-        return Peer(self.endpoint, kind)
+    def peer(self, kind: int = zmq.DEALER, keys: Keys | None = None) -> Peer:
+        return Peer(self.endpoint, kind, keys)
 
     @property
     def log(self) -> str:

@@ -7,6 +7,7 @@ import socket
 
 import pytest
 
+from support import schemas
 from support.daemons import eventually
 from support.fortress import Fortress
 
@@ -184,17 +185,41 @@ def with_string(value, path, text):
 
 
 TABLE = {"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 4, "ny": 4, "dx": 1, "dy": 1}}
+SESSION = {
+    "grid": {"nx": 4, "ny": 4, "dx": 1, "dy": 1},
+    "bodies": {"upper": {"G": 1, "nu": 0.3}},
+    "ics": {"source": "analytic"},
+    "gap": {"paraboloid": {"Rx": 5}},
+    "approach": 0.1,
+    "model": "full",
+    "friction": {"mu": 0.3, "kinetic": {"law": "linear", "mu": 0.1, "slip_velocity": 3}, "rolling": {"kind": "steady"}},
+}
 REQUESTS = [
     ("ic.get", {**TABLE, "ics": {"source": "fem", "preset": "paper-test2", "body": "half_space", "mesh": "hex"}}),
     ("ic.export", {**TABLE, "ics": {"source": "analytic"}, "format": "contact"}),
     ("job.cancel", {"job": "build-1"}),
     ("contact.subsurface", {"grid": TABLE["grid"], "nu": 0.3, "body": "lower", "pressure": [[1] * 4] * 4,
                             "points": [[0, 0, -1]]}),
+    ("ic.list", {"after": "0" * 64}),
+    ("ic.delete", {"key": "0" * 64}),
+    ("contact.solve", SESSION),
+    ("contact.solve_many", {"problems": [SESSION]}),
+    ("request.cancel", {"id": "1"}),
+    ("session.open", SESSION),
+    ("session.step", {"session": "0" * 32, "step": 1, "fields": ["pressure"], "friction": SESSION["friction"]}),
+    *((f"session.{method}", {"session": "0" * 32}) for method in ("save", "close")),
+    *((f"session.{method}", {"session": "0" * 32, "state": "state-1"}) for method in ("restore", "forget")),
 ]  # fmt: skip
 
 
 def files_below(folder):
     return sorted(str(path) for path in folder.rglob("*"))
+
+
+def test_every_method_with_a_text_among_its_parameters_is_tricked():
+    """The others are server.* and what lists without a place to begin; a new method must be added to one of the two."""
+    without = {"server.info", "server.health", "server.describe", "server.metrics", "health.watch", "job.list", "session.list"}
+    assert {method for method, _ in REQUESTS} | without == set(schemas.method_names())
 
 
 def test_no_text_of_a_request_reaches_the_file_system(shared_daemon, raw):
@@ -203,7 +228,9 @@ def test_no_text_of_a_request_reaches_the_file_system(shared_daemon, raw):
         for path in strings_of(params):
             for trick in PATHS:
                 answer = raw.ask(method, with_string(params, path, trick))
-                assert answer.status in ("INVALID_ARGUMENT", "NOT_FOUND"), (method, path, trick)
+                # A place to begin a list from is compared with names, no more.
+                allowed = ("OK",) if method == "ic.list" else ("INVALID_ARGUMENT", "NOT_FOUND")
+                assert answer.status in allowed, (method, path, trick)
                 assert "root:" not in json.dumps(answer.envelope)
     for trick in PATHS:
         assert raw.ask(trick).status == "UNIMPLEMENTED"

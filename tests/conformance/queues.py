@@ -1,0 +1,21 @@
+"""Requests that stand in line."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+from conformance.wire import Peer
+
+
+def line_up(onlooker: Peer, peer: Peer, method: str, params: Any, times: int = 1, **envelope: Any) -> Any:
+    """Sends, and waits until the requests stand in the queue, as `onlooker` sees; the ids."""
+
+    def waiting() -> int:
+        return onlooker.ask("server.info").result["queue"]["solves_waiting"]
+
+    before = waiting()
+    names = [peer.send(method, params, **envelope) for _ in range(times)]
+    while waiting() < before + times:
+        time.sleep(0.005)
+    return names if times > 1 else names[0]
