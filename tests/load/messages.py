@@ -18,6 +18,13 @@ ODD_VALUES: list[Any] = [
 ODD_FRAMES = [b"", b"\0", b"x" * 7, struct.pack("<d", float("nan")), struct.pack("<d", float("inf")), b"\xff" * 800, bytes(5000)]
 MAX_DEPTH = 8
 MAX_BYTES = 100_000
+SESSION_GRID = (3, 2)
+#: What a session is opened with so that steps and states have one to go to.
+SESSION: dict[str, Any] = {
+    "grid": {"nx": SESSION_GRID[0], "ny": SESSION_GRID[1], "dx": 0.5, "dy": 0.5}, "bodies": {"upper": {"G": 200, "nu": 0.42}},
+    "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 50, "Ry": 50}}, "approach": 0.02, "lease_seconds": 10,
+    "friction": {"mu": 0.4, "rolling": {"kind": "transient"}},
+}  # fmt: skip
 
 
 @dataclass
@@ -42,6 +49,8 @@ class Messages:
         self._random = random.Random(seed)
         self._grid = (1, 1)
         self._frames: list[bytes] = []
+        #: Names of open sessions, for messages that speak of one.
+        self.sessions: list[str] = []
 
     def next(self, name: str) -> Message:
         """A request whose id is `name` unless the damage took it."""
@@ -56,6 +65,8 @@ class Messages:
         self._grid = (choose.randint(1, 6), choose.randint(1, 6))
         self._frames = []
         method = choose.choice(self.methods)
+        if method == "session.step" and choose.random() < 0.8:
+            self._grid = SESSION_GRID
         params = self.value({"$ref": f"#/components/schemas/{method}.params"})
         envelope = {"contactd": 1, "id": name, "method": method, "params": params}
         if choose.random() < 0.3:
@@ -99,6 +110,10 @@ class Messages:
                 low = schema.get("minItems", 0)
                 count = choose.randint(low, max(low, min(schema.get("maxItems", 3), 3)))
                 return [self.value(schema.get("items", {}), name, depth + 1) for _ in range(count)]
+            case "string" if name == "session" and self.sessions and choose.random() < 0.8:
+                return choose.choice(self.sessions)
+            case "string" if name == "state" and choose.random() < 0.8:
+                return "state-1"
             case "string":
                 return "a" * max(1, schema.get("minLength", 1))
             case "boolean":
@@ -129,6 +144,8 @@ class Messages:
         choose = self._random
         if name in ("nx", "ny"):
             return self._grid[name == "ny"]
+        if name == "step":
+            return choose.choice([1, 1, 2, 3])
         low = schema.get("minimum", schema.get("exclusiveMinimum", -1e3))
         high = schema.get("maximum", schema.get("exclusiveMaximum", 1e3))
         if choose.random() < 0.1:

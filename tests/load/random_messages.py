@@ -1,6 +1,7 @@
 """Random messages at a running daemon: each gets exactly one status with its id, and nothing of them stays in memory.
 
-    ./dev load random [--count 100000] [--seed 1]
+    ./dev load random [--count 100000] [--seed 1]               at the daemon as it is installed
+    ./dev load random --preset sanitize [--count ...]           at one that is built with ASan and UBSan (several times slower)
 
 Requests are made from the schemas of server.describe and damaged (messages.py); half of them go through DEALER, half
 through REQ. The daemon's grids are limited, so that none of them takes long, and its builder is /bin/false.
@@ -23,11 +24,11 @@ from typing import Any
 import zmq
 
 from contactd.daemon import LocalDaemon
-from load.messages import Message, Messages
+from load.messages import SESSION, Message, Messages
 from load.process import resident_bytes
 
 LIMITS = {"max_grid_elements": 64, "max_array_elements": 2000, "max_frame_bytes": 65536, "max_message_bytes": 262144, "max_frames": 32}
-CONFIG = {"limits": LIMITS, "builds": {"program": "/bin/false"}, "log": {"level": "warn"}}
+CONFIG = {"limits": LIMITS, "sessions": {"max_sessions": 4096, "lease_seconds": 5, "max_lease_seconds": 10}, "builds": {"program": "/bin/false"}, "log": {"level": "warn"}}
 PATIENCE_MS = 60_000
 BATCH = 32
 
@@ -120,6 +121,11 @@ def expect_silence(socket: zmq.Socket[bytes]) -> None:
         raise Wrong(f"a second reply to {name!r}")
 
 
+def open_session(socket: zmq.Socket[bytes]) -> str:
+    socket.send(json.dumps({"contactd": 1, "id": "s", "method": "session.open", "params": SESSION}).encode())
+    return str(reply(socket, "session.open")["result"]["session"])
+
+
 def run(daemon: LocalDaemon, count: int, seed: int) -> Outcome:
     """Sends `count` messages. Memory is looked at twenty times, first when a twentieth has been sent."""
     outcome = Outcome()
@@ -129,6 +135,7 @@ def run(daemon: LocalDaemon, count: int, seed: int) -> Outcome:
         sent = 0
         while sent < count:
             start = time.monotonic()
+            messages.sessions = [*messages.sessions[-2:], open_session(dealer)]
             batch = [messages.next(f"{sent + n}") for n in range(min(BATCH, count - sent))]
             half = len(batch) // 2
             by_dealer(dealer, batch[:half], outcome)
@@ -152,7 +159,14 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     start = time.monotonic()
     with LocalDaemon(options.bin / "contactd", config=CONFIG) as daemon:
-        outcome = run(daemon, options.count, options.seed)
+        try:
+            outcome = run(daemon, options.count, options.seed)
+        finally:
+            # A sanitizer ends the daemon with its report in the log, of leaks when it ends in order.
+            if (status := daemon.stop()) != 0:
+                print(f"the daemon ended with status {status}; the end of its log:\n{daemon.log[-5000:]}")
+        if status != 0:
+            return 1
     for status, count in outcome.statuses.most_common():
         print(f"{count:8} {status}")
     mib = [bytes_ / 2**20 for bytes_ in outcome.memory]
