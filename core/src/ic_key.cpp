@@ -23,6 +23,10 @@ class CanonicalObject {
     std::string members_;
 };
 
+/// How meshes are chosen for an accuracy. A new number whenever that changes tables or the errors they state: tables of
+/// an earlier choice are not asked for any more.
+constexpr int accuracy_recipe = 2;
+
 /// Only what decides the numbers: max_iterations ends a build or has no effect.
 CanonicalObject canonical(const FemSpec& fem) {
     CanonicalObject json;
@@ -58,6 +62,7 @@ CanonicalObject canonical(const IcSpec& spec) {
     }
     json.add("load_shape", name_of(spec.load_shape));
     if (!spec.any_nu) json.add("nu", spec.material.nu);
+    if (spec.accuracy != 0) json.add("recipe", accuracy_recipe);
     json.add("source", name_of(spec.source));
     return json;
 }
