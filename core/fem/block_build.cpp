@@ -20,8 +20,8 @@ struct Level {
 constexpr std::array<Level, 5> levels{{{4, 5}, {4, 6}, {5, 6}, {5, 7}, {6, 7}}};
 
 /// The error of order p over the difference of orders p-1 and p on the same mesh, at most: against finer meshes it was
-/// 0.05 to 0.27, for nu from 0 to 0.49 and dx/dy from 1/4 to 4. That holds because the edges are resolved (below): on meshes
-/// that leave them coarse the orders converge to something else, and their difference says less than the error.
+/// 0.05 to 0.27, for nu from 0 to 0.49 and dx/dy from 1/4 to 4. That holds because the edges are resolved (below): on
+/// meshes that leave them coarse the orders converge to something else, and their difference says less than the error.
 constexpr double error_over_difference = 1.0 / 3;
 
 /// Displacements go as r^lambda at the distance r from an edge where a clamped face and the free surface meet at a
