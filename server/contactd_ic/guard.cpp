@@ -61,8 +61,8 @@ void Guard::watch_standard_input() {
     ::eventfd_write(wake_, 1);
 }
 
-void Guard::beat(int rank, bool only_while_working) {
-    only_while_working_ = only_while_working;
+void Guard::beat(int rank, int processes) {
+    processes_ = processes;
     rank_ = rank;
     ::eventfd_write(wake_, 1);
 }
@@ -78,7 +78,8 @@ int Guard::milliseconds_to_beat() {
         const auto time = std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
         const bool works = time - processor_time_ > least_work;
         processor_time_ = time;
-        if (works || !only_while_working_) lines_.write_unless_stuck({{"heartbeat", rank_.load()}});
+        if (works || processes_ > 1)
+            lines_.write_unless_stuck({{"heartbeat", rank_.load()}, {"processes", processes_.load()}});
     }
     return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(next_beat_ - now).count());
 }

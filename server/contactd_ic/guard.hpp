@@ -29,9 +29,9 @@ class Guard {
     void watch_standard_input();
     /// From now on nothing ends the program: the result is there and said to be.
     void stand_down();
-    /// From now on says {"heartbeat": rank} every second. With `only_while_working` a second in which the program used
-    /// no processor time passes in silence: a program of one process that waits for something is stuck.
-    void beat(int rank, bool only_while_working);
+    /// From now on says {"heartbeat": rank, "processes"} every second. A program of one process passes a second in
+    /// which it used no processor time in silence: one that waits for something is stuck.
+    void beat(int rank, int processes);
     /// Held while the result is written: the guard waits for it a while, so that no temporary file stays behind.
     std::timed_mutex& writing() { return writing_; }
 
@@ -45,7 +45,7 @@ class Guard {
     std::timed_mutex writing_;
     std::atomic<bool> watching_input_ = false;
     std::atomic<int> rank_ = -1;  ///< negative: no heartbeat
-    std::atomic<bool> only_while_working_ = false;
+    std::atomic<int> processes_ = 1;
     std::atomic<bool> standing_down_ = false;
     int signals_ = -1, wake_ = -1;
     std::chrono::steady_clock::time_point next_beat_{};

@@ -11,10 +11,10 @@
 //
 // The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
 // line: {"stage", "fraction", "iteration", "residual"}, at last {"done": true, "output", "evidence"} or
-// {"error": {"field", "message", "kind"}}; with --exit-with-stdin also {"heartbeat": rank} from every process, once a
-// second. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when
-// memory ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else.
-// The file appears whole or not at all.
+// {"error": {"field", "message", "kind"}}; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every
+// process, once a second. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not
+// converge; 4 when memory ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for
+// anything else. The file appears whole or not at all.
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -146,7 +146,7 @@ void write_or_print(const Context& context, const IcRecord& record) {
 
 void run(const Context& context) {
     const Options& options = context.options;
-    if (options.exit_with_stdin) context.guard.beat(context.runtime.rank(), context.runtime.processes() == 1);
+    if (options.exit_with_stdin) context.guard.beat(context.runtime.rank(), context.runtime.processes());
     const std::string text = on_first(context.runtime, [&] {
         std::string read = read_spec(options);
         // Under mpirun standard input belongs to the first process; the others follow its end.

@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t longest_line = 1 << 20;
 constexpr std::size_t kept_error_bytes = 4096;
 constexpr std::size_t largest_table = std::size_t(1) << 32;
+constexpr double most_processes = 1 << 20;
 
 double number(const nlohmann::json& line, const char* name) {
     const auto at = line.find(name);
@@ -64,10 +65,7 @@ std::string BuilderListener::complaint() const {
 void BuilderListener::hear_line(std::string_view line) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
     if (!json.is_object()) return;  // a launcher may chat
-    if (json.contains("heartbeat")) {
-        heard_[static_cast<int>(number(json, "heartbeat"))] = Clock::now();
-        return;
-    }
+    if (json.contains("heartbeat")) return hear_heartbeat(json);
     heard_[0] = Clock::now();
     if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
         complaint_ = text(*error, "message");
@@ -79,6 +77,15 @@ void BuilderListener::hear_line(std::string_view line) {
         table_.problem = text(json, "problem");
     }
     if (const auto stage = json.find("stage"); stage != json.end() && stage->is_string()) hear_progress(json);
+}
+
+/// The first heartbeat of any process starts the time of all: one that stops before its own first is missed as well.
+void BuilderListener::hear_heartbeat(const nlohmann::json& line) {
+    const auto processes = static_cast<int>(std::clamp(number(line, "processes"), 1.0, most_processes));
+    for (int rank = static_cast<int>(heard_.size()); rank < processes; ++rank) heard_[rank] = Clock::now();
+    if (const auto heard = heard_.find(static_cast<int>(std::clamp(number(line, "heartbeat"), 0.0, most_processes)));
+        heard != heard_.end())
+        heard->second = Clock::now();
 }
 
 void BuilderListener::hear_progress(const nlohmann::json& line) {

@@ -36,6 +36,7 @@ class BuilderListener {
 
    private:
     void hear_line(std::string_view line);
+    void hear_heartbeat(const nlohmann::json& line);
     void hear_progress(const nlohmann::json& line);
 
     bool has_begun_;

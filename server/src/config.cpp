@@ -95,6 +95,7 @@ Config config_from_json(const json& given) {
                      limits["max_array_elements"]};
     config.max_grid_elements = limits["max_grid_elements"];
     config.max_queue = limits["max_queue"];
+    config.max_inbox_bytes = limits["max_inbox_bytes"];
     config.max_outbox_bytes = limits["max_outbox_bytes"];
     config.max_queue_per_client = limits["max_queue_per_client"];
     config.max_queue_bytes = limits["max_queue_bytes"];
@@ -160,6 +161,7 @@ json to_json(const Config& config) {
               {"max_array_elements", config.limits.max_array_elements},
               {"max_grid_elements", config.max_grid_elements},
               {"max_queue", config.max_queue},
+              {"max_inbox_bytes", config.max_inbox_bytes},
               {"max_outbox_bytes", config.max_outbox_bytes},
               {"max_queue_per_client", config.max_queue_per_client},
               {"max_queue_bytes", config.max_queue_bytes}}},

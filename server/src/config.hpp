@@ -58,6 +58,7 @@ struct Config {
     proto::Limits limits;
     std::size_t max_grid_elements;
     std::size_t max_queue;
+    std::size_t max_inbox_bytes;
     std::size_t max_outbox_bytes;
     std::size_t max_queue_per_client;
     std::size_t max_queue_bytes;

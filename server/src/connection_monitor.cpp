@@ -22,15 +22,25 @@ ConnectionMonitor::~ConnectionMonitor() {
     ::zmq_socket_monitor(watched_.handle(), nullptr, 0);
 }
 
-void ConnectionMonitor::read(Counters::Count& connections) {
-    // Two frames: event (16 bits) and its value (32 bits), then an address.
+void ConnectionMonitor::read(Counters::Count& connections, UnfinishedInput& input) {
+    // Two frames: event (16 bits) and its value (32 bits, here the file descriptor), then an address.
     zmq::message_t frame;
     while (events_.recv(frame, zmq::recv_flags::dontwait)) {
         std::uint16_t event = 0;
-        if (frame.size() >= sizeof event) std::memcpy(&event, frame.data(), sizeof event);
+        std::int32_t fd = -1;
+        if (frame.size() >= sizeof event + sizeof fd) {
+            std::memcpy(&event, frame.data(), sizeof event);
+            std::memcpy(&fd, static_cast<const char*>(frame.data()) + sizeof event, sizeof fd);
+        }
         while (frame.more() && events_.recv(frame, zmq::recv_flags::none)) continue;
-        if (event == ZMQ_EVENT_ACCEPTED) ++connections;
-        if (event == ZMQ_EVENT_DISCONNECTED && connections > 0) --connections;
+        if (event == ZMQ_EVENT_ACCEPTED) {
+            ++connections;
+            input.note_connection(fd);
+        }
+        if (event == ZMQ_EVENT_DISCONNECTED) {
+            if (connections > 0) --connections;
+            input.note_end(fd);
+        }
     }
 }
 

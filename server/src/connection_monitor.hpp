@@ -1,9 +1,10 @@
-// How many clients are connected, from what ZeroMQ says of its socket.
+// Who is connected, from what ZeroMQ says of its socket.
 #pragma once
 
 #include <zmq.hpp>
 
 #include "counters.hpp"
+#include "unfinished_input.hpp"
 
 namespace contactd::server {
 
@@ -18,7 +19,7 @@ class ConnectionMonitor {
     /// Readable when there is news.
     void* handle() { return events_.handle(); }
     /// Takes the news in.
-    void read(Counters::Count& connections);
+    void read(Counters::Count& connections, UnfinishedInput& input);
 
    private:
     zmq::socket_t& watched_;

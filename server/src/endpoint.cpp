@@ -100,6 +100,7 @@ Endpoint::Endpoint(const Config& config, Service& service)
       rate_limit_(config.security.per_user.requests_per_second, config.security.per_user.burst),
       socket_(context_, zmq::socket_type::router),
       monitor_(context_, socket_),
+      unfinished_(config.max_inbox_bytes),
       outbox_(socket_, config.max_outbox_bytes),
       thread_(std::this_thread::get_id()) {
     socket_.set(zmq::sockopt::router_mandatory, true);
@@ -144,7 +145,8 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         if (items[0].revents & ZMQ_POLLIN) receive();
         end_overdue();
         service_.sessions().expire(Clock::now());
-        if (items[3].revents & ZMQ_POLLIN) monitor_.read(service_.counters().connections);
+        unfinished_.enforce(Clock::now());
+        if (items[3].revents & ZMQ_POLLIN) monitor_.read(service_.counters().connections, unfinished_);
         if (items[4].revents & ZMQ_POLLIN) access_.answer_all();
         note_levels();
         signalfd_siginfo signal{};
@@ -181,6 +183,7 @@ bool Endpoint::receive() {
         zmq::message_t part;
         if (!socket_.recv(part, zmq::recv_flags::dontwait)) return false;
         Route route{part.to_string(), false, access_.user_of(part)};
+        unfinished_.note_message(zmq_msg_get(part.handle(), ZMQ_SRCFD));
         std::vector<std::string> frames;
         std::size_t count = 0;
         while (part.more()) {
@@ -299,7 +302,8 @@ void Endpoint::end_overdue() {
 }
 
 long Endpoint::poll_milliseconds() {
-    const auto next = std::min({service_.open_calls().next_deadline(), service_.sessions().next_expiry(), end_});
+    const auto next = std::min(
+        {service_.open_calls().next_deadline(), service_.sessions().next_expiry(), unfinished_.next_look(), end_});
     long wait = -1;
     if (next != Clock::time_point::max())
         wait =

@@ -18,6 +18,7 @@
 #include "outbox.hpp"
 #include "rate_limit.hpp"
 #include "service.hpp"
+#include "unfinished_input.hpp"
 
 namespace contactd::server {
 
@@ -62,6 +63,7 @@ class Endpoint {
     RateLimit rate_limit_;
     zmq::socket_t socket_;
     ConnectionMonitor monitor_;
+    UnfinishedInput unfinished_;
     Outbox outbox_;
     Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
     Call::Clock::time_point sent_;                                  // when the last answer went out

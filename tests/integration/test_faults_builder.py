@@ -1,14 +1,16 @@
 """Builders that stop, hang, take too long or run out of memory, and tables whose builds fail again and again."""
 
 import os
+import shutil
 import signal
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from contactd import FailedPrecondition, FemIcs, Grid, InternalError, NotFound, ResourceExhausted
 from support.daemons import BIN, eventually
-from support.faults import script
+from support.faults import LONG_FAULTS, script
 from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
 
 
@@ -28,6 +30,26 @@ def test_a_stopped_builder_is_noticed_and_ended(daemons, background):
             caller.result()
         assert daemon.builders() == []
         assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+
+
+@pytest.mark.skipif(not LONG_FAULTS or shutil.which("mpirun") is None, reason="needs mpirun, and ./dev faults")
+@pytest.mark.parametrize("which", [0, -1], ids=["the first", "the last"])
+def test_a_stopped_process_among_several_is_noticed_and_all_are_ended(daemons, background, which):
+    builds = {"launcher": ["mpirun", "-np", "2", "--oversubscribe"], "stall_seconds": 5}
+    daemon = daemons.start(builds=builds)
+    with daemon.client() as client:
+        caller = background(client.get_ic, STEEL, GRID, LONG)
+        eventually(lambda: any(job.fraction > 0 for job in client.jobs()))
+        processes = [pid for pid in daemon.builders() if program_of(pid).endswith("/contactd-ic")]
+        assert len(processes) == 2
+        os.kill(processes[which], signal.SIGSTOP)
+        with pytest.raises(InternalError, match="no sign of life for 5 s"):
+            caller.result()
+        eventually(lambda: daemon.builders() == [], "processes are left behind")
+
+
+def program_of(pid):
+    return Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")[0].decode()
 
 
 def test_a_builder_that_works_is_not_taken_for_a_stopped_one(daemons, background):

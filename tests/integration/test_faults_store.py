@@ -168,10 +168,14 @@ def test_a_daemon_that_is_no_more_does_not_keep_another_from_building(daemons, b
         eventually(lambda: client.info().counters["builds_started"] == 1, "the second daemon does not build", 30)
         client.cancel_job(client.jobs()[0].job)
         assert [caller.exception() is None for caller in callers] == [False, False]
-    if blow == "SIGSTOP":
+    if blow == "SIGSTOP":  # it goes on where it was, with its build and its lock
         os.kill(first.pid, signal.SIGCONT)
-    second.stop()
-    eventually(lambda: not list((daemons.folder / "store").glob("*.lock")) or blow == "SIGKILL")
+        with first.client() as client:
+            assert client.solve(CATTANEO).converged
+            (job,) = client.jobs()
+            client.cancel_job(job.job)
+            eventually(lambda: client.jobs() == ())
+            assert not list((daemons.folder / "store").glob("*.lock"))
 
 
 @pytest.mark.time_limit(600 if LONG_FAULTS else 60)

@@ -16,7 +16,7 @@ PATHS = ["../../../../etc/passwd", "/etc/passwd", "..", "a/../../b", "..\\..\\b"
 
 #: The greeting of a client of ZMTP 3.1, of the mechanism NULL.
 GREETING = b"\xff" + bytes(8) + b"\x7f\x03\x01" + b"NULL".ljust(20, b"\0") + bytes(32)
-READY = b"\x04\x1a\x05READY\x0bSocket-Type\x00\x00\x00\x06DEALER"
+READY = b"\x04\x1c\x05READY\x0bSocket-Type\x00\x00\x00\x06DEALER"
 
 HOSTILE = {
     "HTTP": b"GET /metrics HTTP/1.1\r\nHost: localhost\r\n\r\n",
@@ -117,6 +117,26 @@ def test_an_oversize_frame_of_an_allowed_user_costs_that_user_only(daemons, tmp_
         assert client.health() == "serving"
         careless._give_back(connection, usable=False)
         assert careless.health() == "serving"
+
+
+def test_a_message_without_end_is_cut_off_and_messages_that_end_are_not(daemons):
+    budget = 1 << 20
+    daemon = daemons.start(endpoint="tcp://127.0.0.1:*", limits={"max_inbox_bytes": budget})
+    part = b"\x03" + (1 << 16).to_bytes(8, "big") + bytes(1 << 16)  # a long frame, more to come
+    with daemon.client() as client, daemon.raw() as raw, connect(daemon.endpoint) as endless:
+        endless.sendall(GREETING)
+        while b"ROUTER" not in endless.recv(4096):
+            pass  # it asks first whether we may
+        endless.sendall(READY)
+        sent = 0
+        with pytest.raises(ConnectionError):
+            while sent < 1 << 30:
+                endless.sendall(part)
+                sent += len(part)
+        for _ in range(8):  # together more than the budget
+            assert raw.ask("server.health", {}, bytes(budget // 4)).reason == "ARRAY_INVALID"
+            assert client.health() == "serving"
+        assert "limits.max_inbox_bytes" in daemon.log
 
 
 def envelope(**fields):

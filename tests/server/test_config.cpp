@@ -25,6 +25,7 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
     CHECK(config.builds.program.filename() == "contactd-ic");
     CHECK(config.store.folder.filename() == "store");
     CHECK(config.max_queue == 256);
+    CHECK(config.max_inbox_bytes == 512u << 20u);
     CHECK(config.max_outbox_bytes == 512u << 20u);
     CHECK(config.http.address.empty());
     CHECK(config.shutdown.drain_seconds == 10);
