@@ -15,6 +15,14 @@ H5::DataSpace one_axis(std::size_t size) {
     return H5::DataSpace(1, &extent);
 }
 
+/// The attribute `name` of one value: HDF5 would write as many as there are behind the place for one.
+H5::Attribute one_value(const H5::H5Object& at, const char* name) {
+    H5::Attribute attribute = at.openAttribute(name);
+    if (attribute.getSpace().getSimpleExtentNpoints() != 1)
+        throw DamagedTable(std::string(name) + " of the file is not one value.");
+    return attribute;
+}
+
 std::size_t list_size(const H5::Attribute& list) {
     const H5::DataSpace space = list.getSpace();
     if (space.getSimpleExtentNdims() != 1) throw DamagedTable("A list of the file does not have one axis.");
@@ -51,22 +59,23 @@ void put(H5::H5Object& at, const char* name, const std::vector<std::string>& val
 
 double number(const H5::H5Object& at, const char* name) {
     double value = 0;
-    at.openAttribute(name).read(H5::PredType::NATIVE_DOUBLE, &value);
+    one_value(at, name).read(H5::PredType::NATIVE_DOUBLE, &value);
     return value;
 }
 long long long_integer(const H5::H5Object& at, const char* name) {
     long long value = 0;
-    at.openAttribute(name).read(H5::PredType::NATIVE_LLONG, &value);
+    one_value(at, name).read(H5::PredType::NATIVE_LLONG, &value);
     return value;
 }
 int integer(const H5::H5Object& at, const char* name) {
     int value = 0;
-    at.openAttribute(name).read(H5::PredType::NATIVE_INT, &value);
+    one_value(at, name).read(H5::PredType::NATIVE_INT, &value);
     return value;
 }
 std::string text(const H5::H5Object& at, const char* name) {
     std::string value;
-    const H5::Attribute attribute = at.openAttribute(name);
+    const H5::Attribute attribute = one_value(at, name);
+    if (attribute.getTypeClass() != H5T_STRING) throw DamagedTable(std::string(name) + " of the file is no text.");
     attribute.read(attribute.getDataType(), value);
     return value;
 }

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int format_version = 2;
 constexpr std::size_t core_increment = 1 << 20;
+constexpr hsize_t most_offsets = 1 << 22;  // of a table
+constexpr std::size_t most_tables = 1000;  // of a family
 
 /// Debian's HDF5 is not built thread-safe: one thread at a time.
 std::mutex& hdf5_mutex() {
@@ -72,8 +74,8 @@ IcTable read_table(const H5::H5File& file) {
     if (space.getSimpleExtentNdims() != static_cast<int>(shape.size()))
         throw DamagedTable("The table does not have four axes.");
     space.getSimpleExtentDims(shape.data());
-    constexpr hsize_t most = 1 << 22;
-    if (shape[0] != 3 || shape[1] != 3 || shape[2] < 1 || shape[3] < 1 || shape[2] > most || shape[3] > most / shape[2])
+    if (shape[0] != 3 || shape[1] != 3 || shape[2] < 1 || shape[3] < 1 || shape[2] > most_offsets ||
+        shape[3] > most_offsets / shape[2])
         throw DamagedTable("The table does not have the shape [3, 3, ny, nx].");
     IcTable table(static_cast<int>(shape[3]), static_cast<int>(shape[2]));
     dataset.read(table.values.data(), H5::PredType::NATIVE_DOUBLE);
@@ -91,7 +93,7 @@ std::vector<IcTable> read_family(const H5::H5File& file, std::size_t size, const
     if (space.getSimpleExtentNdims() != static_cast<int>(found.size()))
         throw DamagedTable("The family does not have five axes.");
     space.getSimpleExtentDims(found.data());
-    if (size < 2 || found != FamilyShape{size, shape[0], shape[1], shape[2], shape[3]})
+    if (size < 2 || size > most_tables || found != FamilyShape{size, shape[0], shape[1], shape[2], shape[3]})
         throw DamagedTable(
             "The family does not have the shape [n, 3, 3, ny, nx] of two or more tables, one for each "
             "of evidence/family_nu.");

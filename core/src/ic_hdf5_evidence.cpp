@@ -18,6 +18,13 @@ constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_la
                                                 {"error_yy_origin", "error_yy_largest", &IcEvidence::error_yy},
                                                 {"error_zz_origin", "error_zz_largest", &IcEvidence::error_zz}}};
 
+Axis axis(const H5::Group& at) {
+    const int number = integer(at, "load_axis");
+    if (number < static_cast<int>(Axis::x) || number > static_cast<int>(Axis::z))
+        throw DamagedTable("The load axis " + std::to_string(number) + " of the file is none.");
+    return static_cast<Axis>(number);
+}
+
 }  // namespace
 
 void write_evidence(H5::Group group, const IcEvidence& evidence) {
@@ -82,7 +89,7 @@ IcEvidence read_evidence(const H5::Group& group) {
     if (group.attrExists("scaled_error_xz")) evidence.scaled_error_xz = number(group, "scaled_error_xz");
     for (int n = 0; group.nameExists("load_case_" + std::to_string(n)); ++n) {
         const H5::Group at = group.openGroup("load_case_" + std::to_string(n));
-        LoadCaseEvidence load_case{static_cast<Axis>(integer(at, "load_axis")),
+        LoadCaseEvidence load_case{axis(at),
                                    integer(at, "iterations"),
                                    number(at, "residual"),
                                    integer(at, "converged") != 0,

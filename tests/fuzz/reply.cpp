@@ -2,6 +2,7 @@
 #include "contactd/error.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
+#include "contactd/proto/session.hpp"
 #include "input.hpp"
 
 using namespace contactd::proto;
@@ -13,6 +14,7 @@ void decode(const std::string& method, const nlohmann::json& result, const std::
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
+    if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::centred(2, 1, 1, 1));
 }
 
 }  // namespace

@@ -103,6 +103,25 @@ def requests() -> Iterator[bytes]:
     yield request("contact.subsurface", {**field, "points": array(2, 2, 3)}, bytes(48), np.full(6, -1.0).tobytes())
 
 
+def sessions() -> Iterator[bytes]:
+    """What opens sessions, which is what contact.solve takes, less what steps must say then; and steps of every kind."""
+    for params, frames in solves():
+        opening = {name: value for name, value in params.items() if name != "initial"}
+        yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": {**opening, "lease_seconds": 60}}, *frames)
+        for name in ("gap", "approach", "Fn"):
+            opening.pop(name, None)
+        opening["accept_unconverged"] = True
+        yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": opening}, *frames)
+    rolling = {"kind": "steady", "xi": 1e-3, "eta": 0, "phi": 1e-4, "chi": 0.1, "dq": 0.05, "velocity": 3, "steps": 2, "force": [None, 1]}
+    kinetic = {"law": "exponential", "mu": 0.1, "slip_velocity": 3}
+    shift = {"rigid_shift": [1e-3, 0], "rotation": 0.1, "duration": 2, "force": [None, None]}
+    for friction in ({"rolling": rolling}, {"mu": array(1, 2, 3), "kinetic": kinetic, **shift}, {"mu": 0.2}):
+        step = {"session": "0" * 32, "step": 1, "Fn": 1, "gap": {"array": array(1, 2, 3)}, "friction": friction, "fields": ["pressure", "slip_x"]}
+        yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step}, np.full(6, 0.1).tobytes())
+    step = {"session": "0" * 32, "step": 2, "approach": 0.1, "gap": {"semi_axes": {"a": 1, "b": 2}}}
+    yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step})
+
+
 def replies() -> Iterator[bytes]:
     def reply(result: Any, *frames: bytes) -> bytes:
         status = {"code": 0, "name": "OK", "message": ""}
@@ -129,6 +148,10 @@ def replies() -> Iterator[bytes]:
     }
     yield reply(solution, b"\2", bytes(8))
     yield reply({"solutions": [{"status": {"code": 0, "name": "OK", "message": ""}, "result": solution}]}, b"\2", bytes(8))
+    step = {**solution, "step": 1, "evidence": {"normal": statistics}}
+    yield reply({**step, "element_division": {"$array": {"frame": 1, "dtype": "|u1", "shape": [1, 2]}},
+                 **{name: array(2, 1, 2) for name in ("pressure", "traction_x", "traction_y")}}, b"\2\2", bytes(16))
+    yield reply({"session": "0" * 32, "lease_seconds": 60, "step": 0, "bytes": 1, "ics": {"upper": use}})
     stress = {name: array(1, 1) for name in ("xx", "yy", "zz", "xy", "xz", "yz")}
     largest = {"von_mises": 0, "x": 0, "y": 0, "z": -1, "depth": 1}
     yield reply({"shape": [1], "stress": stress, "von_mises": array(1, 1), "largest": largest}, bytes(8))
@@ -175,11 +198,23 @@ def ic_files() -> Iterator[bytes]:
         yield bytes(file.id.get_file_image())
 
 
+def ic_contents() -> Iterator[bytes]:
+    """Edits, as ic_content.cpp reads them: none, of an attribute, of a dataset."""
+    for family in (0, 1):
+        yield bytes([family])
+        yield bytes([family, 1, 1, 2, 1, 0, 0, *struct.pack(">d", 0.25)])
+        yield bytes([family, 1, 2, 3, 1, 2, 1, 2, 5]) + b"words"
+        yield bytes([family, 0, 4 + family, 2, 0, 4, 3, 3, 2, 3, *struct.pack(">d", 1)])
+
+
 def main() -> None:
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "json.dict").write_text(dictionary())
-    kinds = {"request": requests, "reply": replies, "array": arrays, "contact_text": contact_texts, "config": configurations, "ic_file": ic_files}
+    kinds = {
+        "request": requests, "session": sessions, "reply": replies, "array": arrays, "contact_text": contact_texts,
+        "config": configurations, "ic_file": ic_files, "ic_content": ic_contents,
+    }  # fmt: skip
     for target, inputs in kinds.items():
         (folder / target).mkdir(exist_ok=True)
         for number, content in enumerate(inputs()):

@@ -1,7 +1,9 @@
 """What is on disk after a crash or damage is either whole and served, or set aside and built again."""
 
+import hashlib
 from dataclasses import replace
 
+import h5py
 import numpy as np
 import pytest
 
@@ -49,9 +51,34 @@ def replace_by_rubbish(path):
     path.write_bytes(bytes(range(256)) * 64)
 
 
+def with_attribute(path, group, name, value):
+    """Puts another value into the HDF5 of a table, and the digest that belongs to it into the header."""
+    with h5py.File(path, "r+") as file:
+        file[group].attrs[name] = value
+    whole = path.read_bytes()
+    header, content = whole[:512], whole[512:]
+    title = header[: header.index(b": ") + 2]
+    path.write_bytes((title + hashlib.sha256(content).hexdigest().encode() + b"\n").ljust(512, b"\0") + content)
+
+
+def put_many_values_where_one_belongs(path):
+    with_attribute(path, "spec", "nu", np.full(5000, 0.3))
+
+
+def put_a_number_where_a_text_belongs(path):
+    with_attribute(path, "evidence", "source", 3)
+
+
+def name_an_axis_that_is_none(path):
+    with_attribute(path, "evidence/load_case_0", "load_axis", 7)
+
+
 @pytest.mark.parametrize(
     "damage",
-    [truncate, empty, shorten_to_the_header, flip_a_bit_of_the_data, flip_a_bit_of_the_digest, replace_by_rubbish],
+    [
+        truncate, empty, shorten_to_the_header, flip_a_bit_of_the_data, flip_a_bit_of_the_digest, replace_by_rubbish,
+        put_many_values_where_one_belongs, put_a_number_where_a_text_belongs, name_an_axis_that_is_none,
+    ],
     ids=lambda damage: damage.__name__,
 )
 def test_a_damaged_table_is_set_aside_reported_and_built_again(daemons, stored, damage):
