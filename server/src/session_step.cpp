@@ -121,7 +121,10 @@ void Session::solve_step(const SessionState& before, const CallPtr& call, const 
     after->motion = solution.motion;
     after->tractions = {std::move(solution.pressure), std::move(solution.traction_x), std::move(solution.traction_y)};
     job->end();
-    if (call->succeed(after->answer.result, after->answer.frames)) set_state(std::move(after));
+    // First, since whoever has the answer may ask at once how far the session is.
+    const SessionStatePtr last = state();
+    set_state(after);
+    if (!call->succeed(after->answer.result, after->answer.frames)) set_state(last);
 }
 
 void Session::state_problem(const SessionState& before, const proto::Request& request) {
