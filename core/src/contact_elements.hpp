@@ -1,6 +1,7 @@
 // The elements of a given contact area and vector fields on them, as the tangential solver uses them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -18,18 +19,29 @@ struct Field {
 };
 
 inline double inner(const Field& a, const Field& b) {
-    return dot(a.x, b.x) + dot(a.y, b.y);
+    return dot_product(a.x.size(), a.x.data(), b.x.data()) + dot_product(a.y.size(), a.y.data(), b.y.data());
 }
 
 // The elements of the contact area, 0..m-1, with everything the problem says of them.
 struct Contact {
+    // Elements that lie side by side in the grid, first ... first + size - 1, the first of which is at grid_first
+    // there.
+    struct Run {
+        std::size_t first, grid_first, size;
+    };
+
     std::vector<std::size_t> elements;
+    std::vector<Run> runs;
     std::vector<double> bound;
     Field rigid;
 
     Contact(std::span<const double> g, std::span<const double> wx, std::span<const double> wy) {
         for (std::size_t i = 0; i < g.size(); ++i) {
             if (!(g[i] > 0)) continue;
+            if (!elements.empty() && elements.back() + 1 == i)
+                ++runs.back().size;
+            else
+                runs.push_back({elements.size(), i, 1});
             elements.push_back(i);
             bound.push_back(g[i]);
             rigid.x.push_back(wx[i]);
@@ -39,7 +51,7 @@ struct Contact {
     std::size_t size() const { return elements.size(); }
 
     void scatter(const std::vector<double>& from, std::vector<double>& to) const {
-        for (std::size_t e = 0; e < size(); ++e) to[elements[e]] = from[e];
+        for (const Run& run : runs) std::copy_n(&from[run.first], run.size, &to[run.grid_first]);
     }
     /// out = `influence` times in, tangential components; the full fields are scratch of the grid's size, zero outside.
     template <class Influence>
@@ -51,7 +63,7 @@ struct Contact {
         gather(full_out.y, out.y);
     }
     void gather(std::span<const double> from, std::vector<double>& to) const {
-        for (std::size_t e = 0; e < size(); ++e) to[e] = from[elements[e]];
+        for (const Run& run : runs) std::copy_n(&from[run.grid_first], run.size, &to[run.first]);
     }
 };
 

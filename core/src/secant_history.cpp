@@ -1,5 +1,6 @@
 #include "secant_history.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "traction_loops.hpp"
@@ -37,6 +38,18 @@ void SecantHistory::update_products(std::size_t j) {
     }
 }
 
+double SecantHistory::product_with(std::size_t slot_index, const Field& r) {
+    const FieldView image = view(slot_index, image_part);
+    if (knows_newest_) return dot_product(m_, image.x, r.x.data()) + dot_product(m_, image.y, r.y.data());
+    const std::size_t newest_slot = slot(size_ - 1);
+    const FieldView newest = view(newest_slot, image_part);
+    const TwoProducts x = dot_products(m_, image.x, newest.x, r.x.data()),
+                      y = dot_products(m_, image.y, newest.y, r.y.data());
+    product(slot_index, newest_slot) = x.b + y.b;
+    product(newest_slot, slot_index) = x.b + y.b;
+    return x.c + y.c;
+}
+
 // Normal equations by Cholesky, newest step first so that old ones are dropped where steps depend on each other. What
 // rounding costs in them the next iteration repairs.
 void SecantHistory::minimise(Field& r, Field& d) {
@@ -45,7 +58,7 @@ void SecantHistory::minimise(Field& r, Field& d) {
     used_.clear();
     for (std::size_t age = 0; age < size_; ++age) {
         const std::size_t j = slot(size_ - 1 - age);
-        const double length_squared = product(j, j);
+        const double with_r = product_with(j, r), length_squared = product(j, j);
         if (!(length_squared > 0)) continue;
         const std::size_t row = used_.size();
         double* factors = &factor_[row * capacity_];
@@ -59,8 +72,7 @@ void SecantHistory::minimise(Field& r, Field& d) {
         }
         if (pivot < dependent) continue;
         factors[row] = std::sqrt(pivot);
-        const FieldView image = view(j, image_part);
-        double value = (dot_product(m_, image.x, r.x.data()) + dot_product(m_, image.y, r.y.data())) * scale_[row];
+        double value = with_r * scale_[row];
         for (std::size_t k = 0; k < row; ++k) value -= factors[k] * right_[k];
         right_[row] = value / factors[row];
         used_.push_back(j);
@@ -70,17 +82,26 @@ void SecantHistory::minimise(Field& r, Field& d) {
             right_[row] -= factor_[below * capacity_ + row] * right_[below];
         right_[row] /= factor_[row * capacity_ + row];
     }
-    for (std::size_t row = 0; row < used_.size(); row += 2) {
-        const bool is_last = row + 1 == used_.size();
-        const std::size_t j = used_[row], k = is_last ? j : used_[row + 1];
-        const double of_j = right_[row] * scale_[row], of_k = is_last ? 0 : right_[row + 1] * scale_[row + 1];
-        const auto add = [&](double sign, Part part, Field& to) {
-            const FieldView a = view(j, part), b = view(k, part);
-            add_two(m_, sign * of_j, a.x, sign * of_k, b.x, to.x.data());
-            add_two(m_, sign * of_j, a.y, sign * of_k, b.y, to.y.data());
-        };
-        add(-1, image_part, r);
-        add(1, step_part, d);
+    knows_newest_ = true;
+    for (std::size_t row = 0; row < used_.size(); ++row) right_[row] *= scale_[row];
+    add(image_part, -1, r);
+    add(step_part, 1, d);
+}
+
+// to += sign sum right_j part_j, four at a time: what is added to is read and written less often.
+void SecantHistory::add(Part part, double sign, Field& to) const {
+    for (std::size_t first = 0; first < used_.size(); first += 4) {
+        FourArrays x{}, y{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t row = std::min(first + k, used_.size() - 1);
+            const FieldView values = view(used_[row], part);
+            x.factors[k] = first + k < used_.size() ? sign * right_[row] : 0;
+            y.factors[k] = x.factors[k];
+            x.values[k] = values.x;
+            y.values[k] = values.y;
+        }
+        add_four(m_, x, to.x.data());
+        add_four(m_, y, to.y.data());
     }
 }
 

@@ -27,11 +27,16 @@ class SecantHistory {
     // image_j = f(step_j, response_j), for all steps or for the newest only, and their inner products.
     template <class F>
     void map_all(const F& f) {
-        for (std::size_t j = 0; j < size_; ++j) map(j, f);
+        for (std::size_t j = 0; j < size_; ++j) {
+            map(j, f);
+            update_products(j);
+        }
+        knows_newest_ = true;
     }
     template <class F>
     void map_newest(const F& f) {
         if (size_ > 0) map(size_ - 1, f);
+        knows_newest_ = false;  // minimise() reads all images anyway
     }
 
     // r -> r - sum c_j image_j of least length, d = sum c_j step_j.
@@ -48,15 +53,18 @@ class SecantHistory {
     template <class F>
     void map(std::size_t j, const F& f) {
         f(view(slot(j), step_part), view(slot(j), response_part), view(slot(j), image_part));
-        update_products(j);
     }
     void update_products(std::size_t j);
+    // image_j . r, and where it is not known yet, image_j . image_newest.
+    double product_with(std::size_t slot_index, const Field& r);
+    void add(Part part, double sign, Field& to) const;
     double& product(std::size_t a, std::size_t b) { return products_[a * capacity_ + b]; }
 
     std::size_t m_, capacity_, size_ = 0, first_ = 0;
     // Slots, one more than used: the new one is written there. One block that is not filled: most solves use little.
     std::unique_ptr<double[]> values_;
     std::vector<double> products_;  // by slots
+    bool knows_newest_ = true;      // their products with the newest image
     std::vector<double> factor_, right_, scale_;
     std::vector<std::size_t> used_;
 };

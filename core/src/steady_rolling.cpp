@@ -209,15 +209,20 @@ void SteadyRolling::precondition(const Field& r, Field& z) {
 }
 
 void SteadyRolling::divide_by_influence(const Field& r, Field& q) {
-    for (std::size_t e = 0; e < m_; ++e) {
-        full_in_.x[contact_.elements[e]] = weight_[e] * r.x[e];
-        full_in_.y[contact_.elements[e]] = weight_[e] * r.y[e];
-    }
+    const auto scatter = [&](const std::vector<double>& from, std::vector<double>& to) {
+        for (const Contact::Run& run : contact_.runs)
+            multiply(run.size, &weight_[run.first], &from[run.first], &to[run.grid_first]);
+    };
+    const auto gather = [&](const std::vector<double>& from, const std::vector<double>& rest, std::vector<double>& to) {
+        for (const Contact::Run& run : contact_.runs)
+            multiply_two(run.size, &weight_[run.first], &from[run.grid_first], &diagonal_[run.first], &rest[run.first],
+                         &to[run.first]);
+    };
+    scatter(r.x, full_in_.x);
+    scatter(r.y, full_in_.y);
     influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    for (std::size_t e = 0; e < m_; ++e) {
-        q.x[e] = weight_[e] * full_out_.x[contact_.elements[e]] + diagonal_[e] * r.x[e];
-        q.y[e] = weight_[e] * full_out_.y[contact_.elements[e]] + diagonal_[e] * r.y[e];
-    }
+    gather(full_out_.x, r.x, q.x);
+    gather(full_out_.y, r.y, q.y);
 }
 
 void SteadyRolling::take_step() {

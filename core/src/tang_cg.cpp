@@ -148,9 +148,9 @@ void TangCg::linearise() {
         scale_[e] = soft * part;
         diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self;
     }
-    for (std::size_t e = 0; e < m_; ++e) {
-        full_in_.x[contact_.elements[e]] = scale_[e] * r_.x[e];
-        full_in_.y[contact_.elements[e]] = scale_[e] * r_.y[e];
+    for (const Contact::Run& run : contact_.runs) {
+        multiply(run.size, &scale_[run.first], &r_.x[run.first], &full_in_.x[run.grid_first]);
+        multiply(run.size, &scale_[run.first], &r_.y[run.first], &full_in_.y[run.grid_first]);
     }
     influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
     contact_.gather(full_out_.x, z_.x);

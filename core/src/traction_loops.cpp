@@ -16,9 +16,36 @@ double dot_product(std::size_t m, const double* __restrict a, const double* __re
 }
 
 CONTACTD_WIDE
-void add_two(std::size_t m, double factor, const double* __restrict a, double other, const double* __restrict b,
-             double* __restrict to) {
-    for (std::size_t e = 0; e < m; ++e) to[e] += factor * a[e] + other * b[e];
+TwoProducts dot_products(std::size_t m, const double* __restrict a, const double* __restrict b,
+                         const double* __restrict c) {
+    double with_b = 0, with_c = 0;
+#pragma omp simd reduction(+ : with_b, with_c)
+    for (std::size_t e = 0; e < m; ++e) {
+        with_b += a[e] * b[e];
+        with_c += a[e] * c[e];
+    }
+    return {with_b, with_c};
+}
+
+CONTACTD_WIDE
+void add_four(std::size_t m, const FourArrays& arrays, double* __restrict to) {
+    const auto [p, q, r, s] = arrays.factors;
+    const auto [a, b, c, d] = arrays.values;
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) to[e] += (p * a[e] + q * b[e]) + (r * c[e] + s * d[e]);
+}
+
+CONTACTD_WIDE
+void multiply(std::size_t m, const double* __restrict factor, const double* __restrict a, double* __restrict out) {
+    for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e];
+}
+
+CONTACTD_WIDE
+void multiply_two(std::size_t m, const double* __restrict factor, const double* __restrict a,
+                  const double* __restrict other, const double* b, double* out) {
+    // out and b may be the same
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e] + other[e] * b[e];
 }
 
 CONTACTD_WIDE

@@ -17,8 +17,23 @@ struct MutableVectors {
 
 /// a . b; the order of the sums is always the same.
 double dot_product(std::size_t m, const double* a, const double* b);
-/// to += factor a + other b
-void add_two(std::size_t m, double factor, const double* a, double other, const double* b, double* to);
+/// a . b and a . c
+struct TwoProducts {
+    double b = 0, c = 0;
+};
+TwoProducts dot_products(std::size_t m, const double* a, const double* b, const double* c);
+/// to += sum factors[k] values[k]
+struct FourArrays {
+    double factors[4];
+    const double* values[4];
+};
+void add_four(std::size_t m, const FourArrays& arrays, double* to);
+
+/// out = factor a
+void multiply(std::size_t m, const double* factor, const double* a, double* out);
+/// out = factor a + other b
+void multiply_two(std::size_t m, const double* factor, const double* a, const double* other, const double* b,
+                  double* out);
 
 /// a -> a - (a . n) n
 void project_out(std::size_t m, Vectors n, MutableVectors a);
