@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
 from collections.abc import Iterator
@@ -13,11 +14,15 @@ import pytest
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+#: How much longer tests may take where the programs are slow, as with sanitizers.
+SLOWER = int(os.environ.get("CONTACTD_SLOWER", "1"))
+
+
 @pytest.fixture(autouse=True)
 def time_limit(request: pytest.FixtureRequest) -> Iterator[None]:
     """Fails a test that hangs; @pytest.mark.time_limit(seconds) changes the sixty seconds."""
     marker = request.node.get_closest_marker("time_limit")
-    seconds = marker.args[0] if marker else 60
+    seconds = SLOWER * (marker.args[0] if marker else 60)
 
     def expire(signum: int, frame: object) -> None:
         pytest.fail(f"took longer than {seconds} s", pytrace=True)

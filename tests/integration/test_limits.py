@@ -76,13 +76,17 @@ def test_a_client_that_vanishes_disturbs_nobody(daemon, client):
 
 
 def test_an_interrupted_wait_leaves_client_and_daemon_usable(daemon):
+    def interrupt():
+        with daemon.client() as watcher:
+            eventually(watcher.jobs)
+        os.kill(os.getpid(), signal.SIGINT)
+
     with Client(daemon.endpoint, timeout=50) as client:
-        killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        killer = threading.Thread(target=interrupt)
         killer.start()
         with pytest.raises(KeyboardInterrupt):
             client.get_ic(STEEL, GRID, LONG)
         killer.join()
-        eventually(client.jobs)
         (job,) = client.jobs()
         client.cancel_job(job.job)
         assert client.solve(CATTANEO).converged
