@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import threading
 from collections.abc import Iterator
 
 import pytest
 
+from support.patience import SLOWER
+
 # A run started in the background of a script ignores SIGINT, and so would every program it starts; the tests that
 # interrupt something need the usual behaviour whoever starts them.
 signal.signal(signal.SIGINT, signal.default_int_handler)
-
-
-#: How much longer tests may take where the programs are slow, as with sanitizers.
-SLOWER = int(os.environ.get("CONTACTD_SLOWER", "1"))
 
 
 @pytest.fixture(autouse=True)

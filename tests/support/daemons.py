@@ -15,6 +15,7 @@ from contactd import Client, LocalDaemon
 from contactd.connection import Reply
 
 from . import schemas
+from .patience import SLOWER
 from .raw import RawClient
 
 BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / "development" / "bin"))
@@ -40,7 +41,7 @@ class TestDaemon(LocalDaemon):
         return self.folder / "store"
 
     def client(self, **options: Any) -> Client:
-        return CheckedClient(self.endpoint, **{"timeout": 50, **options})
+        return CheckedClient(self.endpoint, **{"timeout": 50 * SLOWER, **options})
 
     @property
     def http(self) -> str:
@@ -118,7 +119,7 @@ def processes_with(text: str) -> list[int]:
 
 def eventually(condition: Callable[[], object], failure: str = "it did not come about", seconds: float = 20) -> None:
     """Waits until `condition` holds."""
-    deadline = time.monotonic() + seconds
+    deadline = time.monotonic() + seconds * SLOWER
     while not condition():
         assert time.monotonic() < deadline, failure
         time.sleep(0.02)

@@ -11,8 +11,9 @@ import numpy as np
 import zmq
 
 from . import schemas
+from .patience import SLOWER
 
-PATIENCE_MS = 30_000
+PATIENCE_MS = 30_000 * SLOWER
 
 
 @dataclass(frozen=True)
