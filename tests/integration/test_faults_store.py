@@ -159,7 +159,7 @@ def test_two_daemons_that_are_asked_for_one_table_build_it_once(daemons, backgro
 def test_a_daemon_that_is_no_more_does_not_keep_another_from_building(daemons, background, blow):
     shared = {"store": {"folder": str(daemons.folder / "store")}, "builds": {"stall_seconds": 2}}
     first, second = (daemons.start(name, **shared) for name in ("first", "second"))
-    with first.client(timeout=1) as doomed, second.client() as client:
+    with first.client(timeout=10) as doomed, second.client() as client:
         callers = [background(doomed.get_ic, STEEL, GRID, LONG)]
         eventually(lambda: list((daemons.folder / "store").glob("*.lock")))
         callers.append(background(client.get_ic, STEEL, GRID, LONG))
