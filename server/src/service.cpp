@@ -268,6 +268,9 @@ void Service::ic_get(const CallPtr& call) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
             const IcTable table = table_of(answer, spec);
+            if (!std::all_of(table.values.begin(), table.values.end(), [](double v) { return std::isfinite(v); }))
+                throw proto::invalid_field("material.G",
+                                           "and grid.dx make coefficients that are beyond a double's range");
             const json result = proto::encode_ic_part_reply(
                 {answer.key, answer.origin, spec, table, answer.record->evidence}, part, arrays);
             call->succeed(result, arrays.take_frames());

@@ -24,6 +24,11 @@ def test_a_closed_form_has_no_error_to_state(peer):
     assert (result["origin"], result["evidence"]["errors"]) == ("closed_form", {})
 
 
+def test_coefficients_beyond_a_doubles_range_are_refused(peer):
+    reply = peer.ask("ic.get", {**TABLE, "material": {"G": 5e-324, "nu": 0.3}})
+    assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "FIELD_INVALID", ["material.G"])
+
+
 def test_a_mesh_that_is_its_own_mirror_image_is_solved_for_two_loads(peer):
     evidence = peer.ask("ic.get", {**QUICK_BUILD, "grid": {"nx": 4, "ny": 4, "dx": 1, "dy": 1}}).result["evidence"]
     assert {case["load"] for case in evidence["load_cases"]} == {"x", "z"}
