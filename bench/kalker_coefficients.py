@@ -1,6 +1,6 @@
-"""Computes Kalker's creepage coefficients and prints them as core/src/kalker_table.hpp.
+"""Computes Kalker's creepage coefficients and prints them as core/src/closed_forms/kalker_table.hpp.
 
-    python3 bench/kalker_coefficients.py > core/src/kalker_table.hpp        (about five minutes)
+    python3 bench/kalker_coefficients.py > core/src/closed_forms/kalker_table.hpp        (about five minutes)
     python3 bench/kalker_coefficients.py --converge                         (how they settle with the order)
 
 Linear theory of rolling (Kalker 1967; 1990, section 3.1 and appendix E): no slip anywhere, so that du/dx = w with

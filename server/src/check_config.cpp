@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "curve_keys.hpp"
-#include "store_folder.hpp"
+#include "access/curve_keys.hpp"
+#include "ics/store_folder.hpp"
 
 namespace contactd::server {
 namespace {

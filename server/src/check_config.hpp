@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "config.hpp"
+#include "config/config.hpp"
 
 namespace contactd::server {
 

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "contactd/error.hpp"
-#include "log.hpp"
+#include "operation/log.hpp"
 
 namespace contactd::server {
 

@@ -8,17 +8,17 @@
 #include <vector>
 #include <zmq.hpp>
 
-#include "access_control.hpp"
-#include "call.hpp"
-#include "config.hpp"
-#include "connection_monitor.hpp"
-#include "mailbox.hpp"
-#include "notify.hpp"
-#include "open_calls.hpp"
-#include "outbox.hpp"
-#include "rate_limit.hpp"
+#include "access/access_control.hpp"
+#include "access/rate_limit.hpp"
+#include "config/config.hpp"
+#include "operation/notify.hpp"
 #include "service.hpp"
-#include "unfinished_input.hpp"
+#include "wire/connection_monitor.hpp"
+#include "wire/mailbox.hpp"
+#include "wire/open_calls.hpp"
+#include "wire/outbox.hpp"
+#include "wire/unfinished_input.hpp"
+#include "work/call.hpp"
 
 namespace contactd::server {
 

@@ -14,17 +14,17 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "about.hpp"
+#include "access/curve_keys.hpp"
 #include "check_config.hpp"
-#include "config.hpp"
+#include "config/config.hpp"
+#include "config/endpoint_rules.hpp"
 #include "contactd/version.hpp"
-#include "curve_keys.hpp"
 #include "endpoint.hpp"
-#include "endpoint_rules.hpp"
-#include "http_listener.hpp"
-#include "log.hpp"
-#include "notify.hpp"
-#include "ping.hpp"
+#include "operation/about.hpp"
+#include "operation/http_listener.hpp"
+#include "operation/log.hpp"
+#include "operation/notify.hpp"
+#include "operation/ping.hpp"
 #include "service.hpp"
 
 namespace {

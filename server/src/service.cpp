@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "about.hpp"
-#include "contact_solve.hpp"
-#include "contact_subsurface.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
-#include "ic_export.hpp"
-#include "ic_list.hpp"
-#include "session_methods.hpp"
-#include "store_folder.hpp"
+#include "ics/ic_export.hpp"
+#include "ics/ic_list.hpp"
+#include "ics/store_folder.hpp"
+#include "operation/about.hpp"
+#include "sessions/session_methods.hpp"
+#include "solves/contact_solve.hpp"
+#include "solves/contact_subsurface.hpp"
 
 namespace contactd::server {
 

@@ -5,17 +5,17 @@
 #include <map>
 #include <string>
 
-#include "call.hpp"
-#include "config.hpp"
-#include "counters.hpp"
-#include "health.hpp"
-#include "ic_service.hpp"
-#include "influence_cache.hpp"
-#include "job.hpp"
-#include "metrics.hpp"
-#include "open_calls.hpp"
-#include "session_table.hpp"
-#include "worker_pool.hpp"
+#include "config/config.hpp"
+#include "ics/ic_service.hpp"
+#include "ics/influence_cache.hpp"
+#include "operation/counters.hpp"
+#include "operation/health.hpp"
+#include "operation/metrics.hpp"
+#include "sessions/session_table.hpp"
+#include "wire/open_calls.hpp"
+#include "work/call.hpp"
+#include "work/job.hpp"
+#include "work/worker_pool.hpp"
 
 namespace contactd::server {
 

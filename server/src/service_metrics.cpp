@@ -1,10 +1,10 @@
 // Everything the daemon counts and measures, in one list.
 #include <prometheus/metric_family.h>
 
-#include "about.hpp"
 #include "contactd/version.hpp"
+#include "ics/store_folder.hpp"
+#include "operation/about.hpp"
 #include "service.hpp"
-#include "store_folder.hpp"
 
 namespace contactd::server {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "../../core/src/sha256.hpp"
-#include "../../core/src/writer.hpp"
+#include "../../core/src/store/sha256.hpp"
+#include "../../core/src/store/writer.hpp"
 #include "contactd/table_lock.hpp"
 #include "ic_records.hpp"
 

@@ -1,6 +1,6 @@
 // A configuration: refused with every problem found, or read; and what was read is the same when it is written and
 // read.
-#include "config.hpp"
+#include "config/config.hpp"
 
 #include "contactd/error.hpp"
 #include "input.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../../core/src/ic_hdf5.hpp"
+#include "../../core/src/store/ic_hdf5.hpp"
 #include "input.hpp"
 
 using namespace contactd;

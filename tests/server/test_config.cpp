@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "config.hpp"
+#include "config/config.hpp"
+#include "config/endpoint_rules.hpp"
 #include "contactd/error.hpp"
-#include "endpoint_rules.hpp"
 
 using namespace contactd::server;
 using Catch::Matchers::ContainsSubstring;

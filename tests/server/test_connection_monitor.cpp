@@ -7,7 +7,7 @@
 #include <string>
 #include <zmq.hpp>
 
-#include "connection_monitor.hpp"
+#include "wire/connection_monitor.hpp"
 
 using namespace contactd::server;
 

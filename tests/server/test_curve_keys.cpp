@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "access/curve_keys.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/key_file.hpp"
-#include "curve_keys.hpp"
 
 namespace fs = std::filesystem;
 using namespace contactd::server;

@@ -1,6 +1,6 @@
 #include <catch2/catch_test_macros.hpp>
 
-#include "health.hpp"
+#include "operation/health.hpp"
 
 using namespace contactd::server;
 using nlohmann::json;

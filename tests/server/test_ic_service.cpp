@@ -11,7 +11,7 @@
 
 #include "contactd/half_space.hpp"
 #include "contactd/ic_family.hpp"
-#include "ic_service.hpp"
+#include "ics/ic_service.hpp"
 
 using namespace contactd;
 using namespace contactd::server;

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "outbox.hpp"
+#include "wire/outbox.hpp"
 
 using namespace contactd::server;
 

@@ -1,7 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <string>
 
-#include "rate_limit.hpp"
+#include "access/rate_limit.hpp"
 
 using contactd::server::RateLimit;
 using namespace std::chrono_literals;

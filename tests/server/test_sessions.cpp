@@ -3,7 +3,7 @@
 #include <future>
 #include <thread>
 
-#include "session_table.hpp"
+#include "sessions/session_table.hpp"
 
 using namespace contactd;
 using namespace contactd::server;

@@ -1,0 +1,88 @@
+#include "contactd/solve_contact.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "boundary_elements.hpp"
+#include "closed_forms/quick_models.hpp"
+#include "contactd/error.hpp"
+#include "contactd/normal.hpp"
+#include "contactd/rolling.hpp"
+
+namespace contactd {
+namespace {
+
+void count_elements(ContactSolution& solution) {
+    for (const ElementState state : solution.element_division) {
+        if (state == ElementState::adhesion) ++solution.adhesion_elements;
+        if (state == ElementState::slip) ++solution.slip_elements;
+    }
+    solution.contact_elements = solution.adhesion_elements + solution.slip_elements;
+}
+
+void sum_up(const Grid& grid, ContactSolution& solution) {
+    const double area = grid.element_area();
+    for (const double p : solution.pressure) {
+        solution.Fn += p * area;
+        solution.pmax = std::max(solution.pmax, p);
+    }
+    const TangentialForces forces = tangential_forces(grid, solution.traction_x, solution.traction_y);
+    solution.Fx = forces.Fx;
+    solution.Fy = forces.Fy;
+    solution.Mz = forces.Mz;
+    solution.contact_area = solution.contact_elements * area;
+    solution.adhesion_area = solution.adhesion_elements * area;
+    solution.slip_area = solution.slip_elements * area;
+}
+
+/// Slip of rolling is over the distance rolled, which the solvers do not divide by.
+void take_friction_losses(const ContactProblem& problem, ContactSolution& solution) {
+    if (!solution.motion) return;
+    double work = 0;
+    for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
+        work -= solution.slip_x[i] * solution.traction_x[i] + solution.slip_y[i] * solution.traction_y[i];
+    work *= problem.grid.element_area();
+    const auto* rolling = std::get_if<Rolling>(&*solution.motion);
+    if (rolling == nullptr) {
+        solution.frictional_work = work;
+        return;
+    }
+    const double dq = step_length(*rolling, problem.grid);
+    for (auto* slip : {&solution.slip_x, &solution.slip_y})
+        for (double& s : *slip) s /= dq;
+    solution.frictional_power = work / dq * rolling->velocity;
+}
+
+void warn(const ContactProblem& problem, ContactSolution& solution) {
+    solution.border_elements = border_elements(problem.grid, solution.pressure);
+    if (solution.border_elements == 0) return;
+    const bool one = solution.border_elements == 1;
+    solution.warnings.push_back(std::to_string(solution.border_elements) +
+                                (one ? " contact element touches" : " contact elements touch") +
+                                " the border of the potential contact area: the contact may reach beyond it, and the "
+                                "solution is that of bodies cut off there.");
+}
+
+}  // namespace
+
+ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
+    validate(problem);
+    if (problem.model != Model::full) {
+        ContactSolution solution = solve_by_quick_model(problem);
+        count_elements(solution);
+        warn(problem, solution);
+        return solution;
+    }
+    if (influence.here->size() != problem.grid.size())
+        throw InvalidArgument("grid", "has " + std::to_string(problem.grid.size()) +
+                                          " elements; the influence coefficients are for " +
+                                          std::to_string(influence.here->size()));
+    ContactSolution solution = solve_boundary_elements(problem, influence, observer);
+    count_elements(solution);
+    sum_up(problem.grid, solution);
+    take_friction_losses(problem, solution);
+    warn(problem, solution);
+    return solution;
+}
+
+}  // namespace contactd

@@ -1,0 +1,194 @@
+#include "traction_loops.hpp"
+
+#include <cmath>
+
+#include "operators/wide.hpp"
+
+// `omp simd` needs no OpenMP at run time: it says that arrays do not overlap, and lets sums be taken in several parts.
+namespace contactd {
+
+CONTACTD_WIDE
+double dot_product(std::size_t m, const double* __restrict a, const double* __restrict b) {
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t e = 0; e < m; ++e) sum += a[e] * b[e];
+    return sum;
+}
+
+CONTACTD_WIDE
+TwoProducts dot_products(std::size_t m, const double* __restrict a, const double* __restrict b,
+                         const double* __restrict c) {
+    double with_b = 0, with_c = 0;
+#pragma omp simd reduction(+ : with_b, with_c)
+    for (std::size_t e = 0; e < m; ++e) {
+        with_b += a[e] * b[e];
+        with_c += a[e] * c[e];
+    }
+    return {with_b, with_c};
+}
+
+CONTACTD_WIDE
+void add_four(std::size_t m, const FourArrays& arrays, double* __restrict to) {
+    const auto [p, q, r, s] = arrays.factors;
+    const auto [a, b, c, d] = arrays.values;
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) to[e] += (p * a[e] + q * b[e]) + (r * c[e] + s * d[e]);
+}
+
+CONTACTD_WIDE
+void multiply(std::size_t m, const double* __restrict factor, const double* __restrict a, double* __restrict out) {
+    for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e];
+}
+
+CONTACTD_WIDE
+void multiply_two(std::size_t m, const double* __restrict factor, const double* __restrict a,
+                  const double* __restrict other, const double* b, double* out) {
+    // out and b may be the same
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e] + other[e] * b[e];
+}
+
+CONTACTD_WIDE
+void project_out(std::size_t m, Vectors n, MutableVectors a) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const double along = a.x[e] * n.x[e] + a.y[e] * n.y[e];
+        a.x[e] -= along * n.x[e];
+        a.y[e] -= along * n.y[e];
+    }
+}
+
+CONTACTD_WIDE
+void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const double* inverse_g, MutableVectors n,
+                   double* turning, MutableVectors r) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const double scale = slips[e] != 0 ? inverse_g[e] : 0;
+        const double x = p.x[e] * scale, y = p.y[e] * scale, along = s.x[e] * x + s.y[e] * y;
+        n.x[e] = x;
+        n.y[e] = y;
+        turning[e] = (along < 0 ? -along : 0) * inverse_g[e];
+        r.x[e] = along * x - s.x[e];
+        r.y[e] = along * y - s.y[e];
+    }
+}
+
+CONTACTD_WIDE
+void jacobian_times(std::size_t m, Vectors n, const double* turning, Vectors step, Vectors response,
+                    MutableVectors image) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const double x = response.x[e] + turning[e] * step.x[e], y = response.y[e] + turning[e] * step.y[e];
+        const double along = x * n.x[e] + y * n.y[e];
+        image.x[e] = x - along * n.x[e];
+        image.y[e] = y - along * n.y[e];
+    }
+}
+
+CONTACTD_WIDE
+StepParts step_parts(std::size_t m, Vectors n, Vectors step) {
+    double all = 0, against = 0;
+#pragma omp simd reduction(+ : all, against)
+    for (std::size_t e = 0; e < m; ++e) {
+        const double x = step.x[e], y = step.y[e], across = x * n.x[e] + y * n.y[e];
+        all += x * x + y * y;
+        against += across * across;
+    }
+    return {all - against, against};
+}
+
+CONTACTD_WIDE
+double pushes(std::size_t m, Vectors n, Vectors s) {
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t e = 0; e < m; ++e) {
+        const double along = s.x[e] * n.x[e] + s.y[e] * n.y[e], push = along > 0 ? along : 0;
+        sum += push * push;
+    }
+    return sum;
+}
+
+CONTACTD_WIDE
+void move_tractions(std::size_t m, Vectors step, const double* g, double on_bound, MutableVectors p, char* slips) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const double x = p.x[e] + step.x[e], y = p.y[e] + step.y[e];
+        const double square = x * x + y * y, bound = g[e] * (1 + on_bound);
+        const bool beyond = square > bound * bound, slipping = (beyond | (slips[e] != 0)) & (square > 0);
+        const double factor = slipping ? g[e] / std::sqrt(square) : 1;
+        p.x[e] = x * factor;
+        p.y[e] = y * factor;
+        slips[e] = slipping ? 1 : 0;
+    }
+}
+
+CONTACTD_WIDE
+double combine(std::size_t m, const double* scale, const double* diagonal, Vectors r, Vectors n, MutableVectors z) {
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t e = 0; e < m; ++e) {
+        const double x = scale[e] * z.x[e] + diagonal[e] * r.x[e], y = scale[e] * z.y[e] + diagonal[e] * r.y[e];
+        const double along = x * n.x[e] + y * n.y[e];
+        z.x[e] = x - along * n.x[e];
+        z.y[e] = y - along * n.y[e];
+        sum += z.x[e] * z.x[e] + z.y[e] * z.y[e];
+    }
+    return sum;
+}
+
+CONTACTD_WIDE
+double next_direction(std::size_t m, Vectors z, double beta, Vectors n, Vectors r, MutableVectors v) {
+    double slope = 0;
+#pragma omp simd reduction(+ : slope)
+    for (std::size_t e = 0; e < m; ++e) {
+        const double x = z.x[e] + beta * v.x[e], y = z.y[e] + beta * v.y[e];
+        const double along = x * n.x[e] + y * n.y[e];
+        v.x[e] = x - along * n.x[e];
+        v.y[e] = y - along * n.y[e];
+        slope += r.x[e] * v.x[e] + r.y[e] * v.y[e];
+    }
+    return slope;
+}
+
+CONTACTD_WIDE
+MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const char* slips, const double* g,
+                     MutableVectors p, MutableVectors s) {
+    double change = 0, scaling = 0;
+#pragma omp simd reduction(+ : change, scaling)
+    for (std::size_t e = 0; e < m; ++e) {
+        double x = p.x[e] + alpha * v.x[e], y = p.y[e] + alpha * v.y[e];
+        const double length = std::sqrt(x * x + y * y), beyond = slips[e] != 0 ? length - g[e] : 0;
+        const double factor = slips[e] != 0 ? g[e] / length : 1;
+        scaling += beyond * beyond;
+        x *= factor;
+        y *= factor;
+        change += (x - p.x[e]) * (x - p.x[e]) + (y - p.y[e]) * (y - p.y[e]);
+        p.x[e] = x;
+        p.y[e] = y;
+        s.x[e] += alpha * q.x[e];
+        s.y[e] += alpha * q.y[e];
+    }
+    return {change, scaling};
+}
+
+CONTACTD_WIDE
+void shifted_reciprocal(std::size_t m, const double* __restrict a, double added, double numerator,
+                        double* __restrict out) {
+    for (std::size_t e = 0; e < m; ++e) out[e] = numerator / (added + a[e]);
+}
+
+CONTACTD_WIDE
+void take_differences(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips,
+                      MutableVectors before_p, MutableVectors before_s) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const bool pushed_back = s.x[e] * p.x[e] + s.y[e] * p.y[e] > push * g[e];
+        slips[e] = pushed_back ? 0 : slips[e];
+        before_p.x[e] = p.x[e] - before_p.x[e];
+        before_p.y[e] = p.y[e] - before_p.y[e];
+        before_s.x[e] = s.x[e] - before_s.x[e];
+        before_s.y[e] = s.y[e] - before_s.y[e];
+    }
+}
+
+}  // namespace contactd

@@ -1,0 +1,224 @@
+#include "contactd/subsurface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "../../types/number_text.hpp"
+#include "contact/solver_support.hpp"
+#include "contactd/error.hpp"
+#include "subsurface_direct.hpp"
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+void store(const StressComponents& stress, std::size_t at, SubsurfaceStress& result) {
+    const std::array<Values*, 6> all = {&result.xx, &result.yy, &result.zz, &result.xy, &result.xz, &result.yz};
+    for (std::size_t c = 0; c < 6; ++c) (*all[c])[at] = stress[c];
+}
+
+SubsurfaceStress zeros(std::size_t n) {
+    SubsurfaceStress result;
+    for (Values* values : {&result.xx, &result.yy, &result.zz, &result.xy, &result.xz, &result.yz, &result.von_mises})
+        values->resize(n);
+    return result;
+}
+
+void find_von_mises(SubsurfaceStress& s) {
+    const auto square = [](double a) { return a * a; };
+    for (std::size_t i = 0; i < s.xx.size(); ++i)
+        s.von_mises[i] =
+            std::sqrt(0.5 * (square(s.xx[i] - s.yy[i]) + square(s.yy[i] - s.zz[i]) + square(s.zz[i] - s.xx[i])) +
+                      3 * (square(s.xy[i]) + square(s.xz[i]) + square(s.yz[i])));
+    s.largest =
+        static_cast<std::size_t>(std::max_element(s.von_mises.begin(), s.von_mises.end()) - s.von_mises.begin());
+}
+
+void check(const Grid& grid, const SurfaceTractions& tractions, double nu) {
+    validate(grid, "grid");
+    if (!(nu >= 0 && nu <= 0.5)) throw InvalidArgument("nu", "is " + number_text(nu) + "; it must be 0 to 0.5");
+    for (const auto& [values, field] : {std::pair{&tractions.x, "tractions.x"}, std::pair{&tractions.y, "tractions.y"},
+                                        std::pair{&tractions.z, "tractions.z"}}) {
+        if (!values->empty()) require_size(*values, grid.size(), field);
+        for (const double value : *values)
+            if (!std::isfinite(value))
+                throw InvalidArgument(field, "holds " + number_text(value) + "; every value must be finite");
+    }
+}
+
+void check_coordinate(double value, bool depth, const char* field) {
+    constexpr double farthest = 1e50;  // higher powers still have to be numbers
+    if (!(std::abs(value) <= farthest))
+        throw InvalidArgument(field, "holds " + number_text(value) + "; every coordinate must be finite, up to 1e50");
+    if (depth && value > 0)
+        throw InvalidArgument(field, "holds z = " + number_text(value) + "; the body is z <= 0 in its own frame");
+}
+
+// Reports how much of the work is done.
+class Meter {
+   public:
+    Meter(Observer& observer, double work) : observer_(observer), work_(work) { observer.throw_if_cancelled(); }
+
+    void add(double work) {
+        done_ += work;
+        if (done_ - reported_ < step && done_ < work_) return;
+        reported_ = done_;
+        observer_.on_progress({"subsurface", done_ < work_ ? done_ / work_ : 1});
+        observer_.throw_if_cancelled();
+    }
+
+   private:
+    static constexpr double step = 1e5;  // corners: some ten milliseconds
+    Observer& observer_;
+    double work_, done_ = 0, reported_ = 0;
+};
+
+// Coordinates that differ from the centre of the first element by the same fraction of an element.
+struct Class {
+    double fraction;
+    std::vector<double> whole;
+    std::vector<std::size_t> place;  // in the block
+
+    double first() const { return *std::min_element(whole.begin(), whole.end()); }
+    double points() const { return *std::max_element(whole.begin(), whole.end()) - first() + 1; }
+};
+
+std::vector<Class> classes_of(const Values& coordinates, double first_centre, double size) {
+    constexpr double resolution = 0x1p-40;  // above rounding, and exact for halves of elements
+    std::map<double, Class> classes;        // ordered, so that sums are the same in every run
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const double steps = std::round((coordinates[i] - first_centre) / size / resolution) * resolution;
+        const double whole = std::floor(steps), fraction = steps - whole;
+        Class& found = classes.try_emplace(fraction, Class{fraction, {}, {}}).first->second;
+        found.whole.push_back(whole);
+        found.place.push_back(i);
+    }
+    std::vector<Class> result;
+    for (auto& entry : classes) result.push_back(std::move(entry.second));
+    return result;
+}
+
+// The points of one class along x and one along y, at all depths, by convolution or by direct sums: whichever computes
+// fewer corners.
+class ClassPair {
+   public:
+    ClassPair(const LoadedPatch& patch, const Class& along_x, const Class& along_y, std::size_t corners)
+        : patch_(patch), along_x_(along_x), along_y_(along_y), first_x_(along_x.first()), first_y_(along_y.first()) {
+        constexpr double transforms = 1.5;                        // what they add to the corners of a convolution
+        constexpr double farthest = 1e6;                          // in elements
+        constexpr double most_offsets = 4.0 * max_grid_elements;  // between a raster of the largest grid and the grid
+        constexpr double sparsest = 16;                           // offsets for each element and point
+        const bool far = std::max(std::abs(first_x_), std::abs(first_y_)) > farthest;
+        const double offsets = (patch.nx() + along_x.points()) * (patch.ny() + along_y.points());
+        const double points = static_cast<double>(along_x.whole.size()) * static_cast<double>(along_y.whole.size());
+        const double elements = static_cast<double>(patch.nx()) * patch.ny();
+        // Few points may span a raster that no memory holds.
+        const bool fits = offsets <= std::min(most_offsets, sparsest * (elements + points));
+        by_convolution_ = transforms * offsets;
+        directly_ = points * static_cast<double>(corners);
+        convolve_ = !far && fits && by_convolution_ < directly_;
+    }
+
+    double work() const { return convolve_ ? by_convolution_ : directly_; }
+
+    void compute(const StressBlock& block, std::size_t iz, const DirectSum& direct, double nu, Meter& meter,
+                 SubsurfaceStress& result) const {
+        const auto for_points = [&](const auto& stress_at) {
+            for (std::size_t j = 0; j < along_y_.place.size(); ++j)
+                for (std::size_t i = 0; i < along_x_.place.size(); ++i)
+                    store(stress_at(i, j),
+                          (iz * block.y.size() + along_y_.place[j]) * block.x.size() + along_x_.place[i], result);
+        };
+        if (!convolve_) {
+            for_points([&](std::size_t i, std::size_t j) {
+                meter.add(static_cast<double>(direct.corners()));
+                return direct.at(block.x[along_x_.place[i]], block.y[along_y_.place[j]], block.z[iz]);
+            });
+            return;
+        }
+        const Raster raster{static_cast<int>(along_x_.points()), static_cast<int>(along_y_.points()),
+                            first_x_ + along_x_.fraction, first_y_ + along_y_.fraction};
+        std::array<Values, 6> sum;
+        for (Values& values : sum) values.resize(static_cast<std::size_t>(raster.nx) * raster.ny);
+        for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
+            const TractionPatch& traction = patch_.loads()[static_cast<std::size_t>(load)];
+            if (!traction.values.empty())
+                add_stresses(load, traction, raster, -block.z[iz], nu, patch_.smallest(), sum);
+        }
+        for_points([&](std::size_t i, std::size_t j) {
+            const auto at =
+                static_cast<std::size_t>((along_y_.whole[j] - first_y_) * raster.nx + along_x_.whole[i] - first_x_);
+            return StressComponents{sum[0][at], sum[1][at], sum[2][at], sum[3][at], sum[4][at], sum[5][at]};
+        });
+        meter.add(by_convolution_);
+    }
+
+   private:
+    const LoadedPatch& patch_;
+    const Class &along_x_, &along_y_;
+    double first_x_, first_y_, by_convolution_, directly_;
+    bool convolve_;
+};
+
+}  // namespace
+
+SurfaceTractions tractions_on(ContactBody body, std::span<const double> pressure, std::span<const double> traction_x,
+                              std::span<const double> traction_y) {
+    const auto times = [](double factor, std::span<const double> values) {
+        Values result(values.begin(), values.end());
+        for (double& value : result) value *= factor;
+        return result;
+    };
+    const double sign = body == ContactBody::upper ? 1 : -1;
+    return {times(sign, traction_x), times(sign, traction_y), times(-1, pressure)};
+}
+
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
+                                   std::span<const std::array<double, 3>> points, Observer& observer) {
+    check(grid, tractions, nu);
+    if (points.empty()) throw InvalidArgument("points", "is empty; there must be at least one");
+    for (const auto& [x, y, z] : points) {
+        check_coordinate(x, false, "points");
+        check_coordinate(y, false, "points");
+        check_coordinate(z, true, "points");
+    }
+    const DirectSum direct(LoadedPatch(grid, tractions), nu);
+    const double work = static_cast<double>(direct.corners());
+    Meter meter(observer, work * static_cast<double>(points.size()));
+    SubsurfaceStress result = zeros(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        store(direct.at(points[i][0], points[i][1], points[i][2]), i, result);
+        meter.add(work);
+    }
+    find_von_mises(result);
+    return result;
+}
+
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
+                                   const StressBlock& block, Observer& observer) {
+    check(grid, tractions, nu);
+    for (const auto& [values, field] :
+         {std::pair{&block.x, "block.x"}, std::pair{&block.y, "block.y"}, std::pair{&block.z, "block.z"}}) {
+        if (values->empty()) throw InvalidArgument(field, "is empty; there must be at least one coordinate");
+        for (const double value : *values) check_coordinate(value, values == &block.z, field);
+    }
+    const LoadedPatch patch(grid, tractions);
+    const DirectSum direct(patch, nu);
+    const auto along_x = classes_of(block.x, patch.x(), grid.dx), along_y = classes_of(block.y, patch.y(), grid.dy);
+    std::vector<ClassPair> pairs;
+    double work = 0;
+    for (const Class& of_y : along_y)
+        for (const Class& of_x : along_x) work += pairs.emplace_back(patch, of_x, of_y, direct.corners()).work();
+    Meter meter(observer, work * static_cast<double>(block.z.size()));
+    SubsurfaceStress result = zeros(block.size());
+    for (std::size_t iz = 0; iz < block.z.size(); ++iz)
+        for (const ClassPair& pair : pairs) pair.compute(block, iz, direct, nu, meter, result);
+    find_von_mises(result);
+    return result;
+}
+
+}  // namespace contactd

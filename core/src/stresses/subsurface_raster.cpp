@@ -1,0 +1,101 @@
+#include "subsurface_raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "operators/padded_fft.hpp"
+#include "operators/padded_size.hpp"
+
+namespace contactd {
+namespace {
+
+// Offsets of points from elements along one axis: whole + fraction, first <= whole <= last. Without a fraction parity
+// gives the negative ones.
+struct Offsets {
+    int first, last;
+    double fraction;
+    bool mirrored;
+
+    Offsets(int elements, int points, double offset) {
+        const double down = std::floor(offset);
+        fraction = offset - down;
+        first = static_cast<int>(down) - (elements - 1);
+        last = static_cast<int>(down) + points - 1;
+        mirrored = fraction == 0 && first < 0;
+        if (!mirrored) return;
+        const int lowest = first;
+        first = last < 0 ? -last : 0;
+        last = std::max(std::abs(lowest), std::abs(last));
+    }
+    std::size_t size() const { return static_cast<std::size_t>(last - first + 1); }
+    std::size_t place(int whole) const {
+        return static_cast<std::size_t>((mirrored ? std::abs(whole) : whole) - first);
+    }
+};
+
+using Kernels = std::array<std::vector<double>, 6>;
+
+// Stresses under a unit traction on one element at all offsets; neighbours share their corners.
+Kernels element_stresses(Axis load, const TractionPatch& patch, const Offsets& along_x, const Offsets& along_y,
+                         double d, double nu, double smallest) {
+    Kernels kernels;
+    for (auto& kernel : kernels) kernel.resize(along_x.size() * along_y.size());
+    std::vector<StressComponents> lower(along_x.size() + 1), upper(lower);
+    const auto fill = [&](std::vector<StressComponents>& corners, std::size_t line) {
+        const double y = (along_y.first + static_cast<int>(line) + along_y.fraction - 0.5) * patch.dy;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            corners[i] = corner_stress(load, (along_x.first + static_cast<int>(i) + along_x.fraction - 0.5) * patch.dx,
+                                       y, d, nu, smallest);
+    };
+    fill(upper, 0);
+    for (std::size_t line = 0; line < along_y.size(); ++line) {
+        std::swap(lower, upper);
+        fill(upper, line + 1);
+        for (std::size_t i = 0; i < along_x.size(); ++i)
+            for (std::size_t c = 0; c < 6; ++c)
+                kernels[c][line * along_x.size() + i] =
+                    (upper[i + 1][c] - upper[i][c]) - (lower[i + 1][c] - lower[i][c]);
+    }
+    return kernels;
+}
+
+}  // namespace
+
+void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, double d, double nu, double smallest,
+                  std::array<std::vector<double>, 6>& sum) {
+    const int nx = std::max(patch.nx, raster.nx), ny = std::max(patch.ny, raster.ny);
+    const PaddedFft fft(nx, ny, padded_size(nx), padded_size(ny));
+    const Offsets along_x(patch.nx, raster.nx, raster.offset_x), along_y(patch.ny, raster.ny, raster.offset_y);
+    const Kernels kernels = element_stresses(load, patch, along_x, along_y, d, nu, smallest);
+    const int whole_x = static_cast<int>(std::floor(raster.offset_x)),
+              whole_y = static_cast<int>(std::floor(raster.offset_y));
+    const std::size_t columns = static_cast<std::size_t>(2 * nx - 1), size = columns * (2 * ny - 1);
+    const auto symbol = [&](std::size_t component) {
+        const auto [of_x, of_y] = stress_parity(load, component);
+        std::vector<double> values(size);  // zero where no point is that far from an element
+        for (int l = 1 - patch.ny; l < raster.ny; ++l)
+            for (int k = 1 - patch.nx; k < raster.nx; ++k) {
+                const int K = k + whole_x, L = l + whole_y;
+                const double sign = (along_x.mirrored && K < 0 ? of_x : 1) * (along_y.mirrored && L < 0 ? of_y : 1);
+                values[static_cast<std::size_t>(l + ny - 1) * columns + static_cast<std::size_t>(k + nx - 1)] =
+                    sign * kernels[component][along_y.place(L) * along_x.size() + along_x.place(K)];
+            }
+        return fft.symbol(PaddedFft::SignedKernel{values.data(), nx, ny});
+    };
+    std::vector<double> in(static_cast<std::size_t>(nx) * ny), first(in.size()), second(in.size());
+    const auto copy_rows = [](const std::vector<double>& from, int from_nx, int rows, std::vector<double>& to,
+                              int to_nx, const auto& combine) {
+        for (int l = 0; l < rows; ++l)
+            for (int k = 0; k < std::min(from_nx, to_nx); ++k)
+                combine(to[static_cast<std::size_t>(l) * to_nx + k], from[static_cast<std::size_t>(l) * from_nx + k]);
+    };
+    copy_rows(patch.values, patch.nx, patch.ny, in, nx, [](double& to, double from) { to = from; });
+    for (std::size_t component = 0; component < 6; component += 2) {
+        fft.spread(symbol(component), symbol(component + 1), in, first, second);
+        copy_rows(first, nx, raster.ny, sum[component], raster.nx, [](double& to, double from) { to += from; });
+        copy_rows(second, nx, raster.ny, sum[component + 1], raster.nx, [](double& to, double from) { to += from; });
+    }
+}
+
+}  // namespace contactd

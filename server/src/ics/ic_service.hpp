@@ -1,0 +1,111 @@
+// Influence coefficients on request: memory cache, then store, then closed form or a build that everybody joins.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "build_quarantine.hpp"
+#include "builder.hpp"
+#include "contactd/ic_store.hpp"
+#include "contactd/proto/status.hpp"
+#include "contactd/table_lock.hpp"
+#include "ic_cache.hpp"
+#include "operation/counters.hpp"
+#include "store_keeper.hpp"
+#include "work/job.hpp"
+#include "work/worker_pool.hpp"
+
+namespace contactd::server {
+
+/// A dimensionless record that covers the request, and where it came from.
+struct IcAnswer {
+    std::shared_ptr<const IcRecord> record;
+    std::string key;
+    std::string origin;  ///< "closed_form", "memory", "disk" or "built"
+};
+
+/// As contactd::validate, but what is wrong with the material is wrong with the body that `name` names on the wire.
+void validate_body(const IcSpec& spec, const std::string& name);
+
+/// The table of `request`, in its own units (mm^3/N): of a family that for its Poisson's ratio, cropped to its extent.
+IcTable table_of(const IcAnswer& answer, const IcSpec& request);
+
+/// Who asked. Called from any thread, `done` or `failed` exactly once.
+struct IcCaller {
+    std::function<void(const IcAnswer&)> done;
+    std::function<void(const proto::Status&)> failed;
+    std::function<void(const Job&, const JobProgress&)> progress;
+    Turn turn{};  ///< of a build that the caller is the first to want
+};
+
+class IcService {
+   public:
+    struct Settings {
+        BuilderCommand command;
+        int concurrent_builds = 1;
+        std::size_t memory_budget_bytes = 0;  ///< of tables in memory, and of those that wait for the disk
+        std::uintmax_t disk_budget_bytes = 0;
+        BuildQuarantine::Settings quarantine = {};
+    };
+
+    IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters);
+    ~IcService();
+
+    /// Answers `caller` now or later. Takes milliseconds at most (disk, closed form): not for the I/O thread.
+    void request(const IcSpec& spec, IcCaller caller);
+
+    /// Ends running builds; their callers get `status`. No build starts afterwards.
+    void stop(const proto::Status& status);
+
+    struct Forgotten {
+        int tables = 0;
+        bool failures = false;
+    };
+    /// Removes the tables of a key from disk and memory, and forgets that its builds failed. Throws StoreError.
+    Forgotten forget(const std::string& key);
+
+    const IcStore& store() const { return keeper_.store(); }
+    std::vector<BuildQuarantine::Entry> quarantined() { return quarantine_.entries(); }
+    /// What keeps the store from being used, as a sentence; empty when all is well.
+    std::string store_problem() const { return keeper_.problem(); }
+    IcCache::Usage cache_usage() const { return cache_.usage(); }
+    int builds_waiting() const { return builders_.waiting(); }
+    int builds_running() const { return builders_.running(); }
+
+   private:
+    struct Flight;
+    using FlightPtr = std::shared_ptr<Flight>;
+
+    void answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin);
+    FlightPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
+    void look_up(const FlightPtr& flight);
+    bool queue_build(const FlightPtr& flight);
+    void build(const FlightPtr& flight);
+    void wait_for_turn(const FlightPtr& flight, TableLock& lock);
+    IcCache::Record run_build(const FlightPtr& flight, const TableLock& lock);
+    void report(const FlightPtr& flight, const JobProgress& progress);
+    std::vector<std::string> keys_in_flight();
+    void cancel_queued(const FlightPtr& flight);
+    void land(const FlightPtr& flight, IcCache::Record record, const char* origin);
+    void crash(const FlightPtr& flight, const proto::Status& status);
+    std::vector<IcCaller> close(const FlightPtr& flight);
+    void fail_build(const FlightPtr& flight, const proto::Status& status);
+    proto::Status cancelled_status();
+
+    const Settings settings_;
+    StoreKeeper keeper_;
+    JobTable& jobs_;
+    Counters& counters_;
+    IcCache cache_;
+    BuildQuarantine quarantine_;
+    std::mutex mutex_;
+    std::vector<FlightPtr> flights_;  // looking up, queued or building
+    bool stopping_ = false;
+    proto::Status stop_status_;
+    WorkerPool builders_;  // last: its threads use everything above
+};
+
+}  // namespace contactd::server

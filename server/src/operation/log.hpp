@@ -1,0 +1,45 @@
+// What the daemon writes down: one line an event, as text or as a JSON object.
+#pragma once
+
+#include <spdlog/common.h>
+#include <spdlog/sinks/dist_sink.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "config/config.hpp"
+
+namespace contactd::server {
+
+/// Where the messages of spdlog go while this lives. What a client chose (ids, names) cannot start a line or look like
+/// another field: control characters are escaped, strings quoted.
+class Log {
+   public:
+    /// Throws Error when the file cannot be opened.
+    explicit Log(const Config& config);
+    ~Log();
+    Log(const Log&) = delete;
+    Log& operator=(const Log&) = delete;
+
+    /// Opens the file by its name again, for those who move it away (logrotate); when that fails the old one stays.
+    void reopen();
+
+   private:
+    std::shared_ptr<spdlog::sinks::sink> open() const;
+
+    const std::filesystem::path file_;
+    const bool is_json_;
+    std::shared_ptr<spdlog::sinks::dist_sink_mt> sinks_;
+};
+
+using LogField = std::pair<std::string_view, nlohmann::json>;
+
+/// A message with fields: `message key=value key="value"` as text, members of the line's object as JSON. `message` is
+/// ours, not a client's.
+void log_event(spdlog::level::level_enum level, std::string_view message, std::initializer_list<LogField> fields);
+
+}  // namespace contactd::server

@@ -1,0 +1,63 @@
+// What is measured of the daemon, for server.info, server.metrics and Prometheus alike.
+#pragma once
+
+#include <prometheus/metric_family.h>
+#include <prometheus/registry.h>
+
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "work/call.hpp"
+
+namespace contactd::server {
+
+using MetricFamilies = std::vector<prometheus::MetricFamily>;
+
+/// Answers by method and status, and how long they took. Methods and statuses that are not known count as one, so that
+/// no client can make the list grow.
+class RequestMetrics {
+   public:
+    explicit RequestMetrics(const std::vector<std::string>& methods);
+
+    /// Of the I/O thread alone. Takes about half a microsecond.
+    void record(const Answer& answer);
+    /// From any thread.
+    MetricFamilies collect() const { return registry_.Collect(); }
+
+   private:
+    struct Method {
+        std::map<std::string, prometheus::Counter*, std::less<>> by_status;
+        prometheus::Histogram* seconds;
+    };
+    prometheus::Registry registry_;
+    prometheus::Family<prometheus::Counter>& answers_;
+    prometheus::Family<prometheus::Counter>& errors_;
+    std::map<std::string, Method, std::less<>> methods_;
+    std::map<std::string, prometheus::Counter*, std::less<>> by_reason_;
+};
+
+/// One value, or several told apart by one label.
+prometheus::MetricFamily counter(std::string name, std::string help, double value);
+prometheus::MetricFamily gauge(std::string name, std::string help, double value);
+struct Labelled {
+    std::string_view label;
+    double value;
+};
+prometheus::MetricFamily counter(std::string name, std::string help, std::string_view label,
+                                 const std::vector<Labelled>& values);
+prometheus::MetricFamily gauge(std::string name, std::string help, std::string_view label,
+                               const std::vector<Labelled>& values);
+
+/// Of this process, under the names every Prometheus client uses (process_resident_memory_bytes, ...).
+MetricFamilies process_metrics();
+
+/// As on the wire, proto/schema/server.metrics.result.json.
+nlohmann::json to_json(const MetricFamilies& families);
+/// As Prometheus reads it.
+std::string to_prometheus(const MetricFamilies& families);
+
+}  // namespace contactd::server

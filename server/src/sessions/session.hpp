@@ -1,0 +1,117 @@
+// A session: the numbered steps of one simulation, of which each starts where the one before ended.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/proto/session.hpp"
+#include "ics/ic_pair.hpp"
+#include "solves/solve_task.hpp"
+#include "work/call.hpp"
+#include "work/job.hpp"
+#include "work/worker_pool.hpp"
+
+namespace contactd::server {
+
+/// The answer to a step, kept to be sent again.
+struct StepAnswer {
+    std::size_t request = 0;  ///< hash of what was asked
+    nlohmann::json result;
+    std::vector<std::string> frames;
+};
+
+/// Where a session is: all that a step leaves to the next one. Never changed, so that saving a state is holding it.
+struct SessionState {
+    long long step = 0;
+    PreviousState tractions;
+    std::optional<Motion> motion;
+    StepAnswer answer;
+};
+using SessionStatePtr = std::shared_ptr<const SessionState>;
+
+class Session : public std::enable_shared_from_this<Session> {
+   public:
+    using Clock = std::chrono::steady_clock;
+
+    /// `influence` is that of the problem, made of `ics`.
+    Session(proto::SessionSpec spec, std::chrono::duration<double> lease, IcAnswers ics, ContactInfluence influence);
+
+    const proto::SessionSpec spec;
+    const std::chrono::duration<double> lease;
+    const Clock::time_point created = Clock::now();
+
+    // Requests of one session run one after another, in the order in which they come here; sessions run side by side.
+    using Work = std::function<void(Session&)>;  ///< must not throw
+    /// Runs `work` now when nothing else runs, else on a worker after what came before. Renews the lease.
+    void take_turn(const Turn& turn, Work work, WorkerPool& workers);
+
+    /// In a turn: solves the step that `call` asks for, or answers it again. The session goes on only when `call` gets
+    /// the solution: whatever fails leaves it as it was.
+    void step(const CallPtr& call, const SolveTools& tools);
+
+    SessionStatePtr state() const;
+    /// In a turn.
+    void set_state(SessionStatePtr state);
+
+    /// Keeps the state; the name is new in this session.
+    std::string save();
+    /// Throws StatusError when there is no such state.
+    SessionStatePtr saved(const std::string& name) const;
+    /// How many are left. Throws StatusError when there is no such state.
+    std::size_t forget(const std::string& name);
+    std::size_t states() const;
+
+    /// From now on turns find the session closed; a running step is cancelled.
+    void close();
+    bool closed() const;
+
+    void renew();
+    /// How long nobody has used it; zero while somebody does.
+    std::chrono::duration<double> idle(Clock::time_point now) const;
+
+    std::size_t bytes() const;        ///< what it takes in memory, about, with its states
+    std::size_t state_bytes() const;  ///< of each state
+
+   private:
+    struct Waiting {
+        Turn turn;
+        Work work;
+    };
+    void run_turns(const Work& work, WorkerPool& workers);
+    void replay(const SessionState& state, const CallPtr& call) const;
+    void solve_step(const SessionState& before, const CallPtr& call, const std::shared_ptr<Job>& job,
+                    const SolveTools& tools);
+    void state_problem(const SessionState& before, const proto::Request& request);
+    void fit_influence(InfluenceCache& cache);
+
+    const IcAnswers ics_;
+    ContactProblem problem_;              // of the step that runs
+    ContactInfluence influence_;          // used in turns only, as problem_
+    std::array<double, 2> rolling_step_;  // that influence_ is for
+    mutable std::mutex mutex_;            // guards what follows
+    SessionStatePtr state_;
+    std::map<std::string, SessionStatePtr> states_;
+    long long serial_ = 0;
+    std::shared_ptr<Job> job_;
+    std::deque<Waiting> waiting_;
+    bool busy_ = false;
+    bool closed_ = false;
+    Clock::time_point last_used_ = Clock::now();
+};
+
+/// What a session of `problem` will take in memory, about.
+std::size_t session_bytes(const ContactProblem& problem);
+
+/// NOT_FOUND: the session has ended, or never was.
+proto::StatusError session_unknown();
+
+}  // namespace contactd::server

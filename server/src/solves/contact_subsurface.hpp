@@ -1,0 +1,13 @@
+// contact.subsurface: stresses inside a body.
+#pragma once
+
+#include "contactd/proto/message.hpp"
+#include "work/call.hpp"
+#include "work/job.hpp"
+
+namespace contactd::server {
+
+/// Computes in the calling thread, as a job that can be cancelled, and answers `call`. Throws for a bad request.
+void answer_subsurface(const CallPtr& call, JobTable& jobs, const proto::Limits& limits);
+
+}  // namespace contactd::server

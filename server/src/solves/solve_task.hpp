@@ -1,0 +1,44 @@
+// One contact problem on its way through the daemon: first the tables of its bodies, then a worker.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "contactd/observer.hpp"
+#include "contactd/proto/codec.hpp"
+#include "ics/ic_service.hpp"
+#include "ics/influence_cache.hpp"
+#include "operation/counters.hpp"
+#include "work/call.hpp"
+#include "work/job.hpp"
+#include "work/worker_pool.hpp"
+
+namespace contactd::server {
+
+/// What the daemon has for solving.
+struct SolveTools {
+    IcService& ics;
+    WorkerPool& workers;
+    InfluenceCache& influences;
+    JobTable& jobs;
+    Counters& counters;
+};
+
+struct SolveTask {
+    CallPtr call;              ///< hears of builds, and ends the solve by having been answered
+    ContactProblem problem;    ///< valid
+    std::shared_ptr<Job> job;  ///< ends the solve by being cancelled
+    std::function<void(const Progress&)> progress;
+    /// One of them is called, from any thread; what `done` throws goes to `failed`.
+    std::function<void(const proto::SolveReply&)> done;
+    std::function<void(const proto::Status&)> failed;
+    bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
+};
+
+/// Notes how a solve ended and what it took.
+void count(Counters& counters, const ContactSolution& solution);
+
+/// Returns at once, unless the task is solved by the caller.
+void start(const SolveTools& tools, SolveTask task);
+
+}  // namespace contactd::server

@@ -1,0 +1,75 @@
+// The requests that wait for an answer, and how many of them there may be.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "work/call.hpp"
+
+namespace contactd::server {
+
+/// Thread-safe. A request is admitted, gets its call once it has been read, and is closed when its answer goes out.
+class OpenCalls {
+   public:
+    using Number = CallNumber;
+    struct Bounds {
+        std::size_t calls;
+        std::size_t calls_per_client;
+        std::size_t bytes;               ///< of their messages; one request alone is let in whatever its size
+        std::size_t calls_per_user = 0;  ///< over all connections together; 0: any number
+    };
+    /// Given back when the last copy goes.
+    using HeldBytes = std::shared_ptr<const void>;
+    struct Admission {
+        Number number = 0;
+        HeldBytes bytes;
+    };
+
+    explicit OpenCalls(const Bounds& bounds) : bounds_(bounds) {}
+
+    /// Throws StatusError (RESOURCE_EXHAUSTED; QUEUE_FULL, or TOO_MANY_OPEN of one user) naming the bound that is
+    /// reached.
+    Admission admit(const Route& route, std::size_t bytes);
+    /// False when the request has been closed meanwhile: somebody else has answered it.
+    bool attach(Number number, const CallPtr& call);
+    void close(Number number);
+
+    /// Whether a request of `client` has not been read yet.
+    bool has_unread(const std::string& client) const;
+    /// The calls that `client` opened under `id` and that have no answer yet.
+    std::vector<CallPtr> find(const std::string& client, const std::string& id) const;
+    std::vector<CallPtr> overdue(Call::Clock::time_point now) const;
+    Call::Clock::time_point next_deadline() const;
+
+    struct Entry {
+        Route route;
+        CallPtr call;  ///< null until the request has been read
+    };
+    /// Closes all.
+    std::vector<Entry> take_all();
+    std::vector<Entry> all() const;
+    std::size_t count() const;
+    std::size_t bytes() const { return bytes_; }
+
+   private:
+    void check(const Route& route, std::size_t bytes) const;
+    void forget(const Entry& entry, Number number);
+
+    const Bounds bounds_;
+    std::atomic<std::size_t> bytes_ = 0;
+    mutable std::mutex mutex_;
+    Number last_ = 0;
+    std::map<Number, Entry> entries_;
+    std::map<std::string, std::size_t> per_client_, per_user_;
+    std::set<std::pair<Call::Clock::time_point, Number>> deadlines_;
+};
+
+}  // namespace contactd::server

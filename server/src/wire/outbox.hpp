@@ -1,0 +1,47 @@
+// Sends answers through a ROUTER socket without ever waiting for a slow client.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <string>
+#include <zmq.hpp>
+
+#include "work/call.hpp"
+
+namespace contactd::server {
+
+/// Belongs to the I/O thread, like the socket. What cannot be sent at once is kept, in order and within a budget for
+/// all clients together: progress is dropped first, and when answers pile up beyond the budget, the client with the
+/// most of them loses them.
+class Outbox {
+   public:
+    /// `socket` is a ROUTER with ROUTER_MANDATORY set; it must outlive the outbox.
+    Outbox(zmq::socket_t& socket, std::size_t max_bytes) : socket_(socket), max_bytes_(max_bytes) {}
+
+    void send(Answer answer);
+    /// Tries what was kept again.
+    void flush();
+    bool empty() const { return backlogs_.empty(); }
+    /// What waits for clients that do not read.
+    std::size_t bytes() const { return bytes_; }
+
+   private:
+    enum class Sent { yes, later, never };
+    struct Backlog {
+        std::deque<Answer> answers;
+        std::size_t bytes = 0;
+    };
+    using Backlogs = std::map<std::string, Backlog>;  // by client identity
+
+    Sent try_send(const Answer& answer);
+    void keep(Answer answer);
+    Backlogs::iterator drop(Backlogs::iterator client);
+
+    zmq::socket_t& socket_;
+    const std::size_t max_bytes_;
+    std::size_t bytes_ = 0;
+    Backlogs backlogs_;
+};
+
+}  // namespace contactd::server
