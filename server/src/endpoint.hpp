@@ -11,6 +11,7 @@
 #include "access/access_control.hpp"
 #include "access/rate_limit.hpp"
 #include "config/config.hpp"
+#include "jobs/call.hpp"
 #include "operation/notify.hpp"
 #include "service.hpp"
 #include "wire/connection_monitor.hpp"
@@ -18,7 +19,6 @@
 #include "wire/open_calls.hpp"
 #include "wire/outbox.hpp"
 #include "wire/unfinished_input.hpp"
-#include "work/call.hpp"
 
 namespace contactd::server {
 

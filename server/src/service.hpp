@@ -8,14 +8,14 @@
 #include "config/config.hpp"
 #include "ics/ic_service.hpp"
 #include "ics/influence_cache.hpp"
+#include "jobs/call.hpp"
+#include "jobs/job.hpp"
+#include "jobs/worker_pool.hpp"
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
 #include "operation/metrics.hpp"
 #include "sessions/session_table.hpp"
 #include "wire/open_calls.hpp"
-#include "work/call.hpp"
-#include "work/job.hpp"
-#include "work/worker_pool.hpp"
 
 namespace contactd::server {
 

@@ -2,7 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <future>
 
-#include "work/worker_pool.hpp"
+#include "jobs/worker_pool.hpp"
 
 using contactd::proto::Priority;
 using contactd::server::Turn;

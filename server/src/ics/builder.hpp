@@ -10,7 +10,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/ic_spec.hpp"
-#include "work/job.hpp"
+#include "jobs/job.hpp"
 
 namespace contactd::server {
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "builder.hpp"
-#include "work/job.hpp"
+#include "jobs/job.hpp"
 
 namespace contactd::server {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ic_service.hpp"
-#include "work/call.hpp"
-#include "work/worker_pool.hpp"
+#include "jobs/call.hpp"
+#include "jobs/worker_pool.hpp"
 
 namespace contactd::server {
 

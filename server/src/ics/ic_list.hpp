@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ic_service.hpp"
-#include "work/call.hpp"
+#include "jobs/call.hpp"
 
 namespace contactd::server {
 

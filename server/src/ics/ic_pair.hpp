@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ic_service.hpp"
-#include "work/call.hpp"
+#include "jobs/call.hpp"
 
 namespace contactd::server {
 

@@ -13,10 +13,10 @@
 #include "contactd/proto/status.hpp"
 #include "contactd/table_lock.hpp"
 #include "ic_cache.hpp"
+#include "jobs/job.hpp"
+#include "jobs/worker_pool.hpp"
 #include "operation/counters.hpp"
 #include "store_keeper.hpp"
-#include "work/job.hpp"
-#include "work/worker_pool.hpp"
 
 namespace contactd::server {
 

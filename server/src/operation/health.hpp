@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "work/call.hpp"
+#include "jobs/call.hpp"
 
 namespace contactd::server {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "work/call.hpp"
+#include "jobs/call.hpp"
 
 namespace contactd::server {
 

@@ -15,10 +15,10 @@
 
 #include "contactd/proto/session.hpp"
 #include "ics/ic_pair.hpp"
+#include "jobs/call.hpp"
+#include "jobs/job.hpp"
+#include "jobs/worker_pool.hpp"
 #include "solves/solve_task.hpp"
-#include "work/call.hpp"
-#include "work/job.hpp"
-#include "work/worker_pool.hpp"
 
 namespace contactd::server {
 

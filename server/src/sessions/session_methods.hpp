@@ -1,9 +1,9 @@
 // session.open, step, save, restore, forget, close and list.
 #pragma once
 
+#include "jobs/call.hpp"
 #include "session_table.hpp"
 #include "solves/solve_task.hpp"
-#include "work/call.hpp"
 
 namespace contactd::server {
 

@@ -4,8 +4,8 @@
 
 #include "contactd/solve_contact.hpp"
 #include "ics/problem_tables.hpp"
+#include "jobs/job_reports.hpp"
 #include "session.hpp"
-#include "work/job_reports.hpp"
 
 namespace contactd::server {
 

@@ -1,8 +1,8 @@
 // contact.solve and contact.solve_many.
 #pragma once
 
+#include "jobs/call.hpp"
 #include "solve_task.hpp"
-#include "work/call.hpp"
 
 namespace contactd::server {
 

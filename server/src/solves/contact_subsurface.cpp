@@ -4,7 +4,7 @@
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/subsurface.hpp"
-#include "work/job_reports.hpp"
+#include "jobs/job_reports.hpp"
 
 namespace contactd::server {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contactd/proto/message.hpp"
-#include "work/call.hpp"
-#include "work/job.hpp"
+#include "jobs/call.hpp"
+#include "jobs/job.hpp"
 
 namespace contactd::server {
 

@@ -5,7 +5,7 @@
 
 #include "contactd/solve_contact.hpp"
 #include "ics/problem_tables.hpp"
-#include "work/job_reports.hpp"
+#include "jobs/job_reports.hpp"
 
 namespace contactd::server {
 namespace {

@@ -8,10 +8,10 @@
 #include "contactd/proto/codec.hpp"
 #include "ics/ic_service.hpp"
 #include "ics/influence_cache.hpp"
+#include "jobs/call.hpp"
+#include "jobs/job.hpp"
+#include "jobs/worker_pool.hpp"
 #include "operation/counters.hpp"
-#include "work/call.hpp"
-#include "work/job.hpp"
-#include "work/worker_pool.hpp"
 
 namespace contactd::server {
 

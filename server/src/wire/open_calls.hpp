@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "work/call.hpp"
+#include "jobs/call.hpp"
 
 namespace contactd::server {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <zmq.hpp>
 
-#include "work/call.hpp"
+#include "jobs/call.hpp"
 
 namespace contactd::server {
 
