@@ -67,6 +67,9 @@ void UnfinishedInput::hang_up(const Connections::iterator& connection) {
     Connection& sender = connection->second;
     spdlog::warn("connection closed: {} bytes of a message without an end, too many for limits.max_inbox_bytes",
                  sender.received - sender.accounted);
+    // The close is to be a reset: a sender whose window is shut would not hear of a quiet one for a minute.
+    const linger none{.l_onoff = 1, .l_linger = 0};
+    ::setsockopt(connection->first, SOL_SOCKET, SO_LINGER, &none, sizeof none);
     // ZeroMQ notices, closes, and gives back what it kept of the message.
     ::shutdown(connection->first, SHUT_RDWR);
     sender.accounted = sender.received;
