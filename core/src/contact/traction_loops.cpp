@@ -29,8 +29,9 @@ TwoProducts dot_products(std::size_t m, const double* __restrict a, const double
 
 CONTACTD_WIDE
 void add_four(std::size_t m, const FourArrays& arrays, double* __restrict to) {
-    const auto [p, q, r, s] = arrays.factors;
-    const auto [a, b, c, d] = arrays.values;
+    // Not as structured bindings, which clang does not take into an OpenMP loop.
+    const double p = arrays.factors[0], q = arrays.factors[1], r = arrays.factors[2], s = arrays.factors[3];
+    const double *a = arrays.values[0], *b = arrays.values[1], *c = arrays.values[2], *d = arrays.values[3];
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) to[e] += (p * a[e] + q * b[e]) + (r * c[e] + s * d[e]);
 }
