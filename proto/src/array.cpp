@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "contactd/proto/message.hpp"
+#include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 #include "shown.hpp"
 
@@ -203,7 +204,7 @@ json ArrayWriter::write(std::span<const unsigned char> values, Shape shape) {
 }
 
 json ArrayWriter::add_frame(std::string_view bytes, const char* type, Shape shape) {
-    return {{"$array", {{"frame", frame_with(bytes)}, {"dtype", type}, {"shape", std::move(shape)}}}};
+    return object({{"$array", object({{"frame", frame_with(bytes)}, {"dtype", type}, {"shape", std::move(shape)}})}});
 }
 
 std::size_t ArrayWriter::frame_with(std::string_view bytes) {

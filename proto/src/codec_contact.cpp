@@ -6,6 +6,7 @@
 #include "codec_parts.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -27,7 +28,9 @@ Material decode_body(const json& source) {
 }
 
 json encode_bodies(const BodyPair& bodies) {
-    return {{"upper", encode_body(bodies.upper)}, {"lower", encode_body(bodies.lower)}};
+    json result = object({{"upper", encode_body(bodies.upper)}});
+    if (bodies.lower != bodies.upper) result["lower"] = encode_body(bodies.lower);
+    return result;
 }
 
 BodyPair decode_bodies(const json& source) {
@@ -67,14 +70,15 @@ json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays) {
         return json{{"array", arrays.write(std::span<const double>(values), shape_of(grid))}};
     };
     if (const auto* axes = std::get_if<SemiAxes>(&gap))
-        return {{"semi_axes", {{"a", finite(axes->a, "gap.semi_axes.a")}, {"b", finite(axes->b, "gap.semi_axes.b")}}}};
+        return object({{"semi_axes", object({{"a", finite(axes->a, "gap.semi_axes.a")},
+                                             {"b", finite(axes->b, "gap.semi_axes.b")}})}});
     if (const auto* values = std::get_if<std::vector<double>>(&gap)) return sampled_gap(*values);
     const Paraboloid& paraboloid = std::get<Paraboloid>(gap);
     if (!fits_the_wire(paraboloid)) return sampled_gap(sampled(paraboloid, grid));
     json radii = json::object();
     if (paraboloid.Rx != flat) radii["Rx"] = paraboloid.Rx;
     if (paraboloid.Ry != flat) radii["Ry"] = paraboloid.Ry;
-    return {{"paraboloid", std::move(radii)}};
+    return object({{"paraboloid", std::move(radii)}});
 }
 
 Gap decode_gap(const json& gap, const std::vector<std::string>& frames, const Grid& grid) {
@@ -87,14 +91,35 @@ Gap decode_gap(const json& gap, const std::vector<std::string>& frames, const Gr
 
 namespace {
 
-json encode_settings(const SolverSettings& settings) {
-    return {{"tolerance", finite(settings.tolerance, "A tolerance")}, {"max_iterations", settings.max_iterations}};
+/// The settings with their names; Problem may be const.
+template <class Problem>
+auto settings_of(Problem& problem) {
+    return std::array{std::pair("normal", &problem.normal_settings),
+                      std::pair("tangential", &problem.tangential_settings),
+                      std::pair("outer", &problem.outer_settings)};
 }
 
-void decode_settings(const json& settings, const char* solver, SolverSettings& result) {
-    if (!settings.contains(solver)) return;
-    result.tolerance = settings[solver].value("tolerance", result.tolerance);
-    result.max_iterations = settings[solver].value("max_iterations", result.max_iterations);
+/// Defaults are left out: what is not sent need not be read.
+void encode_settings(const ContactProblem& problem, json& params) {
+    static const ContactProblem defaults;
+    const auto of_defaults = settings_of(defaults);
+    const auto given = settings_of(problem);
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        const auto& [name, settings] = given[n];
+        if (*settings != *of_defaults[n].second)
+            params["settings"][name] = object({{"tolerance", finite(settings->tolerance, "A tolerance")},
+                                               {"max_iterations", settings->max_iterations}});
+    }
+}
+
+void decode_settings(const json& params, ContactProblem& problem) {
+    if (!params.contains("settings")) return;
+    for (const auto& [name, settings] : settings_of(problem)) {
+        if (!params["settings"].contains(name)) continue;
+        const json& given = params["settings"][name];
+        settings->tolerance = given.value("tolerance", settings->tolerance);
+        settings->max_iterations = given.value("max_iterations", settings->max_iterations);
+    }
 }
 
 /// The arrays of `initial` and of `previous` with their names; Problem may be const.
@@ -131,13 +156,9 @@ void decode_tractions(const std::string& field, const json& params, const std::v
 }  // namespace
 
 json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
-    json params{{"grid", encode_grid(problem.grid)},
-                {"model", word_for(models, problem.model)},
-                {"gap", encode_gap(problem.gap, problem.grid, arrays)},
-                {"settings",
-                 {{"normal", encode_settings(problem.normal_settings)},
-                  {"tangential", encode_settings(problem.tangential_settings)},
-                  {"outer", encode_settings(problem.outer_settings)}}}};
+    json params = object({{"grid", encode_grid(problem.grid)}, {"gap", encode_gap(problem.gap, problem.grid, arrays)}});
+    if (problem.model != Model::full) params["model"] = word_for(models, problem.model);
+    encode_settings(problem, params);
     encode_influence(problem, params, arrays);
     if (problem.Fn)
         params["Fn"] = finite(*problem.Fn, "Fn");
@@ -161,10 +182,7 @@ ContactProblem decode_problem(const json& params, const std::vector<std::string>
         problem.approach = params["approach"].get<double>();
     if (params.contains("friction")) problem.friction = decode_friction(params["friction"], frames, problem.grid);
     decode_tractions("previous", params, frames, problem.grid, previous_of(problem));
-    const json settings = params.value("settings", json::object());
-    decode_settings(settings, "normal", problem.normal_settings);
-    decode_settings(settings, "tangential", problem.tangential_settings);
-    decode_settings(settings, "outer", problem.outer_settings);
+    decode_settings(params, problem);
     decode_tractions("initial", params, frames, problem.grid, initial_of(problem));
     return problem;
 }

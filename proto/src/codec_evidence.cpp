@@ -1,5 +1,6 @@
 #include "codec_parts.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/object.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -10,8 +11,8 @@ json encode_errors(const IcEvidence& evidence) {
     json errors = json::object();
     const auto component = [&](const char* name, const std::optional<ComponentError>& error) {
         if (error)
-            errors[name] = {{"origin", finite(error->origin, "An error at the origin")},
-                            {"largest", finite(error->largest, "A largest error")}};
+            errors[name] = object({{"origin", finite(error->origin, "An error at the origin")},
+                                   {"largest", finite(error->largest, "A largest error")}});
     };
     const auto scaled = [&](const char* name, const std::optional<double>& error) {
         if (error) errors[name] = finite(*error, "A scaled error");
@@ -40,11 +41,11 @@ void decode_errors(const json& errors, IcEvidence& evidence) {
 }
 
 json encode_load_case(const LoadCaseEvidence& load_case) {
-    json result{{"load", name_of(load_case.load)},
-                {"iterations", load_case.iterations},
-                {"residual", finite(load_case.residual, "The residual of a load case")},
-                {"converged", load_case.converged},
-                {"seconds", finite(load_case.seconds, "The duration of a load case")}};
+    json result = object({{"load", name_of(load_case.load)},
+                          {"iterations", load_case.iterations},
+                          {"residual", finite(load_case.residual, "The residual of a load case")},
+                          {"converged", load_case.converged},
+                          {"seconds", finite(load_case.seconds, "The duration of a load case")}});
     if (load_case.update) result["update"] = finite(*load_case.update, "The last update of a load case");
     return result;
 }
@@ -82,20 +83,20 @@ void decode_additions(const json& source, IcEvidence& evidence) {
 json encode_evidence(const IcEvidence& evidence) {
     json load_cases = json::array();
     for (const LoadCaseEvidence& load_case : evidence.load_cases) load_cases.push_back(encode_load_case(load_case));
-    json result{{"source", evidence.source},
+    json result =
+        object({{"source", evidence.source},
                 {"version", evidence.version},
                 {"elements", evidence.elements},
                 {"dofs", evidence.dofs},
                 {"processes", evidence.processes},
-                {"seconds",
-                 {{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
-                  {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
-                  {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
-                  {"total", finite(evidence.total_seconds, "The duration of the build")}}},
+                {"seconds", object({{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
+                                    {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
+                                    {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
+                                    {"total", finite(evidence.total_seconds, "The duration of the build")}})},
                 {"load_cases", std::move(load_cases)},
                 {"errors", encode_errors(evidence)},
                 {"errors_estimated", evidence.errors_estimated},
-                {"warnings", evidence.warnings}};
+                {"warnings", evidence.warnings}});
     if (!evidence.solver.empty()) result["solver"] = evidence.solver;
     if (evidence.mesh) result["mesh"] = encode_fem(*evidence.mesh);
     if (!evidence.family_nu.empty()) result["family_nu"] = encode_family(evidence.family_nu);

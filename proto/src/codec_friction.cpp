@@ -1,5 +1,6 @@
 // `friction` of a request, and the motion that a result tells.
 #include "codec_parts.hpp"
+#include "contactd/proto/object.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -30,9 +31,10 @@ void decode_force(const json& source, Step& step) {
 }
 
 json encode(const Shift& shift) {
-    json result{{"rigid_shift", {finite(shift.x, "friction.rigid_shift"), finite(shift.y, "friction.rigid_shift")}},
+    json result =
+        object({{"rigid_shift", {finite(shift.x, "friction.rigid_shift"), finite(shift.y, "friction.rigid_shift")}},
                 {"rotation", finite(shift.rotation, "friction.rotation")},
-                {"duration", finite(shift.duration, "friction.duration")}};
+                {"duration", finite(shift.duration, "friction.duration")}});
     encode_force(shift, result);
     return result;
 }
@@ -50,13 +52,13 @@ Shift decode_shift(const json& source, Shift shift = {}) {
 }
 
 json encode(const Rolling& rolling) {
-    json result{{"xi", finite(rolling.xi, "friction.rolling.xi")},
-                {"eta", finite(rolling.eta, "friction.rolling.eta")},
-                {"phi", finite(rolling.phi, "friction.rolling.phi")},
-                {"chi", finite(rolling.chi, "friction.rolling.chi")},
-                {"kind", rolling.steady ? "steady" : "transient"},
-                {"steps", rolling.steps},
-                {"velocity", finite(rolling.velocity, "friction.rolling.velocity")}};
+    json result = object({{"xi", finite(rolling.xi, "friction.rolling.xi")},
+                          {"eta", finite(rolling.eta, "friction.rolling.eta")},
+                          {"phi", finite(rolling.phi, "friction.rolling.phi")},
+                          {"chi", finite(rolling.chi, "friction.rolling.chi")},
+                          {"kind", rolling.steady ? "steady" : "transient"},
+                          {"steps", rolling.steps},
+                          {"velocity", finite(rolling.velocity, "friction.rolling.velocity")}});
     if (rolling.dq != 0) result["dq"] = finite(rolling.dq, "friction.rolling.dq");
     encode_force(rolling, result);
     return result;

@@ -2,6 +2,7 @@
 
 #include "codec_parts.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/object.hpp"
 
 namespace contactd::proto {
 
@@ -13,7 +14,7 @@ double finite(double value, const char* what) {
 }
 
 json encode_material(const Material& material) {
-    return {{"G", finite(material.G, "G")}, {"nu", finite(material.nu, "nu")}};
+    return object({{"G", finite(material.G, "G")}, {"nu", finite(material.nu, "nu")}});
 }
 
 Material decode_material(const json& source) {

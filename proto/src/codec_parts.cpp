@@ -1,4 +1,5 @@
 #include "codec_parts.hpp"
+#include "contactd/proto/object.hpp"
 
 #include "contactd/proto/status.hpp"
 
@@ -7,12 +8,12 @@ namespace contactd::proto {
 using nlohmann::json;
 
 json encode_grid(const Grid& grid) {
-    return {{"nx", grid.nx},
-            {"ny", grid.ny},
-            {"dx", finite(grid.dx, "grid.dx")},
-            {"dy", finite(grid.dy, "grid.dy")},
-            {"x0", finite(grid.x0, "grid.x0")},
-            {"y0", finite(grid.y0, "grid.y0")}};
+    json result = object(
+        {{"nx", grid.nx}, {"ny", grid.ny}, {"dx", finite(grid.dx, "grid.dx")}, {"dy", finite(grid.dy, "grid.dy")}});
+    const Grid centred = Grid::centred(grid.nx, grid.ny, grid.dx, grid.dy);
+    if (grid.x0 != centred.x0) result["x0"] = finite(grid.x0, "grid.x0");
+    if (grid.y0 != centred.y0) result["y0"] = finite(grid.y0, "grid.y0");
+    return result;
 }
 
 Grid decode_grid(const json& source) {

@@ -1,6 +1,7 @@
 // Results of contact.solve.
 #include "codec_parts.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -10,10 +11,10 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 
 json encode_solver_evidence(const SolverEvidence& evidence) {
-    return {{"iterations", evidence.iterations},
-            {"residual", finite(evidence.residual, "The residual of a solve")},
-            {"converged", evidence.converged},
-            {"seconds", finite(evidence.seconds, "The duration of a solve")}};
+    return object({{"iterations", evidence.iterations},
+                   {"residual", finite(evidence.residual, "The residual of a solve")},
+                   {"converged", evidence.converged},
+                   {"seconds", finite(evidence.seconds, "The duration of a solve")}});
 }
 
 SolverEvidence decode_solver_evidence(const json& source) {
@@ -65,24 +66,21 @@ std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
 }
 
 json encode_totals(const ContactSolution& solution) {
-    return {{"approach", finite(solution.approach, "The approach")},
-            {"forces",
-             {{"Fn", finite(solution.Fn, "Fn")},
-              {"Fx", finite(solution.Fx, "Fx")},
-              {"Fy", finite(solution.Fy, "Fy")},
-              {"Mz", finite(solution.Mz, "Mz")}}},
-            {"pmax", finite(solution.pmax, "pmax")},
-            {"area",
-             {{"contact", finite(solution.contact_area, "The contact area")},
-              {"adhesion", finite(solution.adhesion_area, "The adhesion area")},
-              {"slip", finite(solution.slip_area, "The slip area")}}},
-            {"elements",
-             {{"contact", solution.contact_elements},
-              {"adhesion", solution.adhesion_elements},
-              {"slip", solution.slip_elements},
-              {"border", solution.border_elements}}},
-            {"warnings", solution.warnings},
-            {"converged", solution.converged()}};
+    return object({{"approach", finite(solution.approach, "The approach")},
+                   {"forces", object({{"Fn", finite(solution.Fn, "Fn")},
+                                      {"Fx", finite(solution.Fx, "Fx")},
+                                      {"Fy", finite(solution.Fy, "Fy")},
+                                      {"Mz", finite(solution.Mz, "Mz")}})},
+                   {"pmax", finite(solution.pmax, "pmax")},
+                   {"area", object({{"contact", finite(solution.contact_area, "The contact area")},
+                                    {"adhesion", finite(solution.adhesion_area, "The adhesion area")},
+                                    {"slip", finite(solution.slip_area, "The slip area")}})},
+                   {"elements", object({{"contact", solution.contact_elements},
+                                        {"adhesion", solution.adhesion_elements},
+                                        {"slip", solution.slip_elements},
+                                        {"border", solution.border_elements}})},
+                   {"warnings", solution.warnings},
+                   {"converged", solution.converged()}});
 }
 
 void decode_totals(const json& result, ContactSolution& solution) {
@@ -118,7 +116,7 @@ json encode_friction_results(const ContactSolution& solution, const Grid& grid) 
 }  // namespace
 
 json encode_use(const IcUse& use) {
-    return {{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}};
+    return object({{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}});
 }
 
 json encode_uses(const std::optional<IcUse>& upper, const std::optional<IcUse>& lower,
@@ -143,7 +141,7 @@ void decode_summary(const json& result, ContactSolution& solution) {
 }
 
 json encode_solvers(const ContactSolution& solution) {
-    json evidence{{"normal", encode_solver_evidence(solution.normal)}};
+    json evidence = object({{"normal", encode_solver_evidence(solution.normal)}});
     for (const auto& [name, solver] : solvers_of(solution))
         if (*solver) evidence[name] = encode_solver_evidence(**solver);
     return evidence;

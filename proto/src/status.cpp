@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "contactd/proto/object.hpp"
+
 namespace contactd::proto {
 namespace {
 
@@ -63,8 +65,8 @@ std::string_view name_of(StatusCode code) {
 }
 
 nlohmann::json to_json(const Status& status) {
-    nlohmann::json json{
-        {"code", static_cast<int>(status.code)}, {"name", name_of(status.code)}, {"message", status.message}};
+    nlohmann::json json =
+        object({{"code", static_cast<int>(status.code)}, {"name", name_of(status.code)}, {"message", status.message}});
     nlohmann::json details = nlohmann::json::object();
     if (!status.reason.empty()) details["reason"] = status.reason;
     for (const Violation& violation : status.violations)

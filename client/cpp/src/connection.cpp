@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contactd/client/errors.hpp"
+#include "contactd/proto/object.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/status.hpp"
 
@@ -71,12 +72,12 @@ void check_version(const json& answer) {
 }
 
 json call_envelope(const std::string& id, const std::string& method, json params, milliseconds timeout) {
-    return {{"contactd", proto::protocol_version},
-            {"id", id},
-            {"method", method},
-            {"timeout_ms", timeout.count()},
-            {"metadata", {{"client", "contactd-cpp " CONTACTD_VERSION}}},
-            {"params", std::move(params)}};
+    return proto::object({{"contactd", proto::protocol_version},
+                          {"id", id},
+                          {"method", method},
+                          {"timeout_ms", timeout.count()},
+                          {"metadata", proto::object({{"client", "contactd-cpp " CONTACTD_VERSION}})},
+                          {"params", std::move(params)}});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "contactd/proto/object.hpp"
 
 namespace contactd::server {
 
@@ -15,7 +16,7 @@ using proto::StatusCode;
 namespace {
 
 json envelope(const json& id) {
-    return {{"contactd", proto::protocol_version}, {"id", id}};
+    return proto::object({{"contactd", proto::protocol_version}, {"id", id}});
 }
 
 /// The name of the client as its metadata give it.
