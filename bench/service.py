@@ -20,22 +20,59 @@ from typing import Any
 import zmq
 
 from contactd.daemon import LocalDaemon
+from session_steps import motion, problem
 
 #: One and two workers are measured in turns, so that what else the machine does disturbs both alike.
 ROUNDS = 7
 
 
-def solve(n: int) -> bytes:
-    """The paper's Cattaneo problem on n x n elements, as a request."""
-    params = {
-        "grid": {"nx": n, "ny": n, "dx": 2.4 / n, "dy": 2.4 / n},
-        "bodies": {"upper": {"G": 200, "nu": 0.42}},
-        "ics": {"source": "analytic"},
-        "gap": {"paraboloid": {"Rx": 50, "Ry": 50}},
-        "approach": 0.02,
-        "friction": {"mu": 0.4, "rigid_shift": [0.00817, 0]},
-    }
-    return json.dumps({"contactd": 1, "id": "s", "method": "contact.solve", "params": params}).encode()
+def message(slot: int, method: str, params: dict[str, Any]) -> bytes:
+    return json.dumps({"contactd": 1, "id": str(slot), "method": method, "params": params}).encode()
+
+
+class Solves:
+    """The paper's Cattaneo problem on n x n elements, again and again."""
+
+    def __init__(self, n: int) -> None:
+        self.name = f"{n} x {n}, shift: solves/s"
+        self.params = {
+            "grid": {"nx": n, "ny": n, "dx": 2.4 / n, "dy": 2.4 / n},
+            "bodies": {"upper": {"G": 200, "nu": 0.42}},
+            "ics": {"source": "analytic"},
+            "gap": {"paraboloid": {"Rx": 50, "Ry": 50}},
+            "approach": 0.02,
+            "friction": {"mu": 0.4, "rigid_shift": [0.00817, 0]},
+        }
+
+    def open(self, socket: zmq.Socket[bytes], slots: int) -> None:
+        """There is nothing to open."""
+
+    def request(self, slot: int) -> bytes:
+        return message(slot, "contact.solve", self.params)
+
+
+class Steps:
+    """Warm steps of steady rolling, each in a session of its slot; the problem is that of session_steps.py."""
+
+    def __init__(self, n: int) -> None:
+        self.name = f"{n} x {n}, warm steps of sessions/s"
+        self.params = problem(n)
+        self.sessions: list[str] = []
+        self.steps: list[int] = []
+
+    def open(self, socket: zmq.Socket[bytes], slots: int) -> None:
+        self.steps = [0] * slots
+        self.sessions = []
+        for slot in range(slots):
+            socket.send(message(slot, "session.open", self.params))
+            self.sessions.append(answer(socket)["result"]["session"])
+
+    def request(self, slot: int) -> bytes:
+        self.steps[slot] += 1
+        step = self.steps[slot]
+        friction = {"rolling": motion(step, 0.05)}
+        params = {"session": self.sessions[slot], "step": step, "Fn": 50e3, "friction": friction}
+        return message(slot, "session.step", params)
 
 
 @contextmanager
@@ -47,25 +84,26 @@ def connected(endpoint: str) -> Iterator[zmq.Socket[bytes]]:
         yield socket
 
 
-def answer(socket: zmq.Socket[bytes]) -> None:
-    envelope = json.loads(socket.recv_multipart()[0])
+def answer(socket: zmq.Socket[bytes]) -> dict[str, Any]:
+    envelope: dict[str, Any] = json.loads(socket.recv_multipart()[0])
     while "progress" in envelope:
         envelope = json.loads(socket.recv_multipart()[0])
     if envelope["status"]["code"] != 0:
         raise RuntimeError(envelope["status"]["message"])
+    return envelope
 
 
-def solves_per_second(socket: zmq.Socket[bytes], request: bytes, outstanding: int, seconds: float) -> float:
-    for _ in range(outstanding):
-        socket.send(request)
+def answers_per_second(socket: zmq.Socket[bytes], work: Solves | Steps, slots: int, seconds: float) -> float:
+    """With one request of each slot on its way."""
+    for slot in range(slots):
+        socket.send(work.request(slot))
     start = time.perf_counter()
     count = 0
     while time.perf_counter() - start < seconds:
-        answer(socket)
-        socket.send(request)
+        socket.send(work.request(int(answer(socket)["id"])))
         count += 1
     took = time.perf_counter() - start
-    for _ in range(outstanding):
+    for _ in range(slots):
         answer(socket)
     return count / took
 
@@ -75,27 +113,31 @@ def processor_seconds(pid: int) -> float:
     return (int(fields[11]) + int(fields[12])) / 100.0
 
 
-def throughput(binaries: Path, n: int, seconds: float) -> dict[str, Any]:
-    """Solves per second of one and of two workers, in turns."""
+def throughput(binaries: Path, kind: type[Solves] | type[Steps], n: int, seconds: float) -> dict[str, Any]:
+    """Answers per second of one and of two workers, in turns."""
     rates: dict[int, list[float]] = {1: [], 2: []}
     processor: list[float] = []
     with ExitStack() as stack:
-        daemons, sockets = {}, {}
+        daemons, sockets, works = {}, {}, {}
         for workers in rates:
-            daemons[workers] = stack.enter_context(LocalDaemon(binaries / "contactd", config={"workers": workers, "log": {"level": "warn"}}))
+            config = {"workers": workers, "log": {"level": "warn"}}
+            daemons[workers] = stack.enter_context(LocalDaemon(binaries / "contactd", config=config))
             sockets[workers] = stack.enter_context(connected(daemons[workers].endpoint))
-            solves_per_second(sockets[workers], solve(n), 2 * workers, 0.2)  # tables, plans, threads
+            works[workers] = kind(n)
+            works[workers].open(sockets[workers], 2 * workers)
+            answers_per_second(sockets[workers], works[workers], 2 * workers, 0.2)  # tables, plans, threads
         for _ in range(ROUNDS):
             for workers, socket in sockets.items():
                 before, start = processor_seconds(daemons[workers].pid), time.perf_counter()
-                rates[workers].append(solves_per_second(socket, solve(n), 2 * workers, seconds))
+                rates[workers].append(answers_per_second(socket, works[workers], 2 * workers, seconds))
                 if workers == 2:
                     spent = processor_seconds(daemons[workers].pid) - before
                     processor.append(spent / (time.perf_counter() - start))
     ratios = [two / one for one, two in zip(rates[1], rates[2], strict=True)]
     return {
-        "n": n, "one": max(rates[1]), "two": max(rates[2]), "best_over_best": max(rates[2]) / max(rates[1]),
-        "median_ratio": statistics.median(ratios), "ratios": ratios, "processors_used_by_two": statistics.median(processor),
+        "name": kind(n).name, "n": n, "one": max(rates[1]), "two": max(rates[2]),
+        "best_over_best": max(rates[2]) / max(rates[1]), "median_ratio": statistics.median(ratios), "ratios": ratios,
+        "processors_used_by_two": statistics.median(processor),
     }  # fmt: skip
 
 
@@ -121,13 +163,13 @@ def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
             f"{least:7.3f} {row['echo']['median']:7.3f} {row['health']['median']:7.3f}"
         )
     print("overhead: median of request - solve; least: fastest request - fastest solve; echo: the same frames, bare ZeroMQ")
-    rates = [throughput(binaries, n, 0.5 if quick else 2.0) for n in (25, 160)]
+    seconds = 0.5 if quick else 2.0
+    rates = [throughput(binaries, kind, n, seconds) for kind, n in ((Steps, 25), (Solves, 25), (Solves, 160))]
     print(f"\n{'throughput':36} {'1 worker':>9} {'2 workers':>10} {'best/best':>10} {'median':>7} {'processors':>11}")
     for rate in rates:
         print(
-            f"{rate['n']} x {rate['n']}, shift: solves/s".ljust(36)
-            + f" {rate['one']:9.1f} {rate['two']:10.1f} {rate['best_over_best']:10.2f} {rate['median_ratio']:7.2f}"
-            + f" {rate['processors_used_by_two']:11.2f}"
+            f"{rate['name']:36} {rate['one']:9.1f} {rate['two']:10.1f} {rate['best_over_best']:10.2f} {rate['median_ratio']:7.2f} "
+            f"{rate['processors_used_by_two']:11.2f}"
         )
     if json_file:
         json_file.write_text(json.dumps({"latency": rows, "throughput": rates}, indent=1))
