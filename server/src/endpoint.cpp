@@ -10,13 +10,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <csignal>
 #include <thread>
 #include <utility>
 
 #include "contactd/error.hpp"
-#include "operation/log.hpp"
 
 namespace contactd::server {
 
@@ -71,24 +69,19 @@ void bind(zmq::socket_t& socket, const std::string& endpoint) {
     }
 }
 
-/// A client as the log calls it: the identity of its connection in hexadecimal.
-std::string name_of(const std::string& identity) {
-    constexpr const char* digits = "0123456789abcdef";
-    std::string name;
-    for (const unsigned char byte : identity.substr(0, 16)) name += {digits[byte >> 4], digits[byte & 15]};
-    return name;
+/// Whether something can be read from `socket`. Not known from its descriptor, which becomes readable when something
+/// has changed since the socket was last used.
+bool has_input(void* socket) {
+    int events = 0;
+    std::size_t size = sizeof events;
+    return ::zmq_getsockopt(socket, ZMQ_EVENTS, &events, &size) == 0 && (events & ZMQ_POLLIN) != 0;
 }
 
-/// One line a request: enough to find it again, nothing of what it holds.
-void log_answer(const Answer& answer) {
-    log_event(spdlog::level::info, "request",
-              {{"id", answer.id},
-               {"method", answer.method},
-               {"status", answer.status},
-               {"ms", std::round(answer.milliseconds * 1000) / 1000},
-               {"client", name_of(answer.route.identity)},
-               {"agent", answer.agent},
-               {"user", answer.route.user}});
+pollfd descriptor_of(void* socket) {
+    int fd = -1;
+    std::size_t size = sizeof fd;
+    if (::zmq_getsockopt(socket, ZMQ_FD, &fd, &size) != 0) throw zmq::error_t();
+    return {fd, POLLIN, 0};
 }
 
 }  // namespace
@@ -124,36 +117,45 @@ std::string Endpoint::address() const {
 }
 
 void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload) {
-    std::array<zmq::pollitem_t, 5> items{{{socket_.handle(), 0, ZMQ_POLLIN, 0},
-                                          {nullptr, mailbox_.fd(), ZMQ_POLLIN, 0},
-                                          {nullptr, signal_fd, ZMQ_POLLIN, 0},
-                                          {monitor_.handle(), 0, ZMQ_POLLIN, 0},
-                                          {access_.handle(), 0, ZMQ_POLLIN, 0}}};
+    SocketLock lock(socket_mutex_);
     service_.set_serving();
     notifier.ready("Serving at " + address());
     auto told = Clock::now();
     while (Clock::now() < end_ && !(is_draining() && is_idle())) {
-        long wait = poll_milliseconds();
+        long patience = poll_milliseconds();
         if (const long interval = notifier.interval().count(); interval > 0)
-            wait = wait < 0 ? interval : std::min(wait, interval);
-        zmq::poll(items, std::chrono::milliseconds(wait));
+            patience = patience < 0 ? interval : std::min(patience, interval);
+        const bool is_signalled = wait(lock, signal_fd, patience);
         if (notifier.interval().count() > 0 && Clock::now() - told >= notifier.interval()) {
             notifier.alive();
             told = Clock::now();
         }
         deliver();
-        if (items[0].revents & ZMQ_POLLIN) receive();
+        receive();
+        deliver();  // what has been answered at once
         end_overdue();
         service_.sessions().expire(Clock::now());
         unfinished_.enforce(Clock::now());
-        if (items[3].revents & ZMQ_POLLIN) monitor_.read(service_.counters().connections, unfinished_);
-        if (items[4].revents & ZMQ_POLLIN) access_.answer_all();
+        monitor_.read(service_.counters().connections, unfinished_);
+        access_.answer_all();
         note_levels();
         signalfd_siginfo signal{};
-        if (items[2].revents & ZMQ_POLLIN && ::read(signal_fd, &signal, sizeof signal) == sizeof signal)
+        if (is_signalled && ::read(signal_fd, &signal, sizeof signal) == sizeof signal)
             handle_signal(static_cast<int>(signal.ssi_signo), notifier, reload);
     }
     stop();
+}
+
+/// Waits for something to do, without the lock. True when a signal has come.
+bool Endpoint::wait(SocketLock& lock, int signal_fd, long milliseconds) {
+    const std::array sockets{socket_.handle(), monitor_.handle(), access_.handle()};
+    if (std::any_of(sockets.begin(), sockets.end(), has_input)) milliseconds = 0;
+    std::array<pollfd, 5> items{{{signal_fd, POLLIN, 0}, {mailbox_.fd(), POLLIN, 0}}};
+    std::transform(sockets.begin(), sockets.end(), items.begin() + 2, descriptor_of);
+    lock.unlock();
+    const int ready = ::poll(items.data(), items.size(), static_cast<int>(milliseconds));
+    lock.lock();
+    return ready > 0 && (items[0].revents & POLLIN) != 0;
 }
 
 void Endpoint::note_levels() {
@@ -246,7 +248,7 @@ void Endpoint::open_call(const Route& route, proto::Request request, Clock::time
     auto call = std::make_shared<Call>(route, std::move(request), received, priority, config_.limits,
                                        [this, admission](Answer answer) {
                                            if (!answer.is_progress) answer.number = admission.number;
-                                           mailbox_.put(std::move(answer));
+                                           post(std::move(answer));
                                        });
     if (admission.number != 0 && !open.attach(admission.number, call)) return;  // answered while it was read
     if (call->request.method == "request.cancel" && open.has_unread(route.identity)) {
@@ -283,18 +285,39 @@ void Endpoint::reload_keys() {
 
 // --- out -------------------------------------------------------------------------------------------------------------
 
+/// From any thread. Another than the I/O thread sends the answer itself where the socket is free: waking the I/O thread
+/// would take longer. Whoever holds other locks may call this, since it waits for none but those of the counters.
+void Endpoint::post(Answer answer) {
+    SocketLock lock(socket_mutex_, std::defer_lock);
+    const bool is_other = std::this_thread::get_id() != thread_;
+    if (!is_other || !lock.try_lock() || !mailbox_.empty()) return mailbox_.put(std::move(answer));
+    const auto line = send(std::move(answer));
+    // Sending takes note of what has arrived, so that the socket's descriptor does not tell of it any more.
+    if (has_input(socket_.handle()) || !outbox_.empty() || is_draining()) mailbox_.wake();
+    lock.unlock();
+    if (line) write(*line);
+}
+
+/// What is to be written into the log then.
+std::optional<RequestLine> Endpoint::send(Answer answer) {
+    std::optional<RequestLine> line;
+    if (!answer.is_progress) {
+        if (answer.status != "OK") ++service_.counters().requests_failed;
+        service_.request_metrics().record(answer);
+        sent_ = Clock::now();
+        service_.open_calls().close(answer.number);
+        line = line_of(answer);
+    }
+    outbox_.send(std::move(answer));
+    return line;
+}
+
 void Endpoint::deliver() {
     outbox_.flush();
-    for (Answer& answer : mailbox_.take_all()) {
-        if (!answer.is_progress) {
-            if (answer.status != "OK") ++service_.counters().requests_failed;
-            service_.request_metrics().record(answer);
-            log_answer(answer);
-            sent_ = Clock::now();
-            service_.open_calls().close(answer.number);
-        }
-        outbox_.send(std::move(answer));
-    }
+    std::vector<RequestLine> lines;
+    for (Answer& answer : mailbox_.take_all())
+        if (auto line = send(std::move(answer))) lines.push_back(std::move(*line));
+    for (const RequestLine& line : lines) write(line);
 }
 
 void Endpoint::end_overdue() {

@@ -1,8 +1,10 @@
-// The I/O thread: owns the ROUTER socket, takes requests in and sends answers out.
+// The ROUTER socket: the I/O thread takes requests in, answers go out.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "config/config.hpp"
 #include "jobs/call.hpp"
 #include "operation/notify.hpp"
+#include "operation/request_log.hpp"
 #include "service.hpp"
 #include "wire/connection_monitor.hpp"
 #include "wire/mailbox.hpp"
@@ -37,6 +40,9 @@ class Endpoint {
     void run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload);
 
    private:
+    using SocketLock = std::unique_lock<std::mutex>;
+
+    bool wait(SocketLock& lock, int signal_fd, long milliseconds);
     bool admit(const Route& route, std::string_view envelope, Call::Clock::time_point received);
     void reload_keys();
     bool receive();  ///< some of what has arrived; true when there is more
@@ -45,6 +51,8 @@ class Endpoint {
                    Call::Clock::time_point received, OpenCalls::Admission admission);
     void open_call(const Route& route, proto::Request request, Call::Clock::time_point received,
                    OpenCalls::Admission admission);
+    void post(Answer answer);
+    std::optional<RequestLine> send(Answer answer);
     void deliver();
     void end_overdue();
     long poll_milliseconds();
@@ -61,12 +69,16 @@ class Endpoint {
     zmq::context_t context_;
     AccessControl access_;
     RateLimit rate_limit_;
+    // Held by whoever uses the members from here to the next empty line: the I/O thread whenever it does not wait, and
+    // for a moment a thread that has an answer.
+    std::mutex socket_mutex_;
     zmq::socket_t socket_;
     ConnectionMonitor monitor_;
     UnfinishedInput unfinished_;
     Outbox outbox_;
     Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
     Call::Clock::time_point sent_;                                  // when the last answer went out
+
     bool parser_ended_ = false;
     const std::thread::id thread_;
     WorkerPool parser_{1};  // last: its thread uses everything above

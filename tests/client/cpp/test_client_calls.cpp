@@ -140,7 +140,7 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
         ++requests;
         return {};
     });
-    Client client(daemon.endpoint(), {.limits = {.max_frame_bytes = 500}});
+    Client client(daemon.endpoint(), {.limits = {.max_frame_bytes = 200}});
     ContactProblem bad = problem();
     bad.approach = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(client.solve(bad), InvalidArgument);
