@@ -67,36 +67,45 @@ json encode_family(const std::vector<double>& family_nu) {
     return result;
 }
 
-/// What a daemon of version 0.1 does not say.
-void decode_additions(const json& source, IcEvidence& evidence) {
+/// What is there to say of a table that was computed, not taken from a closed form or a request.
+void encode_build(const IcEvidence& evidence, json& result) {
+    json load_cases = json::array();
+    for (const LoadCaseEvidence& load_case : evidence.load_cases) load_cases.push_back(encode_load_case(load_case));
+    result["elements"] = evidence.elements;
+    result["dofs"] = evidence.dofs;
+    result["processes"] = evidence.processes;
+    result["seconds"] = object({{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
+                                {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
+                                {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
+                                {"total", finite(evidence.total_seconds, "The duration of the build")}});
+    result["load_cases"] = std::move(load_cases);
+    result["errors"] = encode_errors(evidence);
+    result["errors_estimated"] = evidence.errors_estimated;
+}
+
+void decode_build(const json& source, IcEvidence& evidence) {
+    if (source.contains("elements")) evidence.elements = source["elements"].get<long long>();
+    if (source.contains("dofs")) evidence.dofs = source["dofs"].get<long long>();
+    if (source.contains("processes")) evidence.processes = source["processes"].get<int>();
+    if (source.contains("seconds")) {
+        const auto& seconds = source["seconds"];
+        evidence.assembly_seconds = seconds["assembly"].get<double>();
+        evidence.setup_seconds = seconds["setup"].get<double>();
+        evidence.solve_seconds = seconds["solve"].get<double>();
+        evidence.total_seconds = seconds["total"].get<double>();
+    }
+    if (source.contains("load_cases"))
+        for (const auto& load_case : source["load_cases"]) evidence.load_cases.push_back(decode_load_case(load_case));
+    if (source.contains("errors")) decode_errors(source["errors"], evidence);
     evidence.errors_estimated = source.value("errors_estimated", false);
-    evidence.warnings = source.value("warnings", std::vector<std::string>());
-    evidence.solver = source.value("solver", std::string());
-    evidence.family_nu = source.value("family_nu", std::vector<double>());
-    if (source.contains("mesh")) decode_fem(source["mesh"], evidence.mesh.emplace());
-    if (source.contains("interpolation_error"))
-        evidence.interpolation_error = source["interpolation_error"].get<double>();
 }
 
 }  // namespace
 
 json encode_evidence(const IcEvidence& evidence) {
-    json load_cases = json::array();
-    for (const LoadCaseEvidence& load_case : evidence.load_cases) load_cases.push_back(encode_load_case(load_case));
-    json result =
-        object({{"source", evidence.source},
-                {"version", evidence.version},
-                {"elements", evidence.elements},
-                {"dofs", evidence.dofs},
-                {"processes", evidence.processes},
-                {"seconds", object({{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
-                                    {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
-                                    {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
-                                    {"total", finite(evidence.total_seconds, "The duration of the build")}})},
-                {"load_cases", std::move(load_cases)},
-                {"errors", encode_errors(evidence)},
-                {"errors_estimated", evidence.errors_estimated},
-                {"warnings", evidence.warnings}});
+    json result = object({{"source", evidence.source}, {"version", evidence.version}});
+    if (evidence.elements > 0) encode_build(evidence, result);
+    if (!evidence.warnings.empty()) result["warnings"] = evidence.warnings;
     if (!evidence.solver.empty()) result["solver"] = evidence.solver;
     if (evidence.mesh) result["mesh"] = encode_fem(*evidence.mesh);
     if (!evidence.family_nu.empty()) result["family_nu"] = encode_family(evidence.family_nu);
@@ -109,17 +118,13 @@ IcEvidence decode_evidence(const json& source) {
     IcEvidence evidence;
     evidence.source = source["source"].get<std::string>();
     evidence.version = source["version"].get<std::string>();
-    evidence.elements = source["elements"].get<long long>();
-    evidence.dofs = source["dofs"].get<long long>();
-    evidence.processes = source["processes"].get<int>();
-    const auto& seconds = source["seconds"];
-    evidence.assembly_seconds = seconds["assembly"].get<double>();
-    evidence.setup_seconds = seconds["setup"].get<double>();
-    evidence.solve_seconds = seconds["solve"].get<double>();
-    evidence.total_seconds = seconds["total"].get<double>();
-    for (const auto& load_case : source["load_cases"]) evidence.load_cases.push_back(decode_load_case(load_case));
-    decode_errors(source["errors"], evidence);
-    decode_additions(source, evidence);
+    decode_build(source, evidence);
+    evidence.warnings = source.value("warnings", std::vector<std::string>());
+    evidence.solver = source.value("solver", std::string());
+    evidence.family_nu = source.value("family_nu", std::vector<double>());
+    if (source.contains("mesh")) decode_fem(source["mesh"], evidence.mesh.emplace());
+    if (source.contains("interpolation_error"))
+        evidence.interpolation_error = source["interpolation_error"].get<double>();
     return evidence;
 }
 

@@ -223,6 +223,18 @@ TEST_CASE("Evidence that is not finite is not sent", "[codec]") {
     CHECK_THROWS_AS(encode_evidence(evidence), Error);
 }
 
+TEST_CASE("Evidence of a closed form speaks of no build", "[codec]") {
+    IcEvidence evidence;
+    evidence.source = "analytic";
+    evidence.version = "contactd 0.1.0";
+    const json said = sent(encode_evidence(evidence));
+    CHECK(said == json{{"source", "analytic"}, {"version", "contactd 0.1.0"}});
+    const IcEvidence read = decode_evidence(said);
+    CHECK(read.elements == 0);
+    CHECK(read.load_cases.empty());
+    CHECK_FALSE(read.error_zz);
+}
+
 TEST_CASE("Evidence of a daemon that knows less is read", "[codec]") {
     json evidence = encode_evidence(ic_reply().evidence);
     for (const char* name : {"solver", "warnings", "mesh", "errors_estimated", "family_nu", "interpolation_error"})

@@ -69,7 +69,8 @@ def _table(file: Any, name: str) -> IcTable:
 
 def _evidence(group: Any) -> IcEvidence:
     said = _attributes(group)
-    stages = ("assembly", "setup", "solve", "total")
+    is_built = said["elements"] > 0  # the file has a place for all the rest, too, of a table that was not
+    stages = ("assembly", "setup", "solve", "total") if is_built else ()
     cases = [_attributes(group[f"load_case_{n}"]) for n in range(sum(k.startswith("load_case_") for k in group))]
     mesh = _attributes(group["mesh"]) if "mesh" in group else None
     return IcEvidence(
@@ -77,7 +78,7 @@ def _evidence(group: Any) -> IcEvidence:
         version=said["version"],
         elements=said["elements"],
         dofs=said["dofs"],
-        processes=said["processes"],
+        processes=said["processes"] if is_built else 0,
         seconds={stage: said[f"{stage}_seconds"] for stage in stages},
         load_cases=tuple(
             LoadCase(
