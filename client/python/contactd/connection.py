@@ -59,7 +59,10 @@ class Connection:
             self._socket.connect(endpoint)
         except zmq.ZMQError as error:
             self.close()
-            raise ConnectionFailed(f"{endpoint!r} is no endpoint one can connect to: {error.strerror}.") from None
+            raise ConnectionFailed(
+                f"{endpoint!r} is no endpoint one can connect to ({zmq.strerror(error.errno)}); "
+                "it must read like tcp://127.0.0.1:5555 or ipc:///path."
+            ) from None
 
     def close(self) -> None:
         """Drops what is under way. May be called twice."""

@@ -28,6 +28,7 @@ def _short_temporary_folder() -> str:
 class LocalDaemon:
     """Runs ``contactd`` on a private ipc endpoint, and ends it with the ``with`` block.
 
+    `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it.
     `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
     `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
     the caller only, who ends the daemon by leaving the block.
@@ -119,7 +120,8 @@ class LocalDaemon:
         except OSError as error:
             if self._temporary:
                 shutil.rmtree(self.folder, ignore_errors=True)
-            raise DaemonFailed(f"{program} cannot be started: {error.strerror}.") from None
+            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program)."
+            raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
 
     def _wait_until_ready(self, timeout: float) -> None:
         line, deadline = b"", time.monotonic() + timeout

@@ -10,15 +10,15 @@
     +-- DaemonFailed              LocalDaemon: the daemon did not start or did not end in order
     +-- TableFileError            a file that holds no table of coefficients, or a damaged one      (ValueError)
     +-- StatusError               the daemon refused; .code, .name, .reason, .message
-        +-- Cancelled             the job was cancelled
+        +-- Cancelled             the job or the request was cancelled
         +-- UnknownError
         +-- InvalidArgument       .violations says which fields, and why                         (ValueError)
         +-- DeadlineExceeded
-        +-- NotFound              no such job, session or saved state
+        +-- NotFound              no such job, session, saved state or table
         +-- AlreadyExists
         +-- PermissionDenied
         +-- ResourceExhausted     the queue is full (.retry_delay, s), or too many sessions
-        +-- FailedPrecondition    a step out of turn
+        +-- FailedPrecondition    a step out of turn, or a table whose builds failed before
         +-- Aborted               a step of a session did not converge
         +-- OutOfRange
         +-- Unimplemented         no such method

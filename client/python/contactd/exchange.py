@@ -94,8 +94,8 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     try:
         archive = np.load(content, allow_pickle=False)
         members = {} if isinstance(archive, np.ndarray) else {member: archive[member] for member in archive.files}
-    except Exception as error:  # there is no end of what zipfile and numpy raise for a damaged archive
-        raise TableFileError(f"{name} is no archive of numpy, or damaged: {error}") from None
+    except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
+        raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
     if array is None or array.dtype.kind != "f" or array.ndim != 4 or array.shape[:2] != (3, 3):
         raise TableFileError(f'{name} holds no table; there must be an array "array" of shape [3, 3, ny, nx]')

@@ -77,6 +77,8 @@ class Grid:
     @classmethod
     def centred(cls, nx: int, ny: int, width: float, height: float) -> Grid:
         """Elements that divide a `width` x `height` rectangle (mm) around the origin."""
+        if nx < 1 or ny < 1:
+            raise ValueError(f"nx and ny are {nx} and {ny}; a rectangle is divided into at least one element each way.")
         return cls(nx, ny, width / nx, height / ny)
 
     @property

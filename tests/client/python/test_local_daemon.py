@@ -47,8 +47,13 @@ def test_the_configuration_is_laid_over_the_one_written_here(program, tmp_path):
 
 
 def test_a_program_that_does_not_exist_is_named(tmp_path):
-    with pytest.raises(DaemonFailed, match=r"no-such-program cannot be started: No such file"):
+    with pytest.raises(DaemonFailed, match=r"no-such-program cannot be started: No such file[^.]*\.$"):
         LocalDaemon(tmp_path / "no-such-program")
+
+
+def test_a_program_that_is_not_on_the_path_is_named_with_what_to_do():
+    with pytest.raises(DaemonFailed, match=r"^no-such-program cannot be started: .*\. Put it on PATH, or name it"):
+        LocalDaemon("no-such-program")
 
 
 def test_a_daemon_that_ends_at_once_shows_its_log(program):

@@ -40,6 +40,12 @@ def test_a_centred_grid_divides_its_rectangle():
     assert Grid.centred(40, 20, 2.4, 2.4) == Grid(40, 20, 2.4 / 40, 2.4 / 20)
 
 
+@pytest.mark.parametrize(("nx", "ny"), [(0, 20), (20, 0), (-1, 20)])
+def test_a_rectangle_is_divided_into_one_element_at_least(nx, ny):
+    with pytest.raises(ValueError, match=f"nx and ny are {nx} and {ny}; .* at least one"):
+        Grid.centred(nx, ny, 2.4, 2.4)
+
+
 def test_a_table_request_holds_only_what_was_given():
     assert table_params(STEEL, GRID, FemIcs(preset="paper-test3", L_over_h=1280)) == {
         "material": {"G": 82000, "nu": 0.28},
