@@ -1,6 +1,7 @@
 #include "expected.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <vector>
 
 #include "contactd/proto/message.hpp"
@@ -104,6 +105,12 @@ std::optional<std::string> broken_bound(const json& schema, double value) {
     if (!integer && bounds.minimum && bounds.maximum) return "lie in " + interval(bounds);
     if (low) return (bounds.above ? "be above " : "be at least ") + number(*bounds.minimum);
     return (bounds.below ? "be below " : "be at most ") + number(*bounds.maximum);
+}
+
+bool breaks_pattern(const json& schema, const std::string& value) {
+    constexpr std::size_t longest = 4096;  // std::regex takes stack for each character
+    if (!schema.contains("pattern")) return false;
+    return value.size() > longest || !std::regex_search(value, std::regex(schema["pattern"].get<std::string>()));
 }
 
 std::string expected(const json& schema) {

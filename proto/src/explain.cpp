@@ -79,6 +79,7 @@ class Explainer {
         if (schema.contains("maxLength") && length > schema["maxLength"].get<std::size_t>())
             report(path,
                    "has " + std::to_string(length) + " characters; it must have at most " + shown(schema["maxLength"]));
+        if (breaks_pattern(schema, value)) report(path, "is " + shown(value) + "; it must be " + expected(schema));
     }
 
     void visit_list(const json& schema, const json& value, const std::string& path) {

@@ -55,6 +55,8 @@ TEST_CASE("Schemas stand alone and describe every field", "[schema]") {
         if (!node.contains("properties")) return;
         for (const auto& property : node["properties"].items()) {
             CHECK(property.value().contains("description"));
+            // A title says in words what a pattern says to a program.
+            CHECK(property.value().contains("pattern") <= property.value().contains("title"));
             visit(property.value(), path + "." + property.key());
         }
         CHECK(node.contains("additionalProperties"));
@@ -128,6 +130,14 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
             Case{"/ics/colour", "\"red\"", "ics.colour", "is not a field of ics"},
             Case{"/extra", "{}", "extra",
                  "is not a field of ic.get; known fields are components, grid, ics, material, rows"}));
+}
+
+TEST_CASE("A key that is none is named with what would be right", "[schema]") {
+    const json good{{"key", std::string(64, 'a')}};
+    CHECK_NOTHROW(check_params("ic.delete", good));
+    const char* says = "it must be a key, 64 hexadecimal digits in lower case";
+    check_case("ic.delete", good, {"/key", R"("4F1C")", "key", says});
+    check_case("ic.delete", good, {"/key", ('"' + std::string(100000, 'a') + '"').c_str(), "key", says});
 }
 
 TEST_CASE("A bad value of contact.solve is named with what would be right", "[schema]") {

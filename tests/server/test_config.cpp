@@ -78,8 +78,10 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
     std::ofstream(path) << "{\"workers\": ";
     CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring(path.string())));
     std::ofstream(path) << "[]";
-    CHECK_THROWS_AS(config_from_file(path), contactd::Error);
+    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring("no JSON object")));
     std::filesystem::remove(path);
+    CHECK_THROWS_MATCHES(config_from_file(path.parent_path()), contactd::Error,
+                         MessageMatches(ContainsSubstring("is no file")));
     CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring("cannot be read")));
 }
 
@@ -91,8 +93,8 @@ TEST_CASE("The configurations that come with contactd can be used") {
 TEST_CASE("An address that is not surely this machine's own needs keys, or the flag") {
     const std::string endpoint =
         GENERATE("tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://[::]:5555", "tcp://localhost:5555", "tcp://eth0:5555",
-                 "tcp://127.0.0.1", "tcp://127.0.0.1@evil:1", "tcp://127.1:5555", "tcp://0x7f000001:5555",
-                 "tcp://[::ffff:127.0.0.1]:5555", "tcp://[::1", "tcp://:5555", "tcp://128.0.0.1:5555");
+                 "tcp://127.0.0.1@evil:1", "tcp://127.1:5555", "tcp://0x7f000001:5555", "tcp://[::ffff:127.0.0.1]:5555",
+                 "tcp://[::1", "tcp://128.0.0.1:5555");
     CHECK_FALSE(is_local(endpoint));
     CHECK_THROWS_MATCHES(config_from_json({{"endpoint", endpoint}}), contactd::Error,
                          MessageMatches(ContainsSubstring("security.curve")));
@@ -100,6 +102,26 @@ TEST_CASE("An address that is not surely this machine's own needs keys, or the f
     CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}, {"security", {{"allow_unencrypted_remote", true}}}}));
     const json curve{{"secret_key_file", "a"}, {"allowed_keys", "b"}};
     CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}, {"security", {{"curve", curve}}}}));
+}
+
+TEST_CASE("An endpoint without a port that there is, or without a path, is refused, and what would be right is said") {
+    const std::string endpoint =
+        GENERATE("tcp://127.0.0.1", "tcp://127.0.0.1:", "tcp://127.0.0.1:-5", "tcp://127.0.0.1:5x",
+                 "tcp://127.0.0.1:65536", "tcp://127.0.0.1:70000", "tcp://:5555", "ipc://", "127.0.0.1:5555", "");
+    CHECK_THROWS_MATCHES(
+        config_from_json({{"endpoint", endpoint}}), contactd::Error,
+        MessageMatches(ContainsSubstring("endpoint is \"" + endpoint + "\"; it must be tcp://ADDRESS:PORT") &&
+                       ContainsSubstring("65535") && ContainsSubstring("ipc://PATH")));
+}
+
+TEST_CASE("The largest port is one") {
+    CHECK_NOTHROW(config_from_json({{"endpoint", "tcp://127.0.0.1:65535"}}));
+    CHECK_NOTHROW(config_from_json({{"endpoint", "tcp://127.0.0.1:0"}}));
+}
+
+TEST_CASE("A variable's name that cannot be one is refused with its place") {
+    CHECK_THROWS_MATCHES(config_from_json({{"builds", {{"environment", {"PATH", "A-B"}}}}}), contactd::Error,
+                         MessageMatches(ContainsSubstring("builds.environment[1] is \"A-B\"; it must be the name")));
 }
 
 TEST_CASE("Loopback and ipc need nothing") {

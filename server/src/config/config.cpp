@@ -49,7 +49,8 @@ std::string http_problem(const json& given) {
     const auto& text = address->get_ref<const std::string&>();
     if (text.size() < 64 && std::regex_match(text, numbers) && std::stoi(text.substr(text.rfind(':') + 1)) <= 65535)
         return {};
-    return "\n  http.address is " + json(text).dump() + "; it must be ADDRESS:PORT in numbers, e.g. 127.0.0.1:9465";
+    return "http.address is " + json(text).dump() +
+           "; it must be ADDRESS:PORT in numbers, with a port from 0 to 65535, e.g. 127.0.0.1:9465";
 }
 
 std::filesystem::path default_builder() {
@@ -59,11 +60,12 @@ std::filesystem::path default_builder() {
 }  // namespace
 
 Config config_from_json(const json& given) {
+    if (!given.is_object()) throw Error("The configuration is no JSON object, {...}.");
     std::string problems;
     for (const auto& [field, description] : proto::violations_against(config_schema(), given))
-        problems += (problems.empty() ? "" : "\n  ") + field + " " + description;
-    problems += http_problem(given);
-    if (!problems.empty()) throw Error("The configuration cannot be used:\n  " + problems);
+        problems += "\n  " + field + " " + description;
+    if (const std::string problem = http_problem(given); !problem.empty()) problems += "\n  " + problem;
+    if (!problems.empty()) throw Error("The configuration cannot be used:" + problems);
 
     const json all = with_defaults(config_schema(), given);
     Config config;
@@ -113,7 +115,8 @@ Config config_from_file(const std::filesystem::path& path, const json& overrides
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
-    if (!file) throw Error("The configuration " + path.string() + " cannot be read.");
+    if (!file || std::filesystem::is_directory(path))
+        throw Error("The configuration " + path.string() + " cannot be read, or is no file.");
     try {
         json given = json::parse(text.str());
         if (given.is_object()) given.merge_patch(overrides);
