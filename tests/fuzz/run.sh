@@ -22,7 +22,7 @@ python3 tests/fuzz/seeds.py "$work/seeds"
 status=0
 for target in "${targets[@]}"; do
     program=$work/bin/fuzz_$target
-    [ -x "$program" ] || { echo "there is no target '$target'" >&2 && exit 2; }
+    [ -x "$program" ] || { echo "there is no target '$target'; there are $(basename -a "$work"/bin/fuzz_* | sed 's/^fuzz_//' | xargs)" >&2 && exit 2; }
     kept=tests/fuzz/corpus/$target
     mkdir -p "$work/corpus/$target" "$work/found" "$kept"
     if [ $keep = yes ]; then
