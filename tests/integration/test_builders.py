@@ -56,8 +56,13 @@ def test_a_failed_build_is_tried_again_by_the_next_request(daemons):
 
 def test_a_builder_that_does_not_exist_is_named(daemons):
     with daemons.start(builds={"program": "/nonexistent/contactd-ic"}).client() as client:
-        assert "No such file" in build_failure(client)
+        assert "builds.program is /nonexistent/contactd-ic; it cannot be started: No such file" in build_failure(client)
         assert client.health() == "serving"
+
+
+def test_a_launcher_that_does_not_exist_is_named(daemons):
+    with daemons.start(builds={"launcher": ["no-such-launcher", "-np", "2"]}).client() as client:
+        assert "builds.launcher begins with no-such-launcher; it cannot be started" in build_failure(client)
 
 
 def test_the_words_of_a_failing_builder_reach_the_caller(daemons):

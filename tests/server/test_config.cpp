@@ -81,8 +81,9 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
     CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring("no JSON object")));
     std::filesystem::remove(path);
     CHECK_THROWS_MATCHES(config_from_file(path.parent_path()), contactd::Error,
-                         MessageMatches(ContainsSubstring("is no file")));
-    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error, MessageMatches(ContainsSubstring("cannot be read")));
+                         MessageMatches(ContainsSubstring("is a folder")));
+    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error,
+                         MessageMatches(ContainsSubstring("cannot be read: No such file")));
 }
 
 TEST_CASE("The configurations that come with contactd can be used") {

@@ -1,6 +1,8 @@
 #include "config.hpp"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -113,10 +115,10 @@ Config config_from_json(const json& given) {
 
 Config config_from_file(const std::filesystem::path& path, const json& overrides) {
     std::ifstream file(path);
+    if (!file) throw Error("The configuration " + path.string() + " cannot be read: " + std::strerror(errno) + ".");
+    if (std::filesystem::is_directory(path)) throw Error("The configuration " + path.string() + " is a folder.");
     std::ostringstream text;
     text << file.rdbuf();
-    if (!file || std::filesystem::is_directory(path))
-        throw Error("The configuration " + path.string() + " cannot be read, or is no file.");
     try {
         json given = json::parse(text.str());
         if (given.is_object()) given.merge_patch(overrides);

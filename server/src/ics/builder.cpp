@@ -107,6 +107,12 @@ std::vector<std::string> arguments_of(const BuilderCommand& command, const std::
     return arguments;
 }
 
+/// What is started, with the field that names it.
+std::string first_program(const BuilderCommand& command) {
+    if (command.launcher.empty()) return "builds.program is " + command.program.string();
+    return "builds.launcher begins with " + command.launcher.front();
+}
+
 }  // namespace
 
 BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const std::filesystem::path& output,
@@ -126,7 +132,8 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
     options.stop = {{reproc::stop::terminate, 800ms}, {reproc::stop::kill, 2000ms}, {}};
 
     reproc::process child;
-    check(child.start(arguments_of(command, output), options), "start");
+    if (const std::error_code error = child.start(arguments_of(command, output), options))
+        throw BuilderUnusable(first_program(command) + "; it cannot be started: " + error.message() + ".");
     BuilderListener listener(!command.launcher.empty(), on_progress);
     const Watch watch(command, listener, job, on_tick);
     int status = 0;
