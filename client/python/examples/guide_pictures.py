@@ -55,7 +55,7 @@ def draw_cattaneo(names: dict[str, Any], path: Path) -> None:
 
 def draw_carter(names: dict[str, Any], path: Path) -> None:
     problem, solutions, middle = names["cylinder"], names["carter"], names["middle"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11.2, 4), layout="constrained")
     scale = 0.3 * names["P"]
     creepages = names["creepages"] / names["full_slip"]
     fine = np.linspace(0, creepages[-1], 200)
@@ -63,10 +63,12 @@ def draw_carter(names: dict[str, Any], path: Path) -> None:
     left.plot(creepages, -names["force"] / scale, "o", color="C1", label="middle row")
     bare_axes(left, "Force", "creepage / creepage of full slip", "force / (mu P)")
     left.legend(frameon=False)
-    for solution, color in zip(solutions[1:8:3], ("C0", "C1", "C2")):
-        right.plot(problem.grid.x, -solution.traction_x[middle], ".-", color=color, lw=1, ms=4)
-    right.plot(problem.grid.x, 0.3 * solutions[0].pressure[middle], color="0.6")
-    bare_axes(right, "Tractions of three creepages, and mu p", "x (mm); rolling to the right", "N/mm$^2$")
+    for shown, color in zip((1, 4, 7), ("C0", "C1", "C2")):
+        traction, label = -solutions[shown].traction_x[middle], f"xi = {creepages[shown]:.2f} xi_full"
+        right.plot(problem.grid.x, traction, ".-", color=color, lw=1, ms=4, label=label)
+    right.plot(problem.grid.x, 0.3 * solutions[0].pressure[middle], color="0.6", label="bound, mu p")
+    bare_axes(right, "Tractions of three creepages", "x (mm); rolling to the right", "-p_x (N/mm$^2$)")
+    right.legend(frameon=False, loc="upper left", bbox_to_anchor=(1, 1))
     figure.savefig(path, dpi=130)
 
 
@@ -94,6 +96,8 @@ def draw_wheel(names: dict[str, Any], path: Path) -> None:
 
 
 def main() -> None:
+    if not sys.argv[1:]:
+        raise SystemExit("usage: guide_pictures.py FOLDER [ENDPOINT]")
     folder = Path(sys.argv[1])
     with ExitStack() as stack:
         endpoint = sys.argv[2] if sys.argv[2:] else stack.enter_context(LocalDaemon()).endpoint
