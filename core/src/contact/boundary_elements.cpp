@@ -63,6 +63,7 @@ class BoundaryElements {
             PartObserver part(observer, static_cast<double>(step) / steps, (step + 1.0) / steps);
             if (step_) step_->begin(before);
             take_step(part, step == 0);
+            remember_failures();
             before = now_;
         }
         return finished();
@@ -73,6 +74,17 @@ class BoundaryElements {
         if (!problem_.friction) return 1;
         const auto* rolling = std::get_if<Rolling>(&problem_.friction->motion);
         return rolling && !rolling->steady ? rolling->steps : 1;
+    }
+
+    // What one step leaves unsolved spoils all that follow, however well these end.
+    void remember_failures() {
+        const auto keep = [](const std::optional<SolverEvidence>& now, std::optional<SolverEvidence>& failed) {
+            if (now && !now->converged && !(failed && failed->residual > now->residual)) failed = now;
+        };
+        keep(solution_.normal, failed_.normal);
+        keep(solution_.tangential, failed_.tangential);
+        keep(solution_.outer, failed_.outer);
+        if (step_) keep(step_->force_evidence(), failed_.force);
     }
 
     // Panagiotopoulos' process where the bodies couple, and successive friction coefficients where they fall with slip.
@@ -156,7 +168,20 @@ class BoundaryElements {
         solution_.traction_x.resize(n_);
         solution_.traction_y.resize(n_);
         if (step_) take_tangential_solution();
+        report_failures();
         return std::move(solution_);
+    }
+
+    void report_failures() {
+        const auto report = [](SolverEvidence& evidence, const std::optional<SolverEvidence>& failed) {
+            if (!failed) return;
+            evidence.converged = false;
+            evidence.residual = failed->residual;
+        };
+        report(solution_.normal, failed_.normal);
+        if (solution_.tangential) report(*solution_.tangential, failed_.tangential);
+        if (solution_.outer) report(*solution_.outer, failed_.outer);
+        if (solution_.force) report(*solution_.force, failed_.force);
     }
 
     void take_tangential_solution() {
@@ -180,6 +205,9 @@ class BoundaryElements {
     Values static_mu_;  // per element
     std::optional<SlipLawIteration> slip_law_;
     RollingSolution tangential_;
+    struct {
+        std::optional<SolverEvidence> normal, tangential, outer, force;
+    } failed_;  // of all steps the worst
     ContactSolution solution_;
 };
 
