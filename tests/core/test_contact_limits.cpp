@@ -30,3 +30,63 @@ TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]"
     problem.initial_traction_y = marched.traction_y;
     CHECK(solve_half_spaces(problem).converged());  // the last step alone is easy
 }
+
+TEST_CASE("elements without friction slip as far as their neighbours and the motion take them", "[limits]") {
+    ContactProblem problem = cattaneo_problem(12);
+    const Grid& grid = problem.grid;
+    Values mu(grid.size(), 0.4);
+    for (int iy = 4; iy < 8; ++iy) mu[at(grid, 5, iy)] = 0;
+    problem.friction->mu = mu;
+    const auto solution = solve_half_spaces(problem);
+    REQUIRE(solution.converged());
+    const IcTable pair = pair_table(problem);
+    const auto u = sum(dense_product(pair, Axis::x, Axis::x, grid.nx, grid.ny, solution.traction_x),
+                       dense_product(pair, Axis::x, Axis::y, grid.nx, grid.ny, solution.traction_y));
+    for (int iy = 4; iy < 8; ++iy) {
+        const std::size_t i = at(grid, 5, iy);
+        REQUIRE(solution.pressure[i] > 0);
+        CHECK(solution.element_division[i] == ElementState::slip);
+        CHECK(solution.traction_x[i] == 0);
+        CHECK_THAT(solution.slip_x[i], WithinAbs(0.00817 + u[i], 1e-8));
+    }
+}
+
+TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
+    ContactProblem problem = cattaneo_problem(10);
+    problem.friction->mu = {0};
+    problem.friction->motion = GENERATE(Motion{Rolling{.xi = 1e-3, .phi = 2e-3}},
+                                        Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .steady = false, .steps = 2}},
+                                        Motion{Shift{.x = 1e-3, .rotation = 2e-3}});
+    const auto solution = solve_half_spaces(problem);
+    REQUIRE(solution.converged());
+    for (int iy = 0; iy < 10; ++iy)
+        for (int ix = 0; ix < 10; ++ix) {
+            const std::size_t i = at(problem.grid, ix, iy);
+            const double factor = solution.pressure[i] > 0 ? 1 : 0;
+            CHECK_THAT(solution.slip_x[i], WithinAbs(factor * (1e-3 - 2e-3 * problem.grid.y(iy)), 1e-12));
+            CHECK_THAT(solution.slip_y[i], WithinAbs(factor * 2e-3 * problem.grid.x(ix), 1e-12));
+        }
+}
+
+TEST_CASE("friction that falls to nothing lets go", "[limits]") {
+    ContactProblem problem = cattaneo_problem(12);
+    // The whole contact slides a hundred times faster than where friction ends.
+    problem.friction->motion = GENERATE(Motion{Shift{.x = 0.1}}, Motion{Rolling{.xi = 0.1}});
+    problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0, 1e-3};
+    const auto solution = solve_half_spaces(problem);
+    CHECK(solution.converged());
+    CHECK(solution.slip_elements == solution.contact_elements);
+    CHECK_THAT(solution.Fx, WithinAbs(0, 1e-6 * solution.Fn));
+}
+
+TEST_CASE("a coefficient of friction whose squares underflow is none", "[limits]") {
+    ContactProblem problem = cattaneo_problem(10);
+    problem.friction->motion = GENERATE(Motion{Shift{.x = 1e-3}}, Motion{Rolling{.xi = 1e-3}});
+    Values mu(problem.grid.size(), 1e-170);
+    mu[at(problem.grid, 4, 5)] = 0.4;
+    problem.friction->mu = GENERATE_COPY(Values{1e-170}, mu);
+    const auto solution = solve_half_spaces(problem);
+    CHECK(solution.converged());
+    CHECK(std::isfinite(solution.Fx));
+    CHECK((solution.Fx < 0) == (problem.friction->mu.size() > 1));
+}

@@ -14,6 +14,8 @@ namespace {
 
 using Values = std::vector<double>;
 
+constexpr double least_friction = 1e-100;  // a coefficient below is none: squares of such tractions underflow
+
 /// Iterations and times of solves that follow each other; how it stands is what the last one says.
 void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
     evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
@@ -138,7 +140,7 @@ class BoundaryElements {
     void solve_tangential_contact(Observer& observer) {
         const Values& mu = slip_law_ ? slip_law_->mu() : static_mu_;
         Values bound = now_.pressure;
-        for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i];
+        for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
         PartObserver part(observer, 0.3, 1);
         tangential_ = step_->solve(now_.pressure, bound, now_.tangential, part);
         now_.tangential.x = tangential_.traction_x;

@@ -105,10 +105,37 @@ RollingSolution TangentialStep::solve(std::span<const double> pressure, std::spa
                                       const Field& estimate, Observer& observer) {
     Field rest = history_;
     add_coupling(pressure, rest);
-    if (prescribes_force(motion_)) return solve_for_force(rest, bound, estimate, observer);
-    Field rigid = rigid_slip(motion_, problem_.grid, unit_);
-    add(rigid, rest);
-    return solve_with(rigid, bound, estimate, problem_.tangential_settings, observer);
+    RollingSolution solution;
+    if (prescribes_force(motion_)) {
+        solution = solve_for_force(rest, bound, estimate, observer);
+    } else {
+        Field rigid = rigid_slip(motion_, problem_.grid, unit_);
+        add(rigid, rest);
+        solution = solve_with(rigid, bound, estimate, problem_.tangential_settings, observer);
+    }
+    add_free_slip(pressure, bound, rest, solution);
+    return solution;
+}
+
+// The solvers know the elements that friction may hold; where there is contact without friction the surfaces slip too.
+void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,
+                                   RollingSolution& solution) const {
+    const auto is_free = [&](std::size_t i) { return pressure[i] > 0 && !(bound[i] > 0); };
+    std::size_t first = 0;
+    while (first < n_ && !is_free(first)) ++first;
+    if (first == n_) return;
+    Field slip = rigid_slip(motion_, problem_.grid, unit_), u(n_);
+    add(slip, rest);
+    if (rolling() && rolling()->steady)
+        influence_.change->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
+    else
+        influence_.here->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
+    for (std::size_t i = first; i < n_; ++i) {
+        if (!is_free(i)) continue;
+        solution.slip_x[i] = slip.x[i] + u.x[i];
+        solution.slip_y[i] = slip.y[i] + u.y[i];
+        solution.element_division[i] = ElementState::slip;
+    }
 }
 
 RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,

@@ -42,6 +42,8 @@ class TangentialStep {
     const Rolling* rolling() const { return std::get_if<Rolling>(&motion_); }
     RollingBodies bodies() const;
     void add_coupling(std::span<const double> pressure, Field& rigid) const;
+    void add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,
+                       RollingSolution& solution) const;
     PrescribedForces prescribed_forces(std::span<const double> bound) const;
     RollingSolution solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,
                                     Observer& observer);
