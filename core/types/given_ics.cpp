@@ -27,14 +27,18 @@ void check_element_size(double size, double of_grid, const char* field, const ch
                                      " along " + axis + ", and a table holds for one element size only");
 }
 
-void check_finite(const IcTable& table) {
+// Products of larger or smaller numbers leave the range of a double.
+constexpr double largest = 1e100, smallest = 1e-100;
+
+void check_size(const IcTable& table) {
     for (const Axis i : {x, y, z})
         for (const Axis j : {x, y, z})
             for (int l = 0; l < table.ny; ++l)
                 for (int k = 0; k < table.nx; ++k)
-                    if (!std::isfinite(table(i, j, k, l)))
+                    if (!(std::abs(table(i, j, k, l)) <= largest))
                         throw InvalidArgument("ics.table", "holds " + number_text(table(i, j, k, l)) + " for " +
-                                                               place_of(i, j, k, l) + "; every value must be finite");
+                                                               place_of(i, j, k, l) +
+                                                               "; every value must be finite, from -1e100 to 1e100");
 }
 
 /// A load does work on the displacement below it, and |A(k,l)| <= A(0,0) in a positive definite matrix A(i-j).
@@ -43,6 +47,9 @@ void check_is_elastic(const IcTable& table, Axis i) {
     if (own <= 0)
         throw InvalidArgument("ics.table", "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) +
                                                "; it must be positive: a body yields in the direction of its load");
+    if (own < smallest)
+        throw InvalidArgument(
+            "ics.table", "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) + "; it must be 1e-100 at least");
     const double most = own * (1 + 1e-9);
     for (int l = 0; l < table.ny; ++l)
         for (int k = 0; k < table.nx; ++k)
@@ -69,7 +76,7 @@ void validate(const GivenIcs& ics, const Grid& grid) {
         throw InvalidArgument("ics.table", "has " + text_of(ics.table.nx, ics.table.ny) +
                                                " offsets; the grid needs at least as many as it has elements, " +
                                                text_of(grid.nx, grid.ny));
-    check_finite(ics.table);
+    check_size(ics.table);
     for (const Axis i : {x, y, z}) check_is_elastic(ics.table, i);
 }
 

@@ -15,6 +15,20 @@ using namespace contactd::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
+namespace {
+
+/// The field that the problem is refused for; empty when it is solved.
+std::string refused(const ContactProblem& problem) {
+    try {
+        validate(problem);
+    } catch (const InvalidArgument& error) {
+        return error.field();
+    }
+    return {};
+}
+
+}  // namespace
+
 TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     problem.tangential_settings.max_iterations = 6;
@@ -89,4 +103,50 @@ TEST_CASE("a coefficient of friction whose squares underflow is none", "[limits]
     CHECK(solution.converged());
     CHECK(std::isfinite(solution.Fx));
     CHECK((solution.Fx < 0) == (problem.friction->mu.size() > 1));
+}
+
+TEST_CASE("numbers whose squares leave the range of a double are refused by name", "[limits]") {
+    ContactProblem problem = cattaneo_problem(10);
+    Values values(problem.grid.size());
+    values[7] = -1e200;
+    std::string field;
+    SECTION("gap") {
+        problem.gap = values;
+        field = "gap";
+    }
+    SECTION("step before") {
+        problem.previous.traction_x = values;
+        field = "previous.traction_x";
+    }
+    SECTION("estimate") {
+        problem.initial_pressure = values;
+        field = "initial.pressure";
+    }
+    SECTION("coefficients") {
+        problem.given_ics = GivenIcs{pair_table(problem), problem.grid.dx, problem.grid.dy};
+        REQUIRE(refused(problem).empty());
+        auto& table = problem.given_ics->table;
+        SECTION("large") {
+            table(Axis::x, Axis::z, 1, 0) = 1e200;
+        }
+        SECTION("small") {
+            for (const Axis i : {Axis::x, Axis::y, Axis::z})
+                for (int l = 0; l < 10; ++l)
+                    for (int k = 0; k < 10; ++k) table(i, i, k, l) *= 1e-250;
+        }
+        field = "ics.table";
+    }
+    CHECK(refused(problem) == field);
+}
+
+TEST_CASE("the most slender ellipse that can be asked for has finite forces", "[limits]") {
+    ContactProblem problem = cattaneo_problem(3);
+    problem.model = Model::hertz;
+    problem.gap = GENERATE(SemiAxes{1e-12, 1e12}, SemiAxes{1e12, 1e-12});
+    problem.Fn = 10;
+    problem.friction->motion = GENERATE(Motion{Shift{.x = 1e-9}}, Motion{Rolling{.xi = 1e-9}});
+    Observer observer;
+    const double Fx = solve_contact(problem, {}, observer).Fx;
+    CHECK(Fx < 0);
+    CHECK(Fx >= -0.4 * 10 * (1 + 1e-12));
 }

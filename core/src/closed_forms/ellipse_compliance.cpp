@@ -15,7 +15,7 @@ namespace contactd {
 EllipseCompliance ellipse_compliance(const SemiAxes& axes, const Material& combined) {
     const double a = axes.a, b = axes.b, nu = combined.nu, ratio = a / b;
     const double slender = std::sqrt(std::min(ratio, 1 / ratio));
-    const int points = std::min(8 + static_cast<int>(12 / slender), 4096);
+    const int points = static_cast<int>(std::min(8 + 12 / slender, 4096.0));
     EllipseCompliance sums{};
     for (int i = 0; i < points; ++i) {
         const double s = (i + 0.5) * 0.5 * std::numbers::pi / points;
