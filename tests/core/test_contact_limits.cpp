@@ -13,7 +13,6 @@
 using namespace contactd;
 using namespace contactd::test;
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 
 namespace {
 
@@ -149,4 +148,34 @@ TEST_CASE("the most slender ellipse that can be asked for has finite forces", "[
     const double Fx = solve_contact(problem, {}, observer).Fx;
     CHECK(Fx < 0);
     CHECK(Fx >= -0.4 * 10 * (1 + 1e-12));
+}
+
+TEST_CASE("adhesion dissipates nothing", "[limits]") {
+    ContactProblem problem = cattaneo_problem(12);
+    problem.friction->mu = {1000};
+    const auto shifted = solve_half_spaces(problem);
+    REQUIRE(shifted.slip_elements == 0);
+    CHECK(*shifted.frictional_work == 0);
+    problem.friction->motion = Rolling{.xi = 1e-3, .steady = false};
+    const auto rolled = solve_half_spaces(problem);
+    REQUIRE(rolled.slip_elements == 0);
+    CHECK(*rolled.frictional_power == 0);
+}
+
+TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
+    ContactProblem problem = cattaneo_problem(10);
+    problem.model = Model::hertz;
+    Observer observer;
+    CHECK(solve_contact(problem, {}, observer).warnings.empty());
+    SECTION("too narrow for the elements") {
+        problem.gap = Paraboloid{1e-3, 50};
+    }
+    SECTION("beyond the potential contact area") {
+        problem.grid.x0 = 20;
+    }
+    const auto solution = solve_contact(problem, {}, observer);
+    REQUIRE(solution.Fn > 0);
+    REQUIRE(solution.contact_elements == 0);
+    REQUIRE(solution.warnings.size() == 1);
+    CHECK(solution.warnings[0].find("whole contact") != std::string::npos);
 }

@@ -35,13 +35,15 @@ void sum_up(const Grid& grid, ContactSolution& solution) {
     solution.slip_area = solution.slip_elements * area;
 }
 
-/// Slip of rolling is over the distance rolled, which the solvers do not divide by.
+/// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
+/// what the tolerance leaves.
 void take_friction_losses(const ContactProblem& problem, ContactSolution& solution) {
     if (!solution.motion) return;
     double work = 0;
     for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
-        work -= solution.slip_x[i] * solution.traction_x[i] + solution.slip_y[i] * solution.traction_y[i];
-    work *= problem.grid.element_area();
+        if (solution.element_division[i] == ElementState::slip)
+            work -= solution.slip_x[i] * solution.traction_x[i] + solution.slip_y[i] * solution.traction_y[i];
+    work = std::max(work, 0.0) * problem.grid.element_area();
     const auto* rolling = std::get_if<Rolling>(&*solution.motion);
     if (rolling == nullptr) {
         solution.frictional_work = work;
@@ -55,6 +57,11 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
 
 void warn(const ContactProblem& problem, ContactSolution& solution) {
     solution.border_elements = border_elements(problem.grid, solution.pressure);
+    if (problem.model != Model::full && solution.Fn > 0 && solution.contact_elements == 0)
+        solution.warnings.push_back(
+            "No element has its centre in the contact, which is narrower than the elements or lies beyond the "
+            "potential "
+            "contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
     if (solution.border_elements == 0) return;
     const bool one = solution.border_elements == 1;
     solution.warnings.push_back(std::to_string(solution.border_elements) +
