@@ -5,7 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cstdlib>
 
-#include "contact_cases.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/reference.hpp"
 #include "contactd/solve_contact.hpp"
 

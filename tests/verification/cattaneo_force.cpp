@@ -3,7 +3,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "random_friction.hpp"
+#include "contact/random_friction.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact_cases.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/reference.hpp"
 #include "contactd/solve_contact.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact_cases.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/convolution.hpp"
 #include "contactd/hertz.hpp"
 #include "contactd/normal.hpp"

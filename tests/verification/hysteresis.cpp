@@ -4,7 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "contact_cases.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/convolution.hpp"
 #include "contactd/normal.hpp"
 #include "contactd/prescribed_force.hpp"

@@ -1,6 +1,6 @@
 // Runs random contact problems of every kind: random_contact [count] [first seed] [largest size]. Prints those that did
 // not converge and those whose solution violates the contact conditions; the status is 1 when any does.
-#include "random_contact.hpp"
+#include "contact/random_contact.hpp"
 
 #include <chrono>
 #include <cstdio>

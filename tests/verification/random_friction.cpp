@@ -1,6 +1,6 @@
 // Runs random shift problems: random_friction [count] [first seed] [largest size]. Prints those that did not converge
 // and those whose solution violates Coulomb's law; the status is 1 when any does.
-#include "random_friction.hpp"
+#include "contact/random_friction.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "contact/random_problems.hpp"
 #include "contactd/convolution.hpp"
 #include "contactd/normal.hpp"
-#include "random_problems.hpp"
 
 int main(int count_of_arguments, char** arguments) {
     using namespace contactd;

@@ -2,10 +2,10 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <numbers>
 
+#include "contact/rolling_cases.hpp"
 #include "contactd/hertz.hpp"
 #include "contactd/normal.hpp"
 #include "contactd/reference.hpp"
-#include "rolling_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -60,9 +60,9 @@ ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid
 /// larger table leaves less to that.
 /// Errors, of the largest coefficient: none for half-spaces, known (rounding) or found (1e-9). For a thin layer, taken
 /// as half-spaces less an image at twice its thickness of 2 dx, 5e-5 with `nearest` and 4e-4 without it at half and
-/// third elements, 1e-5 where a table of 20 x 20 offsets ends (tests/core/test_shifted_table.cpp holds it to that). The
-/// roughness of a computed table from offset to offset goes over to the result as it is.
-/// Throws InvalidArgument ("grid") when the table is smaller than the grid.
+/// third elements, 1e-5 where a table of 20 x 20 offsets ends (tests/core/influence/test_shifted_table.cpp holds it to
+/// that). The roughness of a computed table from offset to offset goes over to the result as it is. Throws
+/// InvalidArgument ("grid") when the table is smaller than the grid.
 ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>& nearest, const Grid& grid,
                            double shift_x, double shift_y);
 

@@ -2,8 +2,6 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <unistd.h>
-
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 #include <zmq.hpp>
 
 #include "contactd/client/client.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace fs = std::filesystem;
 using namespace contactd::client;
@@ -27,13 +26,10 @@ struct Pair {
 };
 
 /// Key files that are gone with the test.
-class Folder {
+class KeyFiles {
    public:
-    Folder() { fs::create_directory(path_); }
-    ~Folder() { fs::remove_all(path_); }
-
     fs::path write(const std::string& name, const Pair& keys, bool with_secret) const {
-        const fs::path file = path_ / name;
+        const fs::path file = folder_.path() / name;
         std::ofstream text(file);
         text << "curve\n    public-key = \"" << keys.open.data() << "\"\n";
         if (with_secret) text << "    secret-key = \"" << keys.secret.data() << "\"\n";
@@ -43,7 +39,7 @@ class Folder {
     }
 
    private:
-    fs::path path_ = fs::temp_directory_path() / ("contactd-test-curve-" + std::to_string(::getpid()));
+    const contactd::TemporaryFolder folder_;
 };
 
 /// A socket that shakes hands, without or with encryption, and never answers.
@@ -71,13 +67,13 @@ auto says(const std::string& text) {
 }  // namespace
 
 TEST_CASE("A client that encrypts gets through to a daemon that does", "[client]") {
-    const Folder folder;
+    const KeyFiles files;
     const Pair server, own;
     const Listener listener(&server);
     ClientOptions options;
     options.timeout = std::chrono::milliseconds(10);
-    options.server_key = folder.write("server.key", server, false);
-    options.own_key = folder.write("own.key_secret", own, true);
+    options.server_key = files.write("server.key", server, false);
+    options.own_key = files.write("own.key_secret", own, true);
     Client client(listener.endpoint(), options);
     CHECK_THROWS_AS(client.health(), TimeoutError);  // sent, and not answered
 }
@@ -91,41 +87,41 @@ TEST_CASE("Without keys a daemon that encrypts is no silence but UNAUTHENTICATED
 }
 
 TEST_CASE("The wrong key of the daemon is named", "[client]") {
-    const Folder folder;
+    const KeyFiles files;
     const Pair server, other, own;
     const Listener listener(&server);
     ClientOptions options;
-    options.server_key = folder.write("server.key", other, false);
-    options.own_key = folder.write("own.key_secret", own, true);
+    options.server_key = files.write("server.key", other, false);
+    options.own_key = files.write("own.key_secret", own, true);
     Client client(listener.endpoint(), options);
     CHECK_THROWS_MATCHES(client.health(), StatusError, says("server_key is not the daemon's key"));
 }
 
 TEST_CASE("A daemon that does not encrypt is named", "[client]") {
-    const Folder folder;
+    const KeyFiles files;
     const Pair server, own;
     const Listener listener(nullptr);
     ClientOptions options;
-    options.server_key = folder.write("server.key", server, false);
-    options.own_key = folder.write("own.key_secret", own, true);
+    options.server_key = files.write("server.key", server, false);
+    options.own_key = files.write("own.key_secret", own, true);
     Client client(listener.endpoint(), options);
     CHECK_THROWS_MATCHES(client.health(), StatusError, says("not use encryption"));
 }
 
 TEST_CASE("Key files that cannot be used are refused before anything is sent", "[client]") {
-    const Folder folder;
+    const KeyFiles files;
     const Pair keys;
     ClientOptions options;
     const auto refusal = [&](const std::string& text) {
         CHECK_THROWS_MATCHES(Client("tcp://127.0.0.1:1", options), contactd::Error, says(text));
     };
-    options.server_key = folder.write("server.key", keys, false);
+    options.server_key = files.write("server.key", keys, false);
     refusal("own_key is missing");
     options.own_key = options.server_key;
     refusal("holds no secret key");
     options.own_key = "/nonexistent/own.key_secret";
     refusal("/nonexistent/own.key_secret");
-    options.own_key = folder.write("own.key_secret", keys, true);
+    options.own_key = files.write("own.key_secret", keys, true);
     fs::permissions(options.own_key, fs::perms::others_read, fs::perm_options::add);
     refusal("chmod 600");
 }

@@ -14,26 +14,12 @@
 
 #include "contactd/client/client.hpp"
 #include "contactd/client/session.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace std::chrono_literals;
 using Catch::Approx;
 
 namespace {
-
-/// A folder that is gone at the end.
-class Folder {
-   public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "contactd-test-XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    const std::filesystem::path& path() const { return path_; }
-
-   private:
-    std::filesystem::path path_;
-};
 
 /// A daemon that is ended with the test.
 class Daemon {
@@ -52,7 +38,7 @@ class Daemon {
     const std::string& endpoint() const { return endpoint_; }
 
    private:
-    Folder folder_;
+    contactd::TemporaryFolder folder_;
     std::string endpoint_;
     reproc::process process_;  // ended before the folder goes
 };

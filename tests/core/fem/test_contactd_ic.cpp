@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "contactd/ic_store.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;
@@ -39,25 +40,19 @@ int exit_code(int status) {
 class Folder {
    public:
     Folder() {
-        std::string name = (fs::temp_directory_path() / "contactd-ic-test-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path_ = name;
         ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
         ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
 
-    fs::path operator/(const char* name) const { return path_ / name; }
-    void write(const char* name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+    fs::path operator/(const char* name) const { return folder_.path() / name; }
+    void write(const char* name, const std::string& text) const { std::ofstream(folder_.path() / name) << text; }
     std::string read(const char* name) const {
         std::ostringstream text;
-        text << std::ifstream(path_ / name).rdbuf();
+        text << std::ifstream(folder_.path() / name).rdbuf();
         return text.str();
     }
     std::string redirected(const std::string& command) const {
-        return "cd '" + path_.string() + "' && exec " + command + " > out.txt 2> err.txt";
+        return "cd '" + folder_.path().string() + "' && exec " + command + " > out.txt 2> err.txt";
     }
     int run(const std::string& command) const { return exit_code(std::system(redirected(command).c_str())); }
     std::string last_line() const {
@@ -76,13 +71,14 @@ class Folder {
     }
     std::vector<std::string> files() const {
         std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+        for (const auto& entry : fs::directory_iterator(folder_.path()))
+            names.push_back(entry.path().filename().string());
         std::sort(names.begin(), names.end());
         return names;
     }
 
    private:
-    fs::path path_;
+    TemporaryFolder folder_;
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "contactd/error.hpp"
 #include "contactd/subsurface.hpp"
+#include "influence/quadrature.hpp"
 #include "point_stresses.hpp"
-#include "quadrature.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "../../core/src/store/sha256.hpp"
-#include "../../core/src/store/writer.hpp"
+#include "../../../core/src/store/sha256.hpp"
+#include "../../../core/src/store/writer.hpp"
 #include "contactd/table_lock.hpp"
 #include "ic_records.hpp"
 
@@ -49,7 +49,7 @@ void rewrite(const fs::path& path, const std::function<void(std::string&)>& chan
 
 TEST_CASE("A larger table serves a smaller extent, the smallest that covers it is taken") {
     const TemporaryFolder folder;
-    const IcStore store = quiet_store(folder.path);
+    const IcStore store = quiet_store(folder.path());
     write_ic_file(store.path_of(fem_spec(40, 40)), record_of(fem_spec(40, 40)));
     write_ic_file(store.path_of(fem_spec(10, 12)), record_of(fem_spec(10, 12)));
 
@@ -59,13 +59,13 @@ TEST_CASE("A larger table serves a smaller extent, the smallest that covers it i
 
     store.remove_covered_by(fem_spec(40, 40));
     CHECK(store.find(fem_spec(9, 9))->table.nx == 40);
-    CHECK(files_in(folder.path) == 1);
+    CHECK(files_in(folder.path()) == 1);
 }
 
 TEST_CASE("A damaged table is set aside, reported and not served") {
     const TemporaryFolder folder;
     std::vector<std::string> reports;
-    const IcStore store(folder.path, [&](const std::string& text) { reports.push_back(text); });
+    const IcStore store(folder.path(), [&](const std::string& text) { reports.push_back(text); });
     const IcSpec spec = fem_spec(6, 6);
     const fs::path path = store.path_of(spec);
     write_ic_file(path, record_of(spec));
@@ -107,55 +107,55 @@ TEST_CASE("A damaged table is set aside, reported and not served") {
     CHECK_FALSE(store.find(spec).has_value());
     CHECK(reports.size() == 1);
     CHECK_FALSE(fs::exists(path));
-    CHECK(files_in(folder.path / "quarantine") == 1);
+    CHECK(files_in(folder.path() / "quarantine") == 1);
 }
 
 TEST_CASE("Sweeping removes what a killed writer left, nothing else") {
     const TemporaryFolder folder;
-    const IcStore store = quiet_store(folder.path);
+    const IcStore store = quiet_store(folder.path());
     write_ic_file(store.path_of(fem_spec(4, 4)), record_of(fem_spec(4, 4)));
-    std::ofstream(folder.path / "left.over.tmp") << "half a table";
-    std::ofstream(folder.path / "notes.txt") << "mine";
+    std::ofstream(folder.path() / "left.over.tmp") << "half a table";
+    std::ofstream(folder.path() / "notes.txt") << "mine";
 
     CHECK(store.sweep() == 1);
-    CHECK(files_in(folder.path) == 2);
+    CHECK(files_in(folder.path()) == 2);
 }
 
 TEST_CASE("Sweeping leaves what a living writer, or one on another machine, may still be writing") {
     const TemporaryFolder folder;
-    const IcStore store = quiet_store(folder.path);
+    const IcStore store = quiet_store(folder.path());
     const std::string mine = writer_name();
     const std::string boot = mine.substr(0, mine.find('-'));
-    std::ofstream(folder.path / ("k.4x4.h5." + boot + "-4194304-1-" + "here.0.tmp")) << "its writer is dead";
-    std::ofstream(folder.path / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp") << "who knows";
-    const fs::path locked = folder.path / ("k.4x4.h5." + mine + ".0.tmp");
+    std::ofstream(folder.path() / ("k.4x4.h5." + boot + "-4194304-1-" + "here.0.tmp")) << "its writer is dead";
+    std::ofstream(folder.path() / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp") << "who knows";
+    const fs::path locked = folder.path() / ("k.4x4.h5." + mine + ".0.tmp");
     std::ofstream(locked) << "being written";
     const int fd = ::open(locked.c_str(), O_RDONLY);
     REQUIRE(::flock(fd, LOCK_EX) == 0);
 
     CHECK(store.sweep() == 1);
     CHECK(fs::exists(locked));
-    CHECK(fs::exists(folder.path / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp"));
+    CHECK(fs::exists(folder.path() / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp"));
     ::close(fd);
 }
 
 TEST_CASE("A lock of a build is had once, and its file goes with it") {
     const TemporaryFolder folder;
-    const IcStore store = quiet_store(folder.path);
+    const IcStore store = quiet_store(folder.path());
     {
         TableLock first(store.lock_of("key")), second(store.lock_of("key"));
         CHECK(first.try_lock() == TableLock::State::held);
         CHECK(second.try_lock() == TableLock::State::busy);
         CHECK(store.sweep() == 0);
     }
-    CHECK(files_in(folder.path) == 0);
-    TableLock nowhere(folder.path / "missing" / "key.lock");
+    CHECK(files_in(folder.path()) == 0);
+    TableLock nowhere(folder.path() / "missing" / "key.lock");
     CHECK(nowhere.try_lock() == TableLock::State::unavailable);
 }
 
 TEST_CASE("Eviction takes damaged tables, then those unused for longest, and never those to be kept") {
     const TemporaryFolder folder;
-    const IcStore store = quiet_store(folder.path);
+    const IcStore store = quiet_store(folder.path());
     std::vector<IcSpec> specs;
     for (const double f : {1.1, 1.2, 1.3, 1.4}) {
         specs.push_back(fem_spec(4, 4));
@@ -163,14 +163,14 @@ TEST_CASE("Eviction takes damaged tables, then those unused for longest, and nev
         write_ic_file(store.path_of(specs.back()), record_of(specs.back()));
     }
     const std::uintmax_t size = fs::file_size(store.path_of(specs[0]));
-    fs::create_directories(folder.path / "quarantine");
-    std::ofstream(folder.path / "quarantine" / "k.4x4.h5.1") << std::string(size, ' ');
+    fs::create_directories(folder.path() / "quarantine");
+    std::ofstream(folder.path() / "quarantine" / "k.4x4.h5.1") << std::string(size, ' ');
     // Clocks that were ahead once and are not any more must not turn the order round.
     const auto ahead = fs::file_time_type::clock::now() + std::chrono::hours(24 * 365);
     for (const IcSpec& spec : specs) fs::last_write_time(store.path_of(spec), ahead);
 
     CHECK(store.evict(4 * size, {}, {}).empty());
-    CHECK(files_in(folder.path / "quarantine") == 0);
+    CHECK(files_in(folder.path() / "quarantine") == 0);
 
     store.note_use(store.path_of(specs[0]));
     CHECK(store.find(specs[1]).has_value());

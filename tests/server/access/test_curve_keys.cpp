@@ -1,4 +1,3 @@
-#include <unistd.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -11,6 +10,7 @@
 #include "access/curve_keys.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/key_file.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace fs = std::filesystem;
 using namespace contactd::server;
@@ -20,13 +20,6 @@ using contactd::proto::parse_key_file;
 
 namespace {
 
-/// A folder that is gone with the test.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("contactd-test-keys-" + std::to_string(::getpid()));
-    Folder() { fs::create_directory(path); }
-    ~Folder() { fs::remove_all(path); }
-};
-
 void replace_content(const fs::path& path, const std::string& text) {
     std::ofstream(path, std::ios::trunc) << text;
 }
@@ -34,8 +27,8 @@ void replace_content(const fs::path& path, const std::string& text) {
 }  // namespace
 
 TEST_CASE("Keys that were made are read back, the public one as the secret file has it") {
-    const Folder folder;
-    const NewKeys made = generate_keys(folder.path, "alice");
+    const contactd::TemporaryFolder folder;
+    const NewKeys made = generate_keys(folder.path(), "alice");
     const auto secret_file = contactd::proto::read_key_file(made.secret_file);
     const auto public_file = contactd::proto::read_key_file(made.public_file);
 
@@ -47,12 +40,12 @@ TEST_CASE("Keys that were made are read back, the public one as the secret file 
 }
 
 TEST_CASE("The name of a file in the folder is the user, and other files do not count") {
-    const Folder folder;
-    const NewKeys alice = generate_keys(folder.path, "alice");
-    generate_keys(folder.path, "bob");
-    replace_content(folder.path / "README", "who is who");
+    const contactd::TemporaryFolder folder;
+    const NewKeys alice = generate_keys(folder.path(), "alice");
+    generate_keys(folder.path(), "bob");
+    replace_content(folder.path() / "README", "who is who");
     std::vector<std::string> problems;
-    const AllowedKeys keys = AllowedKeys::read(folder.path, problems);
+    const AllowedKeys keys = AllowedKeys::read(folder.path(), problems);
 
     CHECK(problems.empty());
     CHECK(keys.size() == 2);
@@ -63,8 +56,8 @@ TEST_CASE("The name of a file in the folder is the user, and other files do not 
 }
 
 TEST_CASE("A secret key that others can read is refused") {
-    const Folder folder;
-    const NewKeys made = generate_keys(folder.path, "server");
+    const contactd::TemporaryFolder folder;
+    const NewKeys made = generate_keys(folder.path(), "server");
     fs::permissions(made.secret_file, fs::perms::group_read, fs::perm_options::add);
     CHECK_THROWS_MATCHES(read_secret_key(made.secret_file), contactd::Error,
                          MessageMatches(ContainsSubstring("chmod 600")));

@@ -10,7 +10,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
-#include "half_space_cases.hpp"
+#include "influence/half_space_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

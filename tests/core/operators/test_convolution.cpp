@@ -4,7 +4,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <thread>
 
-#include "contact_cases.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/convolution.hpp"
 #include "contactd/error.hpp"
 

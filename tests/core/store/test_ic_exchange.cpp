@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "contact_cases.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/observer.hpp"

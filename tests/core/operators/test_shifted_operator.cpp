@@ -6,7 +6,7 @@
 #include "contactd/convolution.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/shifted_operator.hpp"
-#include "half_space_cases.hpp"
+#include "influence/half_space_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -1,28 +1,15 @@
-// Records and folders of the tests of keys, files and the store.
+// Records of the tests of keys, files and the store.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
 #include "contactd/ic_store.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace contactd {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own that goes away with the test.
-class TemporaryFolder {
-   public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "contactd-store-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path = name;
-    }
-    ~TemporaryFolder() { fs::remove_all(path); }
-    fs::path path;
-};
 
 inline IcSpec fem_spec(int nx, int ny) {
     IcSpec spec;

@@ -54,8 +54,8 @@ TEST_CASE("A written table reads back as it was") {
     const TemporaryFolder folder;
     const IcRecord written = record_of(fem_spec(5, 3));
 
-    write_ic_file(folder.path / "table.h5", written);
-    const IcRecord read = read_ic_file(folder.path / "table.h5");
+    write_ic_file(folder.path() / "table.h5", written);
+    const IcRecord read = read_ic_file(folder.path() / "table.h5");
 
     CHECK(read.spec == written.spec);
     CHECK(read.table.nx == 5);
@@ -76,7 +76,7 @@ TEST_CASE("A written table reads back as it was") {
     CHECK_FALSE(read.evidence.mesh.has_value());
     CHECK(read.evidence.family_nu.empty());
     CHECK(read.family.empty());
-    CHECK(files_in(folder.path) == 1);
+    CHECK(files_in(folder.path()) == 1);
 }
 
 TEST_CASE("Every kind of spec reads back as it was") {
@@ -102,17 +102,17 @@ TEST_CASE("Every kind of spec reads back as it was") {
         spec.body = BodyShape::half_space;
     }
     const IcRecord written = record_of(spec);
-    write_ic_file(folder.path / "table.h5", written);
+    write_ic_file(folder.path() / "table.h5", written);
 
-    CHECK(read_ic_file(folder.path / "table.h5").spec == written.spec);
+    CHECK(read_ic_file(folder.path() / "table.h5").spec == written.spec);
 }
 
 TEST_CASE("A family reads back with all its tables") {
     const TemporaryFolder folder;
     const IcRecord written = family_of(fem_spec(5, 3), 4);
 
-    write_ic_file(folder.path / "family.h5", written);
-    const IcRecord read = read_ic_file(folder.path / "family.h5");
+    write_ic_file(folder.path() / "family.h5", written);
+    const IcRecord read = read_ic_file(folder.path() / "family.h5");
 
     CHECK(read.spec == written.spec);
     CHECK(read.evidence.family_nu == written.evidence.family_nu);
@@ -144,9 +144,9 @@ TEST_CASE("A family that does not hold together is damaged") {
     SECTION("of another extent than its table") {
         record.table = IcTable(4, 3);
     }
-    write_ic_file(folder.path / "family.h5", record);
+    write_ic_file(folder.path() / "family.h5", record);
 
-    CHECK_THROWS_AS(read_ic_file(folder.path / "family.h5"), DamagedTable);
+    CHECK_THROWS_AS(read_ic_file(folder.path() / "family.h5"), DamagedTable);
 }
 
 TEST_CASE("Writing where nothing can be written is an error that names the file") {
