@@ -1,6 +1,7 @@
 """The configuration: what it takes, and what it answers to mistakes."""
 
 import json
+import socket
 import subprocess
 
 import pytest
@@ -86,6 +87,28 @@ def test_a_free_port_of_tcp_is_announced(daemons):
     assert daemon.endpoint.startswith("tcp://127.0.0.1:")
     with Client(daemon.endpoint) as client:
         assert client.health() == "serving"
+
+
+def has_ipv6() -> bool:
+    try:
+        with socket.socket(socket.AF_INET6) as probe:
+            probe.bind(("::1", 0))
+    except OSError:
+        return False
+    return True
+
+
+@pytest.mark.skipif(not has_ipv6(), reason="this machine has no IPv6")
+def test_an_address_of_ipv6_is_served(daemons):
+    daemon = daemons.start(endpoint="tcp://[::1]:*")
+    assert daemon.endpoint.startswith("tcp://[::1]:")
+    with Client(daemon.endpoint) as client:
+        assert client.health() == "serving"
+    assert "user=\"::1\"" in daemon.log
+    ping = subprocess.run([BIN / "contactd", "--ping", daemon.endpoint], capture_output=True, text=True, timeout=30)
+    assert ping.stdout == "serving\n"
+    example = subprocess.run([BIN / "contactd-cpp-example", daemon.endpoint], capture_output=True, text=True, timeout=60)
+    assert example.stdout.startswith("Fn "), example.stderr
 
 
 def test_limits_of_the_configuration_are_published(daemons):

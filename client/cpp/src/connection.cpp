@@ -102,6 +102,8 @@ void Connection::connect() {
     socket_.set(zmq::sockopt::immediate, true);
     socket_.set(zmq::sockopt::sndtimeo,
                 static_cast<int>(std::clamp(connect_timeout_, milliseconds{0}, longest_timeout).count()));
+    // Not for names: what they stand for would be looked for among IPv6 addresses first.
+    socket_.set(zmq::sockopt::ipv6, endpoint_.starts_with("tcp://["));
     try {
         if (keys_) keys_->apply(socket_);
         socket_.connect(endpoint_);

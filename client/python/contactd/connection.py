@@ -50,6 +50,8 @@ class Connection:
         # Notices a machine that went away without a word; the other side's libzmq answers by itself.
         self._socket.setsockopt(zmq.HEARTBEAT_IVL, 10_000)
         self._socket.setsockopt(zmq.HEARTBEAT_TIMEOUT, 30_000)
+        # Not for names: what they stand for would be looked for among IPv6 addresses first.
+        self._socket.setsockopt(zmq.IPV6, endpoint.startswith("tcp://["))
         if curve is not None:
             curve.apply(self._socket)
         self._monitor: zmq.Socket[bytes] = self._socket.get_monitor_socket(_EVENTS)

@@ -32,6 +32,7 @@ class Lane:
         self.client, self.daemon = client, daemon
         self.socket = context.socket(zmq.DEALER)
         self.socket.setsockopt(zmq.LINGER, 1000)
+        self.socket.setsockopt(zmq.IPV6, daemon.startswith("tcp://["))
         self.monitor = self.socket.get_monitor_socket(zmq.EVENT_CONNECTED | zmq.EVENT_DISCONNECTED)
         self.connected = False
         self.socket.connect(daemon)
@@ -75,6 +76,7 @@ class Proxy:
         self._front = self._context.socket(zmq.ROUTER)
         self._front.setsockopt(zmq.LINGER, 1000)
         self._front.setsockopt(zmq.ROUTER_MANDATORY, 1)
+        self._front.setsockopt(zmq.IPV6, address.startswith("tcp://["))
         self._front.bind(address)
         self.address = self._front.getsockopt_string(zmq.LAST_ENDPOINT)
         self._daemons, self._idle_seconds = daemons, idle_seconds

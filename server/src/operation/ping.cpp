@@ -90,6 +90,7 @@ PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::
         zmq::context_t context;
         zmq::socket_t socket(context, zmq::socket_type::dealer);
         socket.set(zmq::sockopt::linger, 0);
+        socket.set(zmq::sockopt::ipv6, endpoint.starts_with("tcp://["));
         encrypt(socket, keys);
         zmq::socket_t failures = failures_of(context, socket);
         socket.connect(endpoint);
