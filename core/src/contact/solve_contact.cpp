@@ -60,8 +60,7 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
     if (problem.model != Model::full && solution.Fn > 0 && solution.contact_elements == 0)
         solution.warnings.push_back(
             "No element has its centre in the contact, which is narrower than the elements or lies beyond the "
-            "potential "
-            "contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
+            "potential contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
     if (solution.border_elements == 0) return;
     const bool one = solution.border_elements == 1;
     solution.warnings.push_back(std::to_string(solution.border_elements) +
