@@ -255,6 +255,8 @@ class Client:
         problems = list(problems)
         if not problems:
             return []
+        for index, problem in enumerate(problems):
+            asked.check_type(f"problems[{index}]", problem, ContactProblem)
         params = {"problems": [asked.problem_params(problem) for problem in problems]}
         result = self.call("contact.solve_many", params, timeout=timeout, on_progress=on_progress)
         answers = result.get("solutions")

@@ -6,6 +6,7 @@ use comes back as InvalidArgument naming the field.
 
 from __future__ import annotations
 
+import reprlib
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -252,6 +253,16 @@ class ContactProblem:
             raise TypeError("ContactProblem() lacks gap")
         if (self.approach is None) == (self.Fn is None):
             raise TypeError("ContactProblem() takes either approach or Fn")
+        check_type("grid", self.grid, Grid)
+        check_type("ics", self.ics, AnalyticIcs, FemIcs, TableIcs)
+        for name in ("upper", "lower"):
+            check_type(name, getattr(self, name), Material, RigidBody, optional=True)
+        check_type("friction", self.friction, Friction, optional=True)
+        for name in ("normal", "tangential", "outer"):
+            check_type(name, getattr(self, name), SolverSettings, optional=True)
+        for name in ("initial", "previous"):
+            if (tractions := getattr(self, name)) is not None and not hasattr(tractions, "pressure"):
+                raise TypeError(f"{name} is {reprlib.repr(tractions)}; it must be a solution or an Estimate")
 
     def replace(self, **changes: Any) -> ContactProblem:
         """The same problem with some fields changed; Fn takes the place of the approach, and the other way round."""
@@ -259,6 +270,14 @@ class ContactProblem:
             if changes.get(given) is not None:
                 changes.setdefault(other, None)
         return replace(self, **changes)
+
+
+def check_type(name: str, value: object, *types: type, optional: bool = False) -> None:
+    """Raises TypeError when `value` is of none of the types; what is in it is the daemon's business."""
+    if isinstance(value, types) or (optional and value is None):
+        return
+    words = " or ".join(kind.__name__ for kind in types)
+    raise TypeError(f"{name} is {reprlib.repr(value)}; it must be of type {words}")
 
 
 def ics_params(ics: Ics) -> dict[str, Any]:
@@ -269,6 +288,9 @@ def ics_params(ics: Ics) -> dict[str, Any]:
 
 def table_params(material: Material, grid: Grid, ics: Ics) -> dict[str, Any]:
     """The parameters of ic.get; where the grid lies does not matter to a table."""
+    check_type("material", material, Material)
+    check_type("grid", grid, Grid)
+    check_type("ics", ics, AnalyticIcs, FemIcs)
     extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
     return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}
 

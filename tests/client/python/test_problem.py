@@ -115,6 +115,29 @@ def test_either_the_approach_or_the_force_is_given(load):
         ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(Rx=50), **load)
 
 
+@pytest.mark.parametrize(
+    ("field", "value", "kind"),
+    [
+        ("grid", (20, 20, 0.1, 0.1), "Grid"),
+        ("upper", {"G": 200, "nu": 0.42}, "Material or RigidBody"),
+        ("lower", "steel", "Material or RigidBody"),
+        ("ics", "fem", "AnalyticIcs or FemIcs or TableIcs"),
+        ("friction", 0.3, "Friction"),
+        ("normal", 1e-8, "SolverSettings"),
+        ("previous", 3, "a solution or an Estimate"),
+    ],
+)
+def test_a_part_of_another_type_is_named_with_the_right_one(field, value, kind):
+    good = {"grid": Grid(4, 4, 1, 1), "upper": Material(1, 0.3), "gap": Paraboloid(Rx=1), "approach": 0.1}
+    with pytest.raises(TypeError, match=f"^{field} is .*; it must be .*{kind}"):
+        ContactProblem(**{**good, field: value})
+
+
+def test_a_table_request_takes_material_before_grid():
+    with pytest.raises(TypeError, match="^material is Grid.*; it must be of type Material"):
+        table_params(Grid(4, 4, 1, 1), Material(1, 0.3), AnalyticIcs())
+
+
 def test_a_gap_is_required():
     with pytest.raises(TypeError, match="lacks gap"):
         ContactProblem(grid=GRID, upper=STEEL, approach=0.02)
