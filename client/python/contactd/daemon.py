@@ -31,7 +31,8 @@ class LocalDaemon:
     `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it.
     `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
     `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
-    the caller only, who ends the daemon by leaving the block.
+    the caller only, who ends the daemon by leaving the block. A caller that is killed, or ends by SIGTERM without a
+    handler of its own, leaves the daemon running.
     """
 
     def __init__(
