@@ -72,6 +72,7 @@ RollingBodies TangentialStep::bodies() const {
 // knows no step before.
 void TangentialStep::begin(const Tractions& before) {
     before_ = before;
+    is_first_ = true;
     history_ = Field(n_);
     if (rolling() && rolling()->steady) return;
     Field u(n_);
@@ -160,10 +161,16 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
         const TangentialForces forces = tangential_forces(problem_.grid, last.x, last.y);
         return {forces.Fx, forces.Fy, solution.evidence.converged};
     };
-    const PrescribedForces forces = prescribed_forces(bound);
+    PrescribedForces forces = prescribed_forces(bound);
+    const double missing = is_first_ ? 0 : reduce_to_bound(forces);
+    is_first_ = false;
     const RigidSlipForForces found = find_rigid_slip(forces, problem_.outer_settings, solve, observer);
     set_translation(motion_, found.wx / unit_, found.wy / unit_);
     force_evidence_ = found.evidence;
+    if (missing > 0) {
+        force_evidence_->converged = false;
+        force_evidence_->residual = missing;
+    }
     solution.evidence.iterations = all.iterations;
     solution.evidence.seconds = all.seconds;
     return solution;
@@ -195,6 +202,19 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
     forces.wx = shift.x;
     forces.wy = shift.y;
     return forces;
+}
+
+// A force beyond the first bound of a step is refused. Later ones belong to an iterate, of which nobody should hear:
+// where friction has fallen below the force, or the pressure has, the force is what they carry until they rise again.
+// Returns what is missing, over the bound.
+double TangentialStep::reduce_to_bound(PrescribedForces& forces) const {
+    constexpr double carried = 0.99;  // all of it needs an infinite slip
+    const double force = std::hypot(forces.Fx.value_or(0), forces.Fy.value_or(0));
+    if (force <= forces.largest) return 0;
+    const double part = carried * forces.largest / force;
+    for (std::optional<double>* component : {&forces.Fx, &forces.Fy})
+        if (*component) **component *= part;
+    return forces.largest > 0 ? force / forces.largest - carried : 1;
 }
 
 RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,

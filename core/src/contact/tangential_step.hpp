@@ -45,6 +45,7 @@ class TangentialStep {
     void add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,
                        RollingSolution& solution) const;
     PrescribedForces prescribed_forces(std::span<const double> bound) const;
+    double reduce_to_bound(PrescribedForces& forces) const;
     RollingSolution solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,
                                     Observer& observer);
     RollingSolution solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
@@ -58,6 +59,7 @@ class TangentialStep {
     Tractions before_;
     Field history_;  // what slip owes to the step before
     std::optional<SolverEvidence> force_evidence_;
+    bool is_first_ = true;  // solve of this step
 };
 
 }  // namespace contactd

@@ -179,3 +179,23 @@ TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
     REQUIRE(solution.warnings.size() == 1);
     CHECK(solution.warnings[0].find("whole contact") != std::string::npos);
 }
+
+TEST_CASE("a force that falling friction cannot hold is not found, and only one beyond static friction refused",
+          "[limits]") {
+    ContactProblem problem = cattaneo_problem(12);
+    problem.Fn = 10;
+    problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0.2, 1e-4};
+    const bool rolls = GENERATE(true, false);
+    const auto pull = [&](double force) {
+        if (rolls)
+            problem.friction->motion = Rolling{.Fx = -force};
+        else
+            problem.friction->motion = Shift{.Fx = -force};
+        return solve_half_spaces(problem);
+    };
+    CHECK(pull(0.3 * 0.4 * 10).converged());
+    const auto most = pull(0.999 * 0.4 * 10);
+    CHECK_FALSE(most.converged());
+    CHECK(std::isfinite(most.force->residual));
+    CHECK_THROWS_AS(pull(1.01 * 0.4 * 10), InvalidArgument);
+}
