@@ -60,6 +60,9 @@ def test_the_client_counts_on_from_a_restored_state(shared):
         session.forget(start)
         with pytest.raises(NotFound):
             session.restore(start)
+        for wrong in (session.restore, session.forget):
+            with pytest.raises(TypeError, match="state is 'yesterday'; it must be of type SavedState"):
+                wrong("yesterday")
 
 
 # --- the end of sessions, and limits ---------------------------------------------------------------------------------

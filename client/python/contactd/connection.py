@@ -62,7 +62,7 @@ class Connection:
         except zmq.ZMQError as error:
             self.close()
             raise ConnectionFailed(
-                f"{endpoint!r} is no endpoint one can connect to ({zmq.strerror(error.errno)}); "
+                f"{endpoint!r} is no endpoint one can connect to ({zmq.strerror(error.errno or 0)}); "
                 "it must read like tcp://127.0.0.1:5555 or ipc:///path."
             ) from None
 

@@ -5,6 +5,7 @@ Slip is that of the upper body over the lower one; in slip the traction on the u
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -103,6 +104,6 @@ class Friction:
 
 
 def _motion(given: dict[str, Any]) -> dict[str, Any]:
-    """With pairs as lists, whatever sequence they were given as."""
-    pairs: dict[str, Any] = {name: list(given[name]) for name in ("rigid_shift", "force") if name in given}
-    return {**given, **pairs}
+    """With pairs as lists, whatever sequence they were given as. What is no sequence is the daemon's to refuse."""
+    pairs = {name: given[name] for name in ("rigid_shift", "force") if isinstance(given.get(name), Iterable)}
+    return {**given, **{name: list(pair) for name, pair in pairs.items()}}

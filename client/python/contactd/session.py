@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolError, TimeoutExpired
 from .friction import Force, Friction, Motion, RollingKind
-from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, gap_params, problem_params
+from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, check_type, gap_params, problem_params
 from .reading import read
 from .solution import Areas, Counts, Forces, IcUse, Progress, SolverEvidence, WithForces
 
@@ -232,11 +232,13 @@ class Session:
 
     def restore(self, state: SavedState, *, timeout: float | None = None) -> None:
         """Takes the session to a saved state, which stays: as often as wanted."""
+        check_type("state", state, SavedState)
         result = self._insist("session.restore", {"session": self._name, "state": state.name}, timeout, None)
         self.step_number = int(result["step"])
 
     def forget(self, state: SavedState, *, timeout: float | None = None) -> None:
         """Frees a saved state."""
+        check_type("state", state, SavedState)
         self._client.call("session.forget", {"session": self._name, "state": state.name}, timeout=timeout)
 
     def _friction(

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import invalid, plain
-from .problem import Array, ContactProblem, Estimate, RigidBody, traction_params
+from .problem import Array, ContactProblem, Estimate, RigidBody, check_type, traction_params
 from .solution import ContactSolution
 
 __all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
@@ -78,6 +78,7 @@ def subsurface_params(
     if (points is None) == (block is None):
         raise TypeError("subsurface() takes either points or block")
     if block is not None:
+        check_type("block", block, StressBlock)
         axes = {name: np.atleast_1d(np.asarray(getattr(block, name))) for name in "xyz"}
         for name, values in axes.items():
             if values.ndim != 1:

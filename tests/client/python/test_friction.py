@@ -82,6 +82,10 @@ def test_pairs_may_be_any_sequence():
     assert friction.params() == {"mu": 0.4, "rigid_shift": [0.1, 0.2], "force": [1.0, 2.0]}
 
 
+def test_what_is_no_pair_goes_out_for_the_daemon_to_refuse():
+    assert Friction(0.4, rigid_shift=0.1).params()["rigid_shift"] == 0.1
+
+
 def test_friction_needs_a_motion():
     with pytest.raises(TypeError, match="rigid_shift, force or rolling"):
         Friction(mu=0.4)

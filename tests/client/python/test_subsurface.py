@@ -95,6 +95,11 @@ def test_points_that_are_no_triples_are_refused(points):
     assert caught.value.reason == "ARRAY_INVALID"
 
 
+def test_a_block_is_a_stress_block():
+    with pytest.raises(TypeError, match=r"block is \(0, 0, -1\); it must be of type StressBlock"):
+        params(block=(0, 0, -1))
+
+
 def test_an_axis_of_a_block_is_one_axis():
     with pytest.raises(InvalidArgument, match=r"block\.y has shape \[1, 2\]"):
         params(block=StressBlock(0, [[0, 1]], 0))
