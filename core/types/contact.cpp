@@ -6,6 +6,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/hertz.hpp"
+#include "magnitude.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -36,6 +37,7 @@ void check_finite(double value, const std::string& field, const char* meaning) {
 void check_positive(double value, const std::string& field) {
     if (!(std::isfinite(value) && value > 0))
         throw InvalidArgument(field, "is " + number_text(value) + "; it must be positive and finite");
+    check_magnitude(value, field);
 }
 
 void check_settings(const SolverSettings& settings, const std::string& field) {
@@ -50,6 +52,7 @@ void check_settings(const SolverSettings& settings, const std::string& field) {
 void check_radius(double radius, const char* field) {
     if (std::isnan(radius) || radius == 0)
         throw InvalidArgument(field, "is " + number_text(radius) + "; it must be a length other than zero");
+    check_magnitude(radius, field);
 }
 
 void check_gap(const ContactProblem& problem) {

@@ -28,14 +28,14 @@ void check_element_size(double size, double of_grid, const char* field, const ch
 }
 
 // Products of larger or smaller numbers leave the range of a double.
-constexpr double largest = 1e100, smallest = 1e-100;
+constexpr double largest_coefficient = 1e100, smallest_coefficient = 1e-100;
 
 void check_size(const IcTable& table) {
     for (const Axis i : {x, y, z})
         for (const Axis j : {x, y, z})
             for (int l = 0; l < table.ny; ++l)
                 for (int k = 0; k < table.nx; ++k)
-                    if (!(std::abs(table(i, j, k, l)) <= largest))
+                    if (!(std::abs(table(i, j, k, l)) <= largest_coefficient))
                         throw InvalidArgument("ics.table", "holds " + number_text(table(i, j, k, l)) + " for " +
                                                                place_of(i, j, k, l) +
                                                                "; every value must be finite, from -1e100 to 1e100");
@@ -47,7 +47,7 @@ void check_is_elastic(const IcTable& table, Axis i) {
     if (own <= 0)
         throw InvalidArgument("ics.table", "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) +
                                                "; it must be positive: a body yields in the direction of its load");
-    if (own < smallest)
+    if (own < smallest_coefficient)
         throw InvalidArgument(
             "ics.table", "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) + "; it must be 1e-100 at least");
     const double most = own * (1 + 1e-9);

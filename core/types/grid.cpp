@@ -4,6 +4,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "magnitude.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -16,6 +17,7 @@ void validate(const Grid& grid, const char* field) {
     const auto size = [&](double d, const char* which) {
         if (!std::isfinite(d) || d <= 0)
             throw InvalidArgument(name + which, "is " + number_text(d) + "; it must be a positive, finite length");
+        check_magnitude(d, name + which);
     };
     const auto corner = [&](double c, const char* which) {
         if (!std::isfinite(c)) throw InvalidArgument(name + which, "is not finite; it must be a length");

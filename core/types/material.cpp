@@ -4,6 +4,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "magnitude.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -22,6 +23,7 @@ void validate(const Material& material, const char* field, bool incompressible_a
     const std::string name = field;
     if (!std::isfinite(material.G) || material.G <= 0)
         throw InvalidArgument(name + ".G", "is " + number_text(material.G) + "; it must be a positive, finite number");
+    check_magnitude(material.G, name + ".G");
     if (!(material.nu >= 0 && material.nu <= 0.5))
         throw InvalidArgument(name + ".nu", "is " + number_text(material.nu) + "; it must lie in [0, 0.5]");
     if (material.nu == 0.5 && !incompressible_allowed)

@@ -113,6 +113,22 @@ TEST_CASE("numbers whose squares leave the range of a double are refused by name
         problem.gap = values;
         field = "gap";
     }
+    SECTION("radius") {
+        problem.gap = Paraboloid{1, -1e-160};
+        field = "gap.paraboloid.Ry";
+    }
+    SECTION("semi-axis") {
+        problem.gap = SemiAxes{1e-60, 1};
+        field = "gap.semi_axes.a";
+    }
+    SECTION("element") {
+        problem.grid.dy = 1e-160;
+        field = "grid.dy";
+    }
+    SECTION("modulus") {
+        problem.bodies.lower.G = 1e-160;
+        field = "bodies.lower.G";
+    }
     SECTION("step before") {
         problem.previous.traction_x = values;
         field = "previous.traction_x";

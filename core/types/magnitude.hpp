@@ -1,0 +1,19 @@
+// How small lengths and moduli may be.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "number_text.hpp"
+
+namespace contactd {
+
+/// For quotients and powers of such values, which otherwise leave the range of a double: curvatures, areas, tables.
+inline void check_magnitude(double value, const std::string& field) {
+    constexpr double smallest = 1e-30;
+    if (std::abs(value) < smallest)
+        throw InvalidArgument(field, "is " + number_text(value) + "; its size must be 1e-30 at least");
+}
+
+}  // namespace contactd
