@@ -12,9 +12,6 @@
 namespace contactd {
 namespace {
 
-// Products of larger numbers leave the range of a double.
-constexpr double largest = 1e100;
-
 void check_array(const std::vector<double>& values, std::size_t size, const char* field) {
     if (values.size() != size)
         throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
@@ -22,7 +19,7 @@ void check_array(const std::vector<double>& values, std::size_t size, const char
     if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
         throw InvalidArgument(field, "holds a value that is not finite");
     for (const double value : values)
-        if (std::abs(value) > largest)
+        if (std::abs(value) > largest_magnitude)
             throw InvalidArgument(field, "holds " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
 }
 

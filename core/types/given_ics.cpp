@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "magnitude.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -27,15 +28,15 @@ void check_element_size(double size, double of_grid, const char* field, const ch
                                      " along " + axis + ", and a table holds for one element size only");
 }
 
-// Products of larger or smaller numbers leave the range of a double.
-constexpr double largest_coefficient = 1e100, smallest_coefficient = 1e-100;
+// Squares of smaller numbers leave the range of a double.
+constexpr double smallest_coefficient = 1e-100;
 
 void check_size(const IcTable& table) {
     for (const Axis i : {x, y, z})
         for (const Axis j : {x, y, z})
             for (int l = 0; l < table.ny; ++l)
                 for (int k = 0; k < table.nx; ++k)
-                    if (!(std::abs(table(i, j, k, l)) <= largest_coefficient))
+                    if (!(std::abs(table(i, j, k, l)) <= largest_magnitude))
                         throw InvalidArgument("ics.table", "holds " + number_text(table(i, j, k, l)) + " for " +
                                                                place_of(i, j, k, l) +
                                                                "; every value must be finite, from -1e100 to 1e100");

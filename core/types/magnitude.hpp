@@ -1,4 +1,4 @@
-// How small lengths and moduli may be.
+// How large and how small numbers of a problem may be.
 #pragma once
 
 #include <cmath>
@@ -8,6 +8,9 @@
 #include "number_text.hpp"
 
 namespace contactd {
+
+/// Of arrays: products of larger numbers leave the range of a double.
+constexpr double largest_magnitude = 1e100;
 
 /// For quotients and powers of such values, which otherwise leave the range of a double: curvatures, areas, tables.
 inline void check_magnitude(double value, const std::string& field) {

@@ -36,7 +36,7 @@ void sum_up(const Grid& grid, ContactSolution& solution) {
 }
 
 /// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
-/// what the tolerance leaves.
+/// what the tolerance leaves, and so is a sum below zero.
 void take_friction_losses(const ContactProblem& problem, ContactSolution& solution) {
     if (!solution.motion) return;
     double work = 0;
