@@ -1,4 +1,5 @@
-// session.open and session.step: the messages of contact.solve, of which a step carries only what changes.
+// session.open, session.info and session.step: the messages of contact.solve, of which a step carries only what
+// changes.
 #include "contactd/proto/session.hpp"
 
 #include <array>
@@ -99,6 +100,28 @@ json encode_session_reply(const SessionReply& reply) {
             {"step", 0},
             {"ics", encode_uses(reply.upper, reply.lower, reply.pair)},
             {"bytes", reply.bytes}};
+}
+
+json encode_session_info(const SessionInfo& info) {
+    json result{{"step", info.step},
+                {"lease_seconds", info.lease_seconds},
+                {"states", info.states},
+                {"bytes", info.bytes},
+                {"grid", encode_grid(info.grid)},
+                {"ics", encode_uses(info.upper, info.lower, info.pair)}};
+    if (info.rolls) result["motion"] = *info.rolls ? "rolling" : "shift";
+    return result;
+}
+
+SessionInfo decode_session_info(const json& result) {
+    SessionInfo info;
+    info.step = result["step"].get<long long>();
+    info.lease_seconds = result["lease_seconds"].get<double>();
+    info.states = result["states"].get<std::size_t>();
+    info.bytes = result["bytes"].get<std::size_t>();
+    info.grid = decode_grid(result["grid"]);
+    if (result.contains("motion")) info.rolls = result["motion"] == "rolling";
+    return info;
 }
 
 json encode_step(const std::string& session, long long step, const StepInput& input, const Grid& grid,

@@ -42,6 +42,7 @@ constexpr Summary summaries[]{
     {"session.open",
      "Opens a session: fixes what the steps of a simulation have in common, and waits until its tables lie ready."},
     {"session.step", "Solves the next step of a session, which starts where the last one ended."},
+    {"session.info", "Tells where a session is, for a client that was handed its name."},
     {"session.save", "Keeps where a session is, for session.restore."},
     {"session.restore", "Takes a session back, or forward, to a saved state; as often as wanted."},
     {"session.forget", "Frees a saved state."},

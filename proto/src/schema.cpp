@@ -83,12 +83,12 @@ std::vector<Violation> violations(const CompiledSchema& rules, const json& docum
 
 const std::vector<std::string>& method_names() {
     static const std::vector<std::string> names{
-        "server.info",    "server.health", "server.describe",    "server.metrics",
-        "health.watch",   "ic.get",        "ic.export",          "ic.list",
-        "ic.delete",      "contact.solve", "contact.solve_many", "contact.subsurface",
-        "session.open",   "session.step",  "session.save",       "session.restore",
-        "session.forget", "session.close", "session.list",       "job.list",
-        "job.cancel",     "request.cancel"};
+        "server.info",     "server.health",  "server.describe",    "server.metrics",
+        "health.watch",    "ic.get",         "ic.export",          "ic.list",
+        "ic.delete",       "contact.solve",  "contact.solve_many", "contact.subsurface",
+        "session.open",    "session.step",   "session.info",       "session.save",
+        "session.restore", "session.forget", "session.close",      "session.list",
+        "job.list",        "job.cancel",     "request.cancel"};
     return names;
 }
 

@@ -130,6 +130,7 @@ Service::Service(const Config& config)
                {"contact.subsurface", {&Service::contact_subsurface, false}},
                {"session.open", {&Service::session_open, false}},
                {"session.step", {&Service::session_step, false, true, proto::Priority::high}},
+               {"session.info", {&Service::session_info, false, true, proto::Priority::high}},
                {"session.save", {&Service::session_save, false, true, proto::Priority::high}},
                {"session.restore", {&Service::session_restore, false, true, proto::Priority::high}},
                {"session.forget", {&Service::session_forget, false, true, proto::Priority::high}},
@@ -326,6 +327,10 @@ void Service::session_open(const CallPtr& call) {
 void Service::session_step(const CallPtr& call) {
     ++counters_.solves;
     step_session(call, solve_tools(), sessions_);
+}
+
+void Service::session_info(const CallPtr& call) {
+    tell_session(call, solve_tools(), sessions_);
 }
 
 void Service::session_save(const CallPtr& call) {

@@ -82,6 +82,7 @@ class Service {
     void contact_subsurface(const CallPtr& call);
     void session_open(const CallPtr& call);
     void session_step(const CallPtr& call);
+    void session_info(const CallPtr& call);
     void session_save(const CallPtr& call);
     void session_restore(const CallPtr& call);
     void session_forget(const CallPtr& call);

@@ -116,3 +116,29 @@ def test_two_sockets_share_a_session_by_its_name(shared, peer, session):
     assert step(peer, session, 1).code == OK
     with shared.peer() as other:
         assert step(other, session, 2).code == OK
+
+
+def test_who_is_handed_the_name_of_a_session_learns_where_it_is(shared, peer, session):
+    assert peer.ask("session.info", {"session": session}).result["step"] == 0
+    step(peer, session, 1)
+    state = peer.ask("session.save", {"session": session}).result["state"]
+    with shared.peer() as other:
+        told = other.ask("session.info", {"session": session}).result
+        assert (told["step"], told["states"]) == (1, 1)
+        assert (told["grid"]["nx"], told["grid"]["ny"]) == (SOLVE["grid"]["nx"], SOLVE["grid"]["ny"])
+        assert step(other, session, told["step"] + 1).code == OK
+    peer.ask("session.forget", {"session": session, "state": state})
+
+
+def test_a_session_tells_its_step_after_the_requests_that_came_before(peer):
+    session = peer.ask("session.open", SOLVE).result["session"]
+    for number in (1, 2, 3):
+        peer.send("session.step", {"session": session, "step": number})
+    peer.send("session.info", {"session": session})
+    assert [peer.reply().result["step"] for _ in range(4)] == [1, 2, 3, 3]
+    assert peer.ask("session.close", {"session": session}).code == OK
+
+
+def test_a_session_that_is_none_tells_nothing(peer):
+    reply = peer.ask("session.info", {"session": "0" * 32})
+    assert (reply.code, reply.reason) == (NOT_FOUND, "SESSION_UNKNOWN")

@@ -14,6 +14,7 @@ void decode(const std::string& method, const nlohmann::json& result, const std::
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
+    if (method == "session.info") decode_session_info(result);
     if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::centred(2, 1, 1, 1));
 }
 

@@ -112,10 +112,10 @@ def test_an_oversize_frame_of_an_allowed_user_costs_that_user_only(daemons, tmp_
     fortress = Fortress(daemons, tmp_path, limits={"max_frame_bytes": 4096, "max_message_bytes": 8192})
     with fortress.client() as careless, fortress.client() as client:
         assert careless.health() == "serving"
-        connection = careless._take()  # the client itself would refuse
+        connection = careless._connections.take()  # the client itself would refuse
         connection._socket.send_multipart([b"{}", bytes(1_000_000)])
         assert client.health() == "serving"
-        careless._give_back(connection, usable=False)
+        careless._connections.give_back(connection, usable=False)
         assert careless.health() == "serving"
 
 
@@ -227,7 +227,7 @@ REQUESTS = [
     ("request.cancel", {"id": "1"}),
     ("session.open", SESSION),
     ("session.step", {"session": "0" * 32, "step": 1, "fields": ["pressure"], "friction": SESSION["friction"]}),
-    *((f"session.{method}", {"session": "0" * 32}) for method in ("save", "close")),
+    *((f"session.{method}", {"session": "0" * 32}) for method in ("info", "save", "close")),
     *((f"session.{method}", {"session": "0" * 32, "state": "state-1"}) for method in ("restore", "forget")),
 ]  # fmt: skip
 

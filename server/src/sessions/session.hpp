@@ -58,6 +58,7 @@ class Session : public std::enable_shared_from_this<Session> {
     /// the solution: whatever fails leaves it as it was.
     void step(const CallPtr& call, const SolveTools& tools);
 
+    const IcAnswers& ics() const { return ics_; }
     SessionStatePtr state() const;
     /// In a turn.
     void set_state(SessionStatePtr state);

@@ -72,6 +72,24 @@ void step_session(const CallPtr& call, const SolveTools& tools, SessionTable& se
         ->take_turn(turn_of(call), [call, tools](Session& session) { session.step(call, tools); }, tools.workers);
 }
 
+void tell_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions) {
+    in_turn(call, tools, sessions, [](Session& session) -> json {
+        const ContactProblem& problem = session.spec.problem;
+        proto::SessionInfo info;
+        info.step = session.state()->step;
+        info.lease_seconds = session.lease.count();
+        info.states = session.states();
+        info.bytes = session.bytes();
+        info.grid = problem.grid;
+        if (problem.friction) info.rolls = std::holds_alternative<Rolling>(problem.friction->motion);
+        IcUses uses = uses_of(problem, session.ics());
+        info.upper = std::move(uses.upper);
+        info.lower = std::move(uses.lower);
+        info.pair = std::move(uses.pair);
+        return proto::encode_session_info(info);
+    });
+}
+
 void save_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions) {
     in_turn(call, tools, sessions, [&sessions](Session& session) -> json {
         const long long step = session.state()->step;

@@ -1,4 +1,4 @@
-// session.open, step, save, restore, forget, close and list.
+// session.open, step, info, save, restore, forget, close and list.
 #pragma once
 
 #include "jobs/call.hpp"
@@ -13,6 +13,7 @@ void open_session(const CallPtr& call, const SolveTools& tools, SessionTable& se
 
 /// These take their turn in the session. Throw when there is no such session.
 void step_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions);
+void tell_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions);
 void save_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions);
 void restore_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions);
 void forget_state(const CallPtr& call, const SolveTools& tools, SessionTable& sessions);

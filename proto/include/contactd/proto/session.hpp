@@ -37,6 +37,21 @@ struct SessionReply {
 };
 nlohmann::json encode_session_reply(const SessionReply& reply);
 
+// --- session.info ----------------------------------------------------------------------------------------------------
+/// Where a session is, and what all its steps have in common.
+struct SessionInfo {
+    long long step = 0;  ///< number of the last one
+    double lease_seconds = 0;
+    std::size_t states = 0;  ///< saved ones
+    std::size_t bytes = 0;   ///< with those
+    Grid grid;
+    std::optional<bool> rolls{};                    ///< or shifts; none without friction
+    std::optional<IcUse> upper{}, lower{}, pair{};  ///< as in SolveReply
+};
+nlohmann::json encode_session_info(const SessionInfo& info);
+/// Without the coefficients. Throws StatusError naming a field of the grid.
+SessionInfo decode_session_info(const nlohmann::json& result);
+
 // --- session.step ----------------------------------------------------------------------------------------------------
 /// The arrays that an answer may hold.
 enum class SolutionField { element_division, pressure, traction_x, traction_y, slip_x, slip_y };
