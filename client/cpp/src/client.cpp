@@ -66,7 +66,8 @@ proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
     validate(spec);
     const json params = proto::encode_ic_spec(spec);
     const auto ask = [&](json asked) {
-        return impl_->call("ic.get", std::move(asked), {}, options, impl_->options().build_timeout);
+        const Wait wait = spec.source == IcSource::fem ? Wait::for_build : Wait::for_answer;
+        return impl_->call("ic.get", std::move(asked), {}, options, wait);
     };
     try {
         const Reply reply = ask(params);
@@ -78,10 +79,6 @@ proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
 }
 
 namespace {
-
-bool may_build(const ContactProblem& problem) {
-    return problem.model == Model::full && !problem.given_ics && problem.ics.source == IcSource::fem;
-}
 
 void check_size(const proto::SolveReply& reply, const ContactProblem& problem) {
     if (reply.solution.pressure.size() != problem.grid.size())
@@ -106,8 +103,8 @@ proto::SolveReply Client::solve(const ContactProblem& problem, const CallOptions
     validate(problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_problem(problem, arrays);
-    const auto timeout = may_build(problem) ? impl_->options().build_timeout : impl_->options().timeout;
-    const Reply reply = impl_->call("contact.solve", std::move(params), arrays.take_frames(), options, timeout);
+    const Reply reply =
+        impl_->call("contact.solve", std::move(params), arrays.take_frames(), options, wait_of(problem));
     return decoded([&] {
         proto::SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
         check_size(result, problem);
@@ -120,9 +117,10 @@ std::vector<proto::ReplyOrStatus> Client::solve_many(std::span<const ContactProb
     validate_each(problems);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
     json params = proto::encode_problems(problems, arrays);
-    const bool builds = std::any_of(problems.begin(), problems.end(), may_build);
-    const auto timeout = builds ? impl_->options().build_timeout : impl_->options().timeout;
-    const Reply reply = impl_->call("contact.solve_many", std::move(params), arrays.take_frames(), options, timeout);
+    const bool builds = std::any_of(problems.begin(), problems.end(),
+                                    [](const auto& problem) { return wait_of(problem) == Wait::for_build; });
+    const Reply reply = impl_->call("contact.solve_many", std::move(params), arrays.take_frames(), options,
+                                    builds ? Wait::for_build : Wait::for_answer);
     return decoded([&] {
         std::vector<proto::ReplyOrStatus> results = proto::decode_solve_replies(reply.result, reply.frames);
         if (results.size() != problems.size())
@@ -154,8 +152,7 @@ proto::SubsurfaceReply Client::subsurface(const proto::SubsurfaceRequest& reques
     check_arrays(request);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_subsurface_request(request, arrays);
-    const Reply reply =
-        impl_->call("contact.subsurface", std::move(params), arrays.take_frames(), options, impl_->options().timeout);
+    const Reply reply = impl_->call("contact.subsurface", std::move(params), arrays.take_frames(), options);
     return decoded([&] {
         proto::SubsurfaceReply result = proto::decode_subsurface_reply(reply.result, reply.frames);
         if (result.shape != request.shape())

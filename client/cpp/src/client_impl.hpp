@@ -12,6 +12,15 @@ namespace contactd::client {
 
 using nlohmann::json;
 
+/// What a call waits for, which decides how long.
+enum class Wait { for_answer, for_build };
+
+/// Where solving may need tables by finite elements.
+inline Wait wait_of(const ContactProblem& problem) {
+    const bool builds = problem.model == Model::full && !problem.given_ics && problem.ics.source == IcSource::fem;
+    return builds ? Wait::for_build : Wait::for_answer;
+}
+
 class Client::Impl {
    public:
     Impl(const std::string& endpoint, ClientOptions options)
@@ -20,25 +29,52 @@ class Client::Impl {
                       load_curve_keys(options_.server_key, options_.own_key)) {}
 
     Reply call(const std::string& method, json params, std::vector<std::string> frames, const CallOptions& options,
-               std::chrono::milliseconds default_timeout) {
+               Wait wait = Wait::for_answer) {
+        const bool builds = wait == Wait::for_build;
+        std::string build;
         ProgressHandler on_progress;
-        if (options.on_progress)
+        if (options.on_progress || builds)
             on_progress = [&](const json& progress) {
-                options.on_progress({progress.value("job", ""), progress["stage"].get<std::string>(),
-                                     progress["fraction"].get<double>(), progress.value("iteration", 0),
-                                     progress.value("residual", 0.0), progress.value("state", "")});
+                if (const std::string job = progress.value("job", ""); job.starts_with("build-")) build = job;
+                if (options.on_progress) options.on_progress(report_of(progress));
             };
-        return connection_.call(method, std::move(params), std::move(frames), options.timeout.value_or(default_timeout),
-                                on_progress, options.stop);
+        const auto timeout = options.timeout.value_or(builds ? options_.build_timeout : options_.timeout);
+        try {
+            return connection_.call(method, std::move(params), std::move(frames), timeout, on_progress, options.stop);
+        } catch (const TimeoutError& error) {
+            if (!builds) throw;
+            throw TimeoutError(error.what() + build_goes_on(build));
+        } catch (const proto::StatusError& error) {
+            if (!builds || error.status().code != proto::StatusCode::deadline_exceeded) throw;
+            proto::Status status = error.status();
+            status.message += build_goes_on(build);
+            throw proto::StatusError(std::move(status));
+        }
     }
 
     json quick(const std::string& method, const CallOptions& options, json params = json::object()) {
-        return call(method, std::move(params), {}, options, options_.timeout).result;
+        return call(method, std::move(params), {}, options).result;
     }
 
     const ClientOptions& options() const { return options_; }
 
    private:
+    static ProgressReport report_of(const json& progress) {
+        ProgressReport report{progress.value("job", ""),          progress["stage"].get<std::string>(),
+                              progress["fraction"].get<double>(), progress.value("iteration", 0),
+                              progress.value("residual", 0.0),    progress.value("state", "")};
+        if (progress.contains("seconds_left")) report.seconds_left = progress["seconds_left"].get<double>();
+        return report;
+    }
+
+    /// What becomes of the build, `job` (empty: none is known), that a call has waited for.
+    static std::string build_goes_on(const std::string& job) {
+        const std::string what = job.empty() ? " A build that it waited for goes on in the daemon"
+                                             : " The build goes on in the daemon as job " + job;
+        return what + ": jobs() shows how far it is, cancel_job() ends it, and the same call again joins it or gets " +
+               "its table.";
+    }
+
     ClientOptions options_;
     Connection connection_;
 };

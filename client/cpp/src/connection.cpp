@@ -1,5 +1,7 @@
 #include "connection.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -10,6 +12,7 @@
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/status.hpp"
+#include "one_at_a_time.hpp"
 
 namespace contactd::client {
 namespace {
@@ -88,25 +91,44 @@ Connection::Connection(std::string endpoint, milliseconds connect_timeout, proto
       connect_timeout_(connect_timeout),
       limits_(limits),
       id_prefix_(random_prefix()),
-      keys_(std::move(keys)) {
+      keys_(std::move(keys)),
+      sockets_(std::make_unique<Sockets>()),
+      process_(::getpid()) {
     connect();
 }
 
+Connection::~Connection() {
+    if (process_ != ::getpid()) (void)sockets_.release();
+}
+
+void Connection::start_over() {
+    (void)sockets_.release();
+    sockets_ = std::make_unique<Sockets>();
+    process_ = ::getpid();
+    connect();
+}
+
+void Connection::check_process() const {
+    if (process_ != ::getpid())  // on_progress has forked, and has returned here, too
+        throw ConnectionError("This process was forked from the one that gets the answer.");
+}
+
 void Connection::connect() {
-    handshakes_.reset();
-    socket_ = zmq::socket_t(context_, zmq::socket_type::dealer);
-    handshakes_ = std::make_unique<HandshakeMonitor>(
-        context_, socket_, "inproc://handshakes-" + std::to_string(++sockets_), endpoint_, keys_.has_value());
-    socket_.set(zmq::sockopt::linger, 0);
+    sockets_->handshakes.reset();
+    sockets_->socket = zmq::socket_t(sockets_->context, zmq::socket_type::dealer);
+    sockets_->handshakes = std::make_unique<HandshakeMonitor>(sockets_->context, sockets_->socket,
+                                                              "inproc://handshakes-" + std::to_string(++made_),
+                                                              endpoint_, keys_.has_value());
+    sockets_->socket.set(zmq::sockopt::linger, 0);
     // Sending waits for somebody who listens, instead of queueing for nobody.
-    socket_.set(zmq::sockopt::immediate, true);
-    socket_.set(zmq::sockopt::sndtimeo,
-                static_cast<int>(std::clamp(connect_timeout_, milliseconds{0}, longest_timeout).count()));
+    sockets_->socket.set(zmq::sockopt::immediate, true);
+    sockets_->socket.set(zmq::sockopt::sndtimeo,
+                         static_cast<int>(std::clamp(connect_timeout_, milliseconds{0}, longest_timeout).count()));
     // Not for names: what they stand for would be looked for among IPv6 addresses first.
-    socket_.set(zmq::sockopt::ipv6, endpoint_.starts_with("tcp://["));
+    sockets_->socket.set(zmq::sockopt::ipv6, endpoint_.starts_with("tcp://["));
     try {
-        if (keys_) keys_->apply(socket_);
-        socket_.connect(endpoint_);
+        if (keys_) keys_->apply(sockets_->socket);
+        sockets_->socket.connect(endpoint_);
     } catch (const zmq::error_t& error) {
         throw ConnectionError("The endpoint \"" + endpoint_ + "\" cannot be used: " + error.what() +
                               ". It must read like ipc:///path or tcp://host:port.");
@@ -115,6 +137,10 @@ void Connection::connect() {
 
 Reply Connection::call(const std::string& method, json params, std::vector<std::string> frames, milliseconds timeout,
                        const ProgressHandler& on_progress, const std::stop_token& stop) {
+    const OneAtATime turn(user_,
+                          "A call of this client runs, in another thread or in whose on_progress this is; use one "
+                          "client per thread, and another one in on_progress.");
+    if (process_ != ::getpid()) start_over();
     timeout = std::clamp(timeout, milliseconds{1}, longest_timeout);
     const std::string id = id_prefix_ + std::to_string(++calls_);
     const std::string envelope = proto::dump(call_envelope(id, method, std::move(params), timeout));
@@ -164,26 +190,28 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
 }
 
 void Connection::cancel(const std::string& id) noexcept {
+    if (process_ != ::getpid()) return;
     try {
         const json request{{"contactd", proto::protocol_version},
                            {"id", id + "-cancel"},
                            {"method", "request.cancel"},
                            {"params", {{"id", id}}}};
         // Who gives up ends the connection perhaps at once: this may still go out.
-        socket_.set(zmq::sockopt::linger, cancel_linger_ms);
-        socket_.send(zmq::buffer(proto::dump(request)), zmq::send_flags::dontwait);
+        sockets_->socket.set(zmq::sockopt::linger, cancel_linger_ms);
+        sockets_->socket.send(zmq::buffer(proto::dump(request)), zmq::send_flags::dontwait);
     } catch (const std::exception&) {  // the daemon has gone, and the request with it
     }
 }
 
 void Connection::wait_until_connected() {
     const auto deadline = Clock::now() + std::clamp(connect_timeout_, milliseconds{0}, longest_timeout);
-    zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLOUT, 0}, {handshakes_->handle(), 0, ZMQ_POLLIN, 0}};
+    zmq::pollitem_t items[] = {{sockets_->socket.handle(), 0, ZMQ_POLLOUT, 0},
+                               {sockets_->handshakes->handle(), 0, ZMQ_POLLIN, 0}};
     while (Clock::now() < deadline) {
         try {
             zmq::poll(items, 2, std::chrono::ceil<milliseconds>(deadline - Clock::now()));
-            if (items[0].revents & ZMQ_POLLOUT) return handshakes_->forget();
-            handshakes_->check();
+            if (items[0].revents & ZMQ_POLLOUT) return sockets_->handshakes->forget();
+            sockets_->handshakes->check();
         } catch (const zmq::error_t& error) {
             if (error.num() != EINTR) throw;
         } catch (const Error&) {
@@ -200,12 +228,12 @@ void Connection::send(const std::string& envelope, const std::vector<std::string
         const auto more = [&](std::size_t sent) {
             return sent < frames.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
         };
-        if (!socket_.send(zmq::buffer(envelope), more(0) | zmq::send_flags::dontwait)) {
+        if (!sockets_->socket.send(zmq::buffer(envelope), more(0) | zmq::send_flags::dontwait)) {
             wait_until_connected();
-            if (!socket_.send(zmq::buffer(envelope), more(0)))
+            if (!sockets_->socket.send(zmq::buffer(envelope), more(0)))
                 throw ConnectionError("The daemon at " + endpoint_ + " went away.");
         }
-        for (std::size_t i = 0; i < frames.size(); ++i) socket_.send(zmq::buffer(frames[i]), more(i + 1));
+        for (std::size_t i = 0; i < frames.size(); ++i) sockets_->socket.send(zmq::buffer(frames[i]), more(i + 1));
     } catch (const zmq::error_t& error) {
         throw ConnectionError("Sending to " + endpoint_ + " failed: " + error.what() + ".");
     }
@@ -214,9 +242,10 @@ void Connection::send(const std::string& envelope, const std::vector<std::string
 std::vector<std::string> Connection::receive(Clock::time_point deadline) {
     try {
         while (true) {
+            check_process();
             const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
             if (left <= milliseconds{0}) return {};
-            socket_.set(zmq::sockopt::rcvtimeo, static_cast<int>(left.count()));
+            sockets_->socket.set(zmq::sockopt::rcvtimeo, static_cast<int>(left.count()));
             std::vector<std::string> frames;
             zmq::message_t part;
             if (!receive_part(part)) continue;
@@ -232,7 +261,7 @@ std::vector<std::string> Connection::receive(Clock::time_point deadline) {
 
 bool Connection::receive_part(zmq::message_t& part) {
     try {
-        return socket_.recv(part).has_value();
+        return sockets_->socket.recv(part).has_value();
     } catch (const zmq::error_t& error) {
         if (error.num() != EINTR) throw;
         return false;

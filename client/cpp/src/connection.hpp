@@ -1,6 +1,7 @@
 // One DEALER socket: sends a request, waits for its reply.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -32,15 +33,29 @@ class Connection {
     /// Throws ConnectionError.
     Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, proto::Limits limits,
                std::optional<CurveKeys> keys);
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
 
     /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
-    /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError.
+    /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError, and ConcurrencyError while
+    /// another call runs.
     Reply call(const std::string& method, nlohmann::json params, std::vector<std::string> frames,
                std::chrono::milliseconds timeout, const ProgressHandler& on_progress, const std::stop_token& stop);
 
    private:
     using Clock = std::chrono::steady_clock;
 
+    struct Sockets {
+        zmq::context_t context;
+        zmq::socket_t socket;
+        std::unique_ptr<HandshakeMonitor> handshakes;  // of socket
+    };
+
+    /// Leaves the sockets of the parent alone, for good: the threads that serve them are there, and freeing them would
+    /// wait for those.
+    void start_over();
+    void check_process() const;
     Reply await(const std::string& id, const std::string& method, std::chrono::milliseconds timeout,
                 const ProgressHandler& on_progress, const std::stop_token& stop);
     /// Tells the daemon that nobody waits for the request any more; its answers are dropped as they come.
@@ -60,11 +75,11 @@ class Connection {
     proto::Limits limits_;
     std::string id_prefix_;
     std::uint64_t calls_ = 0;
-    int sockets_ = 0;  // made so far
-    zmq::context_t context_;
+    int made_ = 0;  // sockets so far
     std::optional<CurveKeys> keys_;
-    zmq::socket_t socket_;
-    std::unique_ptr<HandshakeMonitor> handshakes_;  // of socket_
+    std::unique_ptr<Sockets> sockets_;
+    int process_;  // that sockets_ belong to
+    std::atomic<int> user_ = 0;
 };
 
 }  // namespace contactd::client

@@ -1,8 +1,11 @@
 #include "contactd/client/session.hpp"
 
+#include <unistd.h>
+
 #include <utility>
 
 #include "client_impl.hpp"
+#include "one_at_a_time.hpp"
 
 namespace contactd::client {
 namespace {
@@ -19,46 +22,80 @@ auto insist(const Ask& ask) {
     }
 }
 
+constexpr const char* in_use =
+    "A call of this session runs, in another thread or in whose on_progress this is; a session takes one step at a "
+    "time, "
+    "in order. Open a session, and a client, for each thread.";
+
 }  // namespace
 
+Session::Session(Client& client, Grid grid, std::string name, double lease_seconds, long long step)
+    : client_(client),
+      grid_(grid),
+      name_(std::move(name)),
+      lease_seconds_(lease_seconds),
+      step_(step),
+      open_(!name_.empty()),
+      process_(::getpid()) {}
+
 Session::Session(Client& client, proto::SessionSpec spec, const CallOptions& options)
-    : client_(client), spec_(std::move(spec)) {
-    const ContactProblem& problem = spec_.problem;
-    if (spec_.has_gap && spec_.has_load) validate(problem);
-    const bool builds = problem.model == Model::full && !problem.given_ics && problem.ics.source == IcSource::fem;
+    : Session(client, spec.problem.grid, {}, 0, 0) {
+    if (spec.has_gap && spec.has_load) validate(spec.problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    json params = proto::encode_session_spec(spec_, arrays);
-    const ClientOptions& defaults = client_.impl_->options();
-    const json result = client_.impl_
-                            ->call("session.open", std::move(params), arrays.take_frames(), options,
-                                   builds ? defaults.build_timeout : defaults.timeout)
-                            .result;
+    json params = proto::encode_session_spec(spec, arrays);
+    const json result =
+        client_.impl_->call("session.open", std::move(params), arrays.take_frames(), options, wait_of(spec.problem))
+            .result;
     name_ = result["session"].get<std::string>();
     lease_seconds_ = result["lease_seconds"].get<double>();
     open_ = true;
 }
 
+Session::Session(Client& client, const ContactProblem& problem, const CallOptions& options)
+    : Session(client, proto::SessionSpec{.problem = problem}, options) {}
+
+Session Session::join(Client& client, const std::string& name, const CallOptions& options) {
+    const json result = client.impl_->quick("session.info", options, {{"session", name}});
+    const proto::SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
+    return Session(client, info.grid, name, info.lease_seconds, info.step);
+}
+
 Session::~Session() {
-    if (!open_) return;
+    if (!open_ || process_ != ::getpid()) return;
     try {
         close();
     } catch (const Error&) {  // its lease ends it
     }
 }
 
+std::string Session::release() {
+    check_process();
+    open_ = false;
+    return name_;
+}
+
+void Session::check_process() const {
+    if (process_ == ::getpid()) return;
+    throw ConcurrencyError("This session belongs to process " + std::to_string(process_) + ", from which process " +
+                           std::to_string(::getpid()) +
+                           " was forked; open one of your own, or take it over by Session::join(client, name).");
+}
+
 json Session::ask(const char* method, const CallOptions& options, json more) {
+    check_process();
+    const OneAtATime turn(user_, in_use);
     more["session"] = name_;
     return client_.impl_->quick(method, options, std::move(more));
 }
 
 proto::StepReply Session::step(const proto::StepInput& input, const CallOptions& options) {
+    check_process();
+    const OneAtATime turn(user_, in_use);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    const json params = proto::encode_step(name_, step_ + 1, input, spec_.problem.grid, arrays);
+    const json params = proto::encode_step(name_, step_ + 1, input, grid_, arrays);
     const std::vector<std::string> frames = arrays.take_frames();
-    const Reply reply = insist(
-        [&] { return client_.impl_->call("session.step", params, frames, options, client_.impl_->options().timeout); });
-    proto::StepReply step =
-        decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, spec_.problem.grid); });
+    const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options); });
+    proto::StepReply step = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, grid_); });
     step_ = step.step;
     return step;
 }
@@ -77,6 +114,7 @@ void Session::forget(const SavedState& state, const CallOptions& options) {
 }
 
 void Session::close(const CallOptions& options) {
+    check_process();
     open_ = false;
     ask("session.close", options);
 }

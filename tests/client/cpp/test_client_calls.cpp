@@ -93,6 +93,28 @@ TEST_CASE("Progress does not put off the timeout", "[client]") {
     CHECK_THROWS_AS(client.health({.timeout = 50ms}), TimeoutError);
 }
 
+TEST_CASE("A wait for a build that ends says that the build goes on, and as which job", "[client]") {
+    bool refused = false;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        const Frames going{fake::progress(request, {{"job", "build-3"}, {"stage", "pcg"}, {"fraction", 0.1}})};
+        if (!refused) return {going};
+        const json late{{"code", 4}, {"name", "DEADLINE_EXCEEDED"}, {"message", "Too late."}};
+        return {going, {fake::failure(request, late)}};
+    });
+    Client client(daemon.endpoint());
+    IcSpec spec;
+    spec.material = {82000, 0.28};
+    spec.dx = spec.dy = 0.8;
+    spec.nx = spec.ny = 2;
+    spec.source = IcSource::fem;
+    const std::string advice = "goes on in the daemon as job build-3: jobs() shows how far it is";
+
+    CHECK_THROWS_MATCHES(client.get_ic(spec, {.timeout = 50ms}), TimeoutError,
+                         MessageMatches(ContainsSubstring(advice)));
+    refused = true;
+    CHECK_THROWS_MATCHES(client.get_ic(spec), proto::StatusError, MessageMatches(ContainsSubstring(advice)));
+}
+
 TEST_CASE("Nobody listening and bad endpoints are connection errors", "[client]") {
     Client client("tcp://127.0.0.1:1", {.connect_timeout = 50ms});
     CHECK_THROWS_MATCHES(client.health(), ConnectionError, MessageMatches(ContainsSubstring("tcp://127.0.0.1:1")));

@@ -32,7 +32,7 @@ namespace contactd::client {
 struct ClientOptions {
     std::chrono::milliseconds connect_timeout{5'000};    ///< for somebody to listen at the endpoint
     std::chrono::milliseconds timeout{60'000};           ///< of a call
-    std::chrono::milliseconds build_timeout{3'600'000};  ///< of get_ic, and of solves with finite elements
+    std::chrono::milliseconds build_timeout{3'600'000};  ///< of calls that may wait for tables by finite elements
     proto::Limits limits{};                              ///< checked before a message is sent
     /// Files of CURVE keys for an encrypted connection (docs/security.md), or neither: the daemon's public key, and the
     /// secret key of this client, which the daemon has to know.
@@ -41,12 +41,13 @@ struct ClientOptions {
 
 /// How far the work of a call is.
 struct ProgressReport {
-    std::string job;      ///< for cancel_job; empty when the daemon names none
-    std::string stage;    ///< "pcg", "normal", ...
-    double fraction = 0;  ///< of the whole work, 0..1, an estimate
-    int iteration = 0;    ///< within the stage
-    double residual = 0;  ///< the figure the stage's stop test compares
-    std::string state{};  ///< of watch_health
+    std::string job;                       ///< for cancel_job; empty when the daemon names none
+    std::string stage;                     ///< "pcg", "normal", ...
+    double fraction = 0;                   ///< of the whole work, 0..1, an estimate
+    int iteration = 0;                     ///< within the stage
+    double residual = 0;                   ///< the figure the stage's stop test compares
+    std::string state{};                   ///< of watch_health
+    std::optional<double> seconds_left{};  ///< time to go for the whole work (s), where there is an estimate
 };
 
 struct CallOptions {
@@ -71,9 +72,10 @@ struct Job {
     double seconds = 0;   ///< since it was queued
 };
 
-/// One connection. An object belongs to one thread at a time; use one per thread. Nothing is sent before the first
-/// call. Every call throws ConnectionError, TimeoutError, ProtocolError or proto::StatusError; the object stays usable
-/// after each of them.
+/// One connection, for one call at a time: use one client per thread, and another one in on_progress. A call while
+/// another one of the same client runs throws ConcurrencyError; threads may hand a client on between calls. A process
+/// that was forked goes on with a connection of its own. Nothing is sent before the first call. Every call throws
+/// ConnectionError, TimeoutError, ProtocolError or proto::StatusError; the object stays usable after each of them.
 class Client {
    public:
     /// `endpoint` as ZeroMQ writes it: "ipc:///path" or "tcp://host:port". Throws ConnectionError when it is malformed,

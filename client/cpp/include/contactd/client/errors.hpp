@@ -12,8 +12,16 @@ class ConnectionError : public Error {
     using Error::Error;
 };
 
-/// No answer within the call's timeout. The work may go on in the daemon; its late answer is discarded.
+/// No answer within the call's timeout. A build goes on in the daemon, and asking again joins it; a late answer is
+/// discarded.
 class TimeoutError : public Error {
+   public:
+    using Error::Error;
+};
+
+/// A client or session that is in use was used once more, by another thread or in on_progress, or a session was used in
+/// a process that was forked from its own. Nothing was sent, and the call that runs goes on.
+class ConcurrencyError : public Error {
    public:
     using Error::Error;
 };

@@ -8,6 +8,7 @@
 //     std::cout << session.step(input).solution.Fn << " N\n";
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "contactd/client/client.hpp"
@@ -21,14 +22,21 @@ struct SavedState {
     long long step = 0;  ///< number of the last step when it was saved
 };
 
-/// Belongs to the thread of its client. Steps are numbered here: one whose answer does not come (TimeoutError,
-/// ConnectionError) is asked for once more under its number, which the daemon answers without solving twice. A step
-/// that fails leaves the session as it was. Every call throws what Client's do.
+/// Belongs to the thread of its client, and to the process that opened or joined it: elsewhere, and while another of
+/// its calls runs, a call throws ConcurrencyError. Steps are numbered here: one whose answer does not come
+/// (TimeoutError, ConnectionError) is asked for once more under its number, which the daemon answers without solving
+/// twice. A step that fails leaves the session as it was. Every call throws what Client's do.
 class Session {
    public:
     /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
     /// InvalidArgument too, for a problem that cannot be solved as stated.
     Session(Client& client, proto::SessionSpec spec, const CallOptions& options = {});
+    /// Opens a session of a problem that says all: gap, load and friction hold for the steps that name none.
+    Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
+    /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
+    /// take turns, and must tell each other: the number of a step that the other one has taken is refused (StatusError,
+    /// FAILED_PRECONDITION). Throws StatusError (NOT_FOUND) when it has ended.
+    static Session join(Client& client, const std::string& name, const CallOptions& options = {});
     /// Ends the session; should the daemon be out of reach, its lease does.
     ~Session();
     Session(const Session&) = delete;
@@ -45,18 +53,27 @@ class Session {
     /// Ends the session now, and says so when it has ended already (StatusError, NOT_FOUND).
     void close(const CallOptions& options = {});
 
+    /// The key to the session: who has it can join it, and end it.
+    const std::string& name() const { return name_; }
+    /// Leaves the session to whoever joins it: neither this object's end nor anything else here ends it any more.
+    std::string release();
+
     long long last_step() const { return step_; }
     double lease_seconds() const { return lease_seconds_; }  ///< it ends when unused for that long
 
    private:
+    Session(Client& client, Grid grid, std::string name, double lease_seconds, long long step);
+    void check_process() const;
     nlohmann::json ask(const char* method, const CallOptions& options, nlohmann::json more = nlohmann::json::object());
 
     Client& client_;
-    const proto::SessionSpec spec_;
+    const Grid grid_;
     std::string name_;
     double lease_seconds_ = 0;
     long long step_ = 0;
     bool open_ = false;
+    const int process_;
+    std::atomic<int> user_ = 0;
 };
 
 }  // namespace contactd::client
