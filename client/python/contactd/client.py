@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import secrets
-import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -13,31 +12,38 @@ from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
-import zmq
 
 from . import problem as asked
 from .arrays import Frames, decode, encode, invalid, plain
-from .connection import CLIENT, PROTOCOL_VERSION, Connection, Reply, status_error_of
+from .connection import CLIENT, PROTOCOL_VERSION, Reply, status_error_of
+from .connections import Connections
 from .curve import load_curve_keys
-from .errors import ConnectionFailed, InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
+from .errors import InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
 from .pieces import fetch_in_pieces
 from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
-from .session import Session, SessionSummary, listed_sessions, opened_session
+from .session import Session, SessionSummary, joined_session, listed_sessions, opened_session
+from .showing import Rows, Shown
 from .solution import ContactSolution, IcTable, Job, Limits, Progress, QuarantinedIc, ServerInfo, StoredIc
 from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
+from .waiting import may_build, say_that_the_build_goes_on, seconds_of
 
 __all__ = ["Client"]
 
 ProgressCallback = Callable[[Progress], None]
 
 
-class Client:
+class Client(Shown):
     """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
 
     Connects with the first call. Safe to share between threads: every call has a socket of its own for as long as it
-    lasts, so calls of several threads run side by side, and a progress callback may call the client. `timeout`
-    (seconds) holds for each call that is not given its own; `connect_timeout` bounds the wait for a daemon to listen.
+    lasts, so calls of several threads run side by side, and a progress callback may call the client. A process that is
+    forked (multiprocessing, Dask) goes on with connections of its own, and a client that is pickled connects anew where
+    it arrives; the key files are read there again, by their paths: no key is ever pickled.
+
+    Times are in seconds, None for a day, the longest there is. `timeout` holds for each call that is not given its own,
+    but `build_timeout` for those that may have to wait for tables by finite elements (FemIcs); `connect_timeout` bounds
+    the wait for a daemon to listen. A timeout ends the waiting and not a build: the exception says how to follow it.
 
     With the files `server_key` (the daemon's public key) and `own_key` (the secret key of this client, which the daemon
     has to know) the connection is encrypted; docs/security.md says how to make them.
@@ -52,21 +58,36 @@ class Client:
         self,
         endpoint: str,
         *,
-        timeout: float = 60.0,
-        connect_timeout: float = 5.0,
+        timeout: float | None = 60.0,
+        build_timeout: float | None = 3600.0,
+        connect_timeout: float | None = 5.0,
         server_key: str | Path | None = None,
         own_key: str | Path | None = None,
     ) -> None:
         self.endpoint = endpoint
-        self.timeout = timeout
-        self.connect_timeout = connect_timeout
+        self.timeout = seconds_of("timeout", timeout)
+        self.build_timeout = seconds_of("build_timeout", build_timeout)
+        self.connect_timeout = seconds_of("connect_timeout", connect_timeout)
         self._curve = load_curve_keys(server_key, own_key)
-        self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
-        self._lock = threading.Lock()  # guards the three below
-        self._idle: list[Connection] = []
-        self._busy = 0
-        self._closed = False
+        self._key_files = [None if key is None else Path(key).absolute() for key in (server_key, own_key)]
+        self._connections = Connections(endpoint, self._curve)
         self._limits: Limits | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        names = ("endpoint", "timeout", "build_timeout", "connect_timeout")
+        server_key, own_key = self._key_files
+        return {**{name: getattr(self, name) for name in names}, "server_key": server_key, "own_key": own_key}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        Client.__init__(self, **state)
+
+    def _title(self) -> str:
+        return f"Client of {self.endpoint}"
+
+    def _rows(self) -> Rows:
+        rows: Rows = [("timeout", f"{self.timeout:g} s"), ("builds", f"{self.build_timeout:g} s")]
+        rows.append(("encryption", "none" if self._curve is None else f"as {self._curve.public.decode()[:8]}..."))
+        return [*rows, ("state", "closed" if self._connections.is_closed else "open")]
 
     def __enter__(self) -> Client:
         return self
@@ -78,12 +99,7 @@ class Client:
 
     def close(self) -> None:
         """Ends the connections; calls still running in other threads keep theirs until they return."""
-        with self._lock:
-            self._closed = True
-            while self._idle:
-                self._idle.pop().close()
-            if self._busy == 0:
-                self._context.term()
+        self._connections.close()
 
     def info(self, *, timeout: float | None = None) -> ServerInfo:
         """Versions, limits and counters of the daemon."""
@@ -226,6 +242,7 @@ class Client:
             problem = ContactProblem(**fields)
         elif fields:
             raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
+        asked.check_type("problem", problem, ContactProblem)
         params = asked.problem_params(problem)
         result = self.call("contact.solve", params, timeout=timeout, on_progress=on_progress)
         return _solution(result, problem, "result")
@@ -296,6 +313,8 @@ class Client:
 
     def session(
         self,
+        problem: ContactProblem | None = None,
+        /,
         *,
         lease: float | None = None,
         accept_unconverged: bool = False,
@@ -303,8 +322,25 @@ class Client:
         on_progress: ProgressCallback | None = None,
         **fields: Any,
     ) -> Session:
-        """Opens a Session, which says more: the steps of a simulation. The fields are those of ContactProblem."""
+        """Opens a Session, which says more: the steps of a simulation.
+
+        What its steps have in common is given as a ContactProblem, as to `solve`, or by its fields, of which `gap`,
+        `approach` or `Fn`, and `friction` may be left to the steps.
+        """
+        if problem is not None:
+            asked.check_type("problem", problem, ContactProblem)
+            if fields:
+                raise TypeError(f"session() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
+            fields = vars(problem)
         return opened_session(self, fields, lease, accept_unconverged, timeout, on_progress)
+
+    def join_session(self, name: str, *, timeout: float | None = None) -> Session:
+        """The session with this name (Session.name), where its last step left it, whoever opened it and wherever.
+
+        Raises NotFound when it has ended. Two who share a session take turns, and must tell each other: steps are
+        numbered, and the number of a step that the other one has taken is refused (FailedPrecondition).
+        """
+        return joined_session(self, name, timeout)
 
     def sessions(self, *, timeout: float | None = None) -> tuple[SessionSummary, ...]:
         """Ages and counts of the open sessions, oldest first."""
@@ -329,10 +365,14 @@ class Client:
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
     ) -> dict[str, Any]:
-        """Any method of the daemon by its name: plain JSON and numpy arrays in, the same out."""
-        seconds = self.timeout if timeout is None else timeout
-        if not 0 < seconds <= 86_400:
-            raise ValueError(f"timeout is {seconds}; it must be more than 0 and at most 86400 seconds.")
+        """Any method of the daemon by its name: plain JSON and numpy arrays in, the same out.
+
+        `timeout` in seconds; None: the client's `build_timeout` where the request may have to wait for finite elements,
+        else its `timeout`.
+        """
+        builds = may_build(params or {})
+        usual = self.build_timeout if builds else self.timeout
+        seconds = seconds_of("timeout", usual if timeout is None else timeout)
         deadline = time.monotonic() + seconds
         frames = Frames()
         envelope = {
@@ -345,7 +385,21 @@ class Client:
         }
         if frames:
             self._check_limits(frames, deadline)
-        reply = self._exchange(envelope, frames, deadline, on_progress)
+        build = ""
+
+        def notice(progress: Progress) -> None:
+            nonlocal build
+            if progress.job.startswith("build-"):
+                build = progress.job
+            if on_progress is not None:
+                on_progress(progress)
+
+        try:
+            reply = self._exchange(envelope, frames, deadline, notice if builds else on_progress)
+        except TimeoutExpired as error:
+            if builds:
+                say_that_the_build_goes_on(error, build)
+            raise
         if not reply.frames:  # nothing to decode; server.describe speaks of "$array" without meaning one
             return reply.result
         result: dict[str, Any] = decode(reply.result, reply.frames)
@@ -358,40 +412,19 @@ class Client:
             if on_progress is not None:
                 on_progress(read(Progress, progress, "progress"))
 
-        connection = self._take()
+        connection = self._connections.take()
         try:
             reply = connection.exchange(envelope, frames, deadline, self.connect_timeout, report)
         except (StatusError, TimeoutExpired) as error:
             # A socket whose handshake was refused never connects again.
-            self._give_back(connection, usable=not isinstance(error, Unauthenticated))
+            self._connections.give_back(connection, usable=not isinstance(error, Unauthenticated))
             raise
         except BaseException:
             # An interrupt may have come between two frames of a message: this socket cannot be trusted any more.
-            self._give_back(connection, usable=False)
+            self._connections.give_back(connection, usable=False)
             raise
-        self._give_back(connection)
+        self._connections.give_back(connection)
         return reply
-
-    def _take(self) -> Connection:
-        with self._lock:
-            if self._closed:
-                raise ConnectionFailed("The client is closed.")
-            connection = self._idle.pop() if self._idle else self._connect()
-            self._busy += 1
-            return connection
-
-    def _connect(self) -> Connection:
-        return Connection(self._context, self.endpoint, self._curve)
-
-    def _give_back(self, connection: Connection, usable: bool = True) -> None:
-        with self._lock:
-            self._busy -= 1
-            if usable and not self._closed:
-                self._idle.append(connection)
-                return
-            connection.close()
-            if self._closed and self._busy == 0:
-                self._context.term()
 
     def _check_limits(self, frames: list[bytes], deadline: float) -> None:
         """Refuses here what the daemon would refuse, before many megabytes are sent for nothing."""

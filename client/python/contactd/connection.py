@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -25,7 +26,12 @@ _EVENTS = zmq.EVENT_DISCONNECTED | zmq.EVENT_HANDSHAKE_SUCCEEDED | HANDSHAKE_EVE
 
 @dataclass(frozen=True)
 class Reply:
-    """The answer to one request: the JSON of its `result` and the array frames behind it."""
+    """The answer to one request: the JSON of its `result` and the array frames behind it.
+
+    Attributes:
+        result: JSON, in which arrays are references to frames.
+        frames: The arrays, as bytes.
+    """
 
     result: dict[str, Any]
     frames: Sequence[bytes]
@@ -42,6 +48,7 @@ class Connection:
         self, context: zmq.Context[zmq.Socket[bytes]], endpoint: str, curve: CurveKeys | None = None
     ) -> None:
         self.endpoint = endpoint
+        self._process = os.getpid()
         self._encrypted = curve is not None
         self._socket = context.socket(zmq.DEALER)
         self._socket.setsockopt(zmq.LINGER, 0)
@@ -65,6 +72,11 @@ class Connection:
                 f"{endpoint!r} is no endpoint one can connect to ({zmq.strerror(error.errno or 0)}); "
                 "it must read like tcp://127.0.0.1:5555 or ipc:///path."
             ) from None
+
+    @property
+    def is_of_this_process(self) -> bool:
+        """False in a process that was forked from the one it belongs to, and must leave it alone."""
+        return self._process == os.getpid()
 
     def close(self) -> None:
         """Drops what is under way. May be called twice."""
@@ -108,6 +120,8 @@ class Connection:
 
     def _cancel(self, name: str) -> None:
         """Tells the daemon that nobody waits for this request any more. Its answers are dropped as they come."""
+        if not self.is_of_this_process:
+            return
         params = {"id": name}
         request = {"contactd": PROTOCOL_VERSION, "id": f"{name}-cancel", "method": "request.cancel", "params": params}
         try:
@@ -166,6 +180,8 @@ class Connection:
             remaining = deadline - time.monotonic()
             if remaining <= 0:
                 raise TimeoutExpired(f"{method} was not answered in time by {self.endpoint}.")
+            if not self.is_of_this_process:  # a progress callback has forked, and has returned here, too
+                raise ConnectionFailed(f"This process was forked from the one that gets the answer to {method}.")
             poller.poll(max(1, round(remaining * 1000)))
             # The answer first: a daemon that is ending answers and then hangs up.
             event = self._next_event()

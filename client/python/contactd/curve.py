@@ -22,7 +22,13 @@ SILENT_ENDS = 3
 
 @dataclass(frozen=True)
 class CurveKeys:
-    """The daemon's public key and the client's own pair, in Z85."""
+    """The daemon's public key and the client's own pair, in Z85.
+
+    Attributes:
+        server: The daemon's public key.
+        public: The client's public key.
+        secret: The client's secret key.
+    """
 
     server: bytes
     public: bytes

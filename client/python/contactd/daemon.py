@@ -32,7 +32,7 @@ class LocalDaemon:
     `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
     `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
     the caller only, who ends the daemon by leaving the block. A caller that is killed, or ends by SIGTERM without a
-    handler of its own, leaves the daemon running.
+    handler of its own, leaves the daemon running. Processes forked from the caller can use the daemon, but do not end it.
     """
 
     def __init__(
@@ -54,12 +54,19 @@ class LocalDaemon:
             self.config[name] = {**self.config[name], **value} if both else value
         self.log_path = self.folder / "contactd.log"
         self.endpoint = ""
+        self._owner = os.getpid()
         self.process = self._start(str(program))
         try:
             self._wait_until_ready(start_timeout)
         except BaseException:
             self.close()
             raise
+
+    def __repr__(self) -> str:
+        return f"<LocalDaemon at {self.endpoint or self.folder}, process {self.pid}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a LocalDaemon cannot be pickled; hand on its endpoint, or a client of it: daemon.client()")
 
     def __enter__(self) -> LocalDaemon:
         return self
@@ -86,8 +93,11 @@ class LocalDaemon:
     def stop(self, timeout: float = 30.0) -> int:
         """Asks the daemon to end in order (SIGTERM) and returns its exit status.
 
-        Raises DaemonFailed when it has not ended within `timeout` seconds, after killing it.
+        Raises DaemonFailed when it has not ended within `timeout` seconds, after killing it, and in a process that was
+        forked from the one that started it.
         """
+        if self._owner != os.getpid():
+            raise DaemonFailed(f"contactd was started by process {self._owner}, which alone can end it.")
         if self.process.poll() is None:
             self.process.terminate()
         try:
@@ -101,7 +111,9 @@ class LocalDaemon:
                 self.process.stdout.close()
 
     def close(self) -> None:
-        """Stops the daemon and removes the temporary folder. May be called twice."""
+        """Stops the daemon and removes the temporary folder. May be called twice; does nothing in a forked process."""
+        if self._owner != os.getpid():
+            return
         try:
             self.stop()
         finally:

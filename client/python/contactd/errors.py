@@ -90,7 +90,12 @@ class TableFileError(ContactdError, ValueError):
 
 @dataclass(frozen=True)
 class Violation:
-    """One field of a request that cannot be used; `field` is a path such as ``grid.nx`` or ``bodies.upper.nu``."""
+    """One field of a request that cannot be used; `field` is a path such as ``grid.nx`` or ``bodies.upper.nu``.
+
+    Attributes:
+        field: Path of the field, such as ``grid.nx``.
+        description: What is wrong with it, and what would be right.
+    """
 
     field: str
     description: str

@@ -28,11 +28,16 @@ class KineticFriction:
 
     "linear": max(mu, mu_s - (mu_s - mu) v / slip_velocity);
     "exponential": mu + (mu_s - mu) exp(-v / slip_velocity).
+
+    Attributes:
+        mu: Kinetic coefficient, from 0 to the static one.
+        slip_velocity: Slip velocity of the fall (mm/s), > 0.
+        law: Shape of the fall, "linear" or "exponential" (default).
     """
 
-    mu: float  #: kinetic coefficient, from 0 to the static one
-    slip_velocity: float  #: of the fall (mm/s), > 0
-    law: SlipLaw | None = None  #: the daemon's default is "exponential"
+    mu: float
+    slip_velocity: float
+    law: SlipLaw | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,28 +45,45 @@ class Rolling:
     """Rolling along (cos chi, sin chi); positive creepage is that of the upper body over the lower one.
 
     The rigid slip over a step is dq (xi - phi y, eta + phi x).
+
+    Attributes:
+        xi: Longitudinal creepage, along x; where `force` prescribes Fx, an estimate.
+        eta: Lateral creepage, along y; where `force` prescribes Fy, an estimate.
+        phi: Spin creepage (rad/mm).
+        chi: Rolling direction, angle from the x axis (rad).
+        dq: Distance rolled in one step (mm); None: grid.dx.
+        kind: "steady": the state that does not change any more; "transient": step by step from ContactProblem.previous.
+        steps: Number of steps of transient rolling, 1 (default) to 100000.
+        velocity: Rolling velocity (mm/s), default 1: of slip velocities and the frictional power.
+        force: Prescribed (N), within the bound of friction; xi, eta are found then.
     """
 
-    xi: float = 0.0  #: longitudinal creepage, along x; where `force` prescribes Fx, an estimate
-    eta: float = 0.0  #: lateral creepage, along y; where `force` prescribes Fy, an estimate
-    phi: float = 0.0  #: spin creepage (rad/mm)
-    chi: float = 0.0  #: rolling direction, angle from the x axis (rad)
-    dq: float | None = None  #: distance rolled in one step (mm); None: grid.dx
-    #: "steady": the state that does not change any more; "transient": step by step from ContactProblem.previous
+    xi: float = 0.0
+    eta: float = 0.0
+    phi: float = 0.0
+    chi: float = 0.0
+    dq: float | None = None
     kind: RollingKind = "steady"
-    steps: int | None = None  #: number of steps of transient rolling, 1 (default) to 100000
-    velocity: float | None = None  #: rolling velocity (mm/s), default 1: of slip velocities and the frictional power
-    force: Force | None = None  #: prescribed (N), within the bound of friction; xi, eta are found then
+    steps: int | None = None
+    velocity: float | None = None
+    force: Force | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class Shift:
-    """The shift of a solution, as asked for, with what a prescribed force made of it."""
+    """The shift of a solution, as asked for, with what a prescribed force made of it.
 
-    rigid_shift: tuple[float, float]  #: at the origin, of the upper body (mm)
-    rotation: float = 0.0  #: about z, positive from x to y (rad)
-    duration: float = 1.0  #: of the step (s)
-    force: Force | None = None  #: what was prescribed (N)
+    Attributes:
+        rigid_shift: (w_x, w_y) of the upper body over the lower, at the origin (mm).
+        rotation: About z, positive from x to y (rad).
+        duration: That of the step (s).
+        force: What was prescribed (N).
+    """
+
+    rigid_shift: tuple[float, float]
+    rotation: float = 0.0
+    duration: float = 1.0
+    force: Force | None = None
 
 
 Motion = Shift | Rolling
@@ -76,16 +98,24 @@ class Friction:
         Friction(mu=0.4, rigid_shift=(0.00817, 0))
         Friction(mu=0.4, force=(-3.2, None))  # the rigid shift along x is found, along y it is zero
         Friction(mu=0.3, rolling=Rolling(xi=1e-3, phi=1e-4))
+
+    Attributes:
+        mu: (Static) coefficient, >= 0: one for all elements, or an array [ny, nx].
+        rigid_shift: (w_x, w_y) of the upper body (mm); where `force` prescribes a component, an estimate. None: zero.
+        rotation: Of a shift: about z, positive from x to y (rad); default 0.
+        force: Of a shift: on the upper body (N), within the bound of friction.
+        duration: Of a shift (s), default 1; slip velocity = slip / duration, for kinetic friction.
+        kinetic: How it falls with the slip velocity; None: it does not.
+        rolling: Rolling instead of a shift, whose fields it excludes.
     """
 
-    mu: float | npt.ArrayLike  #: (static) coefficient, >= 0: one for all elements, or an array [ny, nx]
-    #: (w_x, w_y) of the upper body (mm); where `force` prescribes a component, an estimate. None: zero
+    mu: float | npt.ArrayLike
     rigid_shift: tuple[float, float] | None = None
-    rotation: float | None = None  #: of a shift: about z, positive from x to y (rad); default 0
-    force: Force | None = None  #: of a shift: on the upper body (N), within the bound of friction
-    duration: float | None = None  #: of a shift (s), default 1; slip velocity = slip / duration, for kinetic friction
-    kinetic: KineticFriction | None = None  #: None: the coefficient does not depend on the slip
-    rolling: Rolling | None = None  #: excludes the fields of a shift
+    rotation: float | None = None
+    force: Force | None = None
+    duration: float | None = None
+    kinetic: KineticFriction | None = None
+    rolling: Rolling | None = None
 
     def __post_init__(self) -> None:
         if self.rigid_shift is None and self.force is None and self.rolling is None:

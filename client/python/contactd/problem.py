@@ -6,14 +6,16 @@ use comes back as InvalidArgument naming the field.
 
 from __future__ import annotations
 
+import math
 import reprlib
 from dataclasses import dataclass, field, replace
+from numbers import Real
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import plain
+from .arrays import invalid, plain
 from .friction import Friction
 from .table_ics import TableIcs
 
@@ -47,12 +49,47 @@ __all__ = [
 Array = npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Material:
-    """A homogeneous, isotropic, linearly elastic material."""
+    """A homogeneous, isotropic, linearly elastic material, given by its shear modulus or by Young's.
 
-    G: float  #: shear modulus (N/mm^2), > 0
-    nu: float  #: Poisson's ratio, 0 to 0.5; 0.5 itself only with closed-form influence coefficients
+    ::
+
+        Material(G=82000, nu=0.28)
+        Material(E=210000, nu=0.28)  # G = E / (2 (1 + nu))
+
+    Attributes:
+        G: Shear modulus (N/mm^2), > 0.
+        nu: Poisson's ratio, 0 to 0.5; 0.5 itself only with closed-form influence coefficients.
+    """
+
+    G: float
+    nu: float
+
+    def __init__(self, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
+        if nu is None:
+            raise TypeError("Material() lacks nu")
+        if (G is None) == (E is None):
+            raise TypeError("Material() takes either G, the shear modulus, or E, Young's modulus")
+        object.__setattr__(self, "G", _shear_modulus(E, nu) if E is not None else G)
+        object.__setattr__(self, "nu", nu)
+
+    @property
+    def E(self) -> float:
+        """Young's modulus 2 G (1 + nu) (N/mm^2)."""
+        return 2 * self.G * (1 + self.nu)
+
+
+def _shear_modulus(E: float, nu: float) -> float:
+    """Says of Young's modulus what the daemon, which gets G only, would say of that."""
+    for name, value in (("E", E), ("nu", nu)):
+        if not isinstance(value, Real) or isinstance(value, bool):
+            raise TypeError(f"{name} is {value!r}; it must be a number")
+    if not 0 < E < math.inf:
+        raise invalid("E", f"is {E}; it must be a positive, finite number")
+    if not 0 <= nu <= 0.5:
+        raise invalid("nu", f"is {nu}; it must lie in [0, 0.5]")
+    return float(E / (2 * (1 + nu)))
 
 
 @dataclass(frozen=True)
@@ -64,8 +101,15 @@ class RigidBody:
 class Grid:
     """The potential contact area: `nx` x `ny` elements of size `dx` x `dy` (mm), unknowns at their centres.
 
-    `x0`, `y0` are the lower left corner (mm); left out, the area is centred on the origin.
     Arrays over the grid have shape `[ny, nx]`: the first index counts along y.
+
+    Attributes:
+        nx: Number of elements along x.
+        ny: Number of elements along y.
+        dx: Size of an element along x (mm), > 0.
+        dy: Size of an element along y (mm), > 0.
+        x0: x of the lower left corner (mm); None: centred on the origin.
+        y0: y of the lower left corner (mm); None: centred on the origin.
     """
 
     nx: int
@@ -118,10 +162,15 @@ StopTest = Literal["residual", "update"]
 
 @dataclass(frozen=True)
 class AnalyticIcs:
-    """Influence coefficients of the elastic half-space in closed form."""
+    """Influence coefficients of the elastic half-space in closed form.
 
-    body: Literal["half_space"] | None = None  #: there is no closed form of another body
-    #: traction of the loaded element: "constant" (default), or "bilinear": the tent (1 - |x|/dx)(1 - |y|/dy)
+    Attributes:
+        body: "half_space" (default); there is no closed form of another body.
+        load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
+            (1 - |x|/dx) (1 - |y|/dy).
+    """
+
+    body: Literal["half_space"] | None = None
     load_shape: LoadShape | None = None
 
 
@@ -140,47 +189,63 @@ class FemIcs:
 
     ``FemIcs()`` asks for an accuracy of 1e-3. Lengths are ratios to the element size h of the grid (paper, Table 2), so
     that a table serves every element size.
+
+    Attributes:
+        preset: A test of the paper's Table 2 on its Mesh1 or Mesh2: sets mesh, order, l_over_h, h_over_hs, f, and
+            far_boundary "clamped"; does not go with accuracy.
+        L_over_h: Size L of the mesh over h, default 640; of a block that of the body, which goes with accuracy too.
+        accuracy: Largest error, 1e-4 to 0.1: of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Of the
+            other fields any_nu, body, load_shape and (of a block) L_over_h go with it.
+        any_nu: True: one build for every Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate to.
+        body: "half_space" (default), or "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top.
+        load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
+            (1 - |x|/dx) (1 - |y|/dy).
+        l_over_h: Of meshes "hex" and "prism": size of the uniform cube around the load over h, 0.5 to 64; default 1.
+        h_over_hs: Of meshes "hex" and "prism": elements of the cube per element of the grid, even; l_over_h times it is
+            whole; default 4.
+        f: Of meshes "hex" and "prism": growth of the layers outside the cube, 1 to 10; default 1.2.
+        t1_over_hs: Of meshes "hex" and "prism": first layer's thickness over the cube's element size; default 0, which
+            means f.
+        order: Polynomial order of the displacement, 1 to 6; default 2.
+        mesh: "hex" (default, the paper's Mesh1), "prism" (its Mesh2) or "adaptive".
+        diagonal: Of mesh "prism": the diagonal that halves a quadrilateral starts "outward" (default) from its corner
+            nearest to the load, or runs "across".
+        max_dofs: Of mesh "adaptive": no refinement beyond, 1000 to 5000000; default 60000.
+        far_boundary: On the mesh's far faces: "clamped" (u = 0; with a preset, and for a block), or "half_space" (the
+            displacements of the half-space under the load; the default otherwise).
+        sampling: How displacements are read at the element centres: "fem" (default, the finite-element function), or
+            linear between the vertices ("linear") or all nodes ("linear_nodes") of the surface mesh.
+        solver: "auto" (default, the faster one), "amg_pcg" or "direct" (sparse Cholesky).
+        stop_test: Compared with tolerance: the true relative "residual" (default), or the relative "update" (the
+            paper's).
+        tolerance: Of the stop test, 1e-13 to 1; default 1e-8.
+        max_iterations: Of conjugate gradients, per load case; default 1000.
+        strength_threshold: Of BoomerAMG, 0 to 1; chosen for the mesh when left out.
     """
 
-    #: a test of the paper's Table 2 on its Mesh1 or Mesh2: sets mesh, order, l_over_h, h_over_hs, f, and far_boundary
-    #: "clamped"; does not go with accuracy
     preset: Preset | None = field(default=None, kw_only=False)
-    #: size L of the mesh over h, default 640; of a block that of the body, which goes with accuracy too
     L_over_h: float | None = field(default=None, kw_only=False)
 
-    #: largest error, 1e-4 to 0.1: of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Of the other fields
-    #: any_nu, body, load_shape and (of a block) L_over_h go with it
     accuracy: float | None = None
-    #: True: one build for every Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate to
     any_nu: bool | None = None
-    #: "half_space" (default), or "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top
     body: Body | None = None
-    #: traction of the loaded element: "constant" (default), or "bilinear": the tent (1 - |x|/dx)(1 - |y|/dy)
     load_shape: LoadShape | None = None
 
-    # The next four are of meshes "hex" and "prism"; "adaptive" starts from a mesh of its own.
-    l_over_h: float | None = None  #: size of the uniform cube around the load over h, 0.5 to 64; default 1
-    h_over_hs: float | None = None  #: elements of the cube per element of the grid, even; l_over_h times it is whole; 4
-    f: float | None = None  #: growth of the layers outside the cube, 1 to 10; default 1.2
-    t1_over_hs: float | None = None  #: first layer's thickness over the cube's element size; default 0, which means f
-    order: int | None = None  #: polynomial order of the displacement, 1 to 6; default 2
-    mesh: MeshKind | None = None  #: "hex" (default, the paper's Mesh1), "prism" (its Mesh2) or "adaptive"
-    #: of mesh "prism": the diagonal that halves a quadrilateral starts "outward" (default) from its corner nearest to
-    #: the load, or runs "across"
+    l_over_h: float | None = None
+    h_over_hs: float | None = None
+    f: float | None = None
+    t1_over_hs: float | None = None
+    order: int | None = None
+    mesh: MeshKind | None = None
     diagonal: Diagonal | None = None
-    max_dofs: int | None = None  #: of mesh "adaptive": no refinement beyond, 1000 to 5000000; default 60000
-    #: on the mesh's far faces: "clamped" (u = 0; with a preset, and for a block), or "half_space" (the displacements of
-    #: the half-space under the load; the default otherwise)
+    max_dofs: int | None = None
     far_boundary: FarBoundary | None = None
-    #: how displacements are read at the element centres: "fem" (default, the finite-element function), or linear
-    #: between the vertices ("linear") or all nodes ("linear_nodes") of the surface mesh
     sampling: Sampling | None = None
-    solver: FemSolver | None = None  #: "auto" (default, the faster one), "amg_pcg" or "direct" (sparse Cholesky)
-    #: compared with tolerance: the true relative "residual" (default), or the relative "update" (the paper's)
+    solver: FemSolver | None = None
     stop_test: StopTest | None = None
-    tolerance: float | None = None  #: of the stop test, 1e-13 to 1; default 1e-8
-    max_iterations: int | None = None  #: of conjugate gradients, per load case; default 1000
-    strength_threshold: float | None = None  #: of BoomerAMG, 0 to 1; chosen for the mesh when left out
+    tolerance: float | None = None
+    max_iterations: int | None = None
+    strength_threshold: float | None = None
 
 
 Ics = AnalyticIcs | FemIcs
@@ -188,8 +253,12 @@ Ics = AnalyticIcs | FemIcs
 
 @dataclass(frozen=True)
 class Paraboloid:
-    """Undeformed distance h = x^2/(2 Rx) + y^2/(2 Ry), without the approach. Radii in mm; None is a flat direction
-    (not both), negative a concave one."""
+    """Undeformed distance h = x^2/(2 Rx) + y^2/(2 Ry), without the approach. One direction may be flat, not both.
+
+    Attributes:
+        Rx: Radius of curvature along x (mm), negative where concave; None: flat.
+        Ry: Radius of curvature along y (mm), negative where concave; None: flat.
+    """
 
     Rx: float | None = None
     Ry: float | None = None
@@ -197,24 +266,40 @@ class Paraboloid:
 
 @dataclass(frozen=True)
 class SemiAxes:
-    """The paraboloid whose Hertzian contact, under the approach or force of the problem, has these semi-axes."""
+    """The paraboloid whose Hertzian contact, under the approach or force of the problem, has these semi-axes.
 
-    a: float  #: along x (mm), > 0
-    b: float  #: along y (mm), > 0
+    Attributes:
+        a: Semi-axis along x (mm), > 0.
+        b: Semi-axis along y (mm), > 0.
+    """
+
+    a: float
+    b: float
 
 
 @dataclass(frozen=True)
 class SolverSettings:
-    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2)."""
+    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2).
 
-    tolerance: float | None = None  #: the daemon's default is 1e-6, of `normal` 1e-8
-    max_iterations: int | None = None  #: the daemon's default is 1000, of `outer` 100
+    Attributes:
+        tolerance: Bound of the figure that the stop test compares; None: 1e-6, of `normal` 1e-8.
+        max_iterations: Bound of the iterations; None: 1000, of `outer` 100.
+    """
+
+    tolerance: float | None = None
+    max_iterations: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
     """Tractions (N/mm^2) on the upper body, each of shape [ny, nx]: for the solvers to start from (`initial`), or of the
-    step before (`previous`). A ContactSolution serves as well."""
+    step before (`previous`). A ContactSolution serves as well.
+
+    Attributes:
+        pressure: Shape [ny, nx] (N/mm^2), >= 0; None: zero.
+        traction_x: Shape [ny, nx] (N/mm^2); None: zero.
+        traction_y: Shape [ny, nx] (N/mm^2); None: zero.
+    """
 
     pressure: Array | None = None
     traction_x: Array | None = None
@@ -228,25 +313,41 @@ Model = Literal["full", "hertz", "fastsim"]
 
 @dataclass(frozen=True, eq=False)
 class ContactProblem:
-    """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too."""
+    """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too.
+
+    Attributes:
+        grid: The potential contact area, which must hold the whole contact.
+        upper: The upper body; may be left out with TableIcs, which say all about the bodies.
+        gap: Undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx].
+        approach: delta (mm), > 0 in compression; the gap before deformation is h - delta.
+        lower: The lower body; None: as the upper one.
+        ics: Where the influence coefficients come from: closed forms (default), finite elements, or a table of your
+            own.
+        friction: Friction and the motion; None: frictionless.
+        normal: Stop test of NORM, for the pressures.
+        tangential: Stop test of TangCG or steady rolling, for the tractions.
+        initial: Where the solvers start: tractions of a similar problem.
+        Fn: Normal force (N), >= 0, instead of the approach, which is found then.
+        model: "full": boundary elements; "hertz": closed forms of elliptic contact; "fastsim": Hertzian contact and
+            Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes, and materials.
+        previous: The step before, where a shift or transient rolling starts.
+        outer: Stop test of the loop that bodies that differ, kinetic friction and forces need.
+    """
 
     grid: Grid
-    upper: Material | RigidBody | None = None  #: may be left out with TableIcs, which say all about the bodies
-    #: undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx]
+    upper: Material | RigidBody | None = None
     gap: Paraboloid | SemiAxes | npt.ArrayLike = _REQUIRED
-    approach: float | None = None  #: delta (mm), > 0 in compression; the gap before deformation is h - delta
-    lower: Material | RigidBody | None = None  #: None: as the upper body
+    approach: float | None = None
+    lower: Material | RigidBody | None = None
     ics: Ics | TableIcs = AnalyticIcs()
-    friction: Friction | None = None  #: None: frictionless
-    normal: SolverSettings | None = None  #: of NORM, for the pressures
-    tangential: SolverSettings | None = None  #: of TangCG or steady rolling, for the tractions
-    initial: Estimate | ContactSolution | None = None  #: where the solvers start: tractions of a similar problem
-    Fn: float | None = None  #: normal force (N), >= 0, instead of the approach, which is found then
-    #: "full": boundary elements; "hertz": closed forms of elliptic contact; "fastsim": Hertzian contact and Kalker's
-    #: simplified theory of rolling. The quick ones need a paraboloid or semi-axes, and materials
+    friction: Friction | None = None
+    normal: SolverSettings | None = None
+    tangential: SolverSettings | None = None
+    initial: Estimate | ContactSolution | None = None
+    Fn: float | None = None
     model: Model | None = None
-    previous: Estimate | ContactSolution | None = None  #: the step before, where a shift or transient rolling starts
-    outer: SolverSettings | None = None  #: of the loop that bodies that differ, kinetic friction and forces need
+    previous: Estimate | ContactSolution | None = None
+    outer: SolverSettings | None = None
 
     def __post_init__(self) -> None:
         if self.gap is _REQUIRED:

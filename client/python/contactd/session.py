@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Literal
@@ -15,6 +18,7 @@ from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolE
 from .friction import Force, Friction, Motion, RollingKind
 from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, check_type, gap_params, problem_params
 from .reading import read
+from .showing import Rows, Shown
 from .solution import Areas, Counts, Forces, IcUse, Progress, SolverEvidence, WithForces
 
 if TYPE_CHECKING:
@@ -28,7 +32,14 @@ ProgressCallback = Callable[[Progress], None]
 
 @dataclass(frozen=True)
 class StepEvidence:
-    """How the solvers of a step ended, as in ContactEvidence."""
+    """How the solvers of a step ended, as in ContactEvidence.
+
+    Attributes:
+        normal: NORM, which finds the pressures.
+        tangential: TangCG or steady rolling; None without friction.
+        outer: The loop that bodies that differ and kinetic friction need.
+        force: The search for the motion of a prescribed force.
+    """
 
     normal: SolverEvidence
     tangential: SolverEvidence | None = None
@@ -36,22 +47,44 @@ class StepEvidence:
     force: SolverEvidence | None = None
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class StepSolution(WithForces):
-    """The solution of a step. Its fields are those of ContactSolution; arrays are None unless `fields` named them."""
+    """The solution of a step. Its fields are those of ContactSolution; arrays are None unless `fields` named them.
+
+    Attributes:
+        step: Number of the step.
+        approach: delta (mm), prescribed or found.
+        forces: Total force on the upper body; also as Fn, Fx, Fy (N) and Mz (N mm) of the solution.
+        pmax: Largest pressure (N/mm^2).
+        area: Areas (mm^2) of contact, adhesion and slip.
+        elements: Numbers of elements in contact, adhesion and slip.
+        converged: False only in a session that accepts it.
+        evidence: How the solvers ended.
+        warnings: Sentences, as of ContactSolution.
+        frictional_work: Of a shift (N mm).
+        frictional_power: Of rolling (N mm/s).
+        motion: As asked for, with what a prescribed force made of it.
+        element_division: Shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
+        pressure: Shape [ny, nx] (N/mm^2), >= 0.
+        traction_x: Shape [ny, nx], on the upper body (N/mm^2).
+        traction_y: Shape [ny, nx], on the upper body (N/mm^2).
+        slip_x: Shape [ny, nx], of the upper body over the lower: of a shift the distance over the step (mm), of rolling
+            per distance rolled.
+        slip_y: The same along y.
+    """
 
     step: int
-    approach: float  #: delta (mm), prescribed or found
+    approach: float
     forces: Forces
-    pmax: float  #: largest pressure (N/mm^2)
+    pmax: float
     area: Areas
     elements: Counts
-    converged: bool  #: False only in a session that accepts it
+    converged: bool
     evidence: StepEvidence
     warnings: tuple[str, ...] = ()
-    frictional_work: float | None = None  #: of a shift (N mm)
-    frictional_power: float | None = None  #: of rolling (N mm/s)
-    motion: Motion | None = None  #: as asked for, with what a prescribed force made of it
+    frictional_work: float | None = None
+    frictional_power: float | None = None
+    motion: Motion | None = None
     element_division: npt.NDArray[np.uint8] | None = None
     pressure: Array | None = None
     traction_x: Array | None = None
@@ -59,21 +92,39 @@ class StepSolution(WithForces):
     slip_x: Array | None = None
     slip_y: Array | None = None
 
+    def _title(self) -> str:
+        return f"StepSolution {self.step}"
+
 
 @dataclass(frozen=True)
 class SavedState:
-    """What save() returns and restore() takes."""
+    """What save() returns and restore() takes.
+
+    Attributes:
+        name: What the daemon calls it.
+        step: Number of the last step when it was saved.
+    """
 
     name: str
-    step: int  #: number of the last step when it was saved
+    step: int
 
 
 @dataclass(frozen=True)
 class SessionSummary:
-    """One session of the daemon, as Client.sessions lists it; its name is the key to it and is not told."""
+    """One session of the daemon, as Client.sessions lists it; its name is the key to it and is not told.
+
+    Attributes:
+        age_seconds: Since it was opened (s).
+        idle_seconds: Since a request used it last (s), 0 while one does.
+        lease_seconds: It ends when idle for that long (s).
+        step: Number of its last step.
+        states: Saved states.
+        bytes: What it takes of the daemon's memory, saved states included.
+        elements: Elements of its grid.
+    """
 
     age_seconds: float
-    idle_seconds: float  #: since a request used it last
+    idle_seconds: float
     lease_seconds: float
     step: int
     states: int
@@ -108,8 +159,16 @@ def opened_session(
     """What Client.session returns."""
     params = _session_params(fields, lease, accept_unconverged)
     opened = client.call("session.open", params, timeout=timeout, on_progress=on_progress)
+    if not isinstance(name := opened.get("session"), str):
+        raise ProtocolError("The answer to session.open lacks its session.")
     friction: Friction | None = fields.get("friction")
-    return Session(client, opened, fields["grid"], friction is not None and friction.rolling is not None)
+    return Session(client, name, opened, fields["grid"], friction is not None and friction.rolling is not None)
+
+
+def joined_session(client: Client, name: str, timeout: float | None) -> Session:
+    """What Client.join_session returns."""
+    told = client.call("session.info", {"session": name}, timeout=timeout)
+    return Session(client, name, told, read(Grid, told.get("grid"), "result.grid"), told.get("motion") == "rolling")
 
 
 def listed_sessions(answer: dict[str, Any]) -> tuple[SessionSummary, ...]:
@@ -120,8 +179,8 @@ def listed_sessions(answer: dict[str, Any]) -> tuple[SessionSummary, ...]:
     return tuple(read(SessionSummary, session, f"result.sessions[{i}]") for i, session in enumerate(sessions))
 
 
-class Session:
-    """The steps of a simulation, of which each starts where the one before ended. Belongs to one thread at a time.
+class Session(Shown):
+    """The steps of a simulation, of which each starts where the one before ended.
 
     ::
 
@@ -129,30 +188,59 @@ class Session:
             for xi in creepages:
                 solution = session.step(Fn=1e4, xi=xi)
 
-    Client.session takes the fields of ContactProblem but `initial`; `gap`, `approach` or `Fn` and `friction` hold for the
-    steps that name no others, and may be left out. It returns when the tables lie ready. The session ends with its
+    Client.session takes a ContactProblem without `initial`, or its fields; `gap`, `approach` or `Fn` and `friction` hold
+    for the steps that name no others, and may be left out. It returns when the tables lie ready. The session ends with its
     ``with`` block, or when unused for `lease` seconds (None: the daemon's choice). A step that missed a tolerance fails,
     unless `accept_unconverged`.
 
     Steps are numbered here. A step whose answer does not come is asked for again under its number, which the daemon
     answers without solving twice; should that fail too, the session is either where it was or one step further, and the
     same step asked for again goes on from there. A step that fails leaves the session as it was.
+
+    Belongs to the process that opened it, and there to one thread at a time, because steps have an order: a call while
+    another one runs raises ContactdError. Others, a forked process too, take it over by its `name`, which is the key to
+    it: ``client.join_session(name)``.
+
+    Attributes:
+        grid: The potential contact area.
+        step_number: Number of the last step, 0 before the first.
+        lease_seconds: The session ends when unused for that long (s).
+        bytes: What it took of the daemon's memory when it was opened or joined.
+        ics: Where the influence coefficients came from, as in ContactEvidence.
+        retries: How often a step or a restore whose answer does not come is asked for again.
     """
 
-    def __init__(self, client: Client, opened: dict[str, Any], grid: Grid, rolls: bool) -> None:
+    def __init__(self, client: Client, name: str, told: dict[str, Any], grid: Grid, rolls: bool) -> None:
         try:
-            self._name = str(opened["session"])
-            self.lease_seconds = float(opened["lease_seconds"])  #: the session ends when unused for that long
-            self.bytes = int(opened["bytes"])  #: what it takes of the daemon's memory, without saved states
-            ics = opened["ics"].items()
+            self.lease_seconds = float(told["lease_seconds"])
+            self.bytes = int(told["bytes"])
+            self.step_number = int(told["step"])
+            ics = told["ics"].items()
         except (KeyError, TypeError, ValueError, AttributeError):
-            raise ProtocolError("The answer to session.open lacks its session.") from None
-        self.ics = {name: read(IcUse, use, f"result.ics.{name}") for name, use in ics}  #: as in ContactEvidence
+            raise ProtocolError("The answer to session.open or session.info lacks its session.") from None
+        self.ics = {body: read(IcUse, use, f"result.ics.{body}") for body, use in ics}
         self.grid = grid
-        self.step_number = 0  #: of the last step
-        self.retries = 1  #: how often a step or a restore whose answer does not come is asked for again
+        self.retries = 1
+        self._name = name
         self._client = client
         self._rolls = rolls
+        self._process = os.getpid()
+        self._in_use = threading.Lock()
+
+    @property
+    def name(self) -> str:
+        """The key to the session, for Client.join_session: who has it can take steps, and end it."""
+        return self._name
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a Session cannot be pickled; hand on session.name, and join it by client.join_session(name)")
+
+    def _title(self) -> str:
+        return f"Session {self._name[:6]}... of {self._client.endpoint}"  # no more of the key
+
+    def _rows(self) -> Rows:
+        grid = f"{self.grid.nx} x {self.grid.ny} elements of {self.grid.dx:g} x {self.grid.dy:g}"
+        return [("last step", self.step_number), ("grid", grid), ("lease", f"{self.lease_seconds:g} s")]
 
     def __enter__(self) -> Session:
         return self
@@ -160,6 +248,8 @@ class Session:
     def __exit__(
         self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
     ) -> None:
+        if self._process != os.getpid():
+            return  # the parent's to end
         try:
             self.close()
         except ContactdError:
@@ -167,6 +257,7 @@ class Session:
 
     def close(self, *, timeout: float | None = None) -> None:
         """Ends the session in the daemon. Raises NotFound when it has ended already."""
+        self._check_process()
         self._client.call("session.close", {"session": self._name}, timeout=timeout)
 
     def step(
@@ -189,19 +280,19 @@ class Session:
         kind: RollingKind | None = None,
         steps: int | None = None,
         velocity: float | None = None,
-        fields: Iterable[Field] = (),
+        fields: Iterable[Field] | Field = (),
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
     ) -> StepSolution:
         """Solves the next step. What is None is as the session was opened.
 
         Friction may be given whole, or by the fields of Friction and Rolling that change: `force` is that of rolling in
-        a session that rolls, else that of a shift. `fields` names the arrays wanted back.
+        a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one.
 
         Raises FailedPrecondition when the daemon is at another step, Aborted (reason NOT_CONVERGED) when a solver
         missed its tolerance, NotFound when the session has ended, and what Client.solve raises.
         """
-        params: dict[str, Any] = {"session": self._name, "step": self.step_number + 1}
+        params: dict[str, Any] = {"session": self._name}
         for name, load in (("approach", approach), ("Fn", Fn)):
             if load is not None:
                 params[name] = load
@@ -214,38 +305,64 @@ class Session:
         shift = {"rigid_shift": _pair(rigid_shift), "rotation": rotation, "duration": duration}
         if changes := self._friction(friction, mu, _pair(force), shift, rolling):
             params["friction"] = changes
-        if names := list(fields):
+        if names := [fields] if isinstance(fields, str) else list(fields):
             params["fields"] = names
-        result = self._insist("session.step", params, timeout, on_progress)
-        solution = read(StepSolution, result)
-        for name in names:
-            array = getattr(solution, name)
-            if array is not None and array.shape != self.grid.shape:
-                raise ProtocolError(f"The answer's {name} has shape {array.shape} instead of {self.grid.shape}.")
-        self.step_number = solution.step
+        with self._alone():
+            params["step"] = self.step_number + 1
+            result = self._insist("session.step", params, timeout, on_progress)
+            solution = read(StepSolution, result)
+            for name in names:
+                array = getattr(solution, name)
+                if array is not None and array.shape != self.grid.shape:
+                    raise ProtocolError(f"The answer's {name} has shape {array.shape} instead of {self.grid.shape}.")
+            self.step_number = solution.step
         return solution
 
     def save(self, *, timeout: float | None = None) -> SavedState:
         """Keeps where the session is, for restore()."""
-        result = self._client.call("session.save", {"session": self._name}, timeout=timeout)
+        with self._alone():
+            result = self._client.call("session.save", {"session": self._name}, timeout=timeout)
         return SavedState(str(result["state"]), int(result["step"]))
 
     def restore(self, state: SavedState, *, timeout: float | None = None) -> None:
         """Takes the session to a saved state, which stays: as often as wanted."""
         check_type("state", state, SavedState)
-        result = self._insist("session.restore", {"session": self._name, "state": state.name}, timeout, None)
-        self.step_number = int(result["step"])
+        with self._alone():
+            result = self._insist("session.restore", {"session": self._name, "state": state.name}, timeout, None)
+            self.step_number = int(result["step"])
 
     def forget(self, state: SavedState, *, timeout: float | None = None) -> None:
         """Frees a saved state."""
         check_type("state", state, SavedState)
+        self._check_process()
         self._client.call("session.forget", {"session": self._name, "state": state.name}, timeout=timeout)
+
+    def _check_process(self) -> None:
+        if self._process != os.getpid():
+            raise ContactdError(
+                f"This session belongs to process {self._process}, from which process {os.getpid()} was forked; open one "
+                "of your own, or take it over by client.join_session(session.name)."
+            )
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Two calls at once would give two steps the same number."""
+        self._check_process()
+        if not self._in_use.acquire(blocking=False):
+            raise ContactdError(
+                "A call of this session runs, in another thread or in the progress callback of this one; a session takes "
+                "one step at a time, in order. Open a session for each thread."
+            )
+        try:
+            yield
+        finally:
+            self._in_use.release()
 
     def _friction(
         self,
         friction: Friction | None,
         mu: float | npt.ArrayLike | None,
-        force: list[float | None] | None,
+        force: Any,
         shift: dict[str, Any],
         rolling: dict[str, Any],
     ) -> dict[str, Any]:
@@ -278,5 +395,6 @@ class Session:
         raise AssertionError("unreachable")
 
 
-def _pair(values: Iterable[float | None] | None) -> list[float | None] | None:
-    return None if values is None else list(values)
+def _pair(values: Any) -> Any:
+    """As a list, whatever sequence it is. What is no sequence is the daemon's to refuse, by name."""
+    return list(values) if isinstance(values, Iterable) else values

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from .friction import Motion
 from .problem import Array, FemIcs, Grid, Ics, Material
+from .showing import Rows, Shown, number
 
 __all__ = [
     "Areas",
@@ -39,31 +40,73 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Progress:
-    """A sign of life of the job that a call waits for."""
+    """A sign of life of the job that a call waits for.
 
-    stage: str  #: what is being done, e.g. "assembly"
-    fraction: float  #: 0 to 1, of the whole job
-    job: str = ""  #: what cancel_job takes
-    iteration: int = 0  #: within the stage
-    residual: float = 0.0  #: the figure that the stage's stop test compares
-    state: str = ""  #: of health.watch
+    Attributes:
+        stage: What is being done, e.g. "assembly".
+        fraction: 0 to 1, of the whole job.
+        job: What cancel_job takes.
+        iteration: Within the stage.
+        residual: The figure that the stage's stop test compares.
+        state: Of health.watch.
+        seconds_left: Time to go for the whole job (s), an estimate; None where there is none.
+    """
+
+    stage: str
+    fraction: float
+    job: str = ""
+    iteration: int = 0
+    residual: float = 0.0
+    state: str = ""
+    seconds_left: float | None = None
+
+    def __str__(self) -> str:
+        if self.state:
+            return f"the daemon is {self.state}"
+        parts = [f"{self.stage} {100 * self.fraction:.0f} %"]
+        if self.iteration:
+            parts.append(f"iteration {self.iteration}, residual {self.residual:.1e}")
+        if self.seconds_left is not None:
+            parts.append(f"about {_duration(self.seconds_left)} to go")
+        return ", ".join(parts)
+
+
+def _duration(seconds: float) -> str:
+    whole = round(seconds)
+    if whole < 120:
+        return f"{whole} s"
+    return f"{whole // 60} min" if whole < 7200 else f"{whole / 3600:.1f} h"
 
 
 @dataclass(frozen=True)
 class LoadCase:
-    """One solve of the finite-element problem."""
+    """One solve of the finite-element problem.
 
-    load: str  #: direction of the load: "x", "y" or "z"
+    Attributes:
+        load: Direction of the load: "x", "y" or "z".
+        iterations: Of the linear solver.
+        residual: True relative residual ||b - A u|| / ||b||.
+        converged: Whether the stop test was met.
+        seconds: Time spent (s).
+        update: Relative update of the last iteration, where that is the stop test.
+    """
+
+    load: str
     iterations: int
-    residual: float  #: true relative residual ||b - A u|| / ||b||
+    residual: float
     converged: bool
     seconds: float
-    update: float | None = None  #: relative update of the last iteration, where that is the stop test
+    update: float | None = None
 
 
 @dataclass(frozen=True)
 class ComponentError:
-    """Relative error: signed at the origin (paper, (3.1)), and the largest size over the table."""
+    """Relative error: signed at the origin (paper, (3.1)), and the largest size over the table.
+
+    Attributes:
+        origin: Signed, at the origin.
+        largest: Largest size over the table.
+    """
 
     origin: float
     largest: float
@@ -74,6 +117,13 @@ class IcErrors:
     """Errors against the closed form, or estimated ones (IcEvidence.errors_estimated).
 
     xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy).
+
+    Attributes:
+        xx: Relative errors of xx.
+        yy: Relative errors of yy.
+        zz: Relative errors of zz.
+        scaled_xy: Largest scaled error of xy over the table.
+        scaled_xz: Largest scaled error of xz over the table.
     """
 
     xx: ComponentError
@@ -88,6 +138,22 @@ class IcEvidence:
     """How a table was made. A closed-form one has no elements, no solves and no errors.
 
     Read `warnings` first. `errors` is None where nothing is known of them: of a block on a mesh that was named.
+
+    Attributes:
+        source: "analytic" or "fem".
+        version: Of the contactd that made it.
+        elements: Of the mesh.
+        dofs: Unknowns of the finite-element problem.
+        processes: MPI processes that built it.
+        seconds: Time spent (s) on "assembly", "setup", "solve" and "total".
+        load_cases: The solves, by direction of the load.
+        errors: Of its components, where known.
+        errors_estimated: Of a block, by the difference to the next lower order.
+        warnings: Sentences, e.g. that the mesh is outside of the ranges the paper recommends.
+        solver: "amg_pcg" or "direct".
+        mesh: What was chosen for an accuracy; not of a block.
+        family_nu: Of a family: Poisson's ratios of its tables.
+        interpolation_error: Of a family: what interpolation between them adds at most, estimated.
     """
 
     source: str
@@ -95,20 +161,26 @@ class IcEvidence:
     elements: int = 0
     dofs: int = 0
     processes: int = 0
-    seconds: Mapping[str, float] = field(default_factory=dict)  #: "assembly", "setup", "solve", "total"
+    seconds: Mapping[str, float] = field(default_factory=dict)
     load_cases: tuple[LoadCase, ...] = ()
     errors: IcErrors | None = None
-    errors_estimated: bool = False  #: of a block, by the difference to the next lower order
-    warnings: tuple[str, ...] = ()  #: sentences, e.g. that the mesh is outside of the ranges the paper recommends
-    solver: str | None = None  #: "amg_pcg" or "direct"
-    mesh: FemIcs | None = None  #: what was chosen for an accuracy; not of a block
-    family_nu: tuple[float, ...] = ()  #: of a family: Poisson's ratios of its tables
-    interpolation_error: float | None = None  #: of a family: what interpolation between them adds at most, estimated
+    errors_estimated: bool = False
+    warnings: tuple[str, ...] = ()
+    solver: str | None = None
+    mesh: FemIcs | None = None
+    family_nu: tuple[float, ...] = ()
+    interpolation_error: float | None = None
 
 
 @dataclass(frozen=True)
 class IcSpec:
-    """A request for a table with its defaults filled in."""
+    """A request for a table with its defaults filled in.
+
+    Attributes:
+        material: The body.
+        grid: Offsets and element size; where it lies does not matter.
+        ics: Closed form or finite elements, with every option.
+    """
 
     material: Material
     grid: Grid
@@ -118,20 +190,43 @@ class IcSpec:
 _AXES = "xyz"
 
 
-@dataclass(frozen=True, eq=False)
-class IcTable:
+@dataclass(frozen=True, eq=False, repr=False)
+class IcTable(Shown):
     """Influence coefficients of one body.
 
     `array[i, j, l, k]` (mm^3/N) is the displacement along axis i at an element whose offset from the loaded element is
     (k dx, l dy), for a unit traction along axis j; axes are x, y, z, and z is the outward normal. Negative offsets
     follow from symmetry: xx, yy, zz are even in both, xy, yx odd in both, xz, zx odd in x, yz, zy odd in y.
+
+    Attributes:
+        key: Equal for every shear modulus, element size and extent of the same dimensionless problem; "" of a file .h5.
+        origin: "closed_form", "memory", "disk" or "built"; "file" when load_table read it.
+        spec: What was asked for, defaults filled in.
+        array: Shape [3, 3, ny, nx] (mm^3/N).
+        evidence: How it was made, and how good it is.
     """
 
-    key: str  #: equal for every shear modulus, element size and extent of the same dimensionless problem; "" of a file .h5
-    origin: str  #: "closed_form", "memory", "disk" or "built"; "file" when load_table read it
+    key: str
+    origin: str
     spec: IcSpec
-    array: Array  #: shape [3, 3, ny, nx] (mm^3/N)
+    array: Array
     evidence: IcEvidence
+
+    def _title(self) -> str:
+        return f"IcTable of {self.spec.grid.nx} x {self.spec.grid.ny} offsets"
+
+    def _rows(self) -> Rows:
+        material, grid, ics = self.spec.material, self.spec.grid, self.spec.ics
+        rows: Rows = [("G", material.G), ("nu", material.nu), ("dx", grid.dx), ("dy", grid.dy)]
+        rows.append(("source", _recipe(ics)))
+        rows += [("origin", self.origin), ("zz at the origin", float(self["zz"][0, 0]))]
+        if (errors := self.evidence.errors) is not None:
+            name = "largest error of zz, estimated" if self.evidence.errors_estimated else "largest error of zz"
+            rows.append((name, f"{errors.zz.largest:.2g}"))
+        return rows
+
+    def _remarks(self) -> tuple[str, ...]:
+        return self.evidence.warnings
 
     def __getitem__(self, component: str) -> Array:
         """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
@@ -141,9 +236,25 @@ class IcTable:
         return part
 
 
+def _recipe(ics: Ics) -> str:
+    """Finite elements by their most telling options."""
+    if not isinstance(ics, FemIcs):
+        return "closed form"
+    names = ("preset", "accuracy", "body", "mesh", "order", "L_over_h")
+    given = [f"{name} {number(value)}" for name in names if (value := getattr(ics, name)) is not None]
+    return " ".join(["finite elements,", *given]) if given else "finite elements"
+
+
 @dataclass(frozen=True)
 class SolverEvidence:
-    """How one iterative solver ended; `residual` is the figure compared with its tolerance."""
+    """How one iterative solver ended; `residual` is the figure compared with its tolerance.
+
+    Attributes:
+        iterations: How many there were.
+        residual: The figure compared with the tolerance.
+        converged: Whether it reached the tolerance.
+        seconds: Time spent (s).
+    """
 
     iterations: int
     residual: float
@@ -153,7 +264,13 @@ class SolverEvidence:
 
 @dataclass(frozen=True)
 class IcUse:
-    """Where the influence coefficients of one body came from."""
+    """Where the influence coefficients of one body came from.
+
+    Attributes:
+        origin: "closed_form", "memory", "disk", "built", or "given" where the problem brought them along.
+        key: That of the table, as IcTable.key.
+        evidence: How the table was made.
+    """
 
     origin: str
     key: str
@@ -166,20 +283,33 @@ class ContactEvidence:
 
     `ics` has "upper" and "lower" (not of a rigid body), or "pair" when the problem brought its coefficients along
     (TableIcs). It is empty for models other than "full".
+
+    Attributes:
+        normal: NORM, which finds the pressures.
+        ics: Where the coefficients came from, by "upper", "lower" or "pair".
+        tangential: TangCG or steady rolling, which find the tractions.
+        outer: The loop that bodies that differ and kinetic friction need; its residual is the last relative change of
+            tractions.
+        force: The search for the motion of a prescribed force; its residual is the error of the force over the friction
+            bound.
     """
 
     normal: SolverEvidence
     ics: Mapping[str, IcUse]
     tangential: SolverEvidence | None = None
-    #: the loop that bodies that differ and kinetic friction need; its residual is the last relative change of tractions
     outer: SolverEvidence | None = None
-    #: the search for the motion of a prescribed force; its residual is the error of the force over the friction bound
     force: SolverEvidence | None = None
 
 
 @dataclass(frozen=True)
 class Areas:
-    """Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip."""
+    """Areas (mm^2): contact = adhesion + slip; without friction all contact counts as slip.
+
+    Attributes:
+        contact: Of all elements in contact (mm^2).
+        adhesion: Of those in adhesion (mm^2).
+        slip: Of those in slip (mm^2).
+    """
 
     contact: float
     adhesion: float
@@ -188,28 +318,59 @@ class Areas:
 
 @dataclass(frozen=True)
 class Counts:
-    """Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip."""
+    """Numbers of elements: contact = adhesion + slip; without friction all contact counts as slip.
+
+    Attributes:
+        contact: Of elements in contact.
+        adhesion: Of elements in adhesion.
+        slip: Of elements in slip.
+        border: Of elements in contact at the border of the potential contact area, which should not be; see `warnings`.
+    """
 
     contact: int
     adhesion: int
     slip: int
-    border: int  #: in contact at the border of the potential contact area, which should not be; see `warnings`
+    border: int
 
 
 @dataclass(frozen=True)
 class Forces:
-    """Total force on the upper body (N), and its moment about z."""
+    """Total force on the upper body (N), and its moment about z.
+
+    Attributes:
+        Fn: Normal force (N), > 0 in compression.
+        Fx: Tangential force along x (N).
+        Fy: Tangential force along y (N).
+        Mz: At the origin: sum of x p_y - y p_x over the elements (N mm).
+    """
 
     Fn: float
     Fx: float
     Fy: float
-    Mz: float  #: at the origin: sum of x p_y - y p_x over the elements (N mm)
+    Mz: float
 
 
-class WithForces:
+class WithForces(Shown):
     """What has forces, with short names for them."""
 
     forces: Forces
+    pmax: float
+    approach: float
+    elements: Counts
+    converged: bool
+    warnings: tuple[str, ...]
+    motion: Motion | None
+
+    def _rows(self) -> Rows:
+        division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"
+        forces: Rows = [(name, getattr(self, name)) for name in ("Fn", "Fx", "Fy", "Mz")]
+        rows: Rows = [*forces, ("pmax", self.pmax), ("approach", self.approach), ("contact", division)]
+        if self.motion is not None:
+            rows.append(("motion", self.motion))
+        return [*rows, ("converged", "yes" if self.converged else "NO")]
+
+    def _remarks(self) -> tuple[str, ...]:
+        return self.warnings
 
     @property
     def Fn(self) -> float:
@@ -232,53 +393,109 @@ class WithForces:
         return self.forces.Mz
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ContactSolution(WithForces):
     """The solution of a ContactProblem. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
     A solve that did not converge is a solution too: ask `converged`. Read `warnings`. A solution may be `previous` or
     `initial` of the next problem.
+
+    Attributes:
+        approach: delta (mm), prescribed or found.
+        forces: Total force on the upper body; also as Fn, Fx, Fy (N) and Mz (N mm) of the solution.
+        pmax: Largest pressure (N/mm^2).
+        area: Areas (mm^2) of contact, adhesion and slip.
+        elements: Numbers of elements in contact, adhesion and slip.
+        element_division: Shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
+        pressure: Shape [ny, nx] (N/mm^2), >= 0.
+        traction_x: Along x on the upper body, shape [ny, nx] (N/mm^2).
+        traction_y: Along y on the upper body, shape [ny, nx] (N/mm^2).
+        converged: Whether every solver reached its tolerance.
+        evidence: How the solvers ended, and where the coefficients came from.
+        warnings: Sentences, e.g. that the contact touches the border of the potential contact area.
+        slip_x: Along x, slip of the upper body over the lower, zero outside contact: of a shift the distance over the
+            step (mm), of rolling the relative slip, per distance rolled. None without friction, like all that follow.
+        slip_y: The same along y.
+        frictional_work: Of a shift: what friction dissipates in the step (N mm).
+        frictional_power: Of rolling: what friction dissipates (N mm/s).
+        motion: As asked for, with what a prescribed force made of it.
     """
 
-    approach: float  #: delta (mm), prescribed or found
+    approach: float
     forces: Forces
-    pmax: float  #: largest pressure (N/mm^2)
+    pmax: float
     area: Areas
     elements: Counts
-    element_division: npt.NDArray[np.uint8]  #: 0 exterior, 1 adhesion, 2 slip
-    pressure: Array  #: N/mm^2, >= 0
-    traction_x: Array  #: N/mm^2
-    traction_y: Array  #: N/mm^2
+    element_division: npt.NDArray[np.uint8]
+    pressure: Array
+    traction_x: Array
+    traction_y: Array
     converged: bool
     evidence: ContactEvidence
-    warnings: tuple[str, ...] = ()  #: sentences, e.g. that the contact touches the border of the potential contact area
-    # The following are None without friction.
-    #: slip of the upper body over the lower, zero outside contact: of a shift the distance over the step (mm), of rolling
-    #: the relative slip, per distance rolled
+    warnings: tuple[str, ...] = ()
     slip_x: Array | None = None
     slip_y: Array | None = None
-    frictional_work: float | None = None  #: of a shift: what friction dissipates in the step (N mm)
-    frictional_power: float | None = None  #: of rolling: what friction dissipates (N mm/s)
-    motion: Motion | None = None  #: as asked for, with what a prescribed force made of it
+    frictional_work: float | None = None
+    frictional_power: float | None = None
+    motion: Motion | None = None
+
+    def _title(self) -> str:
+        ny, nx = self.pressure.shape
+        return f"ContactSolution on {nx} x {ny} elements"
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What one message may cost."""
+    """What one message may cost.
+
+    Attributes:
+        max_frame_bytes: Bytes of one frame.
+        max_frames: The envelope included.
+        max_message_bytes: Bytes of one message.
+        max_array_elements: Numbers of one array.
+        max_grid_elements: Elements of one grid, offsets of one table.
+        max_queue: Requests that may wait for an answer.
+        max_queue_per_client: Of these, requests that came through one socket.
+        max_queue_bytes: Bytes of the messages whose requests wait for an answer.
+        max_sessions: Sessions that may be open.
+        max_session_bytes: Bytes of all sessions and their saved states together.
+        max_session_states: Saved states of one session.
+        max_lease_seconds: Longest lease of a session (s).
+    """
 
     max_frame_bytes: int
-    max_frames: int  #: the envelope included
+    max_frames: int
     max_message_bytes: int
     max_array_elements: int
+    max_grid_elements: int
     max_queue: int
+    max_queue_per_client: int
+    max_queue_bytes: int
+    max_sessions: int
+    max_session_bytes: int
+    max_session_states: int
+    max_lease_seconds: float
 
 
 @dataclass(frozen=True)
 class ServerInfo:
-    """The daemon, its libraries, and what it has done since it started."""
+    """The daemon, its libraries, and what it has done since it started.
+
+    Attributes:
+        version: Version of contactd.
+        commit: Of the sources it was built from.
+        protocol: Version of the protocol that it answers in.
+        libraries: Their versions, by name.
+        limits: What one message may cost, and how much may wait.
+        counters: What was done since it started, by name (docs/protocol.md).
+        cache: Tables in memory, and their bytes.
+        queue: What waits and runs.
+        uptime_seconds: Since it started (s).
+        protocol_versions: Versions that it understands.
+    """
 
     version: str
-    commit: str  #: of the sources it was built from
+    commit: str
     protocol: int
     libraries: Mapping[str, str]
     limits: Limits
@@ -286,13 +503,21 @@ class ServerInfo:
     cache: Mapping[str, int]
     queue: Mapping[str, int]
     uptime_seconds: float
+    protocol_versions: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
 class StoredIc:
-    """A table in the daemon's store."""
+    """A table in the daemon's store.
 
-    key: str  #: what delete_ic takes
+    Attributes:
+        key: What delete_ic takes.
+        nx: Offsets along x.
+        ny: Offsets along y.
+        bytes: Size of its file.
+    """
+
+    key: str
     nx: int
     ny: int
     bytes: int
@@ -300,24 +525,43 @@ class StoredIc:
 
 @dataclass(frozen=True)
 class QuarantinedIc:
-    """A table whose builds failed too often; it and larger ones with its key are not tried again for now."""
+    """A table whose builds failed too often; it and larger ones with its key are not tried again for now.
+
+    Attributes:
+        key: What delete_ic takes, which ends the quarantine.
+        nx: Offsets along x.
+        ny: Offsets along y.
+        failures: How many builds failed.
+        message: How the last build failed.
+        seconds: Until it may be tried again.
+    """
 
     key: str
     nx: int
     ny: int
     failures: int
-    message: str  #: how the last build failed
-    seconds: float  #: until it may be tried again
+    message: str
+    seconds: float
 
 
 @dataclass(frozen=True)
 class Job:
-    """A build, a solve or stresses that wait or run."""
+    """A build, a solve or stresses that wait or run.
 
-    job: str  #: what cancel_job takes
-    kind: str  #: "build", "solve", "subsurface" or "step"
-    state: str  #: "queued" or "running"
+    Attributes:
+        job: What cancel_job takes.
+        kind: "build", "solve", "subsurface" or "step".
+        state: "queued" or "running".
+        stage: What is being done; empty while queued.
+        fraction: 0 to 1, of the whole job, an estimate.
+        callers: How many calls wait for it.
+        seconds: Since it was queued (s).
+    """
+
+    job: str
+    kind: str
+    state: str
     stage: str
     fraction: float
-    callers: int  #: how many calls wait for it
+    callers: int
     seconds: float

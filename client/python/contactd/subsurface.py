@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from .arrays import invalid, plain
 from .problem import Array, ContactProblem, Estimate, RigidBody, check_type, traction_params
+from .showing import Rows, Shown
 from .solution import ContactSolution
 
 __all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
@@ -20,11 +21,16 @@ class StressBlock:
     """The points (x, y, z) with each of `x`, each of `y` and each of `z` (mm), in any order; a number stands for one.
 
     Costs less than as many points where coordinates are whole elements apart: ``StressBlock(grid.x, grid.y, z)``.
+
+    Attributes:
+        x: Places along x (mm).
+        y: Places along y (mm).
+        z: Places along z (mm), <= 0 inside the body, for the upper one too.
     """
 
     x: npt.ArrayLike
     y: npt.ArrayLike
-    z: npt.ArrayLike  #: <= 0 inside the body, for the upper one too
+    z: npt.ArrayLike
 
     @property
     def shape(self) -> tuple[int, int, int]:
@@ -34,22 +40,40 @@ class StressBlock:
 
 @dataclass(frozen=True)
 class LargestStress:
-    """The place of the largest von Mises stress among the points asked for."""
+    """The place of the largest von Mises stress among the points asked for.
 
-    von_mises: float  #: N/mm^2
-    x: float  #: mm
-    y: float  #: mm
-    z: float  #: mm, <= 0
-    depth: float  #: -z (mm)
+    Attributes:
+        von_mises: N/mm^2.
+        x: Mm.
+        y: Mm.
+        z: Mm, <= 0.
+        depth: -z (mm).
+    """
+
+    von_mises: float
+    x: float
+    y: float
+    z: float
+    depth: float
 
 
-@dataclass(frozen=True, eq=False)
-class SubsurfaceStress:
+@dataclass(frozen=True, eq=False, repr=False)
+class SubsurfaceStress(Shown):
     """Stresses inside a body (N/mm^2), tension positive: read-only arrays of shape [n], of a block [nz, ny, nx].
 
     They are in the frame of the body, in which it is z <= 0 and x and y are those of the grid. The frame of the lower
     body is that of the contact problem; that of the upper one is its mirror image, so that xz and yz of the upper body
     change sign on the way to the frame of the problem.
+
+    Attributes:
+        xx: Normal stress along x.
+        yy: Normal stress along y.
+        zz: Normal stress along z.
+        xy: Shear stress.
+        xz: Shear stress.
+        yz: Shear stress.
+        von_mises: Von Mises' equivalent stress.
+        largest: Where that is largest; the first place of equals.
     """
 
     xx: Array
@@ -58,8 +82,15 @@ class SubsurfaceStress:
     xy: Array
     xz: Array
     yz: Array
-    von_mises: Array  #: von Mises' equivalent stress
-    largest: LargestStress  #: where that is largest; the first place of equals
+    von_mises: Array
+    largest: LargestStress
+
+    def _title(self) -> str:
+        return f"SubsurfaceStress at {self.von_mises.size} points"
+
+    def _rows(self) -> Rows:
+        at = self.largest
+        return [("largest von Mises", at.von_mises), ("at x", at.x), ("y", at.y), ("z", at.z)]
 
 
 def subsurface_params(

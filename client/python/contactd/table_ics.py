@@ -11,6 +11,7 @@ import numpy as np
 
 from .contact_text import format_text, parse_text
 from .errors import TableFileError
+from .showing import Rows, Shown
 
 if TYPE_CHECKING:
     from .problem import Array, Material
@@ -30,8 +31,8 @@ def combined_modulus(upper: Material, lower: Material | None = None) -> float:
     return 2 / (1 / upper.G + 1 / lower.G)
 
 
-@dataclass(frozen=True, eq=False)
-class TableIcs:
+@dataclass(frozen=True, eq=False, repr=False)
+class TableIcs(Shown):
     """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then.
 
     `array[i, j, l, k]` (mm^3/N) is the difference (upper less lower body) of the displacements along axis i at an element
@@ -41,18 +42,31 @@ class TableIcs:
 
     Where xz, zx, yz and zy are below 1e-6 of zz at the origin they are taken for rounding; larger ones couple normal and
     tangential contact.
+
+    Attributes:
+        array: Shape [3, 3, ny, nx].
+        dx: Element size along x that the table is for (mm); that of the grid, to 1e-6.
+        dy: Element size along y (mm).
+        G: Combined_modulus of the bodies (N/mm^2): for writing CONTACT's text only.
     """
 
-    array: Array  #: shape [3, 3, ny, nx]
-    dx: float  #: element size along x that the table is for (mm); that of the grid, to 1e-6
-    dy: float  #: element size along y (mm)
-    G: float | None = None  #: combined_modulus of the bodies (N/mm^2): for writing CONTACT's text only
+    array: Array
+    dx: float
+    dy: float
+    G: float | None = None
 
     def __post_init__(self) -> None:
         array = np.asarray(self.array, dtype=np.float64)
         if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
             raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
         object.__setattr__(self, "array", array)
+
+    def _title(self) -> str:
+        return f"TableIcs of {self.shape[1]} x {self.shape[0]} offsets"
+
+    def _rows(self) -> Rows:
+        rows: Rows = [("dx", self.dx), ("dy", self.dy), ("zz at the origin", float(self["zz"][0, 0]))]
+        return rows if self.G is None else [("G", self.G), *rows]
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -197,7 +197,7 @@ def test_a_daemon_that_was_restarted_between_two_calls_answers(tmp_path):
         assert client.health() == "serving"
         server.__exit__()
         # It takes a moment until the client's socket has heard of it; what it sends before is lost, and said to be.
-        _until(lambda: client._idle[0]._monitor.poll(0))
+        _until(lambda: client._connections._idle[0]._monitor.poll(0))
         with FakeServer(tmp_path, healthy):
             assert client.health() == "serving"
 

@@ -1,4 +1,4 @@
-"""The client's influence coefficients have every option of the schema, with the words it knows."""
+"""The client has every option of influence coefficients, and every figure of the answers, that the schemas know."""
 
 import json
 from dataclasses import fields
@@ -7,7 +7,7 @@ from typing import Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
-from contactd import AnalyticIcs, FemIcs
+from contactd import AnalyticIcs, FemIcs, Job, Limits, Progress, QuarantinedIc, ServerInfo, SessionSummary, StoredIc
 
 ROOT = Path(__file__).parents[3]
 SCHEMA = json.loads((ROOT / "proto" / "schema" / "definitions.json").read_text())["definitions"]["ics"]
@@ -48,3 +48,22 @@ def test_the_documentation_has_every_option_and_every_word(document):
     for name, option in OPTIONS.items():
         for word in [name, *option.get("enum", [])]:
             assert f"`{word}`" in text, word
+
+
+@pytest.mark.parametrize(
+    ("kind", "schema", "place"),
+    [
+        (Limits, "server.info.result", "limits"),
+        (ServerInfo, "server.info.result", ""),
+        (Job, "job.list.result", "jobs"),
+        (StoredIc, "ic.list.result", "tables"),
+        (QuarantinedIc, "ic.list.result", "quarantined"),
+        (SessionSummary, "session.list.result", "sessions"),
+        (Progress, "progress", "progress"),
+    ],
+)
+def test_an_answer_has_every_field_of_its_schema(kind, schema, place):
+    document = json.loads((ROOT / "proto" / "schema" / f"{schema}.json").read_text())
+    described = document["properties"][place] if place else document
+    properties = described.get("items", described)["properties"]
+    assert set(properties) <= {field.name for field in fields(kind)}

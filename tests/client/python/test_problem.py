@@ -1,5 +1,9 @@
 """What the dataclasses of a request say on the wire."""
 
+import copy
+import dataclasses
+import pickle
+
 import numpy as np
 import pytest
 
@@ -10,6 +14,7 @@ from contactd import (
     FemIcs,
     Friction,
     Grid,
+    InvalidArgument,
     Material,
     Paraboloid,
     RigidBody,
@@ -167,3 +172,48 @@ def test_a_gap_may_be_nested_lists():
 def test_values_cannot_be_changed_by_accident():
     with pytest.raises(AttributeError):
         STEEL.G = 1
+
+
+# --- materials -------------------------------------------------------------------------------------------------------
+
+
+def test_a_material_is_given_by_its_shear_modulus_or_by_youngs():
+    assert Material(E=210000, nu=0.28) == Material(G=210000 / 2.56, nu=0.28)
+    assert Material(82000, 0.28).E == 2 * 82000 * 1.28
+    assert Material(E=1, nu=0.5).G == pytest.approx(1 / 3)
+
+
+def test_a_material_of_youngs_modulus_goes_out_as_one_of_the_shear_modulus():
+    params = problem_params(PROBLEM.replace(upper=Material(E=256, nu=0.28)))
+    assert params["bodies"]["upper"] == {"G": 100, "nu": 0.28}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"nu": 0.3}, TypeError, "takes either G, the shear modulus, or E"),
+        ({"G": 1, "E": 1, "nu": 0.3}, TypeError, "takes either G, the shear modulus, or E"),
+        ({"E": 1}, TypeError, "lacks nu"),
+        ({"E": 0, "nu": 0.3}, InvalidArgument, "^E is 0; it must be a positive"),
+        ({"E": -1.0, "nu": 0.3}, InvalidArgument, r"^E is -1\.0; it must be a positive"),
+        ({"E": float("inf"), "nu": 0.3}, InvalidArgument, "^E is inf; it must be a positive"),
+        ({"E": float("nan"), "nu": 0.3}, InvalidArgument, "^E is nan; it must be a positive"),
+        ({"E": "1", "nu": 0.3}, TypeError, "^E is '1'; it must be a number"),
+        ({"E": 1, "nu": -1}, InvalidArgument, r"^nu is -1; it must lie in \[0, 0.5\]"),
+        ({"E": 1, "nu": "x"}, TypeError, "^nu is 'x'; it must be a number"),
+    ],
+)
+def test_a_material_that_is_none_is_refused_by_name(arguments, error, message):
+    with pytest.raises(error, match=message):
+        Material(**arguments)
+
+
+def test_a_material_stays_a_plain_value():
+    steel = Material(E=210000, nu=0.28)
+    assert repr(steel) == f"Material(G={steel.G}, nu=0.28)"
+    assert pickle.loads(pickle.dumps(steel)) == copy.copy(steel) == steel
+    assert hash(steel) == hash(Material(steel.G, 0.28))
+    assert dataclasses.replace(steel, nu=0.3) == Material(steel.G, 0.3)
+    assert [field.name for field in dataclasses.fields(steel)] == ["G", "nu"]
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        steel.G = 1

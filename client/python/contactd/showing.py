@@ -1,0 +1,41 @@
+"""How things show themselves: a line on a terminal, a small table in a notebook."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Sequence
+
+__all__ = ["Rows", "Shown", "number"]
+
+Rows = list[tuple[str, object]]
+
+
+def number(value: object) -> str:
+    """Six digits of a float; anything else as it is."""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+class Shown:
+    """What says in `_title` what it is, and in `_rows` what there is to know of it, names and values."""
+
+    def _title(self) -> str:
+        return type(self).__name__
+
+    def _rows(self) -> Rows:
+        raise NotImplementedError
+
+    def _remarks(self) -> Sequence[str]:
+        """Sentences: counted in a line, said in a table."""
+        return ()
+
+    def __repr__(self) -> str:
+        parts = [f"{name} {number(value)}" for name, value in self._rows()]
+        if remarks := self._remarks():
+            parts.append(f"{len(remarks)} warning{'s' if len(remarks) > 1 else ''}")
+        return f"<{self._title()}: {', '.join(parts)}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(name, number(value)) for name, value in self._rows()]
+        rows += [("warning", remark) for remark in self._remarks()]
+        cells = (f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
+        return f"<table><caption>{html.escape(self._title())}</caption>{''.join(cells)}</table>"

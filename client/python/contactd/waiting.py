@@ -1,0 +1,45 @@
+"""How long calls wait."""
+
+from __future__ import annotations
+
+from numbers import Real
+from typing import Any
+
+from .errors import StatusError, TimeoutExpired
+
+__all__ = ["LONGEST", "may_build", "say_that_the_build_goes_on", "seconds_of"]
+
+LONGEST = 86_400.0  #: seconds that a call may take
+
+
+def seconds_of(name: str, value: Any) -> float:
+    """A time to wait that the caller gave (s); None stands for the longest. Raises TypeError or ValueError."""
+    if value is None:
+        return LONGEST
+    right = f"it must be a number of seconds, more than 0 and at most {LONGEST:g}, or None, which is the latter"
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise TypeError(f"{name} is {value!r}; {right}")
+    if not 0 < value <= LONGEST:
+        raise ValueError(f"{name} is {value}; {right}")
+    return float(value)
+
+
+def may_build(params: dict[str, Any]) -> bool:
+    """Whether a request with these parameters may have to wait for tables by finite elements."""
+    problems = params.get("problems", [params])
+    return any(_asks_for_finite_elements(problem) for problem in problems if isinstance(problem, dict))
+
+
+def _asks_for_finite_elements(problem: dict[str, Any]) -> bool:
+    ics = problem.get("ics")
+    return isinstance(ics, dict) and ics.get("source") == "fem" and problem.get("model", "full") == "full"
+
+
+def say_that_the_build_goes_on(error: TimeoutExpired, job: str) -> None:
+    """Adds to `error` what becomes of the build, `job` ("" where none is known), that the call has waited for."""
+    what = f"The build goes on in the daemon as job {job}" if job else "A build that it waited for goes on in the daemon"
+    end = f"cancel_job({job!r})" if job else "cancel_job()"
+    advice = f"{what}: jobs() shows how far it is, {end} ends it, and the same call again joins it or gets its table."
+    if isinstance(error, StatusError):
+        error.message = f"{error.message} {advice}"
+    error.args = (f"{error.args[0]} {advice}",)

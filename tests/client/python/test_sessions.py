@@ -1,0 +1,79 @@
+"""What the client makes of the options of sessions."""
+
+import pytest
+
+from contactd import Client, ContactProblem, Friction, Grid, Material, Paraboloid, Rolling, Session
+from support.fake_server import FakeServer
+
+GRID, STEEL = Grid(3, 2, 1, 1), Material(82000, 0.28)
+NAME = "0123456789abcdef" * 2
+STEP = {
+    "step": 1, "approach": 0.02, "forces": {"Fn": 9, "Fx": 0, "Fy": 0, "Mz": 0}, "pmax": 4,
+    "area": {"contact": 3, "adhesion": 1, "slip": 2}, "elements": {"contact": 3, "adhesion": 1, "slip": 2, "border": 0},
+    "converged": True, "evidence": {"normal": {"iterations": 6, "residual": 0, "converged": True, "seconds": 0}},
+}  # fmt: skip
+
+
+@pytest.fixture
+def fake(tmp_path):
+    def script(request):
+        if request.method == "session.open":
+            return [request.result({"session": NAME, "lease_seconds": 60, "step": 0, "ics": {}, "bytes": 1})]
+        if request.method == "session.info":
+            grid = {"nx": 3, "ny": 2, "dx": 1, "dy": 1, "x0": 5, "y0": 0}
+            told = {"step": 7, "lease_seconds": 60, "states": 0, "bytes": 1, "grid": grid, "motion": "rolling", "ics": {}}
+            return [request.result(told)]
+        return [request.result({**STEP, "step": request.params.get("step", 7)})]
+
+    with FakeServer(tmp_path, script) as server, Client(server.endpoint, timeout=5) as client:
+        yield server, client
+
+
+def test_a_session_takes_a_whole_problem_as_solve_does(fake):
+    server, client = fake
+    friction = Friction(mu=0.3, rolling=Rolling(xi=1e-3))
+    problem = ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(1, 1), Fn=5, friction=friction)
+    whole = client.session(problem, lease=60)
+    by_fields = client.session(grid=GRID, upper=STEEL, gap=Paraboloid(1, 1), Fn=5, friction=friction, lease=60)
+    assert server.requests[0].params == server.requests[1].params
+    whole.step(force=(-2.0, None))
+    by_fields.step(force=(-2.0, None))
+    assert server.requests[2].params["friction"] == server.requests[3].params["friction"] == {
+        "rolling": {"force": [-2.0, None]}
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("call", [Client.session, Client.solve])
+def test_a_problem_and_fields_are_not_taken_together_nor_anything_else(fake, call):
+    _, client = fake
+    problem = ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(1, 1), Fn=5)
+    with pytest.raises(TypeError, match="takes a ContactProblem or its fields, not both: Fn"):
+        call(client, problem, Fn=3)
+    with pytest.raises(TypeError, match="problem is Grid.*; it must be of type ContactProblem"):
+        call(client, GRID)
+
+
+def test_a_session_is_joined_by_its_name_where_it_is(fake):
+    server, client = fake
+    name = client.session(grid=GRID, upper=STEEL).name
+    assert name == NAME
+    joined = client.join_session(name)
+    assert isinstance(joined, Session)
+    assert (joined.step_number, joined.lease_seconds, joined.grid) == (7, 60, Grid(3, 2, 1, 1, 5, 0))
+    joined.step(Fn=5, force=(None, 1.0))
+    assert server.requests[-1].params["step"] == 8
+    assert server.requests[-1].params["friction"] == {"rolling": {"force": [None, 1.0]}}, "it rolls"
+
+
+def test_one_field_may_be_named_without_a_list(fake):
+    server, client = fake
+    session = client.session(grid=GRID, upper=STEEL)
+    session.step(Fn=5, fields="pressure")
+    session.step(Fn=5, fields=("pressure", "slip_x"))
+    assert [request.params["fields"] for request in server.requests[1:]] == [["pressure"], ["pressure", "slip_x"]]
+
+
+def test_what_is_no_pair_is_left_to_the_daemon_to_name(fake):
+    server, client = fake
+    client.session(grid=GRID, upper=STEEL).step(Fn=5, rigid_shift=0.1)
+    assert server.requests[1].params["friction"] == {"rigid_shift": 0.1}
