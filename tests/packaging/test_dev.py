@@ -1,0 +1,163 @@
+"""./dev outside of Debian 13: what it asks for, and what its root sees. The programs it calls are stand-ins."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+#: What ./dev itself runs, from the system.
+ORDINARY = (
+    "awk", "bash", "cat", "cut", "dirname", "env", "flock", "grep", "mkdir", "mktemp", "mv", "paste", "readlink", "rm", "sed",
+    "sha256sum", "sort", "tail", "tar", "touch",
+)  # fmt: skip
+STANDINS = {
+    "id": 'case $1 in -u) echo 1000 ;; -un) echo newcomer ;; esac',
+    "apt-get": "exit 0",
+    "dpkg-query": "exit 1",
+    "mmdebstrap": "tar -c -T /dev/null",
+    "bwrap": 'printf "%s\\n" "$@" >"$BWRAP_LOG"',
+}
+
+
+class Machine:
+    """One on which a user calls ./dev for the first time."""
+
+    def __init__(self, folder: Path) -> None:
+        self.programs, self.home, self.work = folder / "bin", folder / "home", folder / "work"
+        self.binds = folder / "bwrap.log"
+        for made in (self.programs, self.home, self.work):
+            made.mkdir()
+        for name in ORDINARY:
+            (found,) = [p for p in (Path("/usr/bin") / name, Path("/bin") / name) if p.exists()][:1]
+            (self.programs / name).symlink_to(found)
+        for name, script in STANDINS.items():
+            self.has(name, script)
+        self.environment = {
+            "PATH": str(self.programs), "HOME": str(self.home), "CONTACTD_DEV": "root", "BWRAP_LOG": str(self.binds),
+            "CONTACTD_MIRROR": "http://nowhere.invalid",
+        }  # fmt: skip
+
+    def has(self, name: str, script: str = "exit 0") -> None:
+        path = self.programs / name
+        path.write_text(f"#!/bin/sh\n{script}\n")
+        path.chmod(0o755)
+
+    def lacks(self, name: str) -> None:
+        (self.programs / name).unlink()
+
+    def dev(self, *arguments: str, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [ROOT / "dev", *arguments],
+            cwd=folder or self.work, env=self.environment, capture_output=True, text=True, timeout=50,
+        )  # fmt: skip
+
+    def entered(self, *arguments: str, folder: Path | None = None) -> list[str]:
+        """What bwrap was called with; there is a range of ids, and a root is made."""
+        self.has("id", "echo 0")
+        ended = self.dev(*arguments, folder=folder)
+        assert ended.returncode == 0, ended.stderr
+        return self.binds.read_text().splitlines()
+
+
+@pytest.fixture
+def machine(tmp_path: Path) -> Machine:
+    return Machine(tmp_path)
+
+
+def bound(words: list[str]) -> list[str]:
+    """Folders that are bound at their own place."""
+    pairs = [(words[i + 1], words[i + 2]) for i, word in enumerate(words) if word == "--bind"]
+    return [source for source, place in pairs if source == place]
+
+
+def setting(words: list[str], name: str) -> str:
+    (value,) = [words[i + 2] for i, word in enumerate(words) if word == "--setenv" and words[i + 1] == name]
+    return value
+
+
+def test_an_ordinary_user_without_uidmap_is_told_what_to_install(machine):
+    ended = machine.dev("shell", "true")
+    assert ended.returncode == 1
+    assert ended.stderr == "dev: packages are missing; run: sudo apt-get install --no-install-recommends uidmap\n"
+
+
+@pytest.mark.parametrize(("program", "package"), [("mmdebstrap", "mmdebstrap"), ("bwrap", "bubblewrap")])
+def test_a_missing_program_is_named_by_its_package(machine, program, package):
+    machine.has("newuidmap")
+    machine.lacks(program)
+    assert f"--no-install-recommends {package}\n" in machine.dev("shell", "true").stderr
+
+
+def test_a_system_without_apt_is_told_the_packages_too(machine):
+    machine.lacks("apt-get")
+    machine.lacks("bwrap")
+    text = machine.dev("shell", "true").stderr
+    assert text == "dev: this system needs bubblewrap uidmap (Debian's names); install them with its package manager\n"
+
+
+def test_an_ordinary_user_without_a_range_of_ids_is_told_the_command(machine):
+    machine.has("newuidmap")
+    text = machine.dev("shell", "true").stderr
+    found = re.search(r"run: sudo usermod --add-subuids (\d+)-(\d+) --add-subgids (\d+)-(\d+) newcomer$", text)
+    assert found, text
+    first, last = int(found[1]), int(found[2])
+    assert (first, last) == (int(found[3]), int(found[4]))
+    assert first >= 100000
+    assert last - first + 1 == 65536
+
+
+def test_a_root_that_cannot_be_made_shows_why_and_nothing_of_tar(machine):
+    machine.has("id", "echo 0")
+    machine.has("mmdebstrap", "echo no such mirror >&2; exit 1")
+    ended = machine.dev("shell", "true")
+    assert ended.returncode == 1
+    assert "no such mirror" in ended.stderr
+    assert "the root could not be made; the log above is" in ended.stderr.splitlines()[-1]
+
+
+def test_the_root_sees_home_and_the_folder_that_dev_was_called_from(machine):
+    words = machine.entered("shell", "cat", "notes.txt")
+    assert {str(machine.home), str(machine.work), str(ROOT), str(machine.home / ".cache" / "contactd")} <= set(bound(words))
+    assert setting(words, "CONTACTD_CALLED_FROM") == str(machine.work)
+    assert words[-3:] == ["shell", "cat", "notes.txt"]
+
+
+@pytest.mark.parametrize("folder", ["/", "/usr", "/usr/share", "/etc", "/var"])
+def test_the_roots_own_system_is_not_hidden_by_the_machines(machine, folder):
+    assert folder not in bound(machine.entered("shell", "true", folder=Path(folder)))
+
+
+def test_the_daemons_default_store_lies_where_it_is_documented(machine):
+    words = machine.entered("serve")
+    assert setting(words, "XDG_CACHE_HOME") == str(machine.home / ".cache")
+    assert setting(words, "HOME") == str(machine.home / ".cache" / "contactd" / "home")
+    machine.environment["XDG_CACHE_HOME"] = str(machine.work / "cache")
+    assert setting(machine.entered("serve"), "XDG_CACHE_HOME") == str(machine.work / "cache")
+
+
+def test_a_command_runs_in_the_folder_that_dev_was_called_from(machine):
+    """As in the root, where this script is called again."""
+    (machine.work / "notes.txt").write_text("mine\n")
+    machine.environment |= {"CONTACTD_INSIDE": "1", "CONTACTD_CALLED_FROM": str(machine.work)}
+    assert machine.dev("shell", "cat", "notes.txt", folder=ROOT).stdout == "mine\n"
+
+
+def test_help_says_what_the_root_sees(machine):
+    text = re.sub(r"\s+", " ", machine.dev("help").stdout)
+    assert (
+        "sees of your machine: the repository, your home folder, the folder ./dev was called from, /tmp, and the cache folder"
+        in text
+    )
+    assert "default store is store/ in it" in text
+
+
+def test_the_readme_names_the_clients_that_there_are():
+    (clients,) = re.findall(r"for clients in (.*?)\. ", (ROOT / "README.md").read_text())
+    there = {path.name: {"cpp": "C++", "python": "Python"}[path.name] for path in (ROOT / "client").iterdir() if path.is_dir()}
+    assert clients == " and ".join(there[name] for name in sorted(there))
+    assert not re.search(r"client \(.*shell\)", (ROOT / "docs" / "architecture.md").read_text())
