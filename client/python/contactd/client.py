@@ -337,8 +337,9 @@ class Client(Shown):
     def join_session(self, name: str, *, timeout: float | None = None) -> Session:
         """The session with this name (Session.name), where its last step left it, whoever opened it and wherever.
 
-        Raises NotFound when it has ended. Two who share a session take turns, and must tell each other: steps are
-        numbered, and the number of a step that the other one has taken is refused (FailedPrecondition).
+        Raises NotFound when it has ended. Two who share a session take turns, and must tell each other: the number of a
+        step that the other one has taken is refused (FailedPrecondition) or, asked for in the same words, answered as the
+        other one was.
         """
         return joined_session(self, name, timeout)
 

@@ -87,6 +87,8 @@ class ProgressBar:
         filled = round(28 * progress.fraction)
         bar = styled(full * filled, "green") + styled(empty * (28 - filled), "dim")
         detail = f"{100 * progress.fraction:3.0f} % {time.monotonic() - self._started:4.0f} s  {progress.stage}"
+        if progress.seconds_left is not None:
+            detail += f", about {progress.seconds_left:.0f} s to go"
         if progress.iteration:
             detail += f", iteration {progress.iteration}, residual {progress.residual:.0e}"
         room = max(10, shutil.get_terminal_size().columns - 33)
