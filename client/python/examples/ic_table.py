@@ -10,7 +10,7 @@ from contactd import AnalyticIcs, Client, FemIcs, Grid, LocalDaemon, Material
 
 with ExitStack() as stack:
     endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
-    client = stack.enter_context(Client(endpoint, timeout=600))
+    client = stack.enter_context(Client(endpoint))
     steel, grid = Material(G=82000, nu=0.28), Grid(4, 4, 0.8, 0.8)
     exact = client.get_ic(steel, grid, AnalyticIcs())
     table = client.get_ic(steel, grid, FemIcs("paper-test3", L_over_h=80))

@@ -25,7 +25,7 @@ def daemon_of_this_worker(endpoints: list[str]) -> contactd.Client:
     """The client of this worker, made when it is first needed; each worker stays with one daemon."""
     worker = get_worker()
     if not hasattr(worker, "contactd_client"):
-        worker.contactd_client = contactd.Client(endpoints[int(worker.name) % len(endpoints)], timeout=600)
+        worker.contactd_client = contactd.Client(endpoints[int(worker.name) % len(endpoints)])
     return worker.contactd_client
 
 

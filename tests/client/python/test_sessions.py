@@ -77,3 +77,13 @@ def test_what_is_no_pair_is_left_to_the_daemon_to_name(fake):
     server, client = fake
     client.session(grid=GRID, upper=STEEL).step(Fn=5, rigid_shift=0.1)
     assert server.requests[1].params["friction"] == {"rigid_shift": 0.1}
+
+
+def test_a_session_shows_where_it_is_and_not_its_key(fake):
+    _, client = fake
+    session = client.join_session(NAME)
+    text = repr(session)
+    assert text == (
+        f"<Session 012345... of {client.endpoint}: last step 7, grid 3 x 2 elements of 1 x 1, lease 60 s>"
+    )
+    assert NAME not in text + session._repr_html_()
