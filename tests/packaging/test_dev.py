@@ -147,6 +147,13 @@ def test_a_command_runs_in_the_folder_that_dev_was_called_from(machine):
     assert machine.dev("shell", "cat", "notes.txt", folder=ROOT).stdout == "mine\n"
 
 
+def test_dev_called_again_by_a_command_starts_from_where_that_is(machine):
+    machine.environment |= {"CONTACTD_INSIDE": "1", "CONTACTD_CALLED_FROM": "/"}
+    command = f"cd {machine.work} && {ROOT}/dev shell pwd"
+    machine.programs.joinpath("pwd").symlink_to("/usr/bin/pwd")
+    assert machine.dev("shell", "bash", "-c", command).stdout == f"{machine.work}\n"
+
+
 def test_help_says_what_the_root_sees(machine):
     text = re.sub(r"\s+", " ", machine.dev("help").stdout)
     assert (
