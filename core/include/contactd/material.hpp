@@ -9,7 +9,10 @@ struct Material {
     double G = 0;   ///< shear modulus, force/length^2 (N/mm^2), > 0; infinite: a rigid body
     double nu = 0;  ///< Poisson's ratio, 0 <= nu <= 0.5
 
+    /// With Young's modulus E = 2 G (1 + nu) (N/mm^2) instead of G.
+    static constexpr Material from_E(double E, double nu) { return {E / (2 * (1 + nu)), nu}; }
     static constexpr Material rigid() { return {std::numeric_limits<double>::infinity(), 0}; }
+    constexpr double E() const { return 2 * G * (1 + nu); }  ///< Young's modulus (N/mm^2)
     bool is_rigid() const { return G == std::numeric_limits<double>::infinity(); }
 
     bool operator==(const Material&) const = default;

@@ -3,45 +3,20 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <string>
 
 #include <reproc++/drain.hpp>
-#include <reproc++/reproc.hpp>
 #include <reproc++/run.hpp>
 
 #include "contactd/client/client.hpp"
 #include "contactd/client/session.hpp"
-#include "support/temporary_folder.hpp"
+#include "own_daemon.hpp"
 
 using namespace std::chrono_literals;
 using Catch::Approx;
 
 namespace {
-
-/// A daemon that is ended with the test.
-class Daemon {
-   public:
-    Daemon() : endpoint_("ipc://" + (folder_.path() / "socket").string()) {
-        const std::filesystem::path config = folder_.path() / "contactd.json";
-        const nlohmann::json values{{"endpoint", endpoint_},
-                                    {"store", {{"folder", (folder_.path() / "store").string()}}}};
-        std::ofstream(config) << values;
-        reproc::options options;
-        options.redirect.discard = true;
-        options.stop = {{reproc::stop::terminate, 10s}, {reproc::stop::kill, 5s}, {}};
-        const std::vector<std::string> command{DAEMON, "--config", config.string()};
-        REQUIRE_FALSE(process_.start(command, options));
-    }
-    const std::string& endpoint() const { return endpoint_; }
-
-   private:
-    contactd::TemporaryFolder folder_;
-    std::string endpoint_;
-    reproc::process process_;  // ended before the folder goes
-};
 
 double number_behind(const std::string& word, const std::string& text) {
     std::smatch found;
@@ -145,6 +120,18 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
         session.close();
         CHECK_THROWS_AS(session.step(input), contactd::proto::StatusError);
     }
+    std::string name;
+    {
+        contactd::client::Session left(client, spec);
+        CHECK(left.step(input).step == 1);
+        name = left.release();
+    }
+    contactd::client::Client elsewhere(daemon.endpoint());
+    auto joined = contactd::client::Session::join(elsewhere, name);
+    CHECK(joined.last_step() == 1);
+    CHECK(joined.step(input).solution.pressure.size() == 144);
+    joined.close();
+    CHECK_THROWS_AS(contactd::client::Session::join(elsewhere, name), contactd::proto::StatusError);
     const contactd::client::Session other(client, spec);
     CHECK(other.lease_seconds() == 300);
 }

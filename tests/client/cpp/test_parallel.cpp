@@ -139,6 +139,9 @@ TEST_CASE("A call in on_progress of the same client is refused", "[client]") {
 }
 
 TEST_CASE("A forked process goes on with a connection of its own", "[client]") {
+#ifdef __SANITIZE_THREAD__
+    SKIP("ThreadSanitizer ends a forked process that starts threads");
+#endif
     fake::Daemon daemon(serving);
     Client client(daemon.endpoint());
     std::optional<Client> ended_by_the_child(std::in_place, daemon.endpoint());

@@ -186,3 +186,10 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
           "settings.tangential.max_iterations");
     CHECK(refused_problem([](ContactProblem& p) { p.initial_traction_y = {1.0}; }) == "initial.traction_y");
 }
+
+TEST_CASE("A material is given by its shear modulus or by Young's") {
+    constexpr Material steel = Material::from_E(210000, 0.28);
+    CHECK(steel == Material{210000 / 2.56, 0.28});
+    CHECK(steel.E() == 2 * steel.G * 1.28);
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper = Material::from_E(-1, 0.3); }) == "bodies.upper.G");
+}

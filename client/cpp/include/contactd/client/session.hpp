@@ -35,7 +35,8 @@ class Session {
     Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
     /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
     /// take turns, and must tell each other: the number of a step that the other one has taken is refused (StatusError,
-    /// FAILED_PRECONDITION). Throws StatusError (NOT_FOUND) when it has ended.
+    /// FAILED_PRECONDITION) or, asked for in the same words, answered as the other one was. Throws StatusError
+    /// (NOT_FOUND) when it has ended.
     static Session join(Client& client, const std::string& name, const CallOptions& options = {});
     /// Ends the session; should the daemon be out of reach, its lease does.
     ~Session();

@@ -1,0 +1,38 @@
+// A real daemon of a test's own, in a temporary folder.
+#pragma once
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <reproc++/reproc.hpp>
+
+#include "support/temporary_folder.hpp"
+
+/// A daemon that is ended with the test.
+class Daemon {
+   public:
+    Daemon() : endpoint_("ipc://" + (folder_.path() / "socket").string()) {
+        const std::filesystem::path config = folder_.path() / "contactd.json";
+        const nlohmann::json values{{"endpoint", endpoint_},
+                                    {"store", {{"folder", (folder_.path() / "store").string()}}}};
+        std::ofstream(config) << values;
+        reproc::options options;
+        options.redirect.discard = true;
+        options.stop = {
+            {reproc::stop::terminate, std::chrono::seconds(10)}, {reproc::stop::kill, std::chrono::seconds(5)}, {}};
+        const std::vector<std::string> command{DAEMON, "--config", config.string()};
+        REQUIRE_FALSE(process_.start(command, options));
+    }
+    const std::string& endpoint() const { return endpoint_; }
+
+   private:
+    contactd::TemporaryFolder folder_;
+    std::string endpoint_;
+    reproc::process process_;  // ended before the folder goes
+};
