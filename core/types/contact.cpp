@@ -95,11 +95,11 @@ void check_motion(const Shift& shift, const Grid&) {
 
 // Displacements a millionth of an element apart do not differ any more to a useful number of digits.
 void check_step(const Rolling& rolling, const Grid& grid) {
-    constexpr double least = 1e-6, most = 1e5;
-    if (rolling.dq == 0 || (rolling.dq >= least * grid.dx && rolling.dq <= most * std::min(grid.dx, grid.dy))) return;
-    throw InvalidArgument("friction.rolling.dq",
-                          "is " + number_text(rolling.dq) + "; it must lie in [" + number_text(least * grid.dx) + ", " +
-                              number_text(most * std::min(grid.dx, grid.dy)) + "], 1e-6 to 1e5 elements");
+    const double least = 1e-6 * size_along(rolling.chi, grid.dx, grid.dy), most = 1e5 * std::min(grid.dx, grid.dy);
+    if (rolling.dq == 0 || (rolling.dq >= least && rolling.dq <= most)) return;
+    throw InvalidArgument("friction.rolling.dq", "is " + number_text(rolling.dq) + "; it must lie in [" +
+                                                     number_text(least) + ", " + number_text(most) +
+                                                     "], 1e-6 to 1e5 elements");
 }
 
 void check_motion(const Rolling& rolling, const Grid& grid) {
@@ -107,6 +107,9 @@ void check_motion(const Rolling& rolling, const Grid& grid) {
     check_finite(rolling.eta, "friction.rolling.eta", "a creepage");
     check_finite(rolling.phi, "friction.rolling.phi", "a spin creepage");
     check_finite(rolling.chi, "friction.rolling.chi", "an angle");
+    if (!(rolling.spin_offset >= 0 && rolling.spin_offset <= 1))
+        throw InvalidArgument("friction.rolling.spin_offset",
+                              "is " + number_text(rolling.spin_offset) + "; it must lie in 0 to 1, steps dq");
     check_forces(rolling.Fx, rolling.Fy, "friction.rolling.force");
     check_positive(rolling.velocity, "friction.rolling.velocity");
     check_step(rolling, grid);
@@ -131,7 +134,7 @@ void check_friction(const Friction& friction, const Grid& grid) {
 }  // namespace
 
 double step_length(const Rolling& rolling, const Grid& grid) {
-    return rolling.dq != 0 ? rolling.dq : grid.dx;
+    return rolling.dq != 0 ? rolling.dq : size_along(rolling.chi, grid.dx, grid.dy);
 }
 
 std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem) {

@@ -9,6 +9,12 @@
 
 namespace contactd {
 
+// x y/hypot(y cos chi, x sin chi), without rounding along the axes.
+double size_along(double chi, double x, double y) {
+    const double c = std::cos(chi), s = std::sin(chi);
+    return y * std::abs(c) >= x * std::abs(s) ? x / std::hypot(c, s * (x / y)) : y / std::hypot(s, c * (y / x));
+}
+
 void validate(const Grid& grid, const char* field) {
     const std::string name = field;
     const auto count = [&](int n, const char* which) {

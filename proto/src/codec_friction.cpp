@@ -56,6 +56,7 @@ json encode(const Rolling& rolling) {
                           {"eta", finite(rolling.eta, "friction.rolling.eta")},
                           {"phi", finite(rolling.phi, "friction.rolling.phi")},
                           {"chi", finite(rolling.chi, "friction.rolling.chi")},
+                          {"spin_offset", finite(rolling.spin_offset, "friction.rolling.spin_offset")},
                           {"kind", rolling.steady ? "steady" : "transient"},
                           {"steps", rolling.steps},
                           {"velocity", finite(rolling.velocity, "friction.rolling.velocity")}});
@@ -71,6 +72,7 @@ Rolling decode_rolling(const json& source, Rolling rolling = {}) {
     rolling.phi = source.value("phi", rolling.phi);
     rolling.chi = source.value("chi", rolling.chi);
     rolling.dq = source.value("dq", rolling.dq);
+    rolling.spin_offset = source.value("spin_offset", rolling.spin_offset);
     if (source.contains("kind")) rolling.steady = source["kind"] == "steady";
     rolling.steps = source.value("steps", rolling.steps);
     rolling.velocity = source.value("velocity", rolling.velocity);

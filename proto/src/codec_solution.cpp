@@ -22,6 +22,22 @@ SolverEvidence decode_solver_evidence(const json& source) {
             source["seconds"].get<double>()};
 }
 
+json encode_discretisation(const DiscretisationEvidence& evidence) {
+    json result = object({{"elements_across", evidence.elements_across},
+                          {"force_error", finite(evidence.force_error, "An error of the force")},
+                          {"pmax_error", finite(evidence.pmax_error, "An error of the largest pressure")},
+                          {"source", evidence.from_hertz ? "hertz" : "estimate"}});
+    if (evidence.rolling_error) result["rolling_error"] = finite(*evidence.rolling_error, "An error of rolling");
+    return result;
+}
+
+DiscretisationEvidence decode_discretisation(const json& source) {
+    DiscretisationEvidence evidence{source["elements_across"].get<int>(), source["force_error"].get<double>(),
+                                    source["pmax_error"].get<double>(), source["source"] == "hertz"};
+    if (source.contains("rolling_error")) evidence.rolling_error = source["rolling_error"].get<double>();
+    return evidence;
+}
+
 IcUse decode_use(const json& source) {
     return {source["origin"].get<std::string>(), source["key"].get<std::string>(), decode_evidence(source["evidence"])};
 }
@@ -144,6 +160,7 @@ json encode_solvers(const ContactSolution& solution) {
     json evidence = object({{"normal", encode_solver_evidence(solution.normal)}});
     for (const auto& [name, solver] : solvers_of(solution))
         if (*solver) evidence[name] = encode_solver_evidence(**solver);
+    if (solution.discretisation) evidence["discretisation"] = encode_discretisation(*solution.discretisation);
     return evidence;
 }
 
@@ -151,6 +168,8 @@ void decode_solvers(const json& evidence, ContactSolution& solution) {
     solution.normal = decode_solver_evidence(evidence["normal"]);
     for (const auto& [name, solver] : solvers_of(solution))
         if (evidence.contains(name)) *solver = decode_solver_evidence(evidence[name]);
+    if (evidence.contains("discretisation"))
+        solution.discretisation = decode_discretisation(evidence["discretisation"]);
 }
 
 json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays) {

@@ -64,7 +64,7 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
     base = {"grid": {"nx": 3, "ny": 2, "dx": 0.06, "dy": 0.06, "x0": -1, "y0": 0}}
     bodies = {"upper": {"G": 200, "nu": 0.42}, "lower": {"rigid": True}}
     ones = np.ones((2, 3)).tobytes()
-    rolling = {"xi": 1e-3, "eta": 0, "phi": 1e-4, "chi": 0.1, "dq": 0.05, "velocity": 3}
+    rolling = {"xi": 1e-3, "eta": 0, "phi": 1e-4, "chi": 0.1, "dq": 0.05, "spin_offset": 0.25, "velocity": 3}
     yield {
         **base, "bodies": bodies, "ics": {"source": "analytic", "body": "half_space"}, "gap": {"array": array(1, 2, 3)}, "Fn": 2,
         "friction": {"mu": array(2, 2, 3), "kinetic": {"law": "linear", "mu": 0.1, "slip_velocity": 3},
@@ -112,7 +112,7 @@ def sessions() -> Iterator[bytes]:
             opening.pop(name, None)
         opening["accept_unconverged"] = True
         yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": opening}, *frames)
-    rolling = {"kind": "steady", "xi": 1e-3, "eta": 0, "phi": 1e-4, "chi": 0.1, "dq": 0.05, "velocity": 3, "steps": 2, "force": [None, 1]}
+    rolling = {"kind": "steady", "xi": 1e-3, "eta": 0, "phi": 1e-4, "chi": 0.1, "dq": 0.05, "spin_offset": 0.25, "velocity": 3, "steps": 2, "force": [None, 1]}
     kinetic = {"law": "exponential", "mu": 0.1, "slip_velocity": 3}
     shift = {"rigid_shift": [1e-3, 0], "rotation": 0.1, "duration": 2, "force": [None, None]}
     for friction in ({"rolling": rolling}, {"mu": array(1, 2, 3), "kinetic": kinetic, **shift}, {"mu": 0.2}):

@@ -162,6 +162,34 @@ def test_rolling_has_its_forces_power_and_slip(shared):
     assert solution.motion.dq == ROLLING.grid.dx
 
 
+def test_a_slender_contact_turned_by_a_right_angle_has_the_same_force(shared):
+    along = ROLLING.replace(grid=Grid.centred(25, 25, 13.2, 1.32), gap=SemiAxes(6, 0.6))
+    turned = along.replace(
+        grid=Grid.centred(25, 25, 1.32, 13.2),
+        gap=SemiAxes(0.6, 6),
+        friction=Friction(0.3, rolling=Rolling(eta=5e-4, chi=np.pi / 2)),
+    )
+    assert shared.solve(turned).Fy == pytest.approx(shared.solve(along).Fx, rel=1e-5)
+
+
+def test_a_step_far_above_the_contact_is_warned_of(shared):
+    far = shared.solve(ROLLING.replace(friction=Friction(0.3, rolling=Rolling(xi=5e-4, dq=20))))
+    assert any("friction.rolling.dq is 20 mm" in warning for warning in far.warnings)
+    assert shared.solve(ROLLING).warnings == ()
+
+
+def test_elements_as_large_as_the_contact_are_warned_of(shared):
+    lost = shared.solve(FRICTIONLESS.replace(grid=Grid(40, 40, 2.4, 2.4)))
+    assert lost.elements.contact == 0
+    assert any("narrower than the elements" in warning for warning in lost.warnings)
+    found = shared.solve(FRICTIONLESS.replace(grid=Grid(40, 40, 2.4, 2.4), Fn=9.2))
+    assert any("2 elements across" in warning for warning in found.warnings)
+    assert found.evidence.discretisation.force_error > 0.4
+    fine = shared.solve(FRICTIONLESS)
+    assert fine.evidence.discretisation.source == "hertz"
+    assert fine.evidence.discretisation.force_error < 5e-3
+
+
 def test_the_creepages_of_forces_are_found(shared):
     asked = shared.solve(ROLLING)
     friction = Friction(0.3, rolling=Rolling(force=(asked.Fx, None)))

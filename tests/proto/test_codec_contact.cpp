@@ -270,7 +270,7 @@ TEST_CASE("Every friction comes back exactly", "[codec]") {
         Rolling rolling;
         SECTION("with every default") {}
         SECTION("with every field") {
-            rolling = {1e-3, -2e-3, 3e-4, 1.0 / 3, 0.1, false, 77, 3e4, 5.5, {}};
+            rolling = {1e-3, -2e-3, 3e-4, 1.0 / 3, 0.1, 0.1 + 0.2, false, 77, 3e4, 5.5, {}};
         }
         friction.motion = rolling;
     }

@@ -1,8 +1,11 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
+#include <numbers>
+
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
+#include "contactd/proto/session.hpp"
 #include "solve_replies.hpp"
 #include "wire.hpp"
 
@@ -98,7 +101,7 @@ TEST_CASE("Every motion comes back", "[codec]") {
         reply.solution.motion = Shift{1e-3, 0.1 + 0.2, 1e-5, {}, -3.5, 0.25};
     }
     SECTION("rolling") {
-        reply.solution.motion = Rolling{1e-3, 2e-3, 1e-4, 0.5, 0.1, false, 7, 3e4, {}, 0.5};
+        reply.solution.motion = Rolling{1e-3, 2e-3, 1e-4, 0.5, 0.1, 0.25, false, 7, 3e4, {}, 0.5};
         reply.solution.frictional_work.reset();
         reply.solution.frictional_power = 1.0 / 3;
     }
@@ -114,7 +117,30 @@ TEST_CASE("A step that the request left out is told", "[codec]") {
     SolveReply reply = solve_reply();
     reply.solution.motion = Rolling{};
     ArrayWriter arrays(ArrayEncoding::list);
-    CHECK(encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"]["dq"] == 0.25);
+    const json along_x = encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"];
+    CHECK(along_x["dq"] == 0.25);
+    CHECK(along_x["spin_offset"] == 1.0 / 6);
+    reply.solution.motion = Rolling{.chi = std::numbers::pi / 2};
+    CHECK(encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"]["dq"] == 1);
+}
+
+TEST_CASE("Errors of the discretisation come back", "[codec]") {
+    SolveReply reply = solve_reply();
+    SECTION("known") {
+        reply.solution.discretisation = DiscretisationEvidence{8, 0.1 + 0.2, 1.0 / 7, true};
+    }
+    SECTION("estimated, of rolling") {
+        reply.solution.discretisation = DiscretisationEvidence{1, 1, 1, false, 0.3};
+    }
+    SECTION("none") {}
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
+    CHECK(violations_of("contact.solve.result", result).empty());
+    CHECK(decode_solve_reply(result, {}).solution.discretisation == reply.solution.discretisation);
+    const json step = sent(encode_step_reply(1, reply.solution, Grid::centred(3, 2, 1, 1), {}, arrays));
+    CHECK(violations_of("session.step.result", step).empty());
+    CHECK(decode_step_reply(step, {}, Grid::centred(3, 2, 1, 1)).solution.discretisation ==
+          reply.solution.discretisation);
 }
 
 TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that were used", "[codec]") {

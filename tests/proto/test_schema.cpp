@@ -205,8 +205,10 @@ TEST_CASE("A bad value of rolling is named with what would be right", "[schema]"
         GENERATE(
             Case{"/friction/rolling/xi", "\"1\"", "friction.rolling.xi", "is \"1\"; it must be a number"},
             Case{"/friction/rolling/spin", "1", "friction.rolling.spin",
-                 "known fields are chi, dq, eta, force, kind, phi, steps, velocity, xi"},
+                 "known fields are chi, dq, eta, force, kind, phi, spin_offset, steps, velocity, xi"},
             Case{"/friction/rolling/dq", "0", "friction.rolling.dq", "is 0; it must be positive"},
+            Case{"/friction/rolling/spin_offset", "1.5", "friction.rolling.spin_offset",
+                 "is 1.5; it must lie in [0, 1]"},
             Case{"/friction/rolling/kind", "\"slow\"", "friction.rolling.kind", "one of \"steady\", \"transient\""},
             Case{"/friction/rolling/steps", "100001", "friction.rolling.steps", "it must be at most 100000"},
             Case{"/friction/rolling/velocity", "-1", "friction.rolling.velocity", "is -1; it must be positive"},

@@ -44,14 +44,17 @@ class KineticFriction:
 class Rolling:
     """Rolling along (cos chi, sin chi); positive creepage is that of the upper body over the lower one.
 
-    The rigid slip over a step is dq (xi - phi y, eta + phi x).
+    The rigid slip over a step is dq (xi - phi y, eta + phi x), x and y those of the point `spin_offset` dq ahead.
 
     Attributes:
         xi: Longitudinal creepage, along x; where `force` prescribes Fx, an estimate.
         eta: Lateral creepage, along y; where `force` prescribes Fy, an estimate.
         phi: Spin creepage (rad/mm).
         chi: Rolling direction, angle from the x axis (rad).
-        dq: Distance rolled in one step (mm); None: grid.dx.
+        dq: Distance rolled in one step (mm); None: the size of an element along chi. Not that of a time step: see
+            docs/contact.md.
+        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1; None:
+            1/6.
         kind: "steady": the state that does not change any more; "transient": step by step from ContactProblem.previous.
         steps: Number of steps of transient rolling, 1 (default) to 100000.
         velocity: Rolling velocity (mm/s), default 1: of slip velocities and the frictional power.
@@ -63,6 +66,7 @@ class Rolling:
     phi: float = 0.0
     chi: float = 0.0
     dq: float | None = None
+    spin_offset: float | None = None
     kind: RollingKind = "steady"
     steps: int | None = None
     velocity: float | None = None

@@ -101,6 +101,7 @@ class RigidBody:
 class Grid:
     """The potential contact area: `nx` x `ny` elements of size `dx` x `dy` (mm), unknowns at their centres.
 
+    `dx` and `dy` are those of one element; `Grid.centred` takes the size of the whole area.
     Arrays over the grid have shape `[ny, nx]`: the first index counts along y.
 
     Attributes:
@@ -121,7 +122,10 @@ class Grid:
 
     @classmethod
     def centred(cls, nx: int, ny: int, width: float, height: float) -> Grid:
-        """Elements that divide a `width` x `height` rectangle (mm) around the origin."""
+        """`nx` x `ny` elements that together fill a `width` x `height` rectangle (mm) around the origin.
+
+        ``Grid.centred(40, 40, 2.4, 2.4)`` is ``Grid(40, 40, 0.06, 0.06)``.
+        """
         if nx < 1 or ny < 1:
             raise ValueError(f"nx and ny are {nx} and {ny}; a rectangle is divided into at least one element each way.")
         return cls(nx, ny, width / nx, height / ny)

@@ -19,7 +19,7 @@ from .friction import Force, Friction, Motion, RollingKind
 from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, check_type, gap_params, problem_params
 from .reading import read
 from .showing import Rows, Shown
-from .solution import Areas, Counts, Forces, IcUse, Progress, SolverEvidence, WithForces
+from .solution import Areas, Counts, Discretisation, Forces, IcUse, Progress, SolverEvidence, WithForces
 
 if TYPE_CHECKING:
     from .client import Client
@@ -39,12 +39,14 @@ class StepEvidence:
         tangential: TangCG or steady rolling; None without friction.
         outer: The loop that bodies that differ and kinetic friction need.
         force: The search for the motion of a prescribed force.
+        discretisation: What the size of the elements costs; of model "full", where there is contact.
     """
 
     normal: SolverEvidence
     tangential: SolverEvidence | None = None
     outer: SolverEvidence | None = None
     force: SolverEvidence | None = None
+    discretisation: Discretisation | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -277,6 +279,7 @@ class Session(Shown):
         phi: float | None = None,
         chi: float | None = None,
         dq: float | None = None,
+        spin_offset: float | None = None,
         kind: RollingKind | None = None,
         steps: int | None = None,
         velocity: float | None = None,
@@ -299,8 +302,8 @@ class Session(Shown):
         if gap is not None:
             params["gap"] = gap_params(gap)
         rolling = {
-            "xi": xi, "eta": eta, "phi": phi, "chi": chi, "dq": dq, "kind": kind, "steps": steps,
-            "velocity": velocity,
+            "xi": xi, "eta": eta, "phi": phi, "chi": chi, "dq": dq, "spin_offset": spin_offset,
+            "kind": kind, "steps": steps, "velocity": velocity,
         }  # fmt: skip
         shift = {"rigid_shift": _pair(rigid_shift), "rotation": rotation, "duration": duration}
         if changes := self._friction(friction, mu, _pair(force), shift, rolling):

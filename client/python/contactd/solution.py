@@ -21,6 +21,7 @@ __all__ = [
     "ContactEvidence",
     "ContactSolution",
     "Counts",
+    "Discretisation",
     "Forces",
     "IcErrors",
     "IcEvidence",
@@ -263,6 +264,28 @@ class SolverEvidence:
 
 
 @dataclass(frozen=True)
+class Discretisation:
+    """How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of
+    small elements.
+
+    Attributes:
+        elements_across: In the direction with fewer; one in which the contact fills the grid does not count.
+        force_error: Of the normal force for the approach, whichever of them was prescribed.
+        pmax_error: Of the largest pressure under the prescribed load.
+        source: Of these two: "hertz", Hertz's closed form (a paraboloid on half-spaces), or "estimate", from
+            elements_across.
+        rolling_error: Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and
+            dq. Where most of the contact slips the force errs by less.
+    """
+
+    elements_across: int
+    force_error: float
+    pmax_error: float
+    source: str
+    rolling_error: float | None = None
+
+
+@dataclass(frozen=True)
 class IcUse:
     """Where the influence coefficients of one body came from.
 
@@ -292,6 +315,7 @@ class ContactEvidence:
             tractions.
         force: The search for the motion of a prescribed force; its residual is the error of the force over the friction
             bound.
+        discretisation: What the size of the elements costs; of model "full", where there is contact.
     """
 
     normal: SolverEvidence
@@ -299,6 +323,7 @@ class ContactEvidence:
     tangential: SolverEvidence | None = None
     outer: SolverEvidence | None = None
     force: SolverEvidence | None = None
+    discretisation: Discretisation | None = None
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,22 @@ struct SolverEvidence {
     double seconds = 0;
 };
 
+/// How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of small
+/// elements (docs/contact.md, which has them measured).
+struct DiscretisationEvidence {
+    int elements_across = 0;  ///< in the direction with fewer; one in which the contact fills the grid does not count
+    double force_error = 0;   ///< of the normal force for the approach, whichever of them was prescribed
+    double pmax_error = 0;    ///< of the largest pressure under the prescribed load
+    /// Both by Hertz's closed form: the gap is a paraboloid on half-spaces. Else they are estimates from
+    /// elements_across.
+    bool from_hertz = false;
+    /// Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and dq. Where most
+    /// of the contact slips the force errs by less.
+    std::optional<double> rolling_error{};
+
+    bool operator==(const DiscretisationEvidence&) const = default;
+};
+
 /// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. fastsim: Hertzian
 /// contact with Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes.
 enum class Model { full, hertz, fastsim };
@@ -91,6 +107,7 @@ struct ContactSolution {
     /// last relative change of the tractions.
     std::optional<SolverEvidence> outer;
     std::optional<SolverEvidence> force;  ///< of the search for the motion: the last |F - prescribed| over the bound
+    std::optional<DiscretisationEvidence> discretisation;  ///< of model full, where there is contact
 
     /// True when every solver that ran reached its tolerance.
     bool converged() const {
@@ -100,7 +117,7 @@ struct ContactSolution {
     }
 };
 
-/// Of one step (mm): dq, or dx where dq is 0.
+/// Of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);
 
 /// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array.

@@ -28,6 +28,11 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
+/// How far a thing that is `x` long along x and `y` along y reaches at the angle chi from the x axis: an ellipse with
+/// these diameters exactly, a rectangle along its axes. A square has one size in all directions, and turning a thing
+/// and chi by a right angle changes nothing.
+double size_along(double chi, double x, double y);
+
 /// Largest number of elements of one grid that contactd works with: limits memory before anything is allocated.
 inline constexpr std::size_t max_grid_elements = 4'000'000;
 

@@ -32,8 +32,10 @@ struct RigidSlip {
     std::vector<double> x, y;  ///< (mm), shape [ny, nx]
 };
 
-/// dq (xi - phi y, eta + phi x) at the element centres, of the creepages and spin of `rolling`.
+/// dq (xi - phi y, eta + phi x) of the creepages and spin of `rolling`, spin_offset dq ahead of the element centres.
 RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq);
+/// (x - rotation y, y + rotation x) at the element centres.
+RigidSlip rigid_slip(const Grid& grid, const Shift& shift);
 
 struct RollingSolution : TangentialSolution {
     std::vector<double> slip_x, slip_y;  ///< over the step (mm), 0 outside contact; over dq, the relative slip

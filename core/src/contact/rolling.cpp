@@ -193,15 +193,21 @@ ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead) {
 }
 
 RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq) {
+    const double ahead = rolling.spin_offset * dq;
+    const double ahead_x = ahead * std::cos(rolling.chi), ahead_y = ahead * std::sin(rolling.chi);
     RigidSlip result;
     result.x.reserve(grid.size());
     result.y.reserve(grid.size());
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
-            result.x.push_back(dq * (rolling.xi - rolling.phi * grid.y(iy)));
-            result.y.push_back(dq * (rolling.eta + rolling.phi * grid.x(ix)));
+            result.x.push_back(dq * (rolling.xi - rolling.phi * (grid.y(iy) + ahead_y)));
+            result.y.push_back(dq * (rolling.eta + rolling.phi * (grid.x(ix) + ahead_x)));
         }
     return result;
+}
+
+RigidSlip rigid_slip(const Grid& grid, const Shift& shift) {
+    return rigid_slip(grid, Rolling{.xi = shift.x, .eta = shift.y, .phi = shift.rotation, .spin_offset = 0}, 1);
 }
 
 RollingSolution solve_transient_rolling(const RollingBodies& bodies, std::span<const double> bound,

@@ -8,16 +8,18 @@
 #include "contactd/error.hpp"
 #include "contactd/normal.hpp"
 #include "contactd/rolling.hpp"
+#include "discretisation.hpp"
 
 namespace contactd {
 namespace {
 
-void count_elements(ContactSolution& solution) {
+void count_elements(const Grid& grid, ContactSolution& solution) {
     for (const ElementState state : solution.element_division) {
         if (state == ElementState::adhesion) ++solution.adhesion_elements;
         if (state == ElementState::slip) ++solution.slip_elements;
     }
     solution.contact_elements = solution.adhesion_elements + solution.slip_elements;
+    solution.border_elements = border_elements(grid, solution.pressure);
 }
 
 void sum_up(const Grid& grid, ContactSolution& solution) {
@@ -56,8 +58,9 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
 }
 
 void warn(const ContactProblem& problem, ContactSolution& solution) {
-    solution.border_elements = border_elements(problem.grid, solution.pressure);
-    if (problem.model != Model::full && solution.Fn > 0 && solution.contact_elements == 0)
+    if (problem.model == Model::full)
+        solution.warnings = discretisation_warnings(problem, solution);
+    else if (solution.Fn > 0 && solution.contact_elements == 0)
         solution.warnings.push_back(
             "No element has its centre in the contact, which is narrower than the elements or lies beyond the "
             "potential contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
@@ -75,7 +78,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     validate(problem);
     if (problem.model != Model::full) {
         ContactSolution solution = solve_by_quick_model(problem);
-        count_elements(solution);
+        count_elements(problem.grid, solution);
         warn(problem, solution);
         return solution;
     }
@@ -84,9 +87,10 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
                                           " elements; the influence coefficients are for " +
                                           std::to_string(influence.here->size()));
     ContactSolution solution = solve_boundary_elements(problem, influence, observer);
-    count_elements(solution);
+    count_elements(problem.grid, solution);
     sum_up(problem.grid, solution);
     take_friction_losses(problem, solution);
+    solution.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());
     warn(problem, solution);
     return solution;
 }

@@ -25,16 +25,8 @@ bool any(const Field& field) {
 
 /// Slip of the motion itself: w of a shift, dq w of rolling.
 Field rigid_slip(const Motion& motion, const Grid& grid, double unit) {
-    Rolling rolling;
-    if (const auto* given = std::get_if<Rolling>(&motion)) {
-        rolling = *given;
-    } else {
-        const auto& shift = std::get<Shift>(motion);
-        rolling.xi = shift.x;
-        rolling.eta = shift.y;
-        rolling.phi = shift.rotation;
-    }
-    RigidSlip slip = rigid_slip(grid, rolling, unit);
+    const auto* rolling = std::get_if<Rolling>(&motion);
+    RigidSlip slip = rolling ? rigid_slip(grid, *rolling, unit) : rigid_slip(grid, std::get<Shift>(motion));
     Field result;
     result.x = std::move(slip.x);
     result.y = std::move(slip.y);

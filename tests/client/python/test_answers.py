@@ -30,7 +30,7 @@ from contactd import (
     Violation,
 )
 from contactd.reading import read
-from contactd.solution import ContactSolution, IcEvidence, IcSpec, ServerInfo
+from contactd.solution import ContactSolution, Discretisation, IcEvidence, IcSpec, ServerInfo
 from support import answers
 from support.fake_server import FakeServer
 
@@ -113,11 +113,22 @@ def test_a_shift_tells_its_motion_slip_and_work():
 
 def test_rolling_tells_its_creepages():
     motion = {
-        "xi": 1e-3, "eta": 0, "phi": 0.5, "chi": 0, "dq": 0.1, "kind": "transient", "steps": 4, "velocity": 2
+        "xi": 1e-3, "eta": 0, "phi": 0.5, "chi": 0, "dq": 0.1, "spin_offset": 0, "kind": "transient", "steps": 4,
+        "velocity": 2,
     }  # fmt: skip
     solution = read(ContactSolution, solution_with(motion=motion, frictional_power=2.5))
-    assert solution.motion == Rolling(xi=1e-3, phi=0.5, dq=0.1, kind="transient", steps=4, velocity=2)
+    assert solution.motion == Rolling(xi=1e-3, phi=0.5, dq=0.1, spin_offset=0, kind="transient", steps=4, velocity=2)
     assert solution.frictional_power == 2.5
+
+
+def test_evidence_tells_how_finely_the_contact_is_divided():
+    result = solution_with()
+    assert read(ContactSolution, result).evidence.discretisation is None
+    errors = {"elements_across": 7, "force_error": 0.01, "pmax_error": 0.02, "source": "hertz"}
+    result["evidence"]["discretisation"] = errors
+    assert read(ContactSolution, result).evidence.discretisation == Discretisation(7, 0.01, 0.02, "hertz")
+    result["evidence"]["discretisation"] = {**errors, "source": "estimate", "rolling_error": 0.3}
+    assert read(ContactSolution, result).evidence.discretisation == Discretisation(7, 0.01, 0.02, "estimate", 0.3)
 
 
 def test_a_motion_of_neither_kind_breaks_the_protocol():

@@ -56,11 +56,11 @@ def test_a_shift_says_what_was_given():
 
 
 def test_rolling_says_what_was_given():
-    rolling = Rolling(xi=1e-3, chi=0.5, dq=0.1, kind="transient", steps=7, velocity=3, force=(None, 2))
+    rolling = Rolling(xi=1e-3, chi=0.5, dq=0.1, spin_offset=0, kind="transient", steps=7, velocity=3, force=(None, 2))
     assert Friction(0.3, rolling=rolling).params() == {
         "mu": 0.3,
         "rolling": {
-            "xi": 1e-3, "eta": 0, "phi": 0, "chi": 0.5, "dq": 0.1, "kind": "transient", "steps": 7, "velocity": 3,
+            "xi": 1e-3, "eta": 0, "phi": 0, "chi": 0.5, "dq": 0.1, "spin_offset": 0, "kind": "transient", "steps": 7, "velocity": 3,
             "force": [None, 2],
         },
     }  # fmt: skip

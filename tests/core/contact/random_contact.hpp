@@ -48,6 +48,7 @@ inline Motion random_motion(Dice& dice, const ContactProblem& problem, const Con
     rolling.steady = dice.chance(0.6);
     if (!rolling.steady) rolling.steps = dice.chance(0.5) ? 1 : 3;
     if (forces) prescribe_force(dice, largest, rolling.Fx, rolling.Fy);
+    rolling.spin_offset = dice.uniform(0, 1);
     return rolling;
 }
 
@@ -136,7 +137,7 @@ inline Surface displacements(const ContactProblem& problem, const Values& pz, co
 inline Surface given_slip(const ContactProblem& problem, const ContactSolution& solution, const PreviousState& before) {
     const Grid& grid = problem.grid;
     const std::size_t n = grid.size();
-    double x = 0, y = 0, turn = 0, unit = 1;
+    double x = 0, y = 0, turn = 0, unit = 1, ahead_x = 0, ahead_y = 0;
     const auto [shift_x, shift_y] = step_of(problem);
     bool steady = false;
     if (const auto* rolling = std::get_if<Rolling>(&*solution.motion)) {
@@ -144,6 +145,8 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
         x = rolling->xi;
         y = rolling->eta;
         turn = rolling->phi;
+        ahead_x = rolling->spin_offset * shift_x;
+        ahead_y = rolling->spin_offset * shift_y;
         steady = rolling->steady;
     } else {
         const auto& shift = std::get<Shift>(*solution.motion);
@@ -163,8 +166,8 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
             const std::size_t i = at(grid, ix, iy);
-            slip.x[i] = unit * (x - turn * grid.y(iy)) - old.x[i];
-            slip.y[i] = unit * (y + turn * grid.x(ix)) - old.y[i];
+            slip.x[i] = unit * (x - turn * (grid.y(iy) + ahead_y)) - old.x[i];
+            slip.y[i] = unit * (y + turn * (grid.x(ix) + ahead_x)) - old.y[i];
         }
     return slip;
 }

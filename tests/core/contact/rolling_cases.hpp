@@ -34,6 +34,7 @@ struct RollingCase {
           influence(pair, grid.nx, grid.ny),
           change(change_table),
           bodies{influence, change, grid, step_x, step_y} {
+        rolling.chi = chi;
         for (int iy = 0; iy < grid.ny; ++iy)
             for (int ix = 0; ix < grid.nx; ++ix) {
                 const double x = 2 * grid.x(ix) / (grid.nx * grid.dx), y = 2 * grid.y(iy) / (grid.ny * grid.dy);

@@ -1,0 +1,176 @@
+#include "discretisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+
+#include "../../types/number_text.hpp"
+#include "contactd/hertz.hpp"
+
+namespace contactd {
+namespace {
+
+// Where warnings begin, by the tables of docs/contact.md (bench/discretisation.py). At 8 elements across the force of
+// an ellipse is off by up to 0.7 % and pmax by up to 1.3 %.
+constexpr int fewest_elements = 8;
+constexpr double longest_step = 3;      // elements along the rolling direction
+constexpr double longest_part = 0.1;    // of the contact's length there
+constexpr double rounding = 1e-9;       // relative, of lengths
+constexpr double certain_error = 1;     // where nothing is known any more
+constexpr double force_factor = 0.4;    // over the square of the elements across, less one
+constexpr double pmax_factor = 0.8;     // the same
+constexpr double rolling_factor = 0.8;  // of dq and of an element over the size of the contact
+
+/// Elements in the longest unbroken row and column of the contact: its own size, however many contacts there are.
+struct ContactSize {
+    int along_x = 0, along_y = 0;
+};
+
+int longest_run(std::span<const double> pressure, std::size_t lines, std::size_t line_step, std::size_t length,
+                std::size_t step) {
+    int longest = 0;
+    for (std::size_t line = 0; line < lines; ++line) {
+        int run = 0;
+        for (std::size_t k = 0; k < length; ++k) {
+            run = pressure[line * line_step + k * step] > 0 ? run + 1 : 0;
+            longest = std::max(longest, run);
+        }
+    }
+    return longest;
+}
+
+ContactSize contact_size(const Grid& grid, std::span<const double> pressure) {
+    const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
+    return {longest_run(pressure, ny, nx, nx, 1), longest_run(pressure, nx, 1, ny, nx)};
+}
+
+// A contact that reaches from border to border, as line contacts do, says nothing of the elements in that direction.
+int elements_across(const Grid& grid, const ContactSize& size) {
+    const bool ends_x = size.along_x < grid.nx, ends_y = size.along_y < grid.ny;
+    if (ends_x && ends_y) return std::min(size.along_x, size.along_y);
+    if (ends_x) return size.along_x;
+    if (ends_y) return size.along_y;
+    return std::max(size.along_x, size.along_y);
+}
+
+const Rolling* rolling_of(const ContactSolution& solution) {
+    return solution.motion ? std::get_if<Rolling>(&*solution.motion) : nullptr;
+}
+
+/// Along the rolling direction (mm).
+struct RollingLengths {
+    double step, element, contact;
+
+    RollingLengths(const Rolling& rolling, const Grid& grid, const ContactSize& size)
+        : step(step_length(rolling, grid)),
+          element(size_along(rolling.chi, grid.dx, grid.dy)),
+          contact(size_along(rolling.chi, size.along_x * grid.dx, size.along_y * grid.dy)) {}
+};
+
+// Of the force under a small creepage, where everything adheres.
+double rolling_error(const RollingLengths& along, int across) {
+    return rolling_factor * (1.0 / across + along.step / along.contact);
+}
+
+/// The whole ellipse under the approach of the solution, where Hertz's theory holds.
+std::optional<HertzContact> hertz_of(const ContactProblem& problem, const ContactSolution& solution, bool coupled) {
+    const bool half_spaces = !problem.given_ics && problem.ics.body == BodyShape::half_space;
+    if (!half_spaces || coupled || solution.border_elements > 0 || !(solution.approach > 0)) return {};
+    const auto paraboloid = paraboloid_of(problem);
+    const auto is_curved = [](double radius) { return radius > 0 && std::isfinite(radius); };
+    if (!paraboloid || !is_curved(paraboloid->Rx) || !is_curved(paraboloid->Ry)) return {};
+    return hertz_of_approach(*paraboloid, problem.bodies.normal_compliance(), solution.approach);
+}
+
+std::string percent(double part) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * part);
+    return text;
+}
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution& solution,
+                            std::vector<std::string>& warnings) {
+    if (solution.contact_elements > 0 || problem.Fn || !(problem.approach > 0) || !paraboloid_of(problem)) return;
+    const Grid& grid = problem.grid;
+    const bool has_origin =
+        grid.x0 <= 0 && grid.y0 <= 0 && grid.x0 + grid.nx * grid.dx >= 0 && grid.y0 + grid.ny * grid.dy >= 0;
+    warnings.push_back(
+        "The bodies overlap by " + number_text(problem.approach) +
+        " mm at the origin, but no element has its centre in the contact: " +
+        (has_origin ? "the contact is narrower than the elements." : "it lies beyond the potential contact area.") +
+        " This solution carries nothing.");
+}
+
+void warn_of_few_elements(const DiscretisationEvidence& evidence, std::vector<std::string>& warnings) {
+    const int across = evidence.elements_across;
+    if (across >= fewest_elements) return;
+    warnings.push_back("The contact is " + std::to_string(across) + (across == 1 ? " element" : " elements") +
+                       " across, fewer than " + std::to_string(fewest_elements) +
+                       ": the normal force for the approach is off by " + (evidence.from_hertz ? "" : "about ") +
+                       percent(evidence.force_error) + " and the largest pressure by " + percent(evidence.pmax_error) +
+                       "; smaller elements are better.");
+}
+
+void warn_of_long_step(const ContactProblem& problem, const ContactSolution& solution,
+                       std::vector<std::string>& warnings) {
+    const Rolling* rolling = rolling_of(solution);
+    if (rolling == nullptr) return;
+    const RollingLengths along(*rolling, problem.grid, contact_size(problem.grid, solution.pressure));
+    const double step = along.step * (1 + rounding);
+    // Not of the default, which the grid is to blame for.
+    if (along.step <= along.element * (1 + rounding)) return;
+    if (step < longest_step * along.element && step < longest_part * along.contact) return;
+    warnings.push_back(
+        "friction.rolling.dq is " + number_text(along.step) + " mm, " + short_number(along.step / along.element) +
+        " elements and " + short_number(along.step / along.contact) +
+        " of the contact's length along the rolling direction: the tangential force under small "
+        "creepages is off by about " +
+        percent(*solution.discretisation->rolling_error) + ". Leave it out, which takes the size of an element, " +
+        short_number(along.element) + " mm; what a time step rolls takes several steps of transient rolling.");
+}
+
+}  // namespace
+
+std::optional<DiscretisationEvidence> discretisation(const ContactProblem& problem, const ContactSolution& solution,
+                                                     bool coupled) {
+    if (solution.contact_elements == 0) return {};
+    const ContactSize size = contact_size(problem.grid, solution.pressure);
+    DiscretisationEvidence evidence;
+    evidence.elements_across = elements_across(problem.grid, size);
+    if (const auto hertz = hertz_of(problem, solution, coupled)) {
+        // Under the prescribed load, of which the approach may have been found.
+        const double compliance = problem.bodies.normal_compliance();
+        const double pmax =
+            problem.Fn ? hertz_of_force(*paraboloid_of(problem), compliance, *problem.Fn).pmax : hertz->pmax;
+        evidence.from_hertz = true;
+        evidence.force_error = std::abs(solution.Fn / hertz->Fn - 1);
+        evidence.pmax_error = std::abs(solution.pmax / pmax - 1);
+    } else {
+        // One less, because an element more or less in contact is not felt by a coarse grid.
+        const double intervals = std::max(evidence.elements_across - 1, 0);
+        const auto error = [&](double factor) { return std::min(factor / (intervals * intervals), certain_error); };
+        evidence.force_error = error(force_factor);
+        evidence.pmax_error = error(pmax_factor);
+    }
+    if (const Rolling* rolling = rolling_of(solution))
+        evidence.rolling_error = rolling_error({*rolling, problem.grid, size}, evidence.elements_across);
+    return evidence;
+}
+
+std::vector<std::string> discretisation_warnings(const ContactProblem& problem, const ContactSolution& solution) {
+    std::vector<std::string> warnings;
+    warn_of_missed_contact(problem, solution, warnings);
+    if (!solution.discretisation) return warnings;
+    warn_of_few_elements(*solution.discretisation, warnings);
+    warn_of_long_step(problem, solution, warnings);
+    return warnings;
+}
+
+}  // namespace contactd

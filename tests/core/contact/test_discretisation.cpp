@@ -1,0 +1,294 @@
+// What elements and steps that are too large cost, and that a solution says so.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "contact_cases.hpp"
+#include "contactd/error.hpp"
+#include "contactd/hertz.hpp"
+#include "contactd/rolling.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const Material steel{82000, 0.28};
+
+/// n x n elements over 1.1 times the box of the ellipse.
+ContactProblem rolling_ellipse(double a, double b, int n, const Rolling& rolling) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(n, n, 2.2 * a / n, 2.2 * b / n);
+    problem.bodies = {steel, steel};
+    problem.gap = SemiAxes{a, b};
+    problem.Fn = 50000;
+    problem.friction = Friction{{0.3}, {}, rolling};
+    return problem;
+}
+
+/// The sphere of the Cattaneo problem, its contact of radius 1 mm on elements of this size.
+ContactProblem sphere(int n, double element) {
+    ContactProblem problem = cattaneo_problem(n);
+    problem.friction.reset();
+    problem.grid = Grid::centred(n, n, element, element);
+    return problem;
+}
+
+bool says(const ContactSolution& solution, const std::string& words) {
+    for (const std::string& warning : solution.warnings)
+        if (warning.find(words) != std::string::npos) return true;
+    return false;
+}
+
+double relative_difference(double value, double truth) {
+    return std::abs(value / truth - 1);
+}
+
+}  // namespace
+
+TEST_CASE("a step that is left out is the size of an element along the rolling direction", "[discretisation]") {
+    const Grid grid = Grid::centred(4, 4, 0.5, 0.05);
+    CHECK(step_length(Rolling{.chi = 0}, grid) == 0.5);
+    CHECK(step_length(Rolling{.chi = pi}, grid) == 0.5);
+    CHECK(step_length(Rolling{.chi = pi / 2}, grid) == 0.05);
+    CHECK(step_length(Rolling{.chi = -pi / 2}, grid) == 0.05);
+    const double oblique = step_length(Rolling{.chi = 0.3}, grid);
+    CHECK(oblique > 0.05);
+    CHECK(oblique < 0.5);
+    CHECK_THAT(step_length(Rolling{.chi = pi / 2 + 0.3}, Grid::centred(4, 4, 0.05, 0.5)), WithinRel(oblique, 1e-12));
+    const double chi = GENERATE(0.3, pi / 4, 2.0, -1.4);
+    CHECK_THAT(step_length(Rolling{.chi = chi}, Grid::centred(4, 4, 0.5, 0.5)), WithinRel(0.5, 1e-12));
+    CHECK(step_length(Rolling{.chi = chi, .dq = 0.7}, grid) == 0.7);
+}
+
+TEST_CASE("a slender contact and its motion turned by a right angle have the same forces", "[discretisation]") {
+    const auto along = solve_half_spaces(rolling_ellipse(6, 0.6, 20, Rolling{.xi = 1e-3, .eta = 4e-4, .phi = 1e-3}));
+    const auto turned =
+        solve_half_spaces(rolling_ellipse(0.6, 6, 20, Rolling{.xi = -4e-4, .eta = 1e-3, .phi = 1e-3, .chi = pi / 2}));
+    REQUIRE(along.converged());
+    REQUIRE(turned.converged());
+    CHECK_THAT(turned.Fy, WithinRel(along.Fx, 1e-5));
+    CHECK_THAT(turned.Fx, WithinRel(-along.Fy, 1e-5));
+    CHECK_THAT(turned.Mz, WithinRel(along.Mz, 1e-4));
+    CHECK_THAT(*turned.frictional_power, WithinRel(*along.frictional_power, 1e-4));
+    CHECK(turned.slip_elements == along.slip_elements);
+}
+
+TEST_CASE("a step far above the elements or the contact is warned of", "[discretisation]") {
+    const bool steady = GENERATE(true, false);
+    const auto rolled = [&](int n, double dq, double chi = 0) {
+        return solve_half_spaces(rolling_ellipse(6, 4, n, Rolling{.xi = 1e-3, .chi = chi, .dq = dq, .steady = steady}));
+    };
+    const double element = 13.2 / 44;  // 40 across
+    CHECK(rolled(44, 0).warnings.empty());
+    CHECK(rolled(44, 2.9 * element).warnings.empty());
+    CHECK(says(rolled(44, 3 * element), "3 elements and 0.075 of the contact's length"));
+    CHECK(says(rolled(22, 1.25), "0.104 of the contact's length"));  // two elements
+    CHECK(says(rolled(22, 20), "friction.rolling.dq is 20 mm"));
+    CHECK(rolled(44, 2.9 * 8.8 / 44, pi / 2).warnings.empty());
+    CHECK(says(rolled(44, 3 * 8.8 / 44, pi / 2), "3 elements"));
+    const auto coarse = rolled(10, 0);  // of one element, which is a tenth of the contact
+    CHECK_FALSE(says(coarse, "friction.rolling.dq"));
+}
+
+TEST_CASE("the estimated error of rolling is that of small creepages", "[discretisation]") {
+    const auto force = [](int n, double dq) {
+        ContactProblem problem = rolling_ellipse(5, 5, n, Rolling{.xi = 1e-6, .dq = dq});
+        problem.friction->mu = {1000};
+        const auto solution = solve_half_spaces(problem);
+        REQUIRE(solution.converged());
+        return std::pair(solution.Fx, *solution.discretisation->rolling_error);
+    };
+    const double limit = 2 * force(96, 0).first - force(48, 0).first;
+    const int n = GENERATE(11, 16, 27);
+    const double steps = GENERATE(1.0, 3.0, 10.0);
+    const auto [Fx, estimate] = force(n, steps * 11.0 / n);
+    const double error = relative_difference(Fx, limit);
+    CAPTURE(n, steps, error, estimate);
+    CHECK(error < 1.3 * estimate);
+    if (steps > 1) CHECK(error > 0.25 * estimate);  // that of the elements alone may vanish by accident
+}
+
+TEST_CASE("errors of a paraboloid on half-spaces are those against Hertz", "[discretisation]") {
+    const auto exact = hertz_of_approach({50, 50}, (1 - 0.42) / 200, 0.02);
+    ContactProblem problem = sphere(9, 0.4);
+    const auto solution = solve_half_spaces(problem);
+    REQUIRE(solution.discretisation);
+    CHECK(solution.discretisation->from_hertz);
+    CHECK(solution.discretisation->elements_across == 5);
+    CHECK_THAT(solution.discretisation->force_error, WithinAbs(relative_difference(solution.Fn, exact.Fn), 1e-9));
+    CHECK_THAT(solution.discretisation->pmax_error, WithinAbs(relative_difference(solution.pmax, exact.pmax), 1e-9));
+    CHECK_FALSE(solution.discretisation->rolling_error);
+
+    problem.Fn = exact.Fn;  // the approach errs now: by 2/3 of what the force would
+    const auto under_force = solve_half_spaces(problem);
+    const double sinks_in = std::pow(under_force.approach / 0.02, 1.5);
+    CHECK_THAT(under_force.discretisation->force_error, WithinAbs(std::abs(1 / sinks_in - 1), 1e-9));
+    CHECK_THAT(under_force.discretisation->pmax_error,
+               WithinAbs(relative_difference(under_force.pmax, exact.pmax), 1e-9));
+}
+
+TEST_CASE("where Hertz does not hold errors are estimated from the elements across", "[discretisation]") {
+    const int across = GENERATE(4, 6, 10, 20);
+    ContactProblem problem = sphere(2 * (across / 2) + 5, 2.0 / across);
+    const auto known = solve_half_spaces(problem);
+    problem.gap = undeformed_distance(problem);
+    const auto estimated = solve_half_spaces(problem);
+    REQUIRE(known.discretisation->from_hertz);
+    REQUIRE_FALSE(estimated.discretisation->from_hertz);
+    CHECK(estimated.discretisation->elements_across == known.discretisation->elements_across);
+    CAPTURE(known.discretisation->force_error, estimated.discretisation->force_error);
+    CAPTURE(known.discretisation->pmax_error, estimated.discretisation->pmax_error);
+    CHECK(known.discretisation->force_error < 1.5 * estimated.discretisation->force_error);
+    CHECK(known.discretisation->pmax_error < 1.5 * estimated.discretisation->pmax_error);
+    CHECK(estimated.discretisation->force_error < 0.6 / across);
+}
+
+TEST_CASE("contacts that Hertz does not describe are not compared with him", "[discretisation]") {
+    ContactProblem problem = cattaneo_problem(16);
+    CHECK(solve_half_spaces(problem).discretisation->from_hertz);
+    SECTION("coupled with friction") {
+        problem.bodies.lower = {400, 0.3};
+    }
+    SECTION("cut off at the border") {
+        problem.approach = 0.05;
+    }
+    SECTION("a block") {
+        problem.ics.source = IcSource::fem;
+        problem.ics.body = BodyShape::block;
+    }
+    SECTION("coefficients of the request") {
+        problem.given_ics = GivenIcs{pair_table(problem), problem.grid.dx, problem.grid.dy};
+    }
+    SECTION("a flat direction") {
+        problem.gap = Paraboloid{.Rx = 50};
+    }
+    const auto solution = solve_half_spaces(problem);
+    REQUIRE(solution.discretisation);
+    CHECK_FALSE(solution.discretisation->from_hertz);
+}
+
+TEST_CASE("a contact of fewer than eight elements across is warned of", "[discretisation]") {
+    CHECK(solve_half_spaces(sphere(11, 2.0 / 8)).warnings.empty());
+    const auto coarse = solve_half_spaces(sphere(11, 2.0 / 6));
+    CHECK(coarse.discretisation->elements_across == 7);
+    REQUIRE(coarse.warnings.size() == 1);
+    CHECK(says(coarse, "7 elements across, fewer than 8"));
+    ContactProblem four = sphere(40, 2.4);  // 40 x 40 elements of 2.4 mm, where 2.4 mm for all of them were meant
+    four.Fn = 9.2;
+    const auto under_force = solve_half_spaces(four);
+    CHECK(under_force.contact_elements == 4);
+    CHECK(says(under_force, "2 elements across"));
+    CHECK(under_force.discretisation->force_error > 0.4);
+    SECTION("in one direction only") {
+        ContactProblem problem = sphere(11, 0.2);
+        problem.grid = Grid::centred(11, 31, 2.0 / 6, 0.1);
+        CHECK(says(solve_half_spaces(problem), "7 elements across"));
+    }
+    SECTION("each of several") {
+        ContactProblem problem = sphere(40, 0.1);
+        Values h(problem.grid.size());
+        for (int iy = 0; iy < 40; ++iy)
+            for (int ix = 0; ix < 40; ++ix)
+                h[at(problem.grid, ix, iy)] = 0.02 + 0.02 * std::cos(2 * pi * (ix + 0.5) / 10);  // four ridges
+        problem.gap = h;
+        problem.approach = 0.01;
+        CHECK(says(solve_half_spaces(problem), "elements across"));
+    }
+}
+
+TEST_CASE("a line contact is not asked for elements along it", "[discretisation]") {
+    ContactProblem problem = sphere(1, 1);
+    const int rows = GENERATE(1, 3);
+    problem.gap = Paraboloid{.Rx = 50};
+    problem.grid = Grid::centred(40, rows, 0.06, 60.0 / rows);
+    const auto solution = solve_half_spaces(problem);
+    CHECK(solution.contact_elements == rows * solution.discretisation->elements_across);
+    CHECK_FALSE(says(solution, "elements across"));
+    problem.grid = Grid::centred(8, rows, 0.4, 60.0 / rows);
+    CHECK(says(solve_half_spaces(problem), "elements across"));
+}
+
+TEST_CASE("a grid without an element in the contact says so", "[discretisation]") {
+    ContactProblem problem = sphere(40, 2.4);
+    const auto between = solve_half_spaces(problem);
+    CHECK(between.contact_elements == 0);
+    CHECK_FALSE(between.discretisation);
+    CHECK(says(between, "narrower than the elements"));
+    problem.grid = {40, 40, 0.06, 0.06, 3, -1.2};
+    CHECK(says(solve_half_spaces(problem), "beyond the potential contact area"));
+    problem.approach = -0.001;
+    CHECK(solve_half_spaces(problem).warnings.empty());
+    problem.approach = 0;
+    CHECK(solve_half_spaces(problem).warnings.empty());
+}
+
+TEST_CASE("quick models have no elements that err", "[discretisation]") {
+    ContactProblem problem = rolling_ellipse(6, 4, 5, Rolling{.xi = 1e-3, .dq = 20});
+    problem.grid = Grid::centred(7, 7, 3, 2);
+    problem.model = GENERATE(Model::hertz, Model::fastsim);
+    Observer observer;
+    const auto solution = solve_contact(problem, {}, observer);
+    CHECK_FALSE(solution.discretisation);
+    CHECK(solution.warnings.empty());
+}
+
+TEST_CASE("spin is evaluated ahead of the element centres by its offset", "[discretisation]") {
+    const Rolling motion{.xi = 1e-3, .eta = -5e-4, .phi = 3e-4, .chi = GENERATE(0.0, pi / 2, 0.7)};
+    ContactProblem problem = rolling_ellipse(6, 4, 20, motion);
+    const auto solve = [&](const Rolling& rolling) {
+        problem.friction->motion = rolling;
+        const auto solution = solve_half_spaces(problem);
+        REQUIRE(solution.converged());
+        return solution;
+    };
+    const auto by_default = solve(motion);
+    Rolling same = motion;
+    same.spin_offset = 0;
+    const double ahead = step_length(motion, problem.grid) / 6;
+    same.xi -= same.phi * ahead * std::sin(motion.chi);
+    same.eta += same.phi * ahead * std::cos(motion.chi);
+    const auto shifted = solve(same);
+    CHECK_THAT(shifted.Fx, WithinAbs(by_default.Fx, 1e-2));
+    CHECK_THAT(shifted.Fy, WithinAbs(by_default.Fy, 1e-2));
+    CHECK_THAT(shifted.Mz, WithinAbs(by_default.Mz, 5e-2));
+    same = motion;
+    same.spin_offset = 0;
+    CHECK(std::abs(solve(same).Fy - by_default.Fy) > 2);
+}
+
+TEST_CASE("spin evaluated ahead or at the centres has one limit, to which ahead is nearer", "[discretisation]") {
+    const auto force = [](int n, double offset) {
+        const auto solution = solve_half_spaces(rolling_ellipse(5, 5, n, Rolling{.phi = 7e-4, .spin_offset = offset}));
+        REQUIRE(solution.converged());
+        return solution.Fy / (0.3 * 50000);
+    };
+    const auto limit = [&](double offset) { return 2 * force(80, offset) - force(40, offset); };
+    const double ahead = limit(1.0 / 6), at_centres = limit(0);
+    CHECK_THAT(ahead, WithinAbs(at_centres, 2e-3));
+    CHECK(std::abs(force(25, 1.0 / 6) - ahead) < 0.6 * std::abs(force(25, 0) - ahead));
+}
+
+TEST_CASE("a rotation of a shift is about the element centres whatever rolling does", "[discretisation]") {
+    const Grid grid = Grid::centred(3, 2, 1, 1);
+    const RigidSlip turned = rigid_slip(grid, Shift{.x = 0.5, .rotation = 0.1});
+    CHECK_THAT(turned.x[0], WithinAbs(0.5 - 0.1 * grid.y(0), 1e-15));
+    CHECK_THAT(turned.y[0], WithinAbs(0.1 * grid.x(0), 1e-15));
+}
+
+TEST_CASE("an offset of spin outside of a step is refused", "[discretisation]") {
+    const double offset = GENERATE(-0.1, 1.5, std::nan(""));
+    ContactProblem problem = rolling_ellipse(6, 4, 10, Rolling{.spin_offset = offset});
+    try {
+        validate(problem);
+        FAIL("not refused");
+    } catch (const InvalidArgument& error) {
+        CHECK(error.field() == "friction.rolling.spin_offset");
+    }
+}
