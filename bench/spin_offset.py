@@ -1,0 +1,123 @@
+"""Where to evaluate the rigid slip of spin: errors of Fx, Fy and Mz of steady rolling on coarse grids, with spin
+evaluated at the element centres (spin_offset 0) and ahead of them, against the limit of fine grids.
+
+    PATH=build/production/bin:$PATH PYTHONPATH=client/python python3 bench/spin_offset.py [--offsets 0 1/6 ...] [--csv FILE]
+
+Steel, semi-axes with sqrt(ab) = 5 mm, Fn = 50 kN, mu = 0.3, n x n elements over 1.1 times the ellipse's box, the default
+dq. 96 cases, drawn with a fixed seed: a/b from 1/4 to 4, creepages and spin of both signs from a tenth of what slides
+fully up to nearly that, chi along the axes and oblique, nu from 0 to 0.45, n from 15 to 50. The error of a case is
+
+    e = sqrt(dFx^2 + dFy^2 + dMz^2/(ab)) / (mu Fn),
+
+so that forces near zero do not dominate. Limits are extrapolated from n = 96 and 192 (the error falls with the element
+size), for each offset by itself; what they differ by is how well the limit is known, and is printed too.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import math
+import random
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+import numpy.typing as npt
+
+from contactd import Client, ContactProblem, Friction, Grid, LocalDaemon, Material, Rolling, SemiAxes
+
+FN, MU, G, SIZE = 50_000.0, 0.3, 82_000.0, 5.0
+UNIT = MU * FN / (G * SIZE**2)  # creepage at which linear forces are of the size of mu Fn
+FINE = (96, 192)
+Forces = npt.NDArray[np.float64]  # Fx, Fy, Mz/sqrt(ab), over mu Fn
+
+
+@dataclass(frozen=True)
+class Case:
+    ratio: float  # a/b
+    nu: float
+    chi: float
+    xi: float
+    eta: float
+    phi: float
+    n: int
+
+    def problem(self, n: int, offset: float) -> ContactProblem:
+        a, b = SIZE * math.sqrt(self.ratio), SIZE / math.sqrt(self.ratio)
+        rolling = Rolling(xi=self.xi, eta=self.eta, phi=self.phi, chi=self.chi, spin_offset=offset)
+        return ContactProblem(
+            grid=Grid.centred(n, n, 2.2 * a, 2.2 * b),
+            upper=Material(G, self.nu),
+            gap=SemiAxes(a, b),
+            Fn=FN,
+            friction=Friction(mu=MU, rolling=rolling),
+        )
+
+
+def cases(number: int) -> list[Case]:
+    """Sixteen kinds in turns, so that every grid meets every kind of motion."""
+    dice = random.Random(1990)
+    kinds = [(0, 0), (1, 0), (0, 1), (1, 1)]  # whether there is a longitudinal and a lateral creepage
+    result = []
+    for k in range(number):
+        longitudinal, lateral = kinds[k % 4]
+        creepage = [which * dice.choice((-1, 1)) * dice.uniform(0.05, 0.35) * UNIT for which in (longitudinal, lateral)]
+        spin = dice.choice((-1, 1)) * 10 ** dice.uniform(-1, 0.3) * UNIT / SIZE
+        chi = dice.choice((0, 0, math.pi / 2, math.pi, math.pi / 4, dice.uniform(0, 2 * math.pi)))
+        ratio = 2 ** dice.choice((-2, -1, 0, 0, 1, 2))
+        result.append(Case(ratio, dice.choice((0.0, 0.28, 0.45)), chi, *creepage, spin, (15, 20, 25, 35, 50)[k % 5]))
+    return result
+
+
+def forces(client: Client, problems: list[ContactProblem]) -> list[Forces]:
+    solutions = []
+    for first in range(0, len(problems), 8):
+        solutions += client.solve_many(problems[first : first + 8], timeout=3600)
+    for solution in solutions:
+        if isinstance(solution, Exception):
+            raise solution
+        if not solution.converged:
+            raise SystemExit(f"A solve did not converge: {solution.evidence}")
+    return [np.array([s.Fx, s.Fy, s.Mz / SIZE]) / (MU * FN) for s in solutions]  # type: ignore[union-attr]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--offsets", nargs="+", type=lambda text: float(Fraction(text)), default=[0.0, 1 / 6])
+    parser.add_argument("--cases", type=int, default=96)
+    parser.add_argument("--csv", help="every case, one a line")
+    arguments = parser.parse_args()
+    offsets, all_cases = arguments.offsets, cases(arguments.cases)
+    with LocalDaemon() as daemon, Client(daemon.endpoint) as client:
+        coarse = {o: forces(client, [case.problem(case.n, o) for case in all_cases]) for o in offsets}
+        limits = []
+        for offset in (offsets[0], offsets[-1]):
+            once, twice = (forces(client, [case.problem(n, offset) for case in all_cases]) for n in FINE)
+            limits.append([2 * fine - rough for rough, fine in zip(once, twice)])
+    known = [float(np.linalg.norm(a - b)) for a, b in zip(*limits)]
+    limit = [(a + b) / 2 for a, b in zip(*limits)]
+    errors = {o: [np.abs(f - l) for f, l in zip(coarse[o], limit)] for o in offsets}
+    total = {o: np.array([np.linalg.norm(e) for e in errors[o]]) for o in offsets}
+    print(f"{len(all_cases)} cases; limits known to {np.median(known):.1e} (median), {max(known):.1e} (largest)")
+    print("offset   mean of e   largest e   mean error of Fx, Fy, Mz/sqrt(ab), over mu Fn")
+    for o in offsets:
+        print(f"{o:6.3f}   {total[o].mean():9.2e}   {total[o].max():9.2e}  ", *(f"{e:9.2e}" for e in np.mean(errors[o], 0)))
+    first = total[offsets[0]]
+    for o in offsets[1:]:
+        ratio = total[o] / first
+        print(f"{o:.3f} against {offsets[0]:.3f}: better in {(ratio < 1).sum()}, mean ratio {np.exp(np.log(ratio).mean()):.2f}, "
+              f"worst ratio {ratio.max():.2f} (e {total[o][ratio.argmax()]:.1e})")
+    for n in sorted({case.n for case in all_cases}):
+        these = [i for i, case in enumerate(all_cases) if case.n == n]
+        print(f"n = {n}:", *(f"{total[o][these].mean():.2e}" for o in offsets))
+    if arguments.csv:
+        with open(arguments.csv, "w", newline="") as file:
+            rows = csv.writer(file)
+            rows.writerow(["a/b", "nu", "chi", "xi", "eta", "phi", "n", *(f"e {o:.4f}" for o in offsets), "limit known to"])
+            for i, case in enumerate(all_cases):
+                rows.writerow([*vars(case).values(), *(total[o][i] for o in offsets), known[i]])
+
+
+if __name__ == "__main__":
+    main()
