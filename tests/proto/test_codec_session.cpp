@@ -191,3 +191,26 @@ TEST_CASE("An answer holds the arrays that were asked for") {
     CHECK(reply.solution.slip_x.empty());
     CHECK(reply.solution.normal.iterations == 4);
 }
+
+TEST_CASE("Where a session is arrives as it was told") {
+    SessionInfo told;
+    told.step = 7;
+    told.lease_seconds = 60;
+    told.states = 2;
+    told.bytes = 3;
+    told.grid = Grid{2, 1, 0.5, 1, -1, 4};
+    for (const std::optional<bool> rolls : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
+        told.rolls = rolls;
+        const json result = encode_session_info(told);
+        CAPTURE(result.dump());
+        REQUIRE(violations_of("session.info.result", result).empty());
+        const SessionInfo info = decode_session_info(result);
+
+        CHECK(info.step == 7);
+        CHECK(info.lease_seconds == 60);
+        CHECK(info.states == 2);
+        CHECK(info.bytes == 3);
+        CHECK(info.grid == told.grid);
+        CHECK(info.rolls == rolls);
+    }
+}
