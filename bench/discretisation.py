@@ -58,8 +58,11 @@ def normal_contact(client: Client) -> None:
         problems = [pressed(ratio, across, place) for ratio, place in cases]
         exact = solved(client, [problem.replace(model="hertz") for problem in problems])
         found = solved(client, problems)
-        errors = {name: [abs(getattr(f, name) / getattr(e, name) - 1) for f, e in zip(found, exact)] for name in ("Fn", "pmax")}
-        print(f"| {across} |", " | ".join(f"{np.median(e):.2%}, {max(e):.2%}" for e in errors.values()), "|", flush=True)
+        cells = []
+        for name in ("Fn", "pmax"):
+            errors = [abs(getattr(f, name) / getattr(e, name) - 1) for f, e in zip(found, exact)]
+            cells.append(f"{np.median(errors):.2%}, {max(errors):.2%}")
+        print(f"| {across} |", " | ".join(cells), "|", flush=True)
 
 
 def rolls(ratio: float, across: int, steps: float, lateral: bool, creepage: float, mu: float) -> ContactProblem:

@@ -437,7 +437,8 @@ class ContactSolution(WithForces):
         traction_y: Along y on the upper body, shape [ny, nx] (N/mm^2).
         converged: Whether every solver reached its tolerance.
         evidence: How the solvers ended, and where the coefficients came from.
-        warnings: Sentences, e.g. that the contact touches the border of the potential contact area.
+        warnings: Sentences, e.g. that the contact touches the border of the potential contact area, or that elements or
+            dq are too large for it.
         slip_x: Along x, slip of the upper body over the lower, zero outside contact: of a shift the distance over the
             step (mm), of rolling the relative slip, per distance rolled. None without friction, like all that follow.
         slip_y: The same along y.

@@ -85,7 +85,7 @@ std::optional<HertzContact> hertz_of(const ContactProblem& problem, const Contac
 
 std::string percent(double part) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * part);
+    std::snprintf(text, sizeof text, part < 0.1 ? "%.2g %%" : "%.0f %%", 100 * part);
     return text;
 }
 
@@ -113,7 +113,7 @@ void warn_of_few_elements(const DiscretisationEvidence& evidence, std::vector<st
     if (across >= fewest_elements) return;
     warnings.push_back("The contact is " + std::to_string(across) + (across == 1 ? " element" : " elements") +
                        " across, fewer than " + std::to_string(fewest_elements) +
-                       ": the normal force for the approach is off by " + (evidence.from_hertz ? "" : "about ") +
+                       ": the normal force for the approach is off by " + (evidence.from_hertz ? "" : "up to about ") +
                        percent(evidence.force_error) + " and the largest pressure by " + percent(evidence.pmax_error) +
                        "; smaller elements are better.");
 }
