@@ -7,13 +7,14 @@ ways to the middle of the ellipse; errors against Hertz's closed form (model="he
 
 Rolling: a/b = 0.3, 1 and 3, a small creepage along or across, no slip anywhere, so that the force is Kalker's linear
 one; errors against its limit, extrapolated from 80 and 160 elements across. Then creepages whose force is about half of
-mu Fn, errors over mu Fn.
+mu Fn, errors over mu Fn. Last, oblique directions, by two notions of an element's size along them.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -92,6 +93,28 @@ def rolling(client: Client, creepage: float, mu: float) -> None:
     print("forces of the limit over mu Fn:", *(f"{abs(limit) / (mu * FN):.2g}" for limit in limits))
 
 
+def oblique(client: Client) -> None:
+    """What an element's size along an oblique chi had better be: of the ellipse with its diameters, or of itself."""
+    print("| elements across | ellipse | longest way through the element |\n|---|---|---|")
+    cases = list(product((0.3, 1, 3), (0.2, math.pi / 6, math.pi / 4, 1.2), (False, True)))  # a/b, chi, lateral
+
+    def forces(across: int, longest_way: bool) -> list[float]:
+        problems = []
+        for ratio, chi, lateral in cases:
+            problem = rolls(ratio, across, 1, lateral, 1e-6, 1000)
+            along_x, along_y = problem.grid.dx / math.cos(chi), problem.grid.dy / math.sin(chi)
+            dq = min(along_x, along_y) if longest_way else None
+            assert problem.friction is not None and problem.friction.rolling is not None
+            motion = replace(problem.friction.rolling, chi=chi, dq=dq)
+            problems.append(problem.replace(friction=Friction(mu=1000, rolling=motion)))
+        return [s.Fy if lateral else s.Fx for s, (_, _, lateral) in zip(solved(client, problems), cases)]
+
+    limits = [2 * fine - coarse for coarse, fine in zip(forces(80, False), forces(160, False))]
+    for across in (10, 16, 25, 50):
+        means = [np.mean([abs(f / limit - 1) for f, limit in zip(forces(across, way), limits)]) for way in (False, True)]
+        print(f"| {across} |", " | ".join(f"{mean:.1%}" for mean in means), "|", flush=True)
+
+
 def main() -> None:
     with LocalDaemon() as daemon, Client(daemon.endpoint) as client:
         normal_contact(client)
@@ -99,6 +122,8 @@ def main() -> None:
         rolling(client, 1e-6, 1000)
         print("\nLargest error over mu Fn where some of the contact slips, for dq in elements:\n")
         rolling(client, 0.15 * UNIT, 0.3)
+        print("\nMean error of the force of a small creepage along and across oblique directions, by the dq of an element:\n")
+        oblique(client)
 
 
 if __name__ == "__main__":

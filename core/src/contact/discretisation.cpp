@@ -80,7 +80,9 @@ std::optional<HertzContact> hertz_of(const ContactProblem& problem, const Contac
     const auto paraboloid = paraboloid_of(problem);
     const auto is_curved = [](double radius) { return radius > 0 && std::isfinite(radius); };
     if (!paraboloid || !is_curved(paraboloid->Rx) || !is_curved(paraboloid->Ry)) return {};
-    return hertz_of_approach(*paraboloid, problem.bodies.normal_compliance(), solution.approach);
+    const HertzContact hertz = hertz_of_approach(*paraboloid, problem.bodies.normal_compliance(), solution.approach);
+    if (!(hertz.Fn > 0 && hertz.pmax > 0)) return {};  // they underflow
+    return hertz;
 }
 
 std::string percent(double part) {

@@ -150,6 +150,16 @@ TEST_CASE("where Hertz does not hold errors are estimated from the elements acro
     CHECK(estimated.discretisation->force_error < 0.6 / across);
 }
 
+TEST_CASE("errors are numbers however little the bodies overlap", "[discretisation]") {
+    ContactProblem problem = sphere(9, 0.4);
+    problem.approach = GENERATE(1e-6, 1e-12, 1e-100);
+    const auto solution = solve_half_spaces(problem);
+    REQUIRE(solution.contact_elements == 1);
+    CHECK(std::isfinite(solution.discretisation->force_error));
+    CHECK(std::isfinite(solution.discretisation->pmax_error));
+    CHECK(solution.discretisation->force_error >= 1);
+}
+
 TEST_CASE("contacts that Hertz does not describe are not compared with him", "[discretisation]") {
     ContactProblem problem = cattaneo_problem(16);
     CHECK(solve_half_spaces(problem).discretisation->from_hertz);
