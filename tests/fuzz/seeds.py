@@ -144,7 +144,10 @@ def replies() -> Iterator[bytes]:
         "area": {"contact": 1, "adhesion": 0, "slip": 1}, "elements": {"contact": 1, "adhesion": 0, "slip": 1, "border": 0},
         "element_division": {"$array": {"frame": 1, "dtype": "|u1", "shape": [1, 1]}}, "warnings": [], "converged": True,
         **{name: array(2, 1, 1) for name in ("pressure", "traction_x", "traction_y")},
-        "evidence": {"normal": statistics, "ics": {"upper": use, "lower": use}},
+        "evidence": {
+            "normal": statistics, "ics": {"upper": use, "lower": use},
+            "discretisation": {"elements_across": 1, "force_error": 1, "pmax_error": 1, "source": "estimate", "rolling_error": 2},
+        },
     }
     yield reply(solution, b"\2", bytes(8))
     yield reply({"solutions": [{"status": {"code": 0, "name": "OK", "message": ""}, "result": solution}]}, b"\2", bytes(8))
