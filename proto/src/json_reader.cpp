@@ -1,4 +1,4 @@
-#include "json_reader.hpp"
+#include "contactd/proto/json_reader.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -39,8 +39,8 @@ std::string_view non_finite_word(std::string_view text, std::size_t at) {
 /// Builds the document from the parser's events.
 class Reader : public nlohmann::json_sax<json> {
    public:
-    Reader(std::string_view text, std::size_t max_values, json& root)
-        : text_(text), max_values_(max_values), root_(root) {}
+    Reader(std::string_view text, std::size_t max_values, json& root, std::string_view what)
+        : text_(text), max_values_(max_values), root_(root), what_(what) {}
 
     bool null() override { return put(nullptr); }
     bool boolean(bool value) override { return put(value); }
@@ -95,9 +95,10 @@ class Reader : public nlohmann::json_sax<json> {
             parent.push_back(std::move(value));
             return &parent.back();
         }
-        json& member = parent[open_.back().key];
-        member = std::move(value);
-        return &member;
+        // RFC 8259 leaves the meaning of a repeated key to its reader, of which there are several: see RFC 7493, 2.3.
+        const auto [member, is_new] = parent.get_ref<json::object_t&>().try_emplace(open_.back().key, std::move(value));
+        if (!is_new) refuse_repetition();
+        return &member->second;
     }
 
     bool put(json value) {
@@ -141,9 +142,13 @@ class Reader : public nlohmann::json_sax<json> {
         throw invalid_field(field(), problem, reason::not_json);
     }
 
+    [[noreturn]] void refuse_repetition() const {
+        throw invalid_field(field(), "is given twice; a key may stand once in an object", reason::not_json);
+    }
+
     /// For what is wrong with the whole envelope, found at the field being read.
     [[noreturn]] void fail(std::string_view why, const std::string& problem) const {
-        Status status{StatusCode::invalid_argument, "The envelope " + problem + ".", std::string(why), {}, 0};
+        Status status{StatusCode::invalid_argument, std::string(what_) + " " + problem + ".", std::string(why), {}, 0};
         if (std::string name = field(); !name.empty()) status.violations.push_back({std::move(name), problem});
         throw StatusError(std::move(status));
     }
@@ -152,14 +157,15 @@ class Reader : public nlohmann::json_sax<json> {
     std::size_t max_values_;
     std::size_t values_ = 0;
     json& root_;
+    std::string_view what_;
     std::vector<Open> open_;
 };
 
 }  // namespace
 
-void read_json(std::string_view text, std::size_t max_values, json& root) {
+void read_json(std::string_view text, std::size_t max_values, json& root, std::string_view what) {
     root = json();
-    Reader reader(text, max_values, root);
+    Reader reader(text, max_values, root, what);
     json::sax_parse(text.begin(), text.end(), &reader);
 }
 

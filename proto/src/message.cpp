@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/status.hpp"
-#include "json_reader.hpp"
 #include "shown.hpp"
 
 namespace contactd::proto {

@@ -29,6 +29,7 @@
 #include "contactd/half_space.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
 #include "guard.hpp"
@@ -102,8 +103,14 @@ std::string read_spec(const Options& options) {
 }
 
 IcSpec parse_spec(const std::string& text) {
-    const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw InvalidArgument("SPEC", "is not JSON; it must hold the parameters of ic.get");
+    constexpr std::size_t max_values = 10'000;  // more than any spec needs
+    nlohmann::json json;
+    try {
+        proto::read_json(text, max_values, json, "SPEC");
+    } catch (const proto::StatusError& error) {
+        if (!error.status().violations.empty()) throw;
+        throw InvalidArgument("SPEC", "is not JSON; it must hold the parameters of ic.get");
+    }
     if (!json.is_object()) throw InvalidArgument("SPEC", "is no JSON object; it must hold the parameters of ic.get");
     proto::check_params("ic.get", json);
     const IcSpec spec = proto::decode_ic_spec(json);

@@ -44,6 +44,19 @@ def test_a_number_that_is_not_finite_is_named(peer, number):
     assert (reply.reason, reply.fields, reply.id) == ("NOT_JSON", ["grid.dx"], "x")
 
 
+@pytest.mark.parametrize(
+    ("text", "field"),
+    [
+        ('{"contactd": 1, "id": "x", "method": "server.health", "method": "job.list"}', "method"),
+        ('{"contactd": 1, "id": "x", "method": "ic.get", "params": {"grid": {"nx": 1, "ny": 1, "nx": 2}}}', "grid.nx"),
+        ('{"contactd": 1, "id": "x", "method": "contact.solve_many", "params": {"problems": [{}, {"a": 1, "a": 1}]}}', "problems[1].a"),
+    ],
+)
+def test_a_key_that_stands_twice_is_refused_and_named(peer, text, field):
+    reply = peer.ask_text(text)
+    assert (reply.code, reply.reason, reply.fields, reply.id) == (INVALID_ARGUMENT, "NOT_JSON", [field], "x")
+
+
 def test_nesting_is_bounded(peer):
     reply = peer.ask_text(request(params={}).replace("{}", '{"a":' * 10_000 + "1" + "}" * 10_000))
     assert (reply.code, reply.reason, reply.id) == (INVALID_ARGUMENT, "NOT_JSON", "x")

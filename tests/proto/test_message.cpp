@@ -99,11 +99,30 @@ TEST_CASE("Metadata are few and plain", "[message]") {
     CHECK(refusal.field() == field);
 }
 
-TEST_CASE("Of repeated keys the last one counts", "[message]") {
+TEST_CASE("A key that is given twice in one object is refused with its place", "[message]") {
+    struct Case {
+        const char* member;
+        const char* field;
+    };
+    const auto [member, field] =
+        GENERATE(Case{R"("id": "80")", "id"}, Case{R"("params": {}, "params": {})", "params"},
+                 Case{R"("params": {"grid": {"nx": 3, "ny": 3, "nx": 4}})", "grid.nx"},
+                 Case{R"("params": {"a": {"b": 1}, "a": {"b": 1}})", "a"},
+                 Case{R"("params": {"a": {"b": 1, "c": [{"d": 1}, {"e": [], "e": []}]}})", "a.c[1].e"},
+                 Case{R"("metadata": {"x\u0061": 1, "xa": 2})", "metadata.xa"});
+
+    const Refusal refusal = refusal_of(envelope_with(member));
+
+    CHECK(refusal.status.reason == reason::not_json);
+    CHECK(refusal.field() == field);
+    CHECK(refusal.status.message == std::string(field) + " is given twice; a key may stand once in an object");
+    CHECK(refusal.id == "7f");
+}
+
+TEST_CASE("The same key may stand in several objects", "[message]") {
     std::string id;
-    CHECK(parse_request(envelope_with(R"("id": "80", "params": {"a": {"b": 1}, "a": 2})"), {}, {}, id).params["a"] ==
-          2);
-    CHECK(id == "80");
+    CHECK(parse_request(envelope_with(R"("params": {"a": {"a": [{"a": 1}, {"a": 2}]}})"), {}, {}, id)
+              .params["a"]["a"][1]["a"] == 2);
 }
 
 TEST_CASE("What is not JSON is refused as NOT_JSON", "[message]") {

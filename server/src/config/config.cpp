@@ -9,6 +9,7 @@
 
 #include "config_schema.hpp"
 #include "contactd/error.hpp"
+#include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
 #include "endpoint_rules.hpp"
 
@@ -16,6 +17,8 @@ namespace contactd::server {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t max_values = 10'000;  // in a configuration: more than any needs
 
 const json& config_schema() {
     static const json schema = json::parse(config_schema_text);
@@ -120,7 +123,8 @@ Config config_from_file(const std::filesystem::path& path, const json& overrides
     std::ostringstream text;
     text << file.rdbuf();
     try {
-        json given = json::parse(text.str());
+        json given;
+        proto::read_json(text.str(), max_values, given, "The configuration");
         if (given.is_object()) given.merge_patch(overrides);
         return config_from_json(given);
     } catch (const json::exception& error) {

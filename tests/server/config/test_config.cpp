@@ -86,6 +86,14 @@ TEST_CASE("A configuration that is no JSON, no object or no file is refused with
                          MessageMatches(ContainsSubstring("cannot be read: No such file")));
 }
 
+TEST_CASE("A field that stands twice in a configuration is refused with its name") {
+    const auto path = std::filesystem::temp_directory_path() / "contactd-test-twice.json";
+    std::ofstream(path) << R"({"workers": 3, "store": {"folder": "a", "folder": "b"}})";
+    CHECK_THROWS_MATCHES(config_from_file(path), contactd::Error,
+                         MessageMatches(ContainsSubstring(path.string() + ": store.folder is given twice")));
+    std::filesystem::remove(path);
+}
+
 TEST_CASE("The configurations that come with contactd can be used") {
     for (const char* name : {"contactd.json", "mpi.json", "container.json"})
         CHECK_NOTHROW(config_from_file(std::filesystem::path(CONFIGS) / name));
