@@ -33,8 +33,8 @@ IcSpec decode_ic_spec(const json& params) {
     spec.material = decode_material(params["material"]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();
-    spec.nx = grid["nx"].get<int>();
-    spec.ny = grid["ny"].get<int>();
+    spec.nx = decode_count(grid, "nx");
+    spec.ny = decode_count(grid, "ny");
     return spec;
 }
 

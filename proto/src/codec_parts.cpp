@@ -16,8 +16,18 @@ json encode_grid(const Grid& grid) {
     return result;
 }
 
+int decode_count(const json& grid, const char* name) {
+    const auto count = grid[name].get<long long>();
+    if (count > static_cast<long long>(max_grid_elements))
+        throw invalid_field(
+            "grid." + std::string(name),
+            "is " + std::to_string(count) + "; nx times ny is at most " + std::to_string(max_grid_elements),
+            reason::limit_exceeded);
+    return static_cast<int>(count);
+}
+
 Grid decode_grid(const json& source) {
-    Grid grid = Grid::centred(source["nx"].get<int>(), source["ny"].get<int>(), source["dx"].get<double>(),
+    Grid grid = Grid::centred(decode_count(source, "nx"), decode_count(source, "ny"), source["dx"].get<double>(),
                               source["dy"].get<double>());
     grid.x0 = source.value("x0", grid.x0);
     grid.y0 = source.value("y0", grid.y0);

@@ -54,6 +54,8 @@ double finite(double value, const char* what);
 
 nlohmann::json encode_grid(const Grid& grid);
 /// Throws StatusError naming the field, before anything of the grid's size is allocated.
+/// nx or ny of a grid. Throws StatusError when no grid has so many elements.
+int decode_count(const nlohmann::json& grid, const char* name);
 Grid decode_grid(const nlohmann::json& json);
 
 /// The shape that an array, which has passed its schema, claims to have; of a nested list, by the first entry at each

@@ -51,15 +51,15 @@ IcPart decode_ic_part(const json& params, int ny) {
     IcPart part{0, ny, {}, true};
     if (const auto rows = params.find("rows"); rows != params.end()) {
         part.is_whole = false;
-        part.first_row = (*rows)["first"].get<int>();
-        part.rows = (*rows)["count"].get<int>();
-        if (part.first_row >= ny)
-            throw invalid_field("rows.first", "is " + std::to_string(part.first_row) + "; the table has " +
-                                                  std::to_string(ny) + " rows, the first of which is 0");
-        if (part.rows > ny - part.first_row)
-            throw invalid_field("rows.count", "is " + std::to_string(part.rows) + "; from row " +
-                                                  std::to_string(part.first_row) + " on there are " +
-                                                  std::to_string(ny - part.first_row));
+        const auto first = (*rows)["first"].get<long long>(), count = (*rows)["count"].get<long long>();
+        if (first >= ny)
+            throw invalid_field("rows.first", "is " + std::to_string(first) + "; the table has " + std::to_string(ny) +
+                                                  " rows, the first of which is 0");
+        if (count > ny - first)
+            throw invalid_field("rows.count", "is " + std::to_string(count) + "; from row " + std::to_string(first) +
+                                                  " on there are " + std::to_string(ny - first));
+        part.first_row = static_cast<int>(first);
+        part.rows = static_cast<int>(count);
     }
     if (const auto components = params.find("components"); components != params.end()) {
         part.is_whole = false;

@@ -60,35 +60,53 @@ double seconds_since(Call::Clock::time_point start) {
     return std::chrono::duration<double>(Call::Clock::now() - start).count();
 }
 
-long long elements_of(const json& params) {
-    const json& grid = params.at("grid");
-    return grid.at("nx").get<long long>() * grid.at("ny").get<long long>();  // each at most 4e6
+constexpr const char* grid_limit = " (limits.max_grid_elements)";
+
+/// `field` is where `params` stand. Throws where one side alone has more elements than a grid may.
+long long elements_of(const json& params, std::size_t most, const std::string& field = "") {
+    long long elements = 1;
+    for (const char* side : {"nx", "ny"}) {
+        const auto count = params.at("grid").at(side).get<long long>();
+        if (count > static_cast<long long>(most))
+            throw proto::invalid_field(
+                field + "grid." + side,
+                "is " + std::to_string(count) + "; nx times ny is at most " + std::to_string(most) + grid_limit,
+                proto::reason::limit_exceeded);
+        elements *= count;  // each at most 4e6
+    }
+    return elements;
 }
 
 /// Grids are limited before anything the size of a grid is made of them. `params` has passed its schema.
 void check_grid_limit(const json& params, std::size_t most) {
-    const long long elements = elements_of(params);
+    const long long elements = elements_of(params, most);
     if (elements > static_cast<long long>(most))
         throw proto::invalid_field("grid.nx",
                                    "times ny is " + std::to_string(elements) + " elements; at most " +
-                                       std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                       std::to_string(most) + " are allowed" + grid_limit,
                                    proto::reason::limit_exceeded);
 }
 
 void check_grid_limits(const json& problems, std::size_t most) {
-    long long elements = 0;
-    for (const json& problem : problems) elements += elements_of(problem);  // at most 1000 times 1.6e13
+    long long elements = 0;  // at most 1000 times 1.6e13
+    for (std::size_t n = 0; n < problems.size(); ++n)
+        elements += elements_of(problems[n], most, "problems[" + std::to_string(n) + "].");
     if (elements > static_cast<long long>(most))
         throw proto::invalid_field("problems",
                                    "have " + std::to_string(elements) + " elements together; at most " +
-                                       std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                       std::to_string(most) + " are allowed" + grid_limit,
                                    proto::reason::limit_exceeded);
+}
+
+/// Of what has passed check_grid_limit.
+std::size_t elements_in(const json& params) {
+    return static_cast<std::size_t>(elements_of(params, max_grid_elements));
 }
 
 /// Bytes of the arrays in a result of contact.solve: element division, pressure, tractions and, with friction, slip.
 std::size_t result_bytes(const json& params) {
     const std::size_t per_element = params.contains("friction") ? 1 + 5 * sizeof(double) : 1 + 3 * sizeof(double);
-    return per_element * static_cast<std::size_t>(elements_of(params));
+    return per_element * elements_in(params);
 }
 
 /// What could not be sent need not be solved. Lists have no size that is known before; they are checked when they go.
@@ -97,7 +115,7 @@ void check_answer_fits(const std::vector<const json*>& problems, const Call& cal
     std::size_t total = 0, largest = 0;
     for (const json* problem : problems) {
         total += result_bytes(*problem);
-        largest = std::max(largest, static_cast<std::size_t>(elements_of(*problem)) * sizeof(double));
+        largest = std::max(largest, elements_in(*problem) * sizeof(double));
     }
     const auto refuse = [](std::size_t is, const char* what, std::size_t limit, const char* name) {
         throw proto::invalid_field("grid.nx",

@@ -53,6 +53,20 @@ def test_a_grid_beyond_the_limit_is_refused(daemons):
             client.solve(CATTANEO.replace(grid=Grid.centred(11, 10, 2.4, 2.4)))
 
 
+@pytest.mark.parametrize(("nx", "ny"), [(101, 1), (1, 5_000_000), (10**12, 10**12), (11, 10)])
+def test_every_grid_beyond_the_limit_hears_of_the_limit(daemons, nx, ny):
+    grid = {"nx": nx, "ny": ny, "dx": 1, "dy": 1}
+    many = {"problems": [CATTANEO_PARAMS, {**CATTANEO_PARAMS, "grid": grid}]}
+    table = {"material": {"G": 1, "nu": 0}, "grid": grid, "ics": {"source": "analytic"}}
+    with daemons.start(limits={"max_grid_elements": 100}).raw() as raw:
+        for method, params in (("contact.solve", {**CATTANEO_PARAMS, "grid": grid}), ("ic.get", table)):
+            answer = raw.ask(method, params)
+            assert answer.reason == "LIMIT_EXCEEDED"
+            assert "100" in answer.message.split(";")[1]
+            assert "(limits.max_grid_elements)" in answer.message
+        assert "(limits.max_grid_elements)" in raw.ask("contact.solve_many", many).message
+
+
 def test_a_full_queue_refuses_for_now(daemons, background):
     daemon = daemons.start(limits={"max_queue": 1})
     with daemon.client() as client:

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "wire.hpp"
 
@@ -90,8 +91,7 @@ TEST_CASE("A bad value of ic.get is named with what would be right", "[schema]")
         GENERATE(
             Case{"/grid/nx", "-1", "grid.nx", "is -1; it must be at least 1"},
             Case{"/grid/nx", "0", "grid.nx", "is 0; it must be at least 1"},
-            Case{"/grid/ny", "5000000000", "grid.ny", "is 5000000000; it must be at most 4000000"},
-            Case{"/grid/nx", "1.5", "grid.nx", "is 1.5; it must be an integer from 1 to 4000000"},
+            Case{"/grid/nx", "1.5", "grid.nx", "is 1.5; it must be an integer from 1"},
             Case{"/grid/nx", "1e30", "grid.nx", "it must be an integer"},
             Case{"/grid/nx", "\"10\"", "grid.nx", "is \"10\"; it must be an integer"},
             Case{"/grid/nx", "null", "grid.nx", "is null"}, Case{"/grid/nx", "true", "grid.nx", "is true"},
@@ -347,9 +347,13 @@ TEST_CASE("Numbers at the edge of the types are answered", "[schema]") {
     for (const char* number : {"9223372036854775807", "-9223372036854775808", "1e18", "-1e300", "4000001"}) {
         CAPTURE(number);
         params["grid"]["nx"] = json::parse(number);
-        const auto violations = violations_of("ic.get.params", params);
-        REQUIRE(violations.size() == 1);
-        CHECK(violations[0].field == "grid.nx");
+        const auto status = wire::status_thrown_by([&] {
+            check_params("ic.get", params);
+            decode_ic_spec(params);
+        });
+        REQUIRE(status);
+        REQUIRE(status->violations.size() == 1);
+        CHECK(status->violations[0].field == "grid.nx");
     }
 }
 
