@@ -4,6 +4,7 @@ import os
 import random
 import shutil
 import signal
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -132,6 +133,79 @@ def test_the_least_recently_used_tables_go_when_the_budget_is_full(daemons):
         assert keys[0.1] not in left
         assert {keys[0.2], keys[0.3]} < left
         assert len(left) == 3
+
+
+class Shelf:
+    """A store with room for three tables, and what ought to be in it: the least recently used first."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.keys = {}
+        self.expected = []
+
+    def stored(self):
+        return {path.name.partition(".")[0] for path in self.folder.glob("*.h5")}
+
+    def use(self, client, nu):
+        """Asks for a table, and waits until the store knows of it."""
+        before = time.time()
+        table = client.get_ic(steel(nu), GRID, QUICK)
+        assert table.origin == "built" if nu not in self.expected else table.origin in ("memory", "disk")
+        self.keys[nu] = table.key
+        self.expected = [*(known for known in self.expected if known != nu), nu][-3:]
+        if table.origin == "memory":
+            (path,) = self.folder.glob(f"{table.key}.*.h5")
+            eventually(lambda: path.stat().st_mtime >= before, "its use from memory was not noted")
+        assert self.stored() == {self.keys[known] for known in self.expected}
+
+
+@pytest.mark.parametrize("legacy", [False, True], ids=["", "with times in the year 2174"])
+def test_three_daemons_in_turns_evict_what_was_used_least_recently(daemons, legacy):
+    with daemons.start("first").client() as client:
+        client.get_ic(steel(0.1), GRID, QUICK)
+        size = next(client.stored_ics()).bytes
+    daemons.stop_all()
+    shelf = Shelf(daemons.folder / "first" / "store")
+    if legacy:
+        (path,) = shelf.folder.glob("*.h5")
+        os.utime(path, (6437664000, 6437664000.5))
+    store = {"folder": str(shelf.folder), "disk_budget_bytes": 3 * size + size // 2}
+    shelf.expected = [0.1]
+    shelf.keys = {0.1: path.name.partition(".")[0] for path in shelf.folder.glob("*.h5")}
+
+    first = daemons.start("first", store=store)
+    with first.client() as client:
+        for nu in (0.2, 0.3, 0.1, 0.2):  # 0.2 from memory
+            shelf.use(client, nu)
+    second = daemons.start("second", store=store)
+    with second.client() as client:
+        for nu in (0.4, 0.1, 0.4):  # 0.3 goes
+            shelf.use(client, nu)
+        first.stop()
+        third = daemons.start("third", store=store)
+        with third.client() as other:
+            shelf.use(other, 0.2)
+            shelf.use(client, 0.1)  # from the memory of the second one
+            shelf.use(other, 0.3)  # 0.4 goes
+            shelf.use(client, 0.2)
+    second.stop()
+    with daemons.start("first", store=store).client() as client:
+        shelf.use(client, 0.4)  # 0.1 goes
+        third.stop()
+        shelf.use(client, 0.1)  # 0.3 goes
+
+
+def test_uses_from_memory_are_noted_at_the_end_of_a_daemon(daemons):
+    first = daemons.start()
+    with first.client() as client:
+        for nu in (0.1, 0.2, 0.1):
+            client.get_ic(steel(nu), GRID, QUICK)
+    before = [path.stat().st_mtime_ns for path in first.tables()]
+    with first.client() as client:
+        keys = [client.get_ic(steel(nu), GRID, QUICK).key for nu in (0.2, 0.1)]
+    first.stop()
+    times = {path.name.partition(".")[0]: path.stat().st_mtime_ns for path in first.tables()}
+    assert max(before) < times[keys[0]] < times[keys[1]]
 
 
 def counting_builder(daemons):

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "contactd/error.hpp"
@@ -29,6 +30,8 @@ struct IcRecord {
 /// SHA-256 (hex) of the canonical JSON text of the dimensionless spec without its extent: equal for every shear
 /// modulus, every element size and every extent.
 std::string ic_key(const IcSpec& spec);
+/// Whether `text` has the form of a key: 64 hexadecimal digits.
+bool is_ic_key(std::string_view text);
 
 /// Writes `record` so that `path` either does not exist or is whole: temporary file in the same folder, fsync, rename,
 /// fsync of the folder. The first 512 bytes (an HDF5 user block) hold the SHA-256 of the rest. Throws StoreError.
@@ -76,11 +79,19 @@ class IcStore {
     /// The file that says that somebody builds a table with this key.
     std::filesystem::path lock_of(const std::string& key) const { return folder_ / (key + ".lock"); }
 
+    std::filesystem::path path_of(const std::string& key, int nx, int ny) const;
     /// Removes tables that the one of `spec` covers, itself excepted.
     void remove_covered_by(const IcSpec& spec) const;
 
-    /// Marks a table as used now, for evict. find() does so by itself.
-    void note_use(const std::filesystem::path& path) const;
+    using Time = std::filesystem::file_time_type;
+    /// Marks a table as used at that time, for evict, unless it was used later. find() does so by itself.
+    void note_use(const std::filesystem::path& path, Time used) const;
+    /// The time of a use that happens now: the wall clock's, and later than any that was given before. Where the clock
+    /// was set back, times of use that lie in its future now are brought back, as by settle_times().
+    Time time_of_use() const;
+    /// Brings times of use that lie in the future to the present, in their order, so that what is used from now on
+    /// counts as used after them: those of clocks that were ahead, or of versions that counted from the year 2174.
+    void settle_times() const;
 
     /// Every table, by name. Throws StoreError when the folder cannot be read.
     std::vector<StoredTable> list() const;
@@ -91,25 +102,24 @@ class IcStore {
     /// Makes the folder again when somebody removed it. What keeps it from being written to, as a sentence, or nothing.
     std::string problem() const;
 
-    /// Removes what dead processes left, temporary files and locks of builds; returns how many files.
+    /// Removes what dead processes left, temporary files and locks of builds; returns how many files. Files whose name
+    /// does not begin with a key are nobody's business here.
     int sweep() const;
 
     /// Removes files until all together need no more than `budget_bytes`: first damaged ones that were set aside, then
-    /// tables by their last use. Those whose key is in `recent` (the most recent first) count as used after all others;
-    /// those in `kept` stay. Returns the tables that went.
-    std::vector<StoredTable> evict(std::uintmax_t budget_bytes, const std::vector<std::string>& recent,
-                                   const std::vector<std::string>& kept) const;
+    /// tables by their last use, by whichever process. Those whose key is in `kept` stay. Returns the tables that went.
+    std::vector<StoredTable> evict(std::uintmax_t budget_bytes, const std::vector<std::string>& kept) const;
 
     const std::filesystem::path& folder() const { return folder_; }
 
    private:
     struct Latest {
         std::mutex mutex;
-        std::filesystem::file_time_type time{};
+        Time time = Time::min();  // not Time{}, which is the year 2174
     };
     std::filesystem::path folder_;
     Report report_;
-    std::shared_ptr<Latest> latest_ = std::make_shared<Latest>();  ///< time of use that was given or seen
+    std::shared_ptr<Latest> latest_ = std::make_shared<Latest>();  ///< time of use that was given
 };
 
 }  // namespace contactd

@@ -74,4 +74,8 @@ std::string ic_key(const IcSpec& spec) {
     return sha256_hex({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
+bool is_ic_key(std::string_view text) {
+    return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 }  // namespace contactd

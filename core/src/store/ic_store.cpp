@@ -26,6 +26,7 @@ std::optional<StoredTable> parse(const fs::path& path) {
     stored.key = name.substr(0, key_size);
     if (name.size() <= key_size + extension.size()) return std::nullopt;
     const char* const end = name.data() + name.size() - extension.size();
+    if (!is_ic_key(stored.key)) return std::nullopt;
     const auto [cross, x_error] = std::from_chars(name.data() + key_size + 1, end, stored.nx);
     if (x_error != std::errc() || cross == end || *cross != 'x') return std::nullopt;
     const auto [rest, y_error] = std::from_chars(cross + 1, end, stored.ny);
@@ -66,7 +67,11 @@ std::string IcStore::problem() const {
 }
 
 fs::path IcStore::path_of(const IcSpec& spec) const {
-    return folder_ / (ic_key(spec) + "." + std::to_string(spec.nx) + "x" + std::to_string(spec.ny) + ".h5");
+    return path_of(ic_key(spec), spec.nx, spec.ny);
+}
+
+fs::path IcStore::path_of(const std::string& key, int nx, int ny) const {
+    return folder_ / (key + "." + std::to_string(nx) + "x" + std::to_string(ny) + ".h5");
 }
 
 std::optional<IcRecord> IcStore::find(const IcSpec& spec) const {
@@ -81,7 +86,7 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec) const {
             if (ic_key(record.spec) != key || record.spec.dx != 1 || record.spec.material.G != 1 ||
                 record.table.nx != stored.nx || record.table.ny != stored.ny)
                 throw DamagedTable(stored.path.string() + " does not hold the table its name promises.");
-            note_use(stored.path);
+            note_use(stored.path, time_of_use());
             return record;
         } catch (const DamagedTable& error) {
             const auto now = std::chrono::system_clock::now().time_since_epoch().count();

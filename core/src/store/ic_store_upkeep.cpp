@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <system_error>
-#include <tuple>
 
 #include "contactd/ic_store.hpp"
 #include "contactd/table_lock.hpp"
@@ -15,11 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr auto smallest_step = std::chrono::microseconds(1);  // between two times of use
+constexpr auto clock_step = std::chrono::seconds(1);          // a clock that many behind the last use was set back
+
 struct AsideFile {
     fs::path path;
     std::uintmax_t bytes = 0;
     fs::file_time_type time;
 };
+
+/// Whether a file of the store's folder may be one of the store's, of which every name begins with a key.
+bool begins_with_key(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return is_ic_key(name.substr(0, name.find('.')));
+}
 
 /// Damaged tables that were set aside, the oldest first.
 std::vector<AsideFile> set_aside_in(const fs::path& folder) {
@@ -27,7 +35,7 @@ std::vector<AsideFile> set_aside_in(const fs::path& folder) {
     std::error_code error, ignored;
     for (fs::directory_iterator entry(folder / "quarantine", error), end; !error && entry != end;
          entry.increment(error))
-        if (entry->path().string().find(".h5.") != std::string::npos && entry->is_regular_file(ignored))
+        if (begins_with_key(entry->path()) && entry->is_regular_file(ignored))
             files.push_back({entry->path(), entry->file_size(ignored), entry->last_write_time(ignored)});
     std::sort(files.begin(), files.end(), [](const AsideFile& a, const AsideFile& b) { return a.time < b.time; });
     return files;
@@ -50,6 +58,7 @@ int IcStore::sweep() const {
     std::error_code error, ignored;
     for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
         const fs::path& path = entry->path();
+        if (!begins_with_key(path)) continue;  // the folder may hold what others left there
         if (path.extension() == ".tmp" && entry->is_regular_file(ignored) && is_abandoned(path))
             swept += fs::remove(path, ignored);
         else if (path.extension() == ".lock" && entry->is_regular_file(ignored))
@@ -58,37 +67,55 @@ int IcStore::sweep() const {
     return swept;
 }
 
-void IcStore::note_use(const fs::path& path) const {
-    // The file's own time, so that nothing is rewritten. A clock that was set back must not make what is used now look
-    // older than what was used before: times only go forward.
-    const auto now = fs::file_time_type::clock::now();
+IcStore::Time IcStore::time_of_use() const {
+    const auto now = Time::clock::now();
+    const auto later = [&] {
+        const std::scoped_lock lock(latest_->mutex);
+        if (latest_->time <= now + clock_step) return latest_->time = std::max(latest_->time + smallest_step, now);
+        return Time::max();
+    };
+    if (const Time time = later(); time != Time::max()) return time;
+    settle_times();
     const std::scoped_lock lock(latest_->mutex);
-    latest_->time = std::max(latest_->time + std::chrono::microseconds(1), now);
-    std::error_code ignored;
-    fs::last_write_time(path, latest_->time, ignored);
+    return latest_->time = now + smallest_step;
 }
 
-std::vector<StoredTable> IcStore::evict(std::uintmax_t budget_bytes, const std::vector<std::string>& recent,
-                                        const std::vector<std::string>& kept) const {
+void IcStore::note_use(const fs::path& path, Time used) const {
+    // The file's own time, so that nothing is rewritten, and everybody who has the folder sees it.
+    std::error_code error;
+    const Time known = fs::last_write_time(path, error);
+    if (!error && (known < used || known > Time::clock::now())) fs::last_write_time(path, used, error);
+}
+
+void IcStore::settle_times() const {
+    std::vector<StoredTable> tables;
+    try {
+        tables = list();
+    } catch (const StoreError&) {
+        return;  // nothing that can be read has a time
+    }
+    const auto now = Time::clock::now();  // after looking: what others use meanwhile lies in the past
+    std::erase_if(tables, [&](const StoredTable& table) { return table.last_use <= now; });
+    std::sort(tables.begin(), tables.end(),
+              [](const StoredTable& a, const StoredTable& b) { return a.last_use < b.last_use; });
+    std::error_code ignored;
+    Time time = now - smallest_step * static_cast<std::ptrdiff_t>(tables.size());
+    for (const StoredTable& table : tables) fs::last_write_time(table.path, time += smallest_step, ignored);
+}
+
+std::vector<StoredTable> IcStore::evict(std::uintmax_t budget_bytes, const std::vector<std::string>& kept) const {
+    settle_times();
     std::vector<StoredTable> tables = list();
     const std::vector<AsideFile> aside = set_aside_in(folder_);
     std::uintmax_t bytes = 0;
     for (const AsideFile& file : aside) bytes += file.bytes;
-    for (const StoredTable& table : tables) {
-        bytes += table.bytes;
-        const std::scoped_lock lock(latest_->mutex);
-        latest_->time = std::max(latest_->time, table.last_use);
-    }
+    for (const StoredTable& table : tables) bytes += table.bytes;
     std::error_code ignored;
     for (const AsideFile& file : aside)
         if (bytes > budget_bytes && fs::remove(file.path, ignored)) bytes -= file.bytes;
 
-    // Not in memory: by time. In memory: after those, the least recent first.
-    const auto order = [&](const StoredTable& table) {
-        return std::tuple(recent.end() - std::find(recent.begin(), recent.end(), table.key), table.last_use);
-    };
     std::sort(tables.begin(), tables.end(),
-              [&](const StoredTable& a, const StoredTable& b) { return order(a) < order(b); });
+              [](const StoredTable& a, const StoredTable& b) { return a.last_use < b.last_use; });
     std::vector<StoredTable> evicted;
     for (const StoredTable& table : tables) {
         if (bytes <= budget_bytes) break;

@@ -43,13 +43,6 @@ void IcCache::remove(const std::string& key) {
     });
 }
 
-std::vector<std::string> IcCache::keys() const {
-    const std::scoped_lock lock(mutex_);
-    std::vector<std::string> keys;
-    for (const Entry& entry : entries_) keys.push_back(entry.key);
-    return keys;
-}
-
 IcCache::Usage IcCache::usage() const {
     const std::scoped_lock lock(mutex_);
     return {entries_.size(), bytes_, budget_};

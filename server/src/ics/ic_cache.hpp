@@ -24,8 +24,6 @@ class IcCache {
     void insert(const std::string& key, Record record);
 
     void remove(const std::string& key);
-    /// Keys, the most recently used first.
-    std::vector<std::string> keys() const;
 
     struct Usage {
         std::size_t tables = 0;

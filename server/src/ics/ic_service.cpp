@@ -61,6 +61,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
     for (const IcCache::Record& stored : keeper_.recover()) cache_.insert(ic_key(stored->spec), stored);
     if (auto record = cache_.find(key, spec.nx, spec.ny)) {
         ++counters_.memory_hits;
+        keeper_.note_use(key, *record);
         return answer(caller, key, std::move(record), "memory");
     }
     if (spec.source == IcSource::analytic) {
@@ -104,6 +105,7 @@ void IcService::look_up(const FlightPtr& flight) {
     // A flight that landed between our look into the cache and opening this one has left its table in the cache.
     if (auto record = cache_.find(flight->key, flight->spec.nx, flight->spec.ny)) {
         ++counters_.memory_hits;
+        keeper_.note_use(flight->key, *record);
         return land(flight, std::move(record), "memory");
     }
     if (auto record = keeper_.find(flight->spec)) {

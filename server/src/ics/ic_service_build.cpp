@@ -145,7 +145,7 @@ IcCache::Record IcService::run_build(const FlightPtr& flight, const TableLock& l
         [&](const JobProgress& progress) { report(flight, progress); }, give_sign);
     if (!built.bytes.empty()) return keeper_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);
     auto record = std::make_shared<const IcRecord>(read_ic_file(output));
-    keeper_.note_stored(flight->spec, cache_.keys(), keys_in_flight());
+    keeper_.note_stored(flight->spec, keys_in_flight());
     return record;
 }
 

@@ -20,6 +20,7 @@ std::size_t bytes_of(const IcRecord& record) {
 
 StoreKeeper::StoreKeeper(IcStore store, const Budgets& budgets) : store_(std::move(store)), budgets_(budgets) {
     if (const int swept = store_.sweep()) spdlog::warn("swept {} left-over files from the store", swept);
+    store_.settle_times();
     set_problem(store_.problem());
 }
 
@@ -32,13 +33,17 @@ std::optional<IcRecord> StoreKeeper::find(const IcSpec& spec) {
     }
 }
 
-void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>& recent,
-                              const std::vector<std::string>& kept) {
+void StoreKeeper::note_use(const std::string& key, const IcRecord& record) {
+    if (record.spec.source == IcSource::fem) uses_.note(store_.path_of(key, record.table.nx, record.table.ny));
+}
+
+void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>& kept) {
     try {
-        store_.note_use(store_.path_of(spec));
+        store_.note_use(store_.path_of(spec), store_.time_of_use());
         store_.remove_covered_by(spec);
         if (budgets_.disk_bytes == 0) return;
-        for (const StoredTable& table : store_.evict(budgets_.disk_bytes, recent, kept))
+        uses_.write();
+        for (const StoredTable& table : store_.evict(budgets_.disk_bytes, kept))
             spdlog::info("store: evicted {} for store.disk_budget_bytes", table.path.filename().string());
     } catch (const std::exception& error) {
         set_problem(error.what());

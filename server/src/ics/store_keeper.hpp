@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contactd/ic_store.hpp"
+#include "use_notes.hpp"
 
 namespace contactd::server {
 
@@ -24,14 +25,16 @@ class StoreKeeper {
         std::size_t unsaved_bytes = 0;  ///< of tables that wait for the disk
     };
 
-    /// Sweeps what dead processes left and looks whether the folder can be written to.
+    /// Sweeps what dead processes left, settles times of use, and looks whether the folder can be written to.
     StoreKeeper(IcStore store, const Budgets& budgets);
 
     const IcStore& store() const { return store_; }
     /// As IcStore::find; nothing when the folder cannot be read.
     std::optional<IcRecord> find(const IcSpec& spec);
+    /// A table was served from memory: its file counts as used now.
+    void note_use(const std::string& key, const IcRecord& record);
     /// A table has just been written: what it covers goes, and what no longer fits the budget; see IcStore::evict.
-    void note_stored(const IcSpec& spec, const std::vector<std::string>& recent, const std::vector<std::string>& kept);
+    void note_stored(const IcSpec& spec, const std::vector<std::string>& kept);
     /// A table could not be written; returns it as it is to be answered, with a warning. It is written when the folder
     /// can be used again.
     Record keep_unsaved(IcRecord record, const std::string& why);
@@ -49,6 +52,7 @@ class StoreKeeper {
 
     const IcStore store_;
     const Budgets budgets_;
+    UseNotes uses_{store_};
     mutable std::mutex mutex_;
     std::string problem_;
     std::atomic<bool> has_problem_ = false;

@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <chrono>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -31,6 +33,33 @@ void flip_bit(const fs::path& path, std::streamoff at) {
     const char byte = static_cast<char>(file.get() ^ 0x10);
     file.seekp(at);
     file.put(byte);
+}
+
+const std::string some_key(64, 'a');
+
+/// Four tables of the same size.
+struct StoreOfFour {
+    StoreOfFour() {
+        for (const double f : {1.1, 1.2, 1.3, 1.4}) {
+            specs.push_back(fem_spec(4, 4));
+            specs.back().fem.f = f;
+            keys.push_back(ic_key(specs.back()));
+            write_ic_file(store.path_of(specs.back()), record_of(specs.back()));
+        }
+        size = fs::file_size(store.path_of(specs[0]));
+    }
+    const TemporaryFolder folder;
+    const IcStore store = quiet_store(folder.path());
+    std::vector<IcSpec> specs;
+    std::vector<std::string> keys;
+    std::uintmax_t size = 0;
+};
+
+/// In the order in which they went.
+std::vector<std::string> evicted_keys(const IcStore& store, std::uintmax_t budget_bytes) {
+    std::vector<std::string> keys;
+    for (const StoredTable& table : store.evict(budget_bytes, {})) keys.push_back(table.key);
+    return keys;
 }
 
 /// Changes what stands behind the header, and makes the digest right again.
@@ -114,28 +143,43 @@ TEST_CASE("Sweeping removes what a killed writer left, nothing else") {
     const TemporaryFolder folder;
     const IcStore store = quiet_store(folder.path());
     write_ic_file(store.path_of(fem_spec(4, 4)), record_of(fem_spec(4, 4)));
-    std::ofstream(folder.path() / "left.over.tmp") << "half a table";
-    std::ofstream(folder.path() / "notes.txt") << "mine";
+    std::ofstream(folder.path() / (some_key + ".4x4.h5.tmp")) << "half a table";
+    std::ofstream(store.lock_of(some_key)) << "";
+    for (const char* name : {"notes.txt", "notes.tmp", "Cargo.lock"}) std::ofstream(folder.path() / name) << "mine";
 
-    CHECK(store.sweep() == 1);
-    CHECK(files_in(folder.path()) == 2);
+    CHECK(store.sweep() == 2);
+    CHECK(files_in(folder.path()) == 4);
+}
+
+TEST_CASE("Files that others left in the store's folder are neither listed nor evicted") {
+    const TemporaryFolder folder;
+    const IcStore store = quiet_store(folder.path());
+    fs::create_directories(folder.path() / "quarantine");
+    for (const char* name : {"mine.4x4.h5", "mine.h5", "quarantine/mine.h5.1"})
+        std::ofstream(folder.path() / name) << "mine";
+
+    CHECK(store.list().empty());
+    CHECK(store.evict(0, {}).empty());
+    CHECK(files_in(folder.path()) == 3);
+    CHECK(files_in(folder.path() / "quarantine") == 1);
 }
 
 TEST_CASE("Sweeping leaves what a living writer, or one on another machine, may still be writing") {
     const TemporaryFolder folder;
     const IcStore store = quiet_store(folder.path());
-    const std::string mine = writer_name();
+    const std::string mine = writer_name(), table = some_key + ".4x4.h5.";
     const std::string boot = mine.substr(0, mine.find('-'));
-    std::ofstream(folder.path() / ("k.4x4.h5." + boot + "-4194304-1-" + "here.0.tmp")) << "its writer is dead";
-    std::ofstream(folder.path() / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp") << "who knows";
-    const fs::path locked = folder.path() / ("k.4x4.h5." + mine + ".0.tmp");
+    std::ofstream(folder.path() / (table + boot + "-4194304-1-" + "here.0.tmp")) << "its writer is dead";
+    const fs::path elsewhere = folder.path() / (table + "000000000000-77-1-elsewhere.0.tmp");
+    std::ofstream(elsewhere) << "who knows";
+    const fs::path locked = folder.path() / (table + mine + ".0.tmp");
     std::ofstream(locked) << "being written";
     const int fd = ::open(locked.c_str(), O_RDONLY);
     REQUIRE(::flock(fd, LOCK_EX) == 0);
 
     CHECK(store.sweep() == 1);
     CHECK(fs::exists(locked));
-    CHECK(fs::exists(folder.path() / "k.4x4.h5.000000000000-77-1-elsewhere.0.tmp"));
+    CHECK(fs::exists(elsewhere));
     ::close(fd);
 }
 
@@ -143,7 +187,7 @@ TEST_CASE("A lock of a build is had once, and its file goes with it") {
     const TemporaryFolder folder;
     const IcStore store = quiet_store(folder.path());
     {
-        TableLock first(store.lock_of("key")), second(store.lock_of("key"));
+        TableLock first(store.lock_of(some_key)), second(store.lock_of(some_key));
         CHECK(first.try_lock() == TableLock::State::held);
         CHECK(second.try_lock() == TableLock::State::busy);
         CHECK(store.sweep() == 0);
@@ -154,30 +198,67 @@ TEST_CASE("A lock of a build is had once, and its file goes with it") {
 }
 
 TEST_CASE("Eviction takes damaged tables, then those unused for longest, and never those to be kept") {
-    const TemporaryFolder folder;
-    const IcStore store = quiet_store(folder.path());
-    std::vector<IcSpec> specs;
-    for (const double f : {1.1, 1.2, 1.3, 1.4}) {
-        specs.push_back(fem_spec(4, 4));
-        specs.back().fem.f = f;
-        write_ic_file(store.path_of(specs.back()), record_of(specs.back()));
-    }
-    const std::uintmax_t size = fs::file_size(store.path_of(specs[0]));
-    fs::create_directories(folder.path() / "quarantine");
-    std::ofstream(folder.path() / "quarantine" / "k.4x4.h5.1") << std::string(size, ' ');
-    // Clocks that were ahead once and are not any more must not turn the order round.
-    const auto ahead = fs::file_time_type::clock::now() + std::chrono::hours(24 * 365);
-    for (const IcSpec& spec : specs) fs::last_write_time(store.path_of(spec), ahead);
+    const StoreOfFour four;
+    const IcStore& store = four.store;
+    fs::create_directories(store.folder() / "quarantine");
+    std::ofstream(store.folder() / "quarantine" / (some_key + ".4x4.h5.1")) << std::string(four.size, ' ');
 
-    CHECK(store.evict(4 * size, {}, {}).empty());
-    CHECK(files_in(folder.path() / "quarantine") == 0);
+    CHECK(store.evict(4 * four.size, {}).empty());
+    CHECK(files_in(store.folder() / "quarantine") == 0);
 
-    store.note_use(store.path_of(specs[0]));
-    CHECK(store.find(specs[1]).has_value());
-    const auto evicted = store.evict(2 * size, {ic_key(specs[3])}, {});
-    REQUIRE(evicted.size() == 2);
-    CHECK(evicted[0].key == ic_key(specs[2]));
-    CHECK(evicted[1].key == ic_key(specs[0]));
-    CHECK(store.evict(0, {}, {ic_key(specs[1])}).size() == 1);
+    for (const std::size_t n : {2, 0, 1, 3}) CHECK(store.find(four.specs[n]).has_value());
+    CHECK(evicted_keys(store, 2 * four.size) == std::vector{four.keys[2], four.keys[0]});
+    CHECK(store.evict(0, {four.keys[1]}).size() == 1);
     CHECK(store.list().size() == 1);
+}
+
+TEST_CASE("A use is noted as of the time it happens at") {
+    const StoreOfFour four;
+    const auto before = fs::file_time_type::clock::now();
+    REQUIRE(four.store.find(four.specs[0]).has_value());
+    const auto used = fs::last_write_time(four.store.path_of(four.specs[0]));
+
+    CHECK(used >= before);
+    CHECK(used <= fs::file_time_type::clock::now() + std::chrono::milliseconds(1));
+}
+
+TEST_CASE("What two stores on one folder use is evicted in the order of its use") {
+    const StoreOfFour four;
+    const IcStore other = quiet_store(four.store.folder());
+    for (const std::size_t n : {0, 2}) {
+        CHECK(four.store.find(four.specs[n]).has_value());
+        CHECK(other.find(four.specs[n + 1]).has_value());
+    }
+    CHECK(other.find(four.specs[0]).has_value());
+
+    CHECK(evicted_keys(four.store, 1) == std::vector{four.keys[1], four.keys[2], four.keys[3], four.keys[0]});
+}
+
+TEST_CASE("A use that is noted late does not undo a later one") {
+    const StoreOfFour four;
+    const auto early = four.store.time_of_use();
+    for (const std::size_t n : {1, 2, 3, 0}) CHECK(four.store.find(four.specs[n]).has_value());
+    four.store.note_use(four.store.path_of(four.specs[0]), early);
+
+    CHECK(evicted_keys(four.store, 1).back() == four.keys[0]);
+}
+
+TEST_CASE("Times of use in the future are brought back in their order, and what is used afterwards counts as later") {
+    const StoreOfFour four;
+    const auto ahead = GENERATE(fs::file_time_type{},  // the year 2174, from which an earlier version counted
+                                fs::file_time_type::clock::now() + std::chrono::hours(1));
+    for (const std::size_t n : {0, 1, 2, 3})
+        fs::last_write_time(four.store.path_of(four.specs[n]), ahead - std::chrono::microseconds(n));
+
+    SECTION("at the start") {
+        four.store.settle_times();
+        for (const StoredTable& table : four.store.list()) CHECK(table.last_use <= fs::file_time_type::clock::now());
+        const IcStore restarted = quiet_store(four.store.folder());
+        CHECK(restarted.find(four.specs[3]).has_value());
+        CHECK(restarted.find(four.specs[1]).has_value());
+        CHECK(evicted_keys(restarted, 1) == std::vector{four.keys[2], four.keys[0], four.keys[3], four.keys[1]});
+    }
+    SECTION("at an eviction") {
+        CHECK(evicted_keys(four.store, 1) == std::vector{four.keys[3], four.keys[2], four.keys[1], four.keys[0]});
+    }
 }
