@@ -1,20 +1,21 @@
 #include "check_config.hpp"
 
-#include <sys/un.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <ostream>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
+#include <zmq.hpp>
 
 #include "access/curve_keys.hpp"
-#include "ics/store_folder.hpp"
+#include "config/socket_file.hpp"
+#include "contactd/error.hpp"
+#include "contactd/ic_store.hpp"
+#include "ics/builder_programs.hpp"
+#include "operation/http_listener.hpp"
 
 namespace contactd::server {
 namespace {
@@ -29,75 +30,59 @@ struct Finding {
 
 /// Why no file can be made in the folder, which may be missing when it can be made.
 std::string folder_problem(const std::string& field, fs::path folder) {
-    if (folder.empty()) folder = ".";
     std::error_code error;
-    if (fs::exists(folder, error)) {
-        if (!fs::is_directory(folder, error)) return field + ": " + folder.string() + " is no folder.";
-        if (::access(folder.c_str(), W_OK | X_OK) != 0)
-            return field + ": the folder " + folder.string() + " cannot be written to: " + std::strerror(errno) + ".";
-        return {};
-    }
+    folder = fs::absolute(folder.empty() ? "." : folder, error);
+    while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
     if (error) return field + ": " + folder.string() + " cannot be looked at: " + error.message() + ".";
-    const fs::path parent = fs::absolute(folder, error).parent_path();
-    return folder_problem(field, parent);
+    if (!fs::is_directory(folder, error)) return field + ": " + folder.string() + " is no folder.";
+    const std::string why = cannot_write(folder);
+    return why.empty() ? why : field + ": the folder " + folder.string() + " cannot be written to: " + why + ".";
 }
 
-std::string ipc_problem(const std::string& endpoint, const std::string& path) {
-    constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
-    if (path.size() > longest)
-        return "endpoint is \"" + endpoint + "\"; the path has " + std::to_string(path.size()) +
-               " characters, at most " + std::to_string(longest) + " are possible.";
-    if (path.starts_with("@")) return {};  // abstract: no file
-    const fs::path folder = fs::path(path).parent_path();
+std::string ipc_problem(const std::string& endpoint) {
+    if (std::string problem = socket_file_problem(endpoint); !problem.empty()) return problem;
+    const std::string file = socket_file(endpoint);
+    if (file.empty()) return {};  // abstract: no file
+    const fs::path folder = fs::path(file).parent_path();
     std::error_code error;
     if (!folder.empty() && !fs::is_directory(folder, error))
         return "endpoint is \"" + endpoint + "\"; the folder " + folder.string() + " does not exist.";
     return folder_problem("endpoint", folder);
 }
 
-/// The form of a tcp endpoint was checked with the configuration's schema.
+/// By listening there for a moment.
+std::string tcp_problem(const std::string& endpoint) {
+    try {
+        zmq::context_t context;
+        zmq::socket_t socket(context, zmq::socket_type::router);
+        socket.set(zmq::sockopt::ipv6, endpoint.starts_with("tcp://["));
+        socket.bind(endpoint);
+        return {};
+    } catch (const zmq::error_t& error) {
+        return "endpoint is \"" + endpoint + "\"; it cannot be listened at: " + error.what() + ".";
+    }
+}
+
 Finding endpoint_finding(const Config& config) {
-    constexpr std::string_view ipc = "ipc://";
     const std::string& endpoint = config.endpoint;
-    return {"endpoint " + endpoint,
-            endpoint.starts_with(ipc) ? ipc_problem(endpoint, endpoint.substr(ipc.size())) : std::string()};
+    return {"endpoint " + endpoint, endpoint.starts_with("ipc://") ? ipc_problem(endpoint) : tcp_problem(endpoint)};
 }
 
 Finding store_finding(const Config& config) {
     const fs::path& folder = config.store.folder;
     std::error_code error;
-    return {"store.folder " + folder.string(),
-            fs::is_directory(folder, error) ? store_problem(folder) : folder_problem("store.folder", folder)};
-}
-
-bool is_program(const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
+    if (fs::is_directory(folder, error) && ::access(folder.c_str(), R_OK | X_OK) != 0)
+        return {"store.folder",
+                "store.folder: the folder " + folder.string() + " cannot be read: " + std::strerror(errno) + "."};
+    return {"store.folder " + folder.string(), folder_problem("store.folder", folder)};
 }
 
 Finding builder_finding(const Config& config) {
-    const fs::path& program = config.builds.program;
-    return {"builds.program " + program.string(),
-            is_program(program) ? std::string()
-                                : "builds.program is " + program.string() +
-                                      "; there is no program of that name that may be run, so no table can be built."};
-}
-
-/// As execvp would find it.
-bool is_on_path(const std::string& name) {
-    if (name.find('/') != std::string::npos) return is_program(name);
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (is_program(fs::path(folder.empty() ? "." : folder) / name)) return true;
-    return false;
+    return {"builds.program " + config.builds.program.string(), builder_problem(config)};
 }
 
 Finding launcher_finding(const Config& config) {
-    const std::string& name = config.builds.launcher.front();
-    return {"builds.launcher " + name,
-            is_on_path(name) ? std::string()
-                             : "builds.launcher starts with \"" + name + "\"; no such program is found on PATH."};
+    return {"builds.launcher " + config.builds.launcher.front(), launcher_problem(config)};
 }
 
 Finding keys_finding(const Config& config) {
@@ -118,13 +103,29 @@ Finding log_finding(const Config& config) {
     const fs::path& file = config.log.file;
     std::error_code error;
     std::string problem;
-    if (fs::is_directory(file, error))
+    if (fs::is_directory(file, error)) {
         problem = "log.file is " + file.string() + ", which is a folder.";
-    else if (fs::exists(file, error) && ::access(file.c_str(), W_OK) != 0)
-        problem = "log.file is " + file.string() + ", which cannot be written to: " + std::strerror(errno) + ".";
-    else if (!fs::exists(file, error))
+    } else if (fs::exists(file, error)) {
+        const int fd = ::open(file.c_str(), O_WRONLY | O_APPEND | O_NONBLOCK | O_CLOEXEC);
+        if (fd < 0)
+            problem = "log.file is " + file.string() + ", which cannot be written to: " + std::strerror(errno) + ".";
+        else
+            ::close(fd);
+    } else {
         problem = folder_problem("log.file", file.parent_path());
+    }
     return {"log.file " + file.string(), problem};
+}
+
+/// By listening there for a moment.
+Finding http_finding(const Config& config) {
+    const std::string subject = "http.address " + config.http.address;
+    try {
+        const HttpListener listener(config.http.address, {});
+        return {subject, {}};
+    } catch (const Error& error) {
+        return {subject, error.what()};
+    }
 }
 
 }  // namespace
@@ -134,7 +135,7 @@ int check_config(const Config& config, std::ostream& good, std::ostream& bad) {
     if (!config.builds.launcher.empty()) findings.push_back(launcher_finding(config));
     if (!config.security.curve.secret_key_file.empty()) findings.push_back(keys_finding(config));
     if (!config.log.file.empty()) findings.push_back(log_finding(config));
-    if (!config.http.address.empty()) findings.push_back({"http.address " + config.http.address, {}});
+    if (!config.http.address.empty()) findings.push_back(http_finding(config));
     int problems = 0;
     for (const auto& [subject, problem] : findings) {
         if (problem.empty())

@@ -3,9 +3,7 @@
 #include <poll.h>
 #include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "config/socket_file.hpp"
 #include "contactd/error.hpp"
 
 namespace contactd::server {
@@ -35,30 +34,9 @@ constexpr auto linger = std::chrono::milliseconds(2000);  // of answers, for a c
 constexpr auto settling = std::chrono::milliseconds(300);
 constexpr auto stop_time = std::chrono::seconds(5);  // builders that do not end at once
 
-constexpr std::string_view ipc_prefix = "ipc://";
-
-/// The file of an ipc endpoint; empty for others, abstract names among them.
-std::string socket_file(const std::string& endpoint) {
-    if (!endpoint.starts_with(ipc_prefix) || endpoint.starts_with("ipc://@")) return {};
-    return endpoint.substr(ipc_prefix.size());
-}
-
-/// True when a process accepts connections at the Unix socket `file`.
-bool somebody_listens(const std::string& file) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    if (file.size() >= sizeof address.sun_path) return false;
-    std::copy(file.begin(), file.end(), address.sun_path);
-    const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    const bool accepted = ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-    ::close(fd);
-    return accepted;
-}
-
 void bind(zmq::socket_t& socket, const std::string& endpoint) {
-    // ZeroMQ would take the path over from a daemon that still listens there.
-    if (const std::string file = socket_file(endpoint); !file.empty() && somebody_listens(file))
-        throw Error("endpoint is \"" + endpoint + "\"; another process listens there already.");
+    // ZeroMQ removes whatever it finds at the path, and takes it over from a daemon that still listens there.
+    if (const std::string problem = socket_file_problem(endpoint); !problem.empty()) throw Error(problem);
     const mode_t previous = ::umask(0077);  // an ipc socket is for this user only
     try {
         socket.bind(endpoint);
@@ -105,11 +83,7 @@ Endpoint::Endpoint(const Config& config, Service& service)
     socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(2 * config.limits.max_frame_bytes));
     access_.protect(socket_);
     bind(socket_, config.endpoint);
-}
-
-Endpoint::~Endpoint() {
-    const std::string file = socket_file(address());
-    if (!file.empty()) ::unlink(file.c_str());  // ZeroMQ leaves it
+    file_.emplace(socket_file(address()));
 }
 
 std::string Endpoint::address() const {

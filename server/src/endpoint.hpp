@@ -13,6 +13,7 @@
 #include "access/access_control.hpp"
 #include "access/rate_limit.hpp"
 #include "config/config.hpp"
+#include "config/socket_file.hpp"
 #include "jobs/call.hpp"
 #include "operation/notify.hpp"
 #include "operation/request_log.hpp"
@@ -29,7 +30,6 @@ class Endpoint {
    public:
     /// Binds. Throws Error when the address cannot be used.
     Endpoint(const Config& config, Service& service);
-    ~Endpoint();
 
     /// Where clients connect, with the port that was taken.
     std::string address() const;
@@ -76,6 +76,7 @@ class Endpoint {
     ConnectionMonitor monitor_;
     UnfinishedInput unfinished_;
     Outbox outbox_;
+    std::optional<SocketFile> file_;  // ZeroMQ leaves it
     Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
     Call::Clock::time_point sent_;                                  // when the last answer went out
 

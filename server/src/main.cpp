@@ -3,7 +3,8 @@
 //   contactd --config configs/contactd.json
 //
 // Prints one JSON line with the endpoint when it listens, logs to standard error, ends in order on SIGTERM and SIGINT,
-// opens its log file and reads the allowed keys again on SIGHUP.
+// opens its log file and reads the allowed keys again on SIGHUP. Exit status: 0; 2 for a command line or a
+// configuration that cannot be used; 1 for anything else.
 #include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -31,7 +32,7 @@ namespace {
 
 using namespace contactd::server;
 
-constexpr int status_bad_configuration = 2;
+constexpr int status_unusable = 2;  // command line or configuration
 
 /// Blocks SIGTERM, SIGINT and SIGHUP for this thread and those it starts, and gives the descriptor they arrive at
 /// instead.
@@ -114,7 +115,14 @@ int main(int argc, char** argv) {
     keygen->add_option("NAME", key_name, "whose keys: a user's name, or the daemon's")->required();
     keygen->add_option("-f,--folder", key_folder, "where NAME.key and NAME.key_secret are written")
         ->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked_for_help) {
+        return app.exit(asked_for_help);
+    } catch (const CLI::ParseError& error) {
+        app.exit(error);  // says what; its statuses are CLI11's own
+        return status_unusable;
+    }
     if (keygen->parsed()) return make_keys(key_folder, key_name);
     if (!ping_endpoint.empty()) return answer_ping(ping_endpoint, ping_keys);
 
@@ -125,13 +133,13 @@ int main(int argc, char** argv) {
         config = config_file.empty() ? config_from_json(overrides) : config_from_file(config_file, overrides);
     } catch (const std::exception& error) {
         std::cerr << "contactd: " << error.what() << "\n";
-        return status_bad_configuration;
+        return status_unusable;
     }
     if (print_config) {
         std::cout << to_json(config).dump(2) << "\n";
         return 0;
     }
-    if (only_check) return check_config(config, std::cout, std::cerr) == 0 ? 0 : status_bad_configuration;
+    if (only_check) return check_config(config, std::cout, std::cerr) == 0 ? 0 : status_unusable;
     try {
         return serve(config);
     } catch (const std::exception& error) {

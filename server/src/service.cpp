@@ -9,6 +9,7 @@
 #include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
+#include "ics/builder_programs.hpp"
 #include "ics/ic_export.hpp"
 #include "ics/ic_list.hpp"
 #include "ics/store_folder.hpp"
@@ -163,6 +164,7 @@ Service::Service(const Config& config)
       sessions_(config.sessions),
       workers_(config.workers) {
     count_store(counters_, config.store.folder);
+    for (const std::string& problem : building_problems(config)) spdlog::warn("{}", problem);
 }
 
 bool Service::is_quick(const std::string& method) const {
@@ -265,6 +267,7 @@ void Service::server_info(const CallPtr& call) {
 void Service::server_health(const CallPtr& call) {
     json warnings = json::array();
     if (std::string problem = ics_.store_problem(); !problem.empty()) warnings.push_back(std::move(problem));
+    for (std::string& problem : building_problems(config_)) warnings.push_back(std::move(problem));
     call->succeed({{"state", name_of(health_.state())}, {"warnings", std::move(warnings)}});
 }
 

@@ -2,6 +2,7 @@
 
 import json
 import re
+import socket
 import subprocess
 
 import pytest
@@ -22,7 +23,7 @@ def check(tmp_path):
             "endpoint": f"ipc://{tmp_path}/socket",
             "store": {"folder": str(tmp_path / "store")},
             "log": {"file": str(tmp_path / "contactd.log")},
-            "http": {"address": "127.0.0.1:9465"},
+            "http": {"address": "127.0.0.1:0"},
             **sections,
         }
         path = tmp_path / "config.json"
@@ -56,6 +57,11 @@ def test_a_check_leaves_nothing_behind(check, tmp_path):
         ({"builds": {"program": "/etc/passwd"}}, "builds.program"),
         ({"builds": {"launcher": ["no-such-launcher"]}}, "builds.launcher"),
         ({"log": {"file": "/dev/null/contactd.log"}}, "log.file"),
+        ({"store": {"folder": "/proc/contactd"}}, "store.folder: the folder /proc cannot be written to"),
+        ({"store": {"folder": "/proc/self"}}, "store.folder: the folder /proc/self cannot be written to"),
+        ({"endpoint": "ipc:///proc/self/socket"}, "endpoint: the folder /proc/self cannot be written to"),
+        ({"endpoint": "ipc:///etc/passwd"}, "/etc/passwd is a file"),
+        ({"endpoint": "ipc:///dev/null"}, "/dev/null is a device"),
     ],
     ids=lambda part: part if isinstance(part, str) else "",
 )
@@ -71,6 +77,56 @@ def test_what_the_schema_refuses_is_said_too(check):
     assert ended.returncode == 2
     assert "http.address" in ended.stderr
     assert "workers" in ended.stderr
+
+
+def test_an_address_that_is_taken_is_said(check, daemons):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        address = f"127.0.0.1:{taken.getsockname()[1]}"
+        ended = check(endpoint=f"tcp://{address}", http={"address": address})
+    assert ended.returncode == 2
+    first, second = ended.stderr.splitlines()
+    assert first == f'endpoint is "tcp://{address}"; it cannot be listened at: Address already in use.'
+    assert second.startswith(f'http.address is "{address}"; it cannot be listened at: taken')
+
+
+def test_an_endpoint_of_another_daemon_is_said_and_left_alone(check, daemon, client):
+    ended = check(endpoint=daemon.endpoint)
+    assert ended.returncode == 2
+    assert ended.stderr == f'endpoint is "{daemon.endpoint}"; another process listens there already.\n'
+    assert client.health() == "serving"
+
+
+def test_an_endpoint_that_names_a_file_leaves_the_file(check, tmp_path):
+    path = tmp_path / "precious"
+    path.write_text("precious")
+    config = tmp_path / "daemon.json"
+    config.write_text(json.dumps({"endpoint": f"ipc://{path}", "store": {"folder": str(tmp_path / "store")}}))
+    for ended in (check(endpoint=f"ipc://{path}"), run("--config", config)):
+        assert ended.returncode in (1, 2)
+        assert f"{path} is a file, which listening there would remove" in ended.stderr
+    assert path.read_text() == "precious"
+
+
+def test_localhost_is_this_machine(check):
+    ended = check(endpoint="tcp://localhost:*")
+    assert ended.returncode == 0, ended.stderr
+    assert re.search(r"ok: endpoint tcp://(127\.0\.0\.1|\[::1\]):\*", ended.stdout)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["--no-such-flag"], ["--config"], ["stray"], ["keygen"], ["--server-key", "x"], ["--config", "a", "--config", "b"]],
+    ids=" ".join,
+)
+def test_a_command_line_that_cannot_be_used_gives_status_two_and_a_sentence(arguments):
+    ended = run(*arguments)
+    assert (ended.returncode, ended.stdout) == (2, "")
+    assert ended.stderr
+
+
+def test_help_and_version_give_status_zero():
+    for flag in ("--help", "--version"):
+        assert run(flag).returncode == 0
 
 
 def test_every_problem_is_said(check):

@@ -22,3 +22,30 @@ def test_health_answers_while_a_build_and_two_large_solves_run(daemon, client, b
         client.cancel_job(job.job)
     for future in work:
         assert future.exception() is not None
+
+
+def test_a_builder_or_launcher_that_is_missing_is_said_at_the_start_and_while_it_is(daemons):
+    program = daemons.folder / "builder"
+    daemon = daemons.start(builds={"program": str(program), "launcher": ["no-such-launcher", "-n", "2"]})
+    with daemon.client() as client:
+        first, second = client.call("server.health")["warnings"]
+        assert first.startswith(f"builds.program is {program}; there is no program of that name")
+        assert second.startswith('builds.launcher starts with "no-such-launcher"; no such program is found on PATH')
+        assert first in daemon.log
+        assert second.replace('"', "") in daemon.log.replace('\\"', "").replace('"', "")
+        program.write_text("#!/bin/sh\n")
+        program.chmod(0o755)
+        assert client.call("server.health")["warnings"] == [second]
+    program.unlink()
+
+
+def test_a_daemon_that_has_all_it_needs_has_no_warnings(daemon, client):
+    assert client.call("server.health")["warnings"] == []
+    assert "warning" not in daemon.log
+
+
+def test_a_store_that_cannot_be_written_to_is_said_at_the_start(daemons):
+    daemon = daemons.start(store={"folder": "/proc/self"})
+    with daemon.client() as client:
+        (warning,) = client.call("server.health")["warnings"]
+    assert "/proc/self cannot be written to" in warning

@@ -15,6 +15,7 @@ import json
 import signal
 import sys
 import time
+from pathlib import Path
 from types import FrameType
 
 import zmq
@@ -77,6 +78,9 @@ class Proxy:
         self._front.setsockopt(zmq.LINGER, 1000)
         self._front.setsockopt(zmq.ROUTER_MANDATORY, 1)
         self._front.setsockopt(zmq.IPV6, address.startswith("tcp://["))
+        path = Path(address.removeprefix("ipc://"))
+        if address.startswith("ipc:///") and path.exists() and not path.is_socket():
+            raise SystemExit(f"{path} is no socket; listening there would remove it.")
         self._front.bind(address)
         self.address = self._front.getsockopt_string(zmq.LAST_ENDPOINT)
         self._daemons, self._idle_seconds = daemons, idle_seconds

@@ -49,6 +49,9 @@ IcRecord read_ic_file(const std::filesystem::path& path);
 /// The same of the content of a file; `path` is for the words of the exception.
 IcRecord from_ic_file(std::span<const unsigned char> bytes, const std::filesystem::path& path);
 
+/// Why no file can be made in the folder, in the system's words, found out by making one; empty when one can.
+std::string cannot_write(const std::filesystem::path& folder);
+
 /// A file of the store.
 struct StoredTable {
     std::filesystem::path path;
@@ -76,10 +79,10 @@ class IcStore {
 
     /// Where the table of `spec` belongs: <key>.<nx>x<ny>.h5.
     std::filesystem::path path_of(const IcSpec& spec) const;
+    std::filesystem::path path_of(const std::string& key, int nx, int ny) const;
     /// The file that says that somebody builds a table with this key.
     std::filesystem::path lock_of(const std::string& key) const { return folder_ / (key + ".lock"); }
 
-    std::filesystem::path path_of(const std::string& key, int nx, int ny) const;
     /// Removes tables that the one of `spec` covers, itself excepted.
     void remove_covered_by(const IcSpec& spec) const;
 

@@ -1,11 +1,13 @@
 #include "contactd/ic_store.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <system_error>
 #include <vector>
 
@@ -24,9 +26,9 @@ std::optional<StoredTable> parse(const fs::path& path) {
     StoredTable stored;
     stored.path = path;
     stored.key = name.substr(0, key_size);
+    if (!is_ic_key(stored.key)) return std::nullopt;
     if (name.size() <= key_size + extension.size()) return std::nullopt;
     const char* const end = name.data() + name.size() - extension.size();
-    if (!is_ic_key(stored.key)) return std::nullopt;
     const auto [cross, x_error] = std::from_chars(name.data() + key_size + 1, end, stored.nx);
     if (x_error != std::errc() || cross == end || *cross != 'x') return std::nullopt;
     const auto [rest, y_error] = std::from_chars(cross + 1, end, stored.ny);
@@ -50,6 +52,16 @@ std::vector<StoredTable> tables_in(const fs::path& folder, const std::string& ke
 
 }  // namespace
 
+std::string cannot_write(const fs::path& folder) {
+    // Permissions say little: they let root write where nobody can.
+    std::string name = (folder / ".contactd-XXXXXX").string();
+    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
+    if (fd < 0) return std::generic_category().message(errno);
+    ::close(fd);
+    ::unlink(name.c_str());
+    return {};
+}
+
 IcStore::IcStore(fs::path folder, Report report) : folder_(std::move(folder)), report_(std::move(report)) {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -61,9 +73,8 @@ IcStore::IcStore(fs::path folder, Report report) : folder_(std::move(folder)), r
 std::string IcStore::problem() const {
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (!error && ::access(folder_.c_str(), W_OK | X_OK) == 0) return "";
-    const std::string why = error ? error.message() : std::generic_category().message(errno);
-    return "The store's folder " + folder_.string() + " cannot be written to: " + why + ".";
+    const std::string why = error ? error.message() : cannot_write(folder_);
+    return why.empty() ? why : "The store's folder " + folder_.string() + " cannot be written to: " + why + ".";
 }
 
 fs::path IcStore::path_of(const IcSpec& spec) const {

@@ -74,7 +74,7 @@ Config config_from_json(const json& given) {
 
     const json all = with_defaults(config_schema(), given);
     Config config;
-    config.endpoint = all["endpoint"];
+    config.endpoint = with_loopback_number(all["endpoint"]);
     const json& security = all["security"];
     config.security = {
         security["allow_unencrypted_remote"],
@@ -113,6 +113,7 @@ Config config_from_json(const json& given) {
     config.http = {all["http"]["address"]};
     config.shutdown = {all["shutdown"]["drain_seconds"]};
     check_endpoint(config);
+    check_log_file(config);
     return config;
 }
 
@@ -127,8 +128,6 @@ Config config_from_file(const std::filesystem::path& path, const json& overrides
         proto::read_json(text.str(), max_values, given, "The configuration");
         if (given.is_object()) given.merge_patch(overrides);
         return config_from_json(given);
-    } catch (const json::exception& error) {
-        throw Error("The configuration " + path.string() + " is no JSON: " + error.what());
     } catch (const Error& error) {
         throw Error(path.string() + ": " + error.what());
     }

@@ -1,4 +1,5 @@
-// Where the daemon may listen: what only this machine can reach needs no keys, everything else does.
+// Where the daemon may listen: what only this machine can reach needs no keys, everything else does; and where it may
+// write its log.
 #pragma once
 
 #include <string>
@@ -11,8 +12,15 @@ namespace contactd::server {
 /// anything, so they are not.
 bool is_local(const std::string& endpoint);
 
+/// A tcp endpoint whose host is a name, such as localhost, of which every address is a loopback: with the number in its
+/// place, so that nobody asks a resolver again. Any other endpoint as it is.
+std::string with_loopback_number(const std::string& endpoint);
+
 /// Throws contactd::Error when the configured endpoint can be reached from other machines, is not encrypted, and nobody
 /// said that this is meant; or when CURVE is configured by half.
 void check_endpoint(const Config& config);
+
+/// Throws contactd::Error when the log would be written into what the daemon keeps or reads: the store, keys, programs.
+void check_log_file(const Config& config);
 
 }  // namespace contactd::server

@@ -101,7 +101,7 @@ TEST_CASE("The configurations that come with contactd can be used") {
 
 TEST_CASE("An address that is not surely this machine's own needs keys, or the flag") {
     const std::string endpoint =
-        GENERATE("tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://[::]:5555", "tcp://localhost:5555", "tcp://eth0:5555",
+        GENERATE("tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://[::]:5555", "tcp://eth0:5555", "tcp://no.such.host:5555",
                  "tcp://127.0.0.1@evil:1", "tcp://127.1:5555", "tcp://0x7f000001:5555", "tcp://[::ffff:127.0.0.1]:5555",
                  "tcp://[::1", "tcp://128.0.0.1:5555");
     CHECK_FALSE(is_local(endpoint));
@@ -138,6 +138,40 @@ TEST_CASE("Loopback and ipc need nothing") {
         GENERATE("ipc:///tmp/s", "tcp://127.0.0.1:5555", "tcp://127.8.7.6:*", "tcp://[::1]:5555");
     CHECK(is_local(endpoint));
     CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}}));
+}
+
+TEST_CASE("A name that stands for this machine alone is its address") {
+    const Config config = config_from_json({{"endpoint", "tcp://localhost:5555"}});
+    CHECK(is_local(config.endpoint));
+    CHECK((config.endpoint == "tcp://127.0.0.1:5555" || config.endpoint == "tcp://[::1]:5555"));
+}
+
+TEST_CASE("A log that would be written into what the daemon keeps or reads is refused") {
+    const json given{
+        {"endpoint", "ipc:///tmp/contactd-x/s"},
+        {"store", {{"folder", "/tmp/contactd-x/store"}}},
+        {"builds", {{"program", "/tmp/contactd-x/contactd-ic"}}},
+        {"security",
+         {{"curve",
+           {{"secret_key_file", "/tmp/contactd-x/daemon.key_secret"}, {"allowed_keys", "/tmp/contactd-x/keys"}}}}}};
+    const auto with_log = [&](const std::string& file) {
+        json changed = given;
+        changed["log"]["file"] = file;
+        return changed;
+    };
+    struct Case {
+        const char *file, *field;
+    };
+    const auto [file, field] =
+        GENERATE(Case{"/tmp/contactd-x/store/contactd.log", "store.folder"},
+                 Case{"/tmp/contactd-x/store/../store/a/b.h5", "store.folder"},
+                 Case{"/tmp/contactd-x/keys/ada.key", "security.curve.allowed_keys"},
+                 Case{"/tmp/contactd-x/daemon.key_secret", "security.curve.secret_key_file"},
+                 Case{"/tmp/contactd-x/contactd-ic", "builds.program"}, Case{"/tmp/contactd-x/s", "endpoint"});
+
+    CHECK_THROWS_MATCHES(config_from_json(with_log(file)), contactd::Error,
+                         MessageMatches(ContainsSubstring("log.file") && ContainsSubstring(field)));
+    CHECK_NOTHROW(config_from_json(with_log("/tmp/contactd-x/store.log")));
 }
 
 TEST_CASE("An override is part of what is checked") {
