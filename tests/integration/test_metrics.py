@@ -2,12 +2,14 @@
 
 import json
 import re
+import select
 import shutil
 import signal
 import socket
 import subprocess
 import urllib.error
 import urllib.request
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -178,6 +180,19 @@ def test_a_probe_that_sends_nothing_holds_nobody_up(http_daemon):
     with socket.create_connection((host, int(port))), daemon.client() as client:
         assert client.health() == "serving"
         assert get(daemon, "/healthz")[0] == 200
+
+
+@pytest.mark.parametrize("begin", [b"", b"GET /healthz HTTP/1.1\r\nHost: x\r\n"], ids=["silent", "half a request"])
+def test_two_hundred_half_open_connections_hold_no_probe_up(http_daemon, begin):
+    host, port = http_daemon.http.removeprefix("http://").split(":")
+    with ExitStack() as half_open:
+        connections = [half_open.enter_context(socket.create_connection((host, int(port)))) for _ in range(200)]
+        for connection in connections:
+            connection.sendall(begin)
+        assert get(http_daemon, "/healthz") == (200, "alive\n")
+        # Answered while they are there, not after they were given up one by one.
+        still_open = [c for c in connections if not select.select([c], [], [], 0)[0]]
+        assert len(still_open) > 100
 
 
 def test_an_http_address_that_is_taken_ends_the_daemon_with_a_message(tmp_path):

@@ -45,10 +45,11 @@ class PageHandler final : public CivetHandler {
 
 constexpr const char* plain = "text/plain; charset=utf-8";
 
-/// No documents, no scripts: only what the handlers say. Two threads are enough for probes, and a slow one loses its
-/// connection.
+/// No documents, no scripts: only what the handlers say. A connection has a thread from its first byte on, or before
+/// that, so that it takes as many threads as there may be idle connections; who says nothing for `request_timeout_ms`
+/// loses the connection. Threads that wait cost little more than their 8 KiB for a request.
 std::vector<std::string> options_for(const std::string& address) {
-    return {"listening_ports",   address, "num_threads",       "2",    "request_timeout_ms", "5000",
+    return {"listening_ports",   address, "num_threads",       "256",  "request_timeout_ms", "2000",
             "enable_keep_alive", "no",    "linger_timeout_ms", "1000", "max_request_size",   "8192"};
 }
 
