@@ -110,7 +110,8 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         end_overdue();
         service_.sessions().expire(Clock::now());
         unfinished_.enforce(Clock::now());
-        monitor_.read(service_.counters().connections, unfinished_);
+        read_monitor();
+        drop_gone();
         access_.answer_all();
         note_levels();
         signalfd_siginfo signal{};
@@ -159,7 +160,10 @@ bool Endpoint::receive() {
         zmq::message_t part;
         if (!socket_.recv(part, zmq::recv_flags::dontwait)) return false;
         Route route{part.to_string(), false, access_.user_of(part)};
-        unfinished_.note_message(zmq_msg_get(part.handle(), ZMQ_SRCFD));
+        const int connection = zmq_msg_get(part.handle(), ZMQ_SRCFD);
+        unfinished_.note_message(connection);
+        if (!clients_.knows(connection, route.identity)) read_monitor();
+        const bool has_gone = !clients_.note_message(connection, route.identity);
         std::vector<std::string> frames;
         std::size_t count = 0;
         while (part.more()) {
@@ -173,7 +177,7 @@ bool Endpoint::receive() {
         }
         std::string envelope = frames.empty() ? std::string() : std::move(frames.front());
         if (!frames.empty()) frames.erase(frames.begin());
-        accept(std::move(route), std::move(envelope), std::move(frames));
+        if (!has_gone) accept(std::move(route), std::move(envelope), std::move(frames));
     }
     return true;
 }
@@ -250,11 +254,37 @@ bool Endpoint::admit(const Route& route, std::string_view envelope, Clock::time_
     return false;
 }
 
+/// What has happened to connections.
+void Endpoint::read_monitor() {
+    monitor_.read(service_.counters().connections, unfinished_, clients_);
+}
+
+/// Ends the requests of clients that have gone: nobody would hear the answers.
+void Endpoint::drop_gone() {
+    static const Status gone{
+        StatusCode::cancelled, "The client has gone.", std::string(proto::reason::client_gone), {}, 0};
+    const std::vector<std::string> clients = clients_.take_gone();
+    for (const std::string& client : clients) {
+        for (const auto& [number, entry] : service_.open_calls().of(client)) {
+            if (entry.call && entry.call->outlives_client()) continue;
+            if (entry.call) {
+                entry.call->fail(gone);
+                continue;
+            }
+            Answer answer = refusal(entry.route, "", gone);
+            answer.number = number;
+            mailbox_.put(std::move(answer));
+        }
+    }
+    if (!clients.empty()) service_.drop_abandoned();
+}
+
 /// Reads the allowed keys again, and ends the requests of those who are not allowed any more.
 void Endpoint::reload_keys() {
     access_.reload();
     for (const auto& [route, call] : service_.open_calls().all())
         if (call && !access_.knows(route.user)) call->fail(key_revoked());
+    service_.drop_abandoned();
 }
 
 // --- out -------------------------------------------------------------------------------------------------------------
@@ -295,7 +325,9 @@ void Endpoint::deliver() {
 }
 
 void Endpoint::end_overdue() {
-    for (const CallPtr& call : service_.open_calls().overdue(Clock::now())) call->check_deadline();
+    const std::vector<CallPtr> overdue = service_.open_calls().overdue(Clock::now());
+    for (const CallPtr& call : overdue) call->check_deadline();
+    if (!overdue.empty()) service_.drop_abandoned();
 }
 
 long Endpoint::poll_milliseconds() {

@@ -18,6 +18,7 @@
 #include "operation/notify.hpp"
 #include "operation/request_log.hpp"
 #include "service.hpp"
+#include "wire/client_connections.hpp"
 #include "wire/connection_monitor.hpp"
 #include "wire/mailbox.hpp"
 #include "wire/open_calls.hpp"
@@ -45,6 +46,8 @@ class Endpoint {
     bool wait(SocketLock& lock, int signal_fd, long milliseconds);
     bool admit(const Route& route, std::string_view envelope, Call::Clock::time_point received);
     void reload_keys();
+    void read_monitor();
+    void drop_gone();
     bool receive();  ///< some of what has arrived; true when there is more
     void accept(Route route, std::string envelope, std::vector<std::string> frames);
     void parse_now(const Route& route, const std::string& envelope, std::vector<std::string> frames,
@@ -73,10 +76,11 @@ class Endpoint {
     // for a moment a thread that has an answer.
     std::mutex socket_mutex_;
     zmq::socket_t socket_;
+    std::optional<SocketFile> file_;  // ZeroMQ leaves it
     ConnectionMonitor monitor_;
     UnfinishedInput unfinished_;
+    ClientConnections clients_;
     Outbox outbox_;
-    std::optional<SocketFile> file_;  // ZeroMQ leaves it
     Call::Clock::time_point end_ = Call::Clock::time_point::max();  // of the drain, once there is one
     Call::Clock::time_point sent_;                                  // when the last answer went out
 

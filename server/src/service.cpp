@@ -13,6 +13,7 @@
 #include "ics/ic_export.hpp"
 #include "ics/ic_list.hpp"
 #include "ics/store_folder.hpp"
+#include "jobs/job_reports.hpp"
 #include "operation/about.hpp"
 #include "sessions/session_methods.hpp"
 #include "solves/contact_solve.hpp"
@@ -135,29 +136,30 @@ Service::Service(const Config& config)
     : config_(config),
       open_calls_({config.max_queue, config.max_queue_per_client, config.max_queue_bytes,
                    config.security.per_user.open_requests}),
-      methods_{{"server.info", {&Service::server_info, true}},
-               {"server.health", {&Service::server_health, true}},
-               {"server.describe", {&Service::server_describe, true}},
-               {"server.metrics", {&Service::server_metrics, true}},
-               {"health.watch", {&Service::health_watch, true, true}},
-               {"ic.get", {&Service::ic_get, false}},
-               {"ic.export", {&Service::ic_export, false}},
-               {"ic.list", {&Service::ic_list, false}},
-               {"ic.delete", {&Service::ic_delete, false}},
-               {"contact.solve", {&Service::contact_solve, false}},
-               {"contact.solve_many", {&Service::contact_solve_many, false, true, proto::Priority::low}},
-               {"contact.subsurface", {&Service::contact_subsurface, false}},
-               {"session.open", {&Service::session_open, false}},
-               {"session.step", {&Service::session_step, false, true, proto::Priority::high}},
-               {"session.info", {&Service::session_info, false, true, proto::Priority::high}},
-               {"session.save", {&Service::session_save, false, true, proto::Priority::high}},
-               {"session.restore", {&Service::session_restore, false, true, proto::Priority::high}},
-               {"session.forget", {&Service::session_forget, false, true, proto::Priority::high}},
-               {"session.close", {&Service::session_close, true}},
-               {"session.list", {&Service::session_list, true}},
-               {"job.list", {&Service::job_list, true}},
-               {"job.cancel", {&Service::job_cancel, true}},
-               {"request.cancel", {&Service::request_cancel, true}}},
+      methods_{
+          {"server.info", {&Service::server_info, true}},
+          {"server.health", {&Service::server_health, true}},
+          {"server.describe", {&Service::server_describe, true}},
+          {"server.metrics", {&Service::server_metrics, true}},
+          {"health.watch", {&Service::health_watch, true, true}},
+          {"ic.get", {&Service::ic_get, false}},
+          {"ic.export", {&Service::ic_export, false}},
+          {"ic.list", {&Service::ic_list, false}},
+          {"ic.delete", {&Service::ic_delete, false}},
+          {"contact.solve", {&Service::contact_solve, false, true, proto::Priority::normal, "solve"}},
+          {"contact.solve_many", {&Service::contact_solve_many, false, true, proto::Priority::low, "solve"}},
+          {"contact.subsurface", {&Service::contact_subsurface, false, true, proto::Priority::normal, "subsurface"}},
+          {"session.open", {&Service::session_open, false}},
+          {"session.step", {&Service::session_step, false, true, proto::Priority::high, "step"}},
+          {"session.info", {&Service::session_info, false, true, proto::Priority::high}},
+          {"session.save", {&Service::session_save, false, true, proto::Priority::high}},
+          {"session.restore", {&Service::session_restore, false, true, proto::Priority::high}},
+          {"session.forget", {&Service::session_forget, false, true, proto::Priority::high}},
+          {"session.close", {&Service::session_close, true}},
+          {"session.list", {&Service::session_list, true}},
+          {"job.list", {&Service::job_list, true}},
+          {"job.cancel", {&Service::job_cancel, true}},
+          {"request.cancel", {&Service::request_cancel, true}}},
       request_metrics_(names_of(methods_)),
       ics_(ic_settings(config), open_store(config, counters_), jobs_, counters_),
       influences_(config.store.influence_budget_bytes),
@@ -187,11 +189,17 @@ void Service::handle(CallPtr call) {
     const Method method = entry == methods_.end() ? nullptr : entry->second.method;
     if (is_quick(call->request.method)) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
+    if (entry->second.job) job_of(call, entry->second.job, jobs_);
     Turn turn = turn_of(call);
     workers_.post(std::move(turn), [this, method, call = std::move(call)] {
         call->check_deadline();
         if (!call->answered()) run(method, call);
     });
+}
+
+void Service::drop_abandoned() {
+    workers_.drop_abandoned();
+    ics_.drop_abandoned();
 }
 
 void Service::run(Method method, const CallPtr& call) {
@@ -383,7 +391,7 @@ void Service::job_list(const CallPtr& call) {
                         {"state", job->running() ? "running" : "queued"},
                         {"stage", progress.stage},
                         {"fraction", progress.fraction},
-                        {"callers", job->callers.load()},
+                        {"callers", job->callers()},
                         {"seconds", seconds_since(job->created)}});
     }
     call->succeed({{"jobs", std::move(jobs)}});
@@ -396,6 +404,7 @@ void Service::job_cancel(const CallPtr& call) {
         throw StatusError(StatusCode::not_found, proto::reason::job_unknown,
                           "There is no job " + json(name).dump() + "; job.list names those that wait or run.");
     job->cancel();
+    drop_abandoned();
     call->succeed({{"job", name}});
 }
 
@@ -411,7 +420,7 @@ void Service::request_cancel(const CallPtr& call) {
                          std::string(proto::reason::request_cancelled),
                          {},
                          0});
-    workers_.drop_abandoned();
+    drop_abandoned();
     call->succeed({{"id", id}});
 }
 

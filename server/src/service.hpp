@@ -29,6 +29,8 @@ class Service {
 
     /// Whether requests to the method may take their time, and count against the limits on those that do.
     bool counts(const std::string& method) const;
+    /// Lets go of work that waits for calls which have been answered.
+    void drop_abandoned();
 
     /// From now on requests are refused with stop_status(); what was accepted goes on.
     void begin_drain();
@@ -63,6 +65,7 @@ class Service {
         bool is_quick;            ///< runs in the I/O thread
         bool counts = !is_quick;  ///< among the requests that wait for an answer
         proto::Priority priority = proto::Priority::normal;
+        const char* job = nullptr;  ///< what job.list calls it, where it is listed
     };
 
     bool is_quick(const std::string& method) const;

@@ -86,10 +86,7 @@ IcService::FlightPtr IcService::join_or_open(const IcSpec& spec, const std::stri
         std::find_if(flights_.begin(), flights_.end(), [&](const FlightPtr& f) { return f->serves(key, spec); });
     if (serving != flights_.end()) {
         Flight& flight = **serving;
-        if (flight.job) {
-            ++flight.job->callers;
-            caller.progress(*flight.job, flight.job->progress());
-        }
+        if (flight.job) caller.progress(*flight.job, flight.job->progress());
         flight.callers.push_back(std::move(caller));
         ++counters_.builds_joined;
         return *serving;
@@ -130,6 +127,29 @@ void IcService::land(const FlightPtr& flight, IcCache::Record record, const char
 
 void IcService::crash(const FlightPtr& flight, const Status& status) {
     for (const IcCaller& caller : close(flight)) caller.failed(status);
+}
+
+int IcService::callers_of(const std::weak_ptr<Flight>& flight) {
+    const FlightPtr known = flight.lock();
+    if (!known) return 0;
+    const std::scoped_lock lock(mutex_);
+    return static_cast<int>(std::count_if(known->callers.begin(), known->callers.end(),
+                                          [](const IcCaller& caller) { return !caller.has_gone(); }));
+}
+
+void IcService::drop_abandoned() {
+    std::vector<IcCaller> gone;
+    {
+        const std::scoped_lock lock(mutex_);
+        for (const FlightPtr& flight : flights_) {
+            const auto first = std::stable_partition(flight->callers.begin(), flight->callers.end(),
+                                                     [](const IcCaller& caller) { return !caller.has_gone(); });
+            std::move(first, flight->callers.end(), std::back_inserter(gone));
+            flight->callers.erase(first, flight->callers.end());
+        }
+    }
+    const Status status = failure(StatusCode::cancelled, proto::reason::request_cancelled, "Nobody waits any more.");
+    for (const IcCaller& caller : gone) caller.failed(status);
 }
 
 std::vector<std::string> IcService::keys_in_flight() {

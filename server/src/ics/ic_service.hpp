@@ -38,7 +38,9 @@ struct IcCaller {
     std::function<void(const IcAnswer&)> done;
     std::function<void(const proto::Status&)> failed;
     std::function<void(const Job&, const JobProgress&)> progress;
-    Turn turn{};  ///< of a build that the caller is the first to want
+    Turn turn{};  ///< of a build that the caller is the first to want; says whether the caller still waits
+
+    bool has_gone() const { return turn.abandoned && turn.abandoned(); }
 };
 
 class IcService {
@@ -56,6 +58,9 @@ class IcService {
 
     /// Answers `caller` now or later. Takes milliseconds at most (disk, closed form): not for the I/O thread.
     void request(const IcSpec& spec, IcCaller caller);
+
+    /// Tells the callers that do not wait any more to let go of what they hold; what they wanted is built all the same.
+    void drop_abandoned();
 
     /// Ends running builds; their callers get `status`. No build starts afterwards.
     void stop(const proto::Status& status);
@@ -88,6 +93,7 @@ class IcService {
     IcCache::Record run_build(const FlightPtr& flight, const TableLock& lock);
     void report(const FlightPtr& flight, const JobProgress& progress);
     std::vector<std::string> keys_in_flight();
+    int callers_of(const std::weak_ptr<Flight>& flight);
     void cancel_queued(const FlightPtr& flight);
     void land(const FlightPtr& flight, IcCache::Record record, const char* origin);
     void crash(const FlightPtr& flight, const proto::Status& status);

@@ -45,10 +45,13 @@ class BuildClock {
 bool IcService::queue_build(const FlightPtr& flight) {
     const std::scoped_lock lock(mutex_);
     if (stopping_) return false;
-    flight->job = jobs_.create("build", [this, waiting = std::weak_ptr(flight)] {
-        if (const FlightPtr known = waiting.lock()) cancel_queued(known);
-    });
-    flight->job->callers = static_cast<int>(flight->callers.size());
+    const std::weak_ptr waiting(flight);
+    flight->job = jobs_.create(
+        "build",
+        [this, waiting] {
+            if (const FlightPtr known = waiting.lock()) cancel_queued(known);
+        },
+        [this, waiting] { return callers_of(waiting); });
     for (const IcCaller& caller : flight->callers) caller.progress(*flight->job, flight->job->progress());
     // A build goes on for the cache when its callers have gone.
     Turn turn = flight->callers.empty() ? Turn{} : flight->callers.front().turn;

@@ -16,6 +16,8 @@
 
 namespace contactd::server {
 
+class Job;
+
 /// Where the answer goes.
 struct Route {
     std::string identity;          ///< of the client, given by ROUTER
@@ -58,6 +60,8 @@ class Call {
     const proto::Request request;
     const Clock::time_point received;
     const proto::Priority priority;
+    /// The work that answers it, where job.list shows it; set by job_of.
+    std::shared_ptr<Job> job;
 
     /// The connection that asked, as turns and limits count clients.
     const std::string& client() const { return route_.identity; }
@@ -70,6 +74,9 @@ class Call {
                                       : Clock::time_point::max();
     }
     bool answered() const { return answered_; }
+    /// From now on its work is finished for whoever asks for it again, even when its client has gone.
+    void outlive_client() { outlives_client_ = true; }
+    bool outlives_client() const { return outlives_client_; }
     /// Answers DEADLINE_EXCEEDED when it is time.
     void check_deadline();
     /// Called with the answer, or now when there is one already. Not for what holds this call.
@@ -86,6 +93,7 @@ class Call {
     const proto::Limits& limits_;
     const Post post_;
     std::atomic<bool> answered_ = false;
+    std::atomic<bool> outlives_client_ = false;
     std::mutex mutex_;
     std::vector<std::function<void()>> then_;
 };

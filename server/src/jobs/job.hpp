@@ -23,9 +23,13 @@ struct JobProgress {
 
 class Job {
    public:
-    /// `on_cancel` is called once, from whatever thread cancels, so that those who wait are answered at once.
-    Job(std::string job_name, std::string job_kind, std::function<void()> on_cancel)
-        : name(std::move(job_name)), kind(std::move(job_kind)), on_cancel_(std::move(on_cancel)) {}
+    /// `on_cancel` is called once, from whatever thread cancels, so that those who wait are answered at once. `callers`
+    /// counts the requests that wait for the job at present; without it there is one until the job ends.
+    Job(std::string job_name, std::string job_kind, std::function<void()> on_cancel, std::function<int()> callers = {})
+        : name(std::move(job_name)),
+          kind(std::move(job_kind)),
+          on_cancel_(std::move(on_cancel)),
+          callers_(std::move(callers)) {}
 
     const std::string name;  ///< "build-3"
     const std::string kind;  ///< "build", "solve", "subsurface" or "step"
@@ -40,7 +44,7 @@ class Job {
     bool ended() const { return ended_; }
     void set_running() { running_ = true; }
     bool running() const { return running_; }
-    std::atomic<int> callers = 1;  ///< requests that wait for it
+    int callers() const { return callers_ ? callers_() : 1; }
 
     void set_progress(JobProgress progress) {
         const std::scoped_lock lock(mutex_);
@@ -53,6 +57,7 @@ class Job {
 
    private:
     const std::function<void()> on_cancel_;
+    const std::function<int()> callers_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<bool> running_ = false;
     std::atomic<bool> ended_ = false;
@@ -66,10 +71,13 @@ nlohmann::json to_json(const Job& job, const JobProgress& progress);
 /// The jobs that are queued or running. Thread-safe; a job is listed until it ends or nobody holds it any more.
 class JobTable {
    public:
-    std::shared_ptr<Job> create(const std::string& kind, std::function<void()> on_cancel) {
+    /// As the constructor of Job; the name is the kind and a number.
+    std::shared_ptr<Job> create(const std::string& kind, std::function<void()> on_cancel,
+                                std::function<int()> callers = {}) {
         const std::scoped_lock lock(mutex_);
         forget_ended();
-        auto job = std::make_shared<Job>(kind + "-" + std::to_string(++serial_), kind, std::move(on_cancel));
+        auto job = std::make_shared<Job>(kind + "-" + std::to_string(++serial_), kind, std::move(on_cancel),
+                                         std::move(callers));
         jobs_.emplace(serial_, job);
         return job;
     }
@@ -89,12 +97,16 @@ class JobTable {
     }
 
    private:
+    /// Now and then, so that jobs cost the same however many there are.
     void forget_ended() {
+        if (jobs_.size() < enough_) return;
         std::erase_if(jobs_, [](const auto& entry) { return entry.second.expired(); });
+        enough_ = 2 * jobs_.size() + 16;
     }
 
     mutable std::mutex mutex_;
     long long serial_ = 0;
+    std::size_t enough_ = 16;
     std::map<long long, std::weak_ptr<Job>> jobs_;
 };
 

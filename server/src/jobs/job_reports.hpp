@@ -14,14 +14,18 @@
 
 namespace contactd::server {
 
-/// A job of kind "solve", ... on which one call waits; cancelling the job answers the call.
-inline std::shared_ptr<Job> make_job(const std::string& kind, const CallPtr& call, JobTable& jobs) {
-    auto job = jobs.create(kind, [call] { call->fail(status_of(Cancelled("The job was cancelled."))); });
+/// The job of a call, made when it is first asked for: of kind "solve", ..., listed from when the call begins to wait;
+/// cancelling it answers the call.
+inline std::shared_ptr<Job> job_of(const CallPtr& call, const std::string& kind, JobTable& jobs) {
+    if (call->job) return call->job;
+    call->job = jobs.create(kind, [waiting = std::weak_ptr(call)] {
+        if (const CallPtr known = waiting.lock()) known->fail(status_of(Cancelled("The job was cancelled.")));
+    });
     // Nobody waits for it any more, whatever holds it still.
-    call->when_answered([waiting = std::weak_ptr(job)] {
+    call->when_answered([waiting = std::weak_ptr(call->job)] {
         if (const auto known = waiting.lock()) known->end();
     });
-    return job;
+    return call->job;
 }
 
 inline JobProgress to_job_progress(const Progress& progress) {

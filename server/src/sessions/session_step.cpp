@@ -75,7 +75,8 @@ void Session::step(const CallPtr& call, const SolveTools& tools) {
         const auto number = call->request.params["step"].get<long long>();
         if (number == before->step) return replay(*before, call);
         if (number != before->step + 1) throw out_of_order(number, before->step);
-        job = make_job("step", call, tools.jobs);
+        call->outlive_client();  // who reconnects asks for the step again, and finds it done
+        job = job_of(call, "step", tools.jobs);
         {
             const std::scoped_lock lock(mutex_);
             if (closed_) throw session_unknown();

@@ -27,6 +27,7 @@ using BatchPtr = std::shared_ptr<Batch>;
 
 void answer(const BatchPtr& batch) {
     batch->job->end();
+    if (batch->call->answered()) return;
     guarded(batch->call, [&] {
         proto::ArrayWriter arrays(batch->call->request.arrays);
         const nlohmann::json result = proto::encode_solve_replies(batch->replies, batch->grids, arrays);
@@ -68,7 +69,7 @@ void start_solve(const CallPtr& call, const SolveTools& tools) {
     ContactProblem problem = proto::decode_problem(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
     check(problem);
-    const auto job = make_job("solve", call, tools.jobs);
+    const auto job = job_of(call, "solve", tools.jobs);
     const auto reporter = std::make_shared<Reporter>(call, job);
     const Grid grid = problem.grid;
     start(tools, {call, std::move(problem), job,
@@ -95,7 +96,7 @@ void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads,
         const auto* valid = std::get_if<ContactProblem>(&problem);
         grids.push_back(valid ? valid->grid : Grid{});
     }
-    const auto job = make_job("solve", call, tools.jobs);
+    const auto job = job_of(call, "solve", tools.jobs);
     const auto batch = BatchPtr(new Batch{call, tools, job, std::move(problems), std::move(grids)});
     for (int thread = 0; thread < threads; ++thread) solve_next(batch);
 }

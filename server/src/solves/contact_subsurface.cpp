@@ -27,7 +27,7 @@ void answer_subsurface(const CallPtr& call, JobTable& jobs, const proto::Limits&
     const proto::SubsurfaceRequest request =
         proto::decode_subsurface_request(call->request.params, call->request.frames, limits);
     proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
-    const auto job = make_job("subsurface", call, jobs);
+    const auto job = job_of(call, "subsurface", jobs);
     job->set_running();
     Reporter reporter(call, job);
     JobObserver observer(call, job, [&](const Progress& progress) { reporter.report(to_job_progress(progress)); });

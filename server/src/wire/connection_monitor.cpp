@@ -24,7 +24,7 @@ ConnectionMonitor::~ConnectionMonitor() {
     ::zmq_socket_monitor(watched_.handle(), nullptr, 0);
 }
 
-void ConnectionMonitor::read(Counters::Count& connections, UnfinishedInput& input) {
+void ConnectionMonitor::read(Counters::Count& connections, UnfinishedInput& input, ClientConnections& clients) {
     // Two frames: event (16 bits) and its value (32 bits, here the file descriptor), then an address.
     zmq::message_t frame;
     while (events_.recv(frame, zmq::recv_flags::dontwait)) {
@@ -38,10 +38,12 @@ void ConnectionMonitor::read(Counters::Count& connections, UnfinishedInput& inpu
         if (event == ZMQ_EVENT_ACCEPTED) {
             ++connections;
             input.note_connection(fd);
+            clients.note_connection(fd);
         }
         if (event == ZMQ_EVENT_DISCONNECTED) {
             if (connections > 0) --connections;
             input.note_end(fd);
+            clients.note_end(fd);
         }
     }
 }

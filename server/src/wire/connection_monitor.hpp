@@ -3,6 +3,7 @@
 
 #include <zmq.hpp>
 
+#include "client_connections.hpp"
 #include "operation/counters.hpp"
 #include "unfinished_input.hpp"
 
@@ -19,7 +20,7 @@ class ConnectionMonitor {
     /// Readable when there is news.
     void* handle() { return events_.handle(); }
     /// Takes the news in.
-    void read(Counters::Count& connections, UnfinishedInput& input);
+    void read(Counters::Count& connections, UnfinishedInput& input, ClientConnections& clients);
 
    private:
     zmq::socket_t& watched_;

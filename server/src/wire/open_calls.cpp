@@ -1,6 +1,7 @@
 #include "open_calls.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace contactd::server {
@@ -108,6 +109,15 @@ Call::Clock::time_point OpenCalls::next_deadline() const {
     for (const auto& [deadline, number] : deadlines_)
         if (!entries_.at(number).call->answered()) return deadline;
     return Call::Clock::time_point::max();
+}
+
+std::vector<std::pair<OpenCalls::Number, OpenCalls::Entry>> OpenCalls::of(const std::string& client) const {
+    std::vector<std::pair<Number, Entry>> found;
+    const std::scoped_lock lock(mutex_);
+    if (!per_client_.contains(client)) return found;
+    std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(found),
+                 [&](const auto& numbered) { return numbered.second.route.identity == client; });
+    return found;
 }
 
 std::vector<OpenCalls::Entry> OpenCalls::take_all() {

@@ -53,6 +53,8 @@ class OpenCalls {
         Route route;
         CallPtr call;  ///< null until the request has been read
     };
+    /// Of one client, with the numbers they have.
+    std::vector<std::pair<Number, Entry>> of(const std::string& client) const;
     /// Closes all.
     std::vector<Entry> take_all();
     std::vector<Entry> all() const;

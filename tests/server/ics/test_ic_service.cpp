@@ -1,4 +1,5 @@
 // The IC service with a stand-in builder: a shell script that plays the parts a real one can play.
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -77,11 +78,12 @@ class Bench {
         fs::remove_all(folder);
     }
 
-    std::future<Outcome> ask(const IcSpec& spec) {
+    std::future<Outcome> ask(const IcSpec& spec, const std::function<bool()>& has_gone = {}) {
         auto promise = std::make_shared<std::promise<Outcome>>();
         ics->request(spec, {[promise](const IcAnswer& a) { promise->set_value({a.origin, {}, a}); },
                             [promise](const proto::Status& s) { promise->set_value({"", s, {}}); },
-                            [](const Job&, const JobProgress&) {}});
+                            [](const Job&, const JobProgress&) {},
+                            {.client = {}, .abandoned = has_gone}});
         return promise->get_future();
     }
     void wait_until_running(const std::string& name) {
@@ -175,6 +177,28 @@ TEST_CASE("Cancelling a running build answers all its callers and ends the build
     CHECK(first.get().status.code == proto::StatusCode::cancelled);
     CHECK(second.get().status.code == proto::StatusCode::cancelled);
     CHECK(bench.counters.builds_cancelled == 1);
+}
+
+TEST_CASE("A caller that has gone does not count, and is let go of while the build goes on for the others") {
+    Bench bench(endless);
+    std::atomic<bool> has_gone = false;
+    auto leaves = bench.ask(fem_spec(), [&] { return has_gone.load(); });
+    auto stays = bench.ask(fem_spec());
+    bench.wait_until_running("build-1");
+    const auto job = bench.jobs.find("build-1");
+    bench.ics->drop_abandoned();
+    CHECK(job->callers() == 2);
+
+    has_gone = true;
+    CHECK(job->callers() == 1);
+    bench.ics->drop_abandoned();
+
+    CHECK(leaves.get().status.code == proto::StatusCode::cancelled);
+    CHECK(job->callers() == 1);
+    CHECK(bench.jobs.find("build-1") == job);
+    bench.cancel("build-1");
+    CHECK(stays.get().status.code == proto::StatusCode::cancelled);
+    CHECK(job->callers() == 0);
 }
 
 TEST_CASE("Cancelling a build that waits for its turn answers at once") {

@@ -81,6 +81,22 @@ TEST_CASE("A request is found by its client and id until it is answered") {
     CHECK(open.find("a", "7f").empty());
 }
 
+TEST_CASE("The requests of one client are found, read or not") {
+    OpenCalls open({9, 9, 100});
+    const auto call = call_of("a", "1");
+    const auto read = open.admit({"a"}, 1), unread = open.admit({"a"}, 1);
+    open.admit({"b"}, 1);
+    open.attach(read.number, call);
+
+    const auto found = open.of("a");
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].first == read.number);
+    CHECK(found[0].second.call == call);
+    CHECK(found[1].first == unread.number);
+    CHECK_FALSE(found[1].second.call);
+    CHECK(open.of("c").empty());
+}
+
 TEST_CASE("The next deadline is that of a request without an answer") {
     OpenCalls open({9, 9, 100});
     const auto soon = call_of("a", "1", 1000), late = call_of("a", "2", 2000), never = call_of("a", "3");

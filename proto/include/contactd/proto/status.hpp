@@ -52,6 +52,7 @@ inline constexpr std::string_view build_out_of_memory = "BUILD_OUT_OF_MEMORY";
 inline constexpr std::string_view build_quarantined = "BUILD_QUARANTINED";
 inline constexpr std::string_view job_cancelled = "JOB_CANCELLED";
 inline constexpr std::string_view request_cancelled = "REQUEST_CANCELLED";
+inline constexpr std::string_view client_gone = "CLIENT_GONE";
 inline constexpr std::string_view request_unknown = "REQUEST_UNKNOWN";
 inline constexpr std::string_view answer_too_large = "ANSWER_TOO_LARGE";
 inline constexpr std::string_view deadline_passed = "DEADLINE_PASSED";
