@@ -203,11 +203,19 @@ def refused(tmp_path, **config):
 
 @pytest.mark.parametrize(
     "endpoint",
-    ["tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://[::]:5555", "tcp://192.0.2.1:5555", "tcp://localhost:5555",
+    ["tcp://*:5555", "tcp://0.0.0.0:5555", "tcp://[::]:5555", "tcp://192.0.2.1:5555",
      "tcp://lo:5555", "tcp://127.0.0.1.example.org:5555", "tcp://[fe80::1%lo]:5555", "tcp://2130706433:5555"],
 )  # fmt: skip
 def test_an_address_others_may_reach_needs_keys_or_a_word(tmp_path, endpoint):
     assert "allow_unencrypted_remote" in refused(tmp_path, endpoint=endpoint)
+
+
+def test_localhost_is_this_machine_and_needs_neither(daemons):
+    daemon = daemons.start(endpoint="tcp://localhost:*")
+    assert daemon.endpoint.startswith(("tcp://127.0.0.1:", "tcp://[::1]:"))
+    assert "can be reached" not in daemon.log
+    with daemon.client() as client:
+        assert client.health() == "serving"
 
 
 def test_the_flag_and_nothing_less_opens_the_port_to_everybody(daemons):

@@ -142,6 +142,7 @@ TEST_CASE("A spec that cannot be used is named", "[contactd-ic]") {
     refused("[]", "SPEC");
     refused(with(R"("nu": 0.28)", R"("nu": 0.5)"), "material.nu");
     refused(with(R"("nx": 5, )", ""), "grid.nx");
+    refused(with(R"("nx": 5, )", R"("nx": 4, "nx": 5, )"), "grid.nx");
     refused(with(R"("nx": 5)", R"("nx": 5.5)"), "grid.nx");
     refused(with(R"("h_over_hs": 2)", R"("h_over_hs": 3)"), "ics.h_over_hs");
     refused(with(R"("preset")", R"("prest")"), "ics.prest");
