@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct JobProgress {
     double fraction = 0;
     int iteration = 0;
     double residual = 0;
+    std::optional<double> seconds_left = std::nullopt;  ///< an estimate, where there is one
 };
 
 class Job {
