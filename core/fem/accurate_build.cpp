@@ -25,16 +25,14 @@ struct Level {
 constexpr std::array<Level, 9> levels{
     {{2, 1.5}, {3, 1.6}, {3, 1.5}, {4, 1.5}, {4, 1.4}, {5, 1.6}, {5, 1.5}, {6, 1.8}, {6, 1.5}}};
 
-/// The level that was measured to do (docs/ic-tables.md) for offsets up to 40 x 40. Low orders lock as nu nears 1/2;
-/// the corners of a slender load need more. All Poisson's ratios of one half of a family start alike, so that a table
-/// computed for one of them and one interpolated between them have the same error.
-std::size_t first_level(const IcSpec& spec) {
-    const bool nearly_incompressible = spec.material.nu > family_break;
+/// The level that was measured to do (docs/ic-tables.md) for offsets up to 40 x 40 and Poisson's ratios up to
+/// `hardest_nu`: low orders lock as nu nears 1/2. The corners of a slender load need more.
+std::size_t first_level(const IcSpec& spec, double hardest_nu) {
     const double aspect = std::max(spec.dy, 1 / spec.dy);
-    if (spec.accuracy >= 1e-2) return nearly_incompressible ? 2 : 0;
-    if (spec.accuracy >= 1e-3) return nearly_incompressible ? 3 : 2;
+    if (spec.accuracy >= 1e-2) return hardest_nu > 0.38 ? 1 : 0;
+    if (spec.accuracy >= 1e-3) return hardest_nu > 0.35 ? 3 : 2;
     if (aspect > 1.5 && spec.load_shape == LoadShape::constant) return 7;
-    return nearly_incompressible ? 6 : 5;
+    return hardest_nu > 0.3 ? 6 : 5;
 }
 
 /// The half-space is cut off at the first layer that ends at least so far beyond the farthest offset. There
@@ -60,18 +58,24 @@ FemSpec mesh_of(const IcSpec& spec, const Level& level) {
     return fem;
 }
 
+IcSpec with_mesh(const IcSpec& spec, const Level& level) {
+    IcSpec result = spec;
+    result.accuracy = 0;
+    const bool bilinear = spec.load_shape == LoadShape::bilinear;
+    for (int* extent : {&result.nx, &result.ny})
+        if (bilinear) *extent = std::max(*extent, self_similar_extent);
+    result.fem = mesh_of(result, level);
+    return result;
+}
+
 IcRecord build_level(MPI_Comm comm, const IcSpec& spec, const Level& level, const ProgressPart& progress) {
     const double start = MPI_Wtime();
-    IcSpec mesh_spec = spec;
-    mesh_spec.accuracy = 0;
-    const bool bilinear = spec.load_shape == LoadShape::bilinear;
-    for (int* extent : {&mesh_spec.nx, &mesh_spec.ny})
-        if (bilinear) *extent = std::max(*extent, self_similar_extent);
-    mesh_spec.fem = mesh_of(mesh_spec, level);
+    const IcSpec mesh_spec = with_mesh(spec, level);
     ElasticityProblem problem(comm, mesh_spec);
     const auto case_of = [](ElasticityProblem& of, Axis load) { return of.load_case(load); };
     IcRecord record = solve_and_sample(problem, case_of, progress);
-    if (bilinear) record.table = cropped(near_load_from_far(record.table), spec.nx, spec.ny);
+    if (spec.load_shape == LoadShape::bilinear)
+        record.table = cropped(near_load_from_far(record.table), spec.nx, spec.ny);
     compare_with_half_space(spec, record.table, record.evidence);
     record.evidence.mesh = mesh_spec.fem;
     record.spec = spec;
@@ -106,13 +110,17 @@ void throw_not_reached(double accuracy, double error) {
     throw NotConverged(text);
 }
 
-IcRecord build_accurate(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress) {
+IcSpec first_mesh(const IcSpec& spec, double hardest_nu) {
+    return with_mesh(spec, levels[first_level(spec, hardest_nu)]);
+}
+
+IcRecord build_accurate(MPI_Comm comm, const IcSpec& spec, double hardest_nu, const ProgressPart& progress) {
     if (spec.body == BodyShape::block) return build_block(comm, spec, progress);
     IcEvidence before;
     double error = 0;
-    double share = 0.8;  // of what is left of the progress: more levels are rarely needed
+    constexpr double share = 0.95;  // of what is left of the progress: more levels are rarely needed
     ProgressPart rest = progress;
-    for (std::size_t level = first_level(spec); level < levels.size(); ++level) {
+    for (std::size_t level = first_level(spec, hardest_nu); level < levels.size(); ++level) {
         IcRecord record = build_level(comm, spec, levels[level], rest.part(0, share));
         add_costs(record.evidence, before);
         error = largest_error(record.evidence);

@@ -12,7 +12,7 @@ BlockMesh make_start_mesh(const IcSpec& spec);
 
 /// Refines the start mesh, one mesh for all loads, until spec.fem.max_dofs leaves no room, and builds the table on the
 /// last mesh. `spec` is dimensionless, of mesh adaptive. Of the evidence the load cases are those of the last mesh,
-/// times those of all. Throws InvalidArgument on more than one process, or when the start mesh exceeds max_dofs;
+/// times those of all. `comm` is of one process. Throws InvalidArgument when the start mesh exceeds max_dofs;
 /// NotConverged when a load case misses its tolerance.
 IcRecord build_adaptive(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
 

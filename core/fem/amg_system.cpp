@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "build_size.hpp"
 #include "element_stiffness.hpp"
 
 namespace contactd::fem {
@@ -11,6 +12,9 @@ namespace {
 /// starts again from there when it disagrees. After this many restarts without progress the true residual stands at
 /// rounding.
 constexpr int futile_restarts = 3;
+
+/// Setting BoomerAMG up takes about so long; so does putting the matrix together.
+constexpr double seconds_per_nonzero = 2e-7;
 
 struct Iteration {
     const mfem::HypreParMatrix& A;
@@ -37,9 +41,10 @@ struct Iteration {
         double residual = relative_norm_of_r();
         double rz = 0;
         while (residual > settings.tolerance && iterations < settings.max_iterations) {
+            const double start = MPI_Wtime();
             if (!step(rz)) break;
             residual = relative_norm_of_r();
-            monitor(++iterations, residual);
+            monitor.iteration(++iterations, residual, seconds_since(start));
         }
         return residual;
     }
@@ -48,10 +53,11 @@ struct Iteration {
     double run_to_update(int& iterations) {
         double update = 1, rz = 0;
         while (update > settings.tolerance && iterations < settings.max_iterations) {
+            const double start = MPI_Wtime();
             const auto length = step(rz);
             if (!length) break;
             update = *length / norm(x);
-            monitor(++iterations, update);
+            monitor.iteration(++iterations, update, seconds_since(start));
         }
         return update;
     }
@@ -106,7 +112,8 @@ double default_strength_threshold(MeshKind mesh) {
     return mesh == MeshKind::prism ? 0.8 : 0.5;
 }
 
-AmgSystem::AmgSystem(ElasticityProblem& problem, const AssemblyMonitor& monitor) : fem_(problem.spec().fem) {
+AmgSystem::AmgSystem(ElasticityProblem& problem, const AssemblyMonitor& monitor)
+    : fem_(problem.spec().fem), processes_(problem.processes()) {
     mfem::ParFiniteElementSpace& space = problem.space();
     mfem::ParBilinearForm form(&space);
     mfem::Array<int> vdofs;
@@ -115,12 +122,16 @@ AmgSystem::AmgSystem(ElasticityProblem& problem, const AssemblyMonitor& monitor)
         form.AssembleElementMatrix(element, mfem::DenseMatrix(stiffness.data(), size, size), vdofs);
     };
     for_each_stiffness(space, problem.spec().material, visit, monitor);
+    const double entries = nonzeros_per_dof(problem.spec().fem) * static_cast<double>(problem.dofs());
+    monitor(1, seconds_per_nonzero * entries / problem.processes());
     form.Finalize();
     unconstrained_.reset(form.ParallelAssemble());
+    nonzeros_ = static_cast<double>(unconstrained_->NNZ());
 }
 
 SolveResult AmgSystem::solve(const LoadCase& load_case, mfem::Vector& u, const SolveMonitor& monitor) {
     double start = MPI_Wtime();
+    monitor.setup(seconds_per_nonzero * nonzeros_ / processes_, std::nullopt);
     // u = given + w, and w vanishes where displacements are given.
     mfem::Vector b = load_case.forces;
     unconstrained_->Mult(-1, load_case.given, 1, b);
@@ -138,7 +149,7 @@ SolveResult AmgSystem::solve(const LoadCase& load_case, mfem::Vector& u, const S
     const double setup = seconds_since(start);
 
     start = MPI_Wtime();
-    monitor(0, 1);
+    monitor.iteration(0, 1, setup);
     Iteration iteration{A, preconditioner, b, w, fem_, monitor};
     SolveResult result = fem_.stop_test == StopTest::update ? solve_to_update(iteration) : solve_to_residual(iteration);
     u = load_case.given;

@@ -12,6 +12,8 @@ class AmgSystem final : public LinearSystem {
 
    private:
     const FemSpec& fem_;
+    const int processes_;
+    double nonzeros_ = 0;
     std::unique_ptr<mfem::HypreParMatrix> unconstrained_;
 };
 

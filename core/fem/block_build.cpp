@@ -13,11 +13,7 @@
 namespace contactd::fem {
 namespace {
 
-struct Level {
-    int order;
-    int intervals;  ///< along each axis
-};
-constexpr std::array<Level, 5> levels{{{4, 5}, {4, 6}, {5, 6}, {5, 7}, {6, 7}}};
+constexpr std::array<BlockLevel, 5> levels{{{4, 5}, {4, 6}, {5, 6}, {5, 7}, {6, 7}}};
 
 /// The error of order p over the difference of orders p-1 and p on the same mesh, at most: against finer meshes it was
 /// 0.05 to 0.27, for nu from 0 to 0.49 and dx/dy from 1/4 to 4. That holds because the edges are resolved (below): on
@@ -100,12 +96,16 @@ IcRecord corrected(MPI_Comm comm, const IcSpec& spec, int order, int intervals, 
 
 }  // namespace
 
+BlockLevel first_block_level() {
+    return levels.front();
+}
+
 IcRecord build_block(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress) {
     const double start = MPI_Wtime();
     ProgressPart rest = progress;
     constexpr double share = 0.5, lower_share = 0.3;
     double error = 0;
-    for (const Level& level : levels) {
+    for (const BlockLevel& level : levels) {
         const ProgressPart now = rest.part(0, share);
         const IcRecord lower = corrected(comm, spec, level.order - 1, level.intervals, now.part(0, lower_share));
         IcRecord record = corrected(comm, spec, level.order, level.intervals, now.part(lower_share, 1 - lower_share));

@@ -12,4 +12,11 @@ namespace contactd::fem {
 /// at hand reaches the accuracy.
 IcRecord build_block(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
 
+/// A mesh that is tried: order of its elements, and their number along each axis.
+struct BlockLevel {
+    int order;
+    int intervals;
+};
+BlockLevel first_block_level();
+
 }  // namespace contactd::fem

@@ -3,7 +3,7 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/Dense>
 #include <algorithm>
-#include <numeric>
+#include <new>
 
 #include "condensed_assembly.hpp"
 #include "contactd/error.hpp"
@@ -16,6 +16,25 @@ using Factor = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::L
 
 /// Refinement steps after a factorisation: rounding leaves little for a second one.
 constexpr int refinements = 3;
+
+/// Eigen takes a factorisation that CHOLMOD had no memory for as a success.
+void require_memory(Factor& factor) {
+    if (factor.cholmod().status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+}
+
+/// Ordering and symbolic factorisation.
+constexpr double analysis_seconds_per_dof = 2e-5;
+
+/// Of a product of dense matrices (floating-point operations a second).
+double product_rate() {
+    constexpr int n = 256;
+    const Eigen::MatrixXd a = Eigen::MatrixXd::Ones(n, n);
+    Eigen::MatrixXd b = a;
+    b.noalias() = a * a;  // the first one has BLAS make its buffers
+    const double start = MPI_Wtime();
+    b.noalias() += a * a;
+    return 2.0 * n * n * n / std::max(seconds_since(start), 1e-6);
+}
 
 }  // namespace
 
@@ -41,6 +60,13 @@ CholeskySystem::Matrix CholeskySystem::free_part(const std::vector<int>& free_nu
     }
     result.finalize();
     return result;
+}
+
+/// Of the factorisation before; at first that of products, of which factorisations reach about half.
+double CholeskySystem::factorisation_rate() {
+    constexpr double efficiency = 0.5;
+    if (rate_ == 0) rate_ = efficiency * product_rate();
+    return rate_;
 }
 
 SolveResult CholeskySystem::solve(const LoadCase& load_case, mfem::Vector& u, const SolveMonitor& monitor) {
@@ -69,7 +95,16 @@ SolveResult CholeskySystem::solve(const LoadCase& load_case, mfem::Vector& u, co
     Vector right(count);
     for (std::size_t row = 0; row < free_number.size(); ++row)
         if (free_number[row] >= 0) right[free_number[row]] = b[static_cast<Eigen::Index>(row)];
-    Factor factor(A);
+    monitor.setup(analysis_seconds_per_dof * static_cast<double>(count), std::nullopt);
+    Factor factor;
+    factor.analyzePattern(A);
+    require_memory(factor);
+    const double operations = factor.cholmod().fl, begin = MPI_Wtime();
+    const double expected = operations / factorisation_rate();
+    monitor.setup(expected, expected);
+    factor.factorize(A);
+    require_memory(factor);
+    rate_ = operations / std::max(seconds_since(begin), 1e-6);
     if (factor.info() != Eigen::Success)
         throw NotConverged("The stiffness matrix could not be factorised: it is not positive definite to rounding.");
     SolveResult result;
@@ -81,7 +116,7 @@ SolveResult CholeskySystem::solve(const LoadCase& load_case, mfem::Vector& u, co
         w += factor.solve(residual);
         residual = right - A.selfadjointView<Eigen::Lower>() * w;
         result.residual = residual.norm() / right.norm();
-        monitor(step, result.residual);
+        monitor.iteration(step, result.residual, 0);
         if (result.residual <= tolerance_) break;
     }
     result.converged = result.residual <= tolerance_;

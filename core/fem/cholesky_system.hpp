@@ -19,7 +19,10 @@ class CholeskySystem final : public LinearSystem {
 
     Matrix free_part(const std::vector<int>& free_number, Eigen::Index count) const;
 
+    double factorisation_rate();
+
     double tolerance_;
+    double rate_ = 0;          ///< floating-point operations a second of the last factorisation
     std::vector<int> number_;  ///< of each node of the space in the matrix, -1 for those inside elements
     Matrix lower_;             ///< lower half, three rows per numbered node, without constraints
 };

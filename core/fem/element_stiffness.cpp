@@ -1,5 +1,6 @@
 #include "element_stiffness.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace contactd::fem {
@@ -49,15 +50,18 @@ const Eigen::MatrixXd& ElementStiffness::of(const mfem::FiniteElement& element,
 }
 
 void for_each_stiffness(mfem::ParFiniteElementSpace& space, const Material& material, const VisitStiffness& visit,
-                        const std::function<void(double fraction)>& monitor) {
-    constexpr int chunks = 16;
+                        const std::function<void(double fraction, double seconds)>& monitor) {
+    // Elements of high order take a second and more for a hundred.
+    constexpr long long fewest_chunks = 16, elements_of_chunk = 64;
+    const long long chunks = std::max(fewest_chunks, space.GetParMesh()->GetGlobalNE() / elements_of_chunk);
     ElementStiffness stiffness(material);
     const int count = space.GetNE();
     int element = 0;
-    for (int chunk = 1; chunk <= chunks; ++chunk) {
-        for (const auto end = static_cast<int>(1LL * count * chunk / chunks); element < end; ++element)
+    for (long long chunk = 1; chunk <= chunks; ++chunk) {
+        const double start = MPI_Wtime();
+        for (const auto end = static_cast<int>(count * chunk / chunks); element < end; ++element)
             visit(element, stiffness.of(*space.GetFE(element), *space.GetElementTransformation(element)));
-        monitor(static_cast<double>(chunk) / chunks);
+        monitor(static_cast<double>(chunk) / static_cast<double>(chunks), MPI_Wtime() - start);
     }
 }
 

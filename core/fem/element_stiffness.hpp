@@ -35,8 +35,9 @@ class ElementStiffness {
 /// Called with each element of the space and its stiffness matrix, from the origin outwards.
 using VisitStiffness = std::function<void(int element, const Eigen::MatrixXd& stiffness)>;
 
-/// Calls `monitor` with the fraction done at the same points on all processes.
+/// Calls `monitor` with the fraction done and the time (s) expected until the next call, at the same points on all
+/// processes.
 void for_each_stiffness(mfem::ParFiniteElementSpace& space, const Material& material, const VisitStiffness& visit,
-                        const std::function<void(double fraction)>& monitor);
+                        const std::function<void(double fraction, double seconds)>& monitor);
 
 }  // namespace contactd::fem

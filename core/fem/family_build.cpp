@@ -15,8 +15,25 @@ namespace {
 /// Points of each half; each number's points hold those of the number before.
 constexpr std::array<int, 3> sizes{5, 9, 17};
 
-double allowed_error(const IcSpec& spec) {
-    return spec.accuracy > 0 ? spec.accuracy / 20 : 1e-5;
+/// Of a mesh that was given: the error under the load of the one of its tables that has the smallest, or, of a block,
+/// what quadratic meshes have.
+double mesh_error(const std::vector<const IcRecord*>& records) {
+    constexpr double usual = 2e-3;
+    double smallest = usual;
+    for (const IcRecord* record : records) {
+        const IcEvidence& evidence = record->evidence;
+        if (!evidence.error_xx) continue;
+        double error = 0;
+        for (const auto& one : {evidence.error_xx, evidence.error_yy, evidence.error_zz})
+            error = std::max(error, std::abs(one->origin));
+        smallest = std::min(smallest, error);
+    }
+    return smallest;
+}
+
+double allowed_error(const IcSpec& spec, const std::vector<const IcRecord*>& records) {
+    constexpr double share = 1.0 / 20, least = 1e-5;
+    return spec.accuracy > 0 ? share * spec.accuracy : std::max(share * mesh_error(records), least);
 }
 
 void take_larger(std::optional<ComponentError>& error, const std::optional<ComponentError>& other) {
@@ -56,6 +73,7 @@ IcRecord family_of(const IcSpec& spec, const std::vector<const IcRecord*>& recor
         result.family.push_back(record->table);
         result.evidence.family_nu.push_back(record->spec.material.nu);
     }
+    if (spec.accuracy == 0) result.evidence.warnings = table_warnings(spec, result.evidence);
     result.evidence.interpolation_error = interpolation_error(spec, result.family);
     return result;
 }
@@ -64,26 +82,31 @@ IcRecord family_of(const IcSpec& spec, const std::vector<const IcRecord*>& recor
 
 IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_one, const ProgressPart& progress) {
     const double start = MPI_Wtime();
-    std::map<double, IcRecord> built;
-    double done = 0, error = 0;
+    // Both halves end at the break, for an accuracy with a mesh each.
+    std::map<std::pair<double, double>, IcRecord> built;
+    double done = 0, error = 0, allowed = 0;
     for (const int size : sizes) {
         const std::vector<double> points = family_points(size);
         // The first size is nearly always enough; a later one shares what is left of the progress.
         const double share = (size == sizes.front() ? 0.9 : (1 - done) / 2) / static_cast<double>(points.size());
         std::vector<const IcRecord*> records;
-        for (const double nu : points) {
-            if (!built.contains(nu)) {
+        for (std::size_t j = 0; j < points.size(); ++j) {
+            const double nu = points[j];
+            const double hardest_nu = spec.accuracy > 0 && j < points.size() / 2 ? family_break : largest_family_nu;
+            const std::pair place{nu, hardest_nu};
+            if (!built.contains(place)) {
                 IcSpec one = spec;
                 one.any_nu = false;
                 one.material.nu = nu;
-                built.emplace(nu, build_one(one, progress.part(done, share)));
+                built.emplace(place, build_one(one, hardest_nu, progress.part(done, share)));
                 done += share;
             }
-            records.push_back(&built.at(nu));
+            records.push_back(&built.at(place));
         }
         IcRecord result = family_of(spec, records);
         error = *result.evidence.interpolation_error;
-        if (error > allowed_error(spec)) continue;
+        allowed = allowed_error(spec, records);
+        if (error > allowed) continue;
         finish_evidence(result.evidence, start, comm);
         progress.report("sampling", 1);
         return result;
@@ -93,7 +116,7 @@ IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_o
         text, sizeof text,
         "The family over nu did not converge: with %d tables interpolation adds an error of %.3g, and %.3g is "
         "allowed. Ask for a coarser accuracy, or for one nu.",
-        2 * sizes.back(), error, allowed_error(spec));
+        2 * sizes.back(), error, allowed);
     throw NotConverged(text);
 }
 

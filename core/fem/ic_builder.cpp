@@ -2,25 +2,44 @@
 
 #include "accurate_build.hpp"
 #include "adaptive_build.hpp"
+#include "build_size.hpp"
 #include "contactd/error.hpp"
 #include "family_build.hpp"
+#include "first_process.hpp"
 #include "mesh_build.hpp"
 
 namespace contactd::fem {
+namespace {
 
-IcRecord build_ic_table(const IcSpec& requested, Observer& first_observer) {
+bool is_adaptive(const IcSpec& spec) {
+    return spec.accuracy == 0 && spec.fem.mesh == MeshKind::adaptive;
+}
+
+IcRecord build(MPI_Comm comm, const IcSpec& spec, Observer& first_observer) {
+    CollectiveObserver observer(comm, first_observer);
+    const ProgressPart progress{&observer};
+    const auto build_one = [&](const IcSpec& one, double hardest_nu, const ProgressPart& part) {
+        if (one.accuracy > 0) return build_accurate(comm, one, hardest_nu, part);
+        return is_adaptive(one) ? build_adaptive(comm, one, part) : build_on_mesh(comm, one, part);
+    };
+    return spec.any_nu ? build_family(comm, spec, build_one, progress) : build_one(spec, spec.material.nu, progress);
+}
+
+}  // namespace
+
+IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64_t max_memory_bytes) {
     if (requested.source != IcSource::fem)
         throw InvalidArgument("ics.source", "is analytic; only a spec of source fem is built by finite elements");
     validate(requested);
     const IcSpec spec = dimensionless(requested);
-    CollectiveObserver observer(MPI_COMM_WORLD, first_observer);
-    const ProgressPart progress{&observer};
-    const auto build_one = [](const IcSpec& one, const ProgressPart& part) {
-        if (one.accuracy > 0) return build_accurate(MPI_COMM_WORLD, one, part);
-        return one.fem.mesh == MeshKind::adaptive ? build_adaptive(MPI_COMM_WORLD, one, part)
-                                                  : build_on_mesh(MPI_COMM_WORLD, one, part);
-    };
-    return spec.any_nu ? build_family(MPI_COMM_WORLD, spec, build_one, progress) : build_one(spec, progress);
+    int processes = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &processes);
+    const BuildSize size = predicted_size(spec, 1);
+    // What is factorised, or refined, is done by one process as quickly as by several.
+    const bool alone = processes > 1 && (size.solver == Solver::direct || is_adaptive(spec));
+    require_room(spec, alone ? size : predicted_size(spec, processes), max_memory_bytes);
+    if (!alone) return build(MPI_COMM_WORLD, spec, observer);
+    return on_first_process(MPI_COMM_WORLD, [&] { return build(MPI_COMM_SELF, spec, observer); });
 }
 
 }  // namespace contactd::fem

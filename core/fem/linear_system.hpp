@@ -19,12 +19,18 @@ struct SolveResult {
     double solve_seconds = 0;
 };
 
-/// Called after the setup with iteration 0 and then after each iteration, on all processes, with the figure of the stop
-/// test.
-using SolveMonitor = std::function<void(int iteration, double figure)>;
+/// Each is called at the same points on all processes.
+struct SolveMonitor {
+    /// A step of the setup begins: the time it is expected to take, and that of the whole solve where it is known.
+    std::function<void(double seconds, std::optional<double> whole)> setup;
+    /// After the setup with iteration 0 and then after each iteration, with the figure of the stop test and what the
+    /// next iteration is expected to take.
+    std::function<void(int iteration, double figure, double seconds)> iteration;
+};
 
-/// Called with the fraction assembled, at the same points on all processes.
-using AssemblyMonitor = std::function<void(double fraction)>;
+/// Called with the fraction assembled and the time (s) expected until the next call, at the same points on all
+/// processes.
+using AssemblyMonitor = std::function<void(double fraction, double seconds)>;
 
 inline double seconds_since(double start) {
     return MPI_Wtime() - start;
@@ -38,9 +44,8 @@ class LinearSystem {
     virtual SolveResult solve(const LoadCase& load_case, mfem::Vector& u, const SolveMonitor& monitor) = 0;
 };
 
-/// spec.fem.solver with `automatic` replaced by what was measured to be faster (bench/bench_fem.cpp): Cholesky on one
-/// process, as long as the factor fits into a few gigabytes. Throws InvalidArgument when a direct solver is asked for
-/// where there can be none.
+/// solver_for() the problem (build_size.hpp). Throws InvalidArgument when a direct solver is asked for where there can
+/// be none.
 Solver chosen_solver(const ElasticityProblem& problem);
 
 /// Collective. Assembles the system of chosen_solver(problem). `problem` must outlive it.

@@ -7,13 +7,28 @@
 
 namespace contactd::fem {
 
+/// Of a stretch (s): what it took so far, what the step that begins is expected to take, and the stretch from now on,
+/// where that can be told.
+struct StepTimes {
+    double before, step;
+    std::optional<double> left;
+};
+
 /// A stretch of a build's progress.
 struct ProgressPart {
     CollectiveObserver* observer;
     double first = 0, share = 1;
 
-    void report(const char* stage, double fraction, int iteration = 0, double residual = 0) const {
-        observer->report({stage, first + share * fraction, iteration, residual});
+    /// `step`: expected time (s) until the next report.
+    void report(const char* stage, double fraction, int iteration = 0, double residual = 0, double step = 0) const {
+        const double now = first + share * fraction;
+        observer->report({stage, now, iteration, residual, step, now});
+    }
+    /// A step that reports nothing until `fraction` has become `until`.
+    void begin(const char* stage, double fraction, double until, const StepTimes& times) const {
+        std::optional<double> left = times.left;
+        if (left && share > 0) *left += (1 - first - share) / share * (times.before + *left);
+        observer->report({stage, first + share * fraction, 0, 0, times.step, first + share * until, left});
     }
     ProgressPart part(double from, double length) const { return {observer, first + share * from, share * length}; }
 };
@@ -34,6 +49,9 @@ std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case
 
 /// Collective. The same, and reads the table off; the evidence lacks errors, warnings and the total time.
 IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress);
+
+/// What a user of a table on a given mesh should know: what the paper advises against, and errors beyond 1 %.
+std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& evidence);
 
 /// Collective. Sets the total time since `start`, and all times to those of the slowest process, so that every process
 /// returns the same record.

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -8,6 +10,7 @@
 
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/version.hpp"
+#include "first_process.hpp"
 
 // Present when OpenBLAS or an OpenMP runtime is behind MFEM and hypre.
 extern "C" {
@@ -73,11 +76,19 @@ Runtime::~Runtime() {
 }
 
 std::string Runtime::broadcast(std::string text) const {
-    auto size = static_cast<int>(text.size());
-    MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
-    text.resize(static_cast<std::size_t>(size));
-    MPI_Bcast(text.data(), size, MPI_CHAR, 0, MPI_COMM_WORLD);
-    return text;
+    return quiet_broadcast(MPI_COMM_WORLD, std::move(text));
+}
+
+std::vector<int> Runtime::processes_here() const {
+    MPI_Comm here = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    int count = 1;
+    MPI_Comm_size(here, &count);
+    std::vector<int> result(static_cast<std::size_t>(count));
+    const int own = ::getpid();
+    MPI_Allgather(&own, 1, MPI_INT, result.data(), 1, MPI_INT, here);
+    MPI_Comm_free(&here);
+    return result;
 }
 
 void Runtime::abort(int exit_code) const {

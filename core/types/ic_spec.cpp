@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -47,14 +46,6 @@ bool find_value(const auto& names, std::string_view wanted, auto& value) {
             return true;
         }
     return false;
-}
-
-double rounded(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 11).ptr;
-    double result = value;
-    std::from_chars(text, end, result);
-    return result + 0.0;  // no negative zero
 }
 
 bool is_whole(double value) {
@@ -115,6 +106,11 @@ void validate_accuracy(const IcSpec& spec) {
     if (!spec.any_nu)
         require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
                 "be at most 0.49 when an accuracy is asked for");
+}
+
+/// Up to here errors next to the load stayed below 1 % (docs/ic-tables.md).
+double largest_nu(int order) {
+    return order == 2 ? 0.49 : order == 3 ? 0.499 : 0.5;
 }
 
 }  // namespace
@@ -242,6 +238,11 @@ std::vector<std::string> warnings(const IcSpec& spec) {
     const auto advise = [&](bool holds, const std::string& field, const std::string& value, const char* advice) {
         if (!holds) result.push_back(field + " is " + value + "; the paper advises " + advice + " (Table 3).");
     };
+    // Of a half-space the error itself is known.
+    if (const double most = largest_nu(fem.order); spec.body == BodyShape::block && spec.material.nu > most)
+        result.push_back("nu is " + number_text(spec.material.nu) + "; elements of order " + std::to_string(fem.order) +
+                         " lock near 1/2: their errors may exceed 1 % above " + number_text(most) +
+                         ", and a higher order is better.");
     // Beyond its order-2 meshes and u = 0 the paper's ranges say nothing.
     advise(fem.order >= 2, "order", std::to_string(fem.order), "quadratic elements");
     if (fem.far_boundary == FarBoundary::clamped && spec.body == BodyShape::half_space)

@@ -12,4 +12,13 @@ inline std::string number_text(double value) {
     return {text, end};
 }
 
+/// To the twelve digits by which numbers of keys are told apart.
+inline double rounded(double value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 11).ptr;
+    double result = value;
+    std::from_chars(text, end, result);
+    return result + 0.0;  // no negative zero
+}
+
 }  // namespace contactd

@@ -11,6 +11,9 @@
 #include <cerrno>
 #include <chrono>
 
+#include "exit_code.hpp"
+#include "memory.hpp"
+
 namespace contactd::ic {
 namespace {
 
@@ -61,7 +64,14 @@ void Guard::watch_standard_input() {
     ::eventfd_write(wake_, 1);
 }
 
-void Guard::beat(int rank, int processes) {
+void Guard::watch_memory(std::vector<pid_t> processes, std::uint64_t bytes) {
+    watched_processes_ = std::move(processes);
+    most_memory_ = bytes;
+    ::eventfd_write(wake_, 1);
+}
+
+void Guard::beat(int rank, int processes, ProgressLines& progress) {
+    progress_ = &progress;
     processes_ = processes;
     rank_ = rank;
     ::eventfd_write(wake_, 1);
@@ -73,15 +83,36 @@ int Guard::milliseconds_to_beat() {
     const auto now = std::chrono::steady_clock::now();
     if (now >= next_beat_) {
         next_beat_ = now + heartbeat_interval;
-        timespec used{};
-        ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-        const auto time = std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
-        const bool works = time - processor_time_ > least_work;
-        processor_time_ = time;
-        if (works || processes_ > 1)
+        if (lives()) {
             lines_.write_unless_stuck({{"heartbeat", rank_.load()}, {"processes", processes_.load()}});
+            progress_.load()->tick();
+        }
     }
     return static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(next_beat_ - now).count());
+}
+
+bool Guard::lives() {
+    timespec used{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    const auto time = std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
+    const bool works = time - processor_time_ > least_work;
+    processor_time_ = time;
+    // The others report nothing, and wait for the first process, or it for them.
+    const bool stuck = rank_ == 0 && progress_.load()->is_stuck();
+    return (works || processes_ > 1) && !stuck;
+}
+
+/// Looks, and returns the time until the next look, -1 when there will be none.
+int Guard::milliseconds_to_look_at_memory() {
+    constexpr int interval = 20;  // a build fills some ten megabytes meanwhile
+    const std::uint64_t most = most_memory_;
+    if (most == 0) return -1;
+    if (const std::uint64_t used = resident_bytes(watched_processes_); used > most)
+        end(out_of_memory,
+            "The build ran out of memory: it uses " + std::to_string(used) + " bytes and may use " +
+                std::to_string(most) + " (builds.max_memory_bytes).",
+            "out_of_memory");
+    return interval;
 }
 
 void Guard::stand_down() {
@@ -94,7 +125,9 @@ void Guard::watch() {
         // A negative descriptor is passed over by poll.
         std::array<pollfd, 3> watched{
             {{wake_, POLLIN, 0}, {signals_, POLLIN, 0}, {watching_input_ ? STDIN_FILENO : -1, POLLIN, 0}}};
-        if (::poll(watched.data(), watched.size(), milliseconds_to_beat()) < 0) continue;
+        const int to_beat = milliseconds_to_beat(), to_look = milliseconds_to_look_at_memory();
+        const int wait = to_beat < 0 || (to_look >= 0 && to_look < to_beat) ? to_look : to_beat;
+        if (::poll(watched.data(), watched.size(), wait) < 0) continue;
         if (standing_down_) return;
         if (watched[0].revents != 0) {
             eventfd_t ignored;
@@ -114,12 +147,12 @@ void Guard::watch() {
     }
 }
 
-void Guard::end(int exit_code, const char* why) {
+void Guard::end(int exit_code, const std::string& why, const std::string& kind) {
     // A file that is being written is finished, one that is not is not begun: the lock goes only with the process.
     const std::unique_lock<std::timed_mutex> file(writing_, patience);
     if (standing_down_) return;
     ::signal(SIGPIPE, SIG_IGN);
-    if (!silent_) lines_.write_unless_stuck(error_line("", why));
+    if (!silent_ || !kind.empty()) lines_.write_unless_stuck(error_line("", why, kind));
     ::_exit(exit_code);
 }
 

@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 
 #include "contactd/proto/message.hpp"
@@ -10,7 +11,6 @@
 namespace contactd::ic {
 namespace {
 
-constexpr auto shortest_interval = std::chrono::milliseconds(50);
 constexpr auto patience = std::chrono::milliseconds(200);
 
 }  // namespace
@@ -47,17 +47,6 @@ void Lines::write_unless_stuck(const nlohmann::json& line) {
     if (!lock.owns_lock() || ::poll(&output, 1, 0) != 1 || !(output.revents & POLLOUT)) return;
     const std::string text = proto::dump(line) + "\n";
     [[maybe_unused]] const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
-}
-
-void ProgressLines::on_progress(const Progress& progress) {
-    const auto now = std::chrono::steady_clock::now();
-    if (progress.stage == stage_ && now < next_) return;
-    stage_ = progress.stage;
-    next_ = now + shortest_interval;
-    lines_.write({{"stage", stage_},
-                  {"fraction", progress.fraction},
-                  {"iteration", progress.iteration},
-                  {"residual", progress.residual}});
 }
 
 }  // namespace contactd::ic

@@ -1,14 +1,11 @@
 // What contactd-ic says: one JSON object a line on standard output, flushed.
 #pragma once
 
-#include <chrono>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-
-#include "contactd/observer.hpp"
 
 namespace contactd::ic {
 
@@ -27,18 +24,6 @@ class Lines {
 
    private:
     std::timed_mutex mutex_;
-};
-
-/// Progress as lines: every change of stage, else no more than twenty a second.
-class ProgressLines : public Observer {
-   public:
-    explicit ProgressLines(Lines& lines) : lines_(lines) {}
-    void on_progress(const Progress& progress) override;
-
-   private:
-    Lines& lines_;
-    std::string stage_;
-    std::chrono::steady_clock::time_point next_{};
 };
 
 }  // namespace contactd::ic

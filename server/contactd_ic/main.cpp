@@ -10,13 +10,12 @@
 //      "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}}
 //
 // The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
-// line: {"stage", "fraction", "iteration", "residual"}, at last {"done": true, "output", "evidence"} or
+// line: {"stage", "fraction", "iteration", "residual", "seconds_left"}, at last {"done": true, "output", "evidence"} or
 // {"error": {"field", "message", "kind"}}; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every
 // process, once a second. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not
 // converge; 4 when memory ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for
 // anything else. The file appears whole or not at all.
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -32,13 +31,14 @@
 #include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
+#include "exit_code.hpp"
 #include "guard.hpp"
+#include "memory.hpp"
 
 namespace contactd::ic {
 namespace {
 
 namespace fs = std::filesystem;
-enum ExitCode { success = 0, failure = 1, bad_input = 2, not_converged = 3, out_of_memory = 4 };
 
 struct Options {
     std::string spec;
@@ -53,7 +53,9 @@ struct Context {
     const Options& options;
     const fem::Runtime& runtime;
     Lines& lines;
+    ProgressLines& progress;
     Guard& guard;
+    std::uint64_t max_memory;  ///< of all processes on this machine together
 };
 
 /// `work` on the first process; its text, or its InvalidArgument or StoreError, on all of them.
@@ -129,10 +131,7 @@ void check_output(const fs::path& path) {
 }
 
 IcRecord make_record(const Context& context, const IcSpec& spec) {
-    if (spec.source == IcSource::fem) {
-        ProgressLines progress(context.lines);
-        return fem::build_ic_table(spec, progress);
-    }
+    if (spec.source == IcSource::fem) return fem::build_ic_table(spec, context.progress, context.max_memory);
     IcRecord record;
     record.spec = dimensionless(spec);
     record.table = half_space_table(record.spec);
@@ -153,7 +152,8 @@ void write_or_print(const Context& context, const IcRecord& record) {
 
 void run(const Context& context) {
     const Options& options = context.options;
-    if (options.exit_with_stdin) context.guard.beat(context.runtime.rank(), context.runtime.processes());
+    if (options.exit_with_stdin)
+        context.guard.beat(context.runtime.rank(), context.runtime.processes(), context.progress);
     const std::string text = on_first(context.runtime, [&] {
         std::string read = read_spec(options);
         // Under mpirun standard input belongs to the first process; the others follow its end.
@@ -177,9 +177,8 @@ void run(const Context& context) {
             {{"done", true}, {"output", options.output}, {"evidence", proto::encode_evidence(record.evidence)}});
 }
 
-void limit_memory(std::uint64_t bytes) {
-    const rlimit limit{bytes, bytes};
-    if (bytes > 0) ::setrlimit(RLIMIT_AS, &limit);
+std::uint64_t usable_memory() {
+    return static_cast<std::uint64_t>(usable_share * static_cast<double>(machine_memory()));
 }
 
 int guarded_run(const Context& context) {
@@ -195,12 +194,15 @@ int guarded_run(const Context& context) {
         return everywhere(violations.empty() ? "" : violations.front().field, error.what(), bad_input);
     } catch (const InvalidArgument& error) {
         return everywhere(error.field(), error.what(), bad_input);
+    } catch (const OutOfMemory& error) {
+        if (context.runtime.rank() == 0) context.lines.write_error(error.field(), error.what(), "out_of_memory");
+        return out_of_memory;
     } catch (const NotConverged& error) {
         return everywhere("", error.what(), not_converged);
     } catch (const StoreError& error) {
         return everywhere("", error.what(), failure);
     } catch (const std::bad_alloc&) {
-        context.lines.write_error("", "The build ran out of memory.", "out_of_memory");
+        context.lines.write_error("", "The build ran out of memory: the machine has no more for it.", "out_of_memory");
         if (context.runtime.processes() > 1) context.runtime.abort(out_of_memory);
         return out_of_memory;
     } catch (const std::exception& error) {  // of MFEM or hypre, and perhaps on this process alone
@@ -229,7 +231,9 @@ int main(int argc, char** argv) {
                  "End at once when standard input ends: whoever started the build is gone");
     app.add_flag("--or-print", options.or_print,
                  "When the file cannot be written, print {\"table_bytes\": n, \"problem\"} and then the n bytes of it");
-    app.add_option("--max-memory", options.max_memory, "Bytes of address space that each process may use; 0: no limit");
+    app.add_option("--max-memory", options.max_memory,
+                   "Bytes of memory that all processes on one machine may use together; 0: four fifths of what the "
+                   "machine, or the control group, has");
     app.set_version_flag("--version", fem::fem_version());
 
     ic::Lines lines;
@@ -241,7 +245,12 @@ int main(int argc, char** argv) {
         if (runtime.rank() == 0) lines.write_error("", error.what());
         return ic::bad_input;
     }
-    ic::limit_memory(options.max_memory);
+    ic::volunteer_for_the_kernel();
+    const std::vector<int> here = runtime.processes_here();
+    const std::uint64_t max_memory = options.max_memory > 0 ? options.max_memory : ic::usable_memory();
+    ic::ProgressLines progress(lines);
     ic::Guard guard(lines, runtime.processes() > 1);
-    return ic::guarded_run({options, runtime, lines, guard});
+    // One process watches for all on its machine.
+    if (here.front() == ::getpid()) guard.watch_memory({here.begin(), here.end()}, max_memory);
+    return ic::guarded_run({options, runtime, lines, progress, guard, max_memory});
 }

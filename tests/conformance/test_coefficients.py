@@ -69,6 +69,19 @@ def test_a_build_without_memory_says_so(start):
         assert (reply.code, reply.reason) == (RESOURCE_EXHAUSTED, "BUILD_OUT_OF_MEMORY")
 
 
+def test_a_build_says_how_many_seconds_are_left(start, tmp_path):
+    builder = tmp_path / "builder"
+    builder.write_text("#!/bin/sh\necho '{\"stage\": \"factorisation\", \"fraction\": 0.3, \"seconds_left\": 12.5}'\nexit 1\n")
+    builder.chmod(0o755)
+    with start(builds={"program": str(builder)}).peer() as peer:
+        peer.send("ic.get", QUICK_BUILD)
+        seen = []
+        while (message := peer.message()).is_progress:
+            seen.append(message.progress)
+    assert [progress.get("seconds_left") for progress in seen if progress["stage"] == "factorisation"] == [12.5]
+    assert all("seconds_left" not in progress for progress in seen if progress["stage"] != "factorisation")
+
+
 def test_tables_are_listed_page_by_page_and_deleted_by_key(start):
     daemon = start()
     with daemon.peer() as peer:

@@ -26,7 +26,7 @@ def test_a_stopped_builder_is_noticed_and_ended(daemons, background):
         caller = background(client.get_ic, STEEL, GRID, LONG)
         eventually(lambda: any(job.fraction > 0 for job in client.jobs()))
         os.kill(daemon.builders()[0], signal.SIGSTOP)
-        with pytest.raises(InternalError, match="no sign of life for 2 s"):
+        with pytest.raises(InternalError, match="no progress for 2 s"):
             caller.result()
         assert daemon.builders() == []
         assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
@@ -43,7 +43,7 @@ def test_a_stopped_process_among_several_is_noticed_and_all_are_ended(daemons, b
         processes = [pid for pid in daemon.builders() if program_of(pid).endswith("/contactd-ic")]
         assert len(processes) == 2
         os.kill(processes[which], signal.SIGSTOP)
-        with pytest.raises(InternalError, match="no sign of life for 5 s"):
+        with pytest.raises(InternalError, match="no progress for 5 s"):
             caller.result()
         eventually(lambda: daemon.builders() == [], "processes are left behind")
 
@@ -66,7 +66,7 @@ def test_a_builder_that_works_is_not_taken_for_a_stopped_one(daemons, background
 def test_a_builder_that_never_says_a_word_is_ended(daemons):
     program = script(daemons.folder, "exec sleep 600")
     with daemons.start(builds={"program": str(program), "stall_seconds": 1}).client() as client:
-        assert "no sign of life" in failure(client).message
+        assert "made no progress for 1 s" in failure(client).message
     program.unlink()
 
 
@@ -82,6 +82,71 @@ def test_a_build_without_memory_says_so_in_plain_words(daemons):
         assert error.reason == "BUILD_OUT_OF_MEMORY"
         assert "700000000 bytes (builds.max_memory_bytes)" in error.message
         assert client.get_ic(STEEL, GRID, QUICK).origin == "built"
+
+
+#: Builds of some 60 MB, 0.4 and 1.2 GB.
+SIZES = {
+    "small": FemIcs(accuracy=1e-2),
+    "medium": FemIcs(order=2, f=1.2, solver="direct"),
+    "large": FemIcs(order=2, f=1.05, solver="direct"),
+}
+MIB = 1 << 20
+LIMITS = [64, 128, 256, 380, 512, 600, 768, 1024, 2048, 4096]
+SWEEP = [(size, limit) for size in SIZES for limit in LIMITS] if LONG_FAULTS else [("small", 64), ("medium", 256)]
+
+
+@pytest.mark.parametrize(("size", "limit"), SWEEP)
+def test_a_build_with_little_memory_ends_with_a_table_or_says_so(daemons, background, size, limit):
+    daemon = daemons.start(builds={"max_memory_bytes": limit * MIB})
+    with daemon.client() as client:
+        caller = background(client.get_ic, STEEL, GRID, SIZES[size])
+        error = caller.exception(timeout=300)
+        if error is None:
+            assert size == "small" or limit > (256 if size == "medium" else 768)
+        else:
+            assert (type(error), error.reason) == (ResourceExhausted, "BUILD_OUT_OF_MEMORY")
+            assert f"{limit * MIB} bytes (builds.max_memory_bytes)" in error.message
+            assert limit < 4096
+        assert daemon.builders() == []
+
+
+def test_a_build_that_would_take_far_too_much_is_refused_with_what_would_be_right(client):
+    error = failure(client, ResourceExhausted, FemIcs(order=6, f=1.01))
+    assert error.reason == "BUILD_OUT_OF_MEMORY"
+    assert "10712397 unknowns" in error.message
+    assert "order 3 would fit" in error.message or "order 2 would fit" in error.message
+    assert error.violations[0].field == "ics"
+    assert client.quarantined_ics() == ()
+
+
+def test_the_kernel_would_end_a_builder_before_anything_else(daemon, client, background):
+    caller = background(client.get_ic, STEEL, GRID, LONG)
+    eventually(lambda: any(job.fraction > 0 for job in client.jobs()))
+    (builder,) = daemon.builders()
+    assert Path(f"/proc/{builder}/oom_score_adj").read_text().strip() == "1000"
+    client.cancel_job(client.jobs()[0].job)
+    assert caller.exception() is not None
+
+
+@pytest.mark.skipif(not LONG_FAULTS, reason="takes two minutes")
+@pytest.mark.parametrize("kilobytes", [450_000, 520_000])
+def test_a_builder_that_spins_without_getting_on_is_ended(daemons, background, kilobytes):
+    # OpenBLAS asks for address space again and again when there is none.
+    program = script(daemons.folder, f"ulimit -v {kilobytes}", f'exec {BIN / "contactd-ic"} "$@"')
+    daemon = daemons.start(builds={"program": str(program), "stall_seconds": 2})
+    with daemon.client() as client:
+        error = background(client.get_ic, STEEL, GRID, SIZES["medium"]).exception(timeout=300)
+        assert error is not None
+        assert "made no progress" in error.message or "memory" in error.message
+        assert daemon.builders() == []
+    program.unlink()
+
+
+def test_a_long_factorisation_is_no_stall(daemons, background):
+    daemon = daemons.start(builds={"stall_seconds": 1})
+    with daemon.client() as client:
+        table = background(client.get_ic, STEEL, GRID, SIZES["medium"]).result(timeout=300)
+        assert table.evidence.solver == "direct"
 
 
 def test_a_build_that_failed_twice_is_answered_at_once_until_told_otherwise(daemons):

@@ -1,12 +1,14 @@
 """The log: one line an event, for people or for programs, whatever clients send."""
 
 import json
+import re
 import signal
 
 import pytest
 
+from contactd import FemIcs
 from support.daemons import eventually
-from support.problems import CATTANEO_PARAMS
+from support.problems import CATTANEO_PARAMS, GRID, STEEL
 
 NASTY = 'x" status=OK\n2026-01-01T00:00:00.000 error forged\r\x1b[31m\x85 \u2028"}'
 
@@ -26,6 +28,17 @@ def test_a_line_of_json_has_time_level_message_and_fields(daemons):
     assert (line["level"], line["id"], line["method"], line["status"]) == ("info", "a-7", "server.health", "OK")
     assert line["ms"] >= 0
     assert line["client"]
+
+
+def test_the_end_of_a_build_says_how_long_it_took_and_how_good_it_is(daemons):
+    daemon = daemons.start()
+    with daemon.client() as client:
+        client.get_ic(STEEL, GRID, FemIcs("paper-test2", L_over_h=40))
+        client.get_ic(STEEL, GRID, FemIcs(accuracy=1e-2))
+    by_iterations, by_factor = (line for line in daemon.log.splitlines() if " finished after " in line)
+    assert re.search(r"finished after \d+\.\d\d s: \d+ unknowns, solver amg_pcg, iterations z \d+ x \d+; errors xx", by_iterations)
+    assert "L_over_h is 40; the paper advises at least 80" in by_iterations
+    assert re.search(r"unknowns, solver direct; errors xx \d\.\de-03, yy \d\.\de-03, zz \d\.\de-03$", by_factor)
 
 
 def test_every_line_of_a_daemons_life_is_json(daemons):

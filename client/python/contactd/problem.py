@@ -219,7 +219,7 @@ class FemIcs:
             displacements of the half-space under the load; the default otherwise).
         sampling: How displacements are read at the element centres: "fem" (default, the finite-element function), or
             linear between the vertices ("linear") or all nodes ("linear_nodes") of the surface mesh.
-        solver: "auto" (default, the faster one), "amg_pcg" or "direct" (sparse Cholesky).
+        solver: "auto" (default, the faster one), "amg_pcg" (with a preset) or "direct" (sparse Cholesky).
         stop_test: Compared with tolerance: the true relative "residual" (default), or the relative "update" (the
             paper's).
         tolerance: Of the stop test, 1e-13 to 1; default 1e-8.

@@ -39,6 +39,16 @@ class NotConverged : public Error {
     using Error::Error;
 };
 
+/// A computation that needs more memory than it may use. `field()` is what asks for it, as of an InvalidArgument.
+class OutOfMemory : public Error {
+   public:
+    OutOfMemory(std::string field, const std::string& sentence) : Error(sentence), field_(std::move(field)) {}
+    const std::string& field() const noexcept { return field_; }
+
+   private:
+    std::string field_;
+};
+
 /// The IC store or one of its files cannot be read or written.
 class StoreError : public Error {
    public:

@@ -9,12 +9,13 @@
 
 namespace contactd {
 
-/// n >= 2 Chebyshev-Lobatto points of each half, ascending, 2n in all; the upper half starts at the next number above
-/// family_break. Those of 2n - 1 hold those of n.
+/// n >= 2 Chebyshev-Lobatto points of each half, ascending, 2n in all; family_break is the last one of the lower half
+/// and the first one of the upper, whose mesh may be another. Those of 2n - 1 hold those of n.
 std::vector<double> family_points(int n);
 
 /// Barycentric interpolation of `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu], among
-/// those of nu's half. Throws InvalidArgument: "material.nu" outside, "family" when it is no such family.
+/// those of nu's half; nu is rounded to twelve digits, as in keys. Throws InvalidArgument: "material.nu" outside,
+/// "family" when it is no such family.
 IcTable interpolated(const std::vector<IcTable>& family, double nu);
 
 /// The table of a record for `nu`: its only one, or for a family (spec.any_nu) the interpolated one. Throws StoreError

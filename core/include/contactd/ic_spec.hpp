@@ -122,8 +122,8 @@ inline constexpr double family_break = 0.3;
 void validate(const IcSpec& spec);
 
 /// What the paper advises against (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1 and from
-/// 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces: a sentence for each, none when all
-/// is well.
+/// 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces, and, of a block, Poisson's ratios
+/// for which elements of the order lock: a sentence for each, none when all is well.
 std::vector<std::string> warnings(const IcSpec& spec);
 
 /// The size of Mesh1 or Mesh2 for a spec; that of mesh adaptive is known only when it is built.

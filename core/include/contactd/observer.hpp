@@ -1,6 +1,7 @@
 // How a computation reports and is ended: the caller passes an observer, the solver never prints.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "contactd/error.hpp"
@@ -12,6 +13,11 @@ struct Progress {
     double fraction = 0;     ///< of the whole computation, 0..1, an estimate
     int iteration = 0;       ///< within the stage
     double residual = 0;     ///< the figure the stage's stop test compares, 0 when it has none
+    /// Of what begins now and reports nothing until it ends (a factorisation): the time it is expected to take (s), and
+    /// what the fraction rises to meanwhile.
+    double step_seconds = 0;
+    double step_fraction = 0;
+    std::optional<double> seconds_left = std::nullopt;  ///< of the whole computation, where it can be predicted
 };
 
 /// Methods are called from the thread that computes. The default observer listens to nothing and never cancels.

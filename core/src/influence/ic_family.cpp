@@ -35,7 +35,7 @@ struct Half {
 };
 
 Half half_of(bool upper) {
-    return upper ? Half{std::nextafter(family_break, 1), largest_family_nu} : Half{0, family_break};
+    return upper ? Half{family_break, largest_family_nu} : Half{0, family_break};
 }
 
 std::vector<double> half_points(const Half& half, int n) {
@@ -158,9 +158,10 @@ std::vector<double> family_points(int n) {
     return points;
 }
 
-IcTable interpolated(const std::vector<IcTable>& family, double nu) {
+IcTable interpolated(const std::vector<IcTable>& family, double exact_nu) {
     check(family);
-    check_nu(nu);
+    check_nu(exact_nu);
+    const double nu = rounded(exact_nu);
     const bool upper = nu > family_break;
     const Tables tables = tables_of(family, upper);
     return weighted_sum(tables, interpolation_weights(half_of(upper), tables.size(), nu));

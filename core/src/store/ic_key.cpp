@@ -23,8 +23,8 @@ class CanonicalObject {
     std::string members_;
 };
 
-/// How meshes are chosen for an accuracy. A new number whenever that changes tables or the errors they state: tables of
-/// an earlier choice are not asked for any more.
+/// How meshes are chosen for an accuracy. A new number when tables of an earlier choice should not be served any more:
+/// when they miss the accuracy or state other errors than they have. Those that are finer than need be may stay.
 constexpr int accuracy_recipe = 2;
 
 /// Only what decides the numbers: max_iterations ends a build or has no effect.

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <reproc++/reproc.hpp>
 #include <string_view>
 
@@ -20,7 +21,6 @@ constexpr auto poll_interval = reproc::milliseconds(100);
 
 /// How the child ended, in words. reproc gives 128 + signal for a signal.
 std::string ending(int status) {
-    if (status == 128 + SIGKILL) return "was ended by signal 9, as the kernel does when the machine's memory runs out";
     if (status > 128) return "was ended by signal " + std::to_string(status - 128);
     return "ended with status " + std::to_string(status);
 }
@@ -50,8 +50,9 @@ class Watch {
         if (job_.cancelled()) throw Cancelled("The build was cancelled.");
         on_tick_();
         if (command_.stall > 0s && listener_.silence() > command_.stall)
-            throw Error("The builder gave no sign of life for " + std::to_string(command_.stall.count()) +
-                        " s (builds.stall_seconds) and was ended.");
+            throw Error("The builder made no progress for " + std::to_string(command_.stall.count()) +
+                        " s (builds.stall_seconds) and was ended: it gave no sign of life, or worked on one step for "
+                        "longer than that can take.");
         if (command_.longest > 0s && std::chrono::steady_clock::now() - begin_ > command_.longest)
             throw Error("The build took longer than " + std::to_string(command_.longest.count()) +
                         " s (builds.max_seconds) and was ended.");
@@ -93,11 +94,13 @@ int wait_for(reproc::process& child, const Watch& watch) {
     }
 }
 
-std::string memory_sentence(const BuilderCommand& command) {
-    const std::string begin = "The build ran out of memory";
-    if (command.max_memory_bytes == 0) return begin + ": the machine has no more for it.";
-    return begin + ": each of its processes may use " + std::to_string(command.max_memory_bytes) +
-           " bytes (builds.max_memory_bytes).";
+/// How many processes the kernel has ended because memory ran out, since this machine started.
+long long ended_by_kernel() {
+    std::ifstream file("/proc/vmstat");
+    std::string name;
+    for (long long count = 0; file >> name >> count;)
+        if (name == "oom_kill") return count;
+    return 0;
 }
 
 std::vector<std::string> arguments_of(const BuilderCommand& command, const std::filesystem::path& output) {
@@ -131,6 +134,7 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
     // A stopped process hears no SIGTERM; what is behind a launcher is ended by the launcher, which needs its time.
     options.stop = {{reproc::stop::terminate, 800ms}, {reproc::stop::kill, 2000ms}, {}};
 
+    const long long ended_before = ended_by_kernel();
     reproc::process child;
     if (const std::error_code error = child.start(arguments_of(command, output), options))
         throw BuilderUnusable(first_program(command) + "; it cannot be started: " + error.message() + ".");
@@ -147,7 +151,9 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
     }
     if (status == 0) return listener.take_table();
     const std::string complaint = listener.complaint();
-    if (listener.ran_out_of_memory()) throw BuilderOutOfMemory(memory_sentence(command));
+    if (listener.ran_out_of_memory()) throw BuilderOutOfMemory(complaint, listener.field());
+    if (status == 128 + SIGKILL && ended_by_kernel() > ended_before)
+        throw BuilderOutOfMemory("The build ran out of memory: the kernel ended it, as the machine had no more.", "");
     throw Error("The builder " + ending(status) + (complaint.empty() ? "." : ": " + complaint));
 }
 

@@ -18,8 +18,8 @@ struct BuilderCommand {
     std::vector<std::string> launcher;                     ///< e.g. {"mpirun", "-np", "4"}; empty: none
     std::filesystem::path program;                         ///< contactd-ic
     std::vector<std::string> environment{"PATH", "HOME"};  ///< variables that are passed on (passed_on)
-    std::size_t max_memory_bytes = 0;                      ///< address space of each process; 0: no limit
-    std::chrono::seconds stall{0};                         ///< longest silence; 0: no limit
+    std::size_t max_memory_bytes = 0;                      ///< of all processes on one machine; 0: the builder decides
+    std::chrono::seconds stall{0};                         ///< longest time without progress; 0: no limit
     std::chrono::seconds longest{0};                       ///< duration of a build; 0: no limit
 };
 
@@ -35,9 +35,15 @@ class BuilderUnusable : public Error {
     using Error::Error;
 };
 
+/// The builder ran out of memory, or would have. `field()` is the part of the request that asks for too much, empty
+/// when that was not known before.
 class BuilderOutOfMemory : public Error {
    public:
-    using Error::Error;
+    BuilderOutOfMemory(const std::string& sentence, std::string field) : Error(sentence), field_(std::move(field)) {}
+    const std::string& field() const noexcept { return field_; }
+
+   private:
+    std::string field_;
 };
 
 /// Writes the table of `spec` to `output` and returns when the child has ended. The child lives no longer than this

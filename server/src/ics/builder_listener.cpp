@@ -70,6 +70,7 @@ void BuilderListener::hear_line(std::string_view line) {
     if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
         complaint_ = text(*error, "message");
         out_of_memory_ = text(*error, "kind") == "out_of_memory";
+        field_ = text(*error, "field");
     }
     if (json.contains("table_bytes")) {
         const double size = number(json, "table_bytes");
@@ -89,8 +90,10 @@ void BuilderListener::hear_heartbeat(const nlohmann::json& line) {
 }
 
 void BuilderListener::hear_progress(const nlohmann::json& line) {
-    on_progress_({line["stage"].get<std::string>(), std::clamp(number(line, "fraction"), 0.0, 1.0),
-                  static_cast<int>(number(line, "iteration")), number(line, "residual")});
+    JobProgress progress{line["stage"].get<std::string>(), std::clamp(number(line, "fraction"), 0.0, 1.0),
+                         static_cast<int>(number(line, "iteration")), number(line, "residual")};
+    if (line.contains("seconds_left")) progress.seconds_left = std::max(number(line, "seconds_left"), 0.0);
+    on_progress_(progress);
 }
 
 }  // namespace contactd::server

@@ -31,6 +31,8 @@ class BuilderListener {
     /// The builder's own sentence when it gave one, else the end of what it wrote to standard error.
     std::string complaint() const;
     bool ran_out_of_memory() const { return out_of_memory_; }
+    /// The part of the request that the builder complains of; empty when it named none.
+    const std::string& field() const { return field_; }
     /// What the builder printed because it could not write it.
     BuiltTable take_table() { return awaited_ == 0 ? std::move(table_) : BuiltTable(); }
 
@@ -41,7 +43,7 @@ class BuilderListener {
 
     bool has_begun_;
     const OnProgress on_progress_;
-    std::string line_, words_, complaint_;
+    std::string line_, words_, complaint_, field_;
     bool out_of_memory_ = false;
     std::size_t awaited_ = 0;  ///< bytes of the table that are still to come
     BuiltTable table_;

@@ -1,4 +1,5 @@
 // How IcService has a table built: its turn among builds of this daemon and others, the builder, what its end means.
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -33,12 +34,34 @@ class BuildClock {
     }
     BuildClock(const BuildClock&) = delete;
     BuildClock& operator=(const BuildClock&) = delete;
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
    private:
     Counters& counters_;
     const std::filesystem::path& folder_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// What was built and how good it is, for the log.
+std::string summary(const IcEvidence& evidence) {
+    std::string text = fmt::format("{} unknowns", evidence.dofs);
+    if (!evidence.family_nu.empty()) text += fmt::format(" and fewer, {} tables", evidence.family_nu.size());
+    text += ", solver " + evidence.solver;
+    if (evidence.solver == name_of(Solver::amg_pcg)) {
+        text += ", iterations";
+        for (const LoadCaseEvidence& load_case : evidence.load_cases)
+            text += fmt::format(" {} {}", name_of(load_case.load), load_case.iterations);
+    }
+    const auto add = [&](const char* name, const std::optional<ComponentError>& error) {
+        if (error) text += fmt::format("{} {:.1e}", name, error->largest);
+    };
+    add(evidence.errors_estimated ? "; estimated errors xx" : "; errors xx", evidence.error_xx);
+    add(", yy", evidence.error_yy);
+    add(", zz", evidence.error_zz);
+    if (evidence.interpolation_error) text += fmt::format(", interpolation {:.1e}", *evidence.interpolation_error);
+    for (const std::string& warning : evidence.warnings) text += "; " + warning;
+    return text;
+}
 
 }  // namespace
 
@@ -90,7 +113,7 @@ void IcService::build(const FlightPtr& flight) {
         auto record = run_build(flight, lock);
         quarantine_.note_success(flight->key, flight->spec);
         ++counters_.builds_finished;
-        spdlog::info("{} finished", job.name);
+        spdlog::info("{} finished after {:.2f} s: {}", job.name, clock.seconds(), summary(record->evidence));
         land(flight, std::move(record), "built");
     } catch (const Cancelled&) {
         ++counters_.builds_cancelled;
@@ -99,8 +122,11 @@ void IcService::build(const FlightPtr& flight) {
     } catch (const BuilderUnusable& error) {
         fail_build(flight, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
     } catch (const BuilderOutOfMemory& error) {
-        const Status status = failure(StatusCode::resource_exhausted, proto::reason::build_out_of_memory, error.what());
-        quarantine_.note_failure(flight->key, flight->spec, status);
+        Status status = failure(StatusCode::resource_exhausted, proto::reason::build_out_of_memory, error.what());
+        if (error.field().empty())
+            quarantine_.note_failure(flight->key, flight->spec, status);
+        else  // known before anything was built, and as quickly the next time
+            status.violations.push_back({error.field(), error.what()});
         fail_build(flight, status);
     } catch (const std::exception& error) {
         const Status status = failure(StatusCode::internal, proto::reason::build_failed, error.what());

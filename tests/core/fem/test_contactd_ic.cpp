@@ -148,13 +148,59 @@ TEST_CASE("A spec that cannot be used is named", "[contactd-ic]") {
     refused(with(R"("preset")", R"("prest")"), "ics.prest");
 }
 
-TEST_CASE("An adaptive mesh is refused to several processes, by all of them", "[contactd-ic]") {
+TEST_CASE("Of several processes the first one factorises, and refines, alone", "[contactd-ic][mpi]") {
     const Folder folder;
-    std::string spec = quick;
-    folder.write("spec.json", spec.replace(spec.find(R"("preset")"), 0, R"("mesh": "adaptive", )"));
-    CHECK(folder.run(launcher(2) + program + " spec.json --output table.h5") == 2);
-    CHECK_THAT(folder.read("out.txt"), ContainsSubstring(R"("field":"ics.mesh")"));
+    const std::string begin = R"({"material": {"G": 82000, "nu": 0.28}, )"
+                              R"("grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.8}, "ics": {"source": "fem", )";
+    const auto [ics, solver] = GENERATE(std::pair(R"("accuracy": 1e-2}})", "direct"),
+                                        std::pair(R"("order": 2, "solver": "direct", "f": 2}})", "direct"),
+                                        std::pair(R"("mesh": "adaptive", "max_dofs": 6000}})", "amg_pcg"));
+    CAPTURE(ics);
+    folder.write("spec.json", begin + ics);
+    REQUIRE(folder.run(program + " spec.json --output one.h5") == 0);
+    REQUIRE(folder.run(launcher(2) + program + " spec.json --output many.h5") == 0);
+    const IcRecord one = read_ic_file(folder / "one.h5"), many = read_ic_file(folder / "many.h5");
+    CHECK(many.evidence.solver == solver);
+    CHECK(many.evidence.processes == 1);
+    CHECK(many.table.values == one.table.values);
+}
+
+TEST_CASE("Who uses more memory than allowed is ended, and says so", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", slow);
+    const std::string command = GENERATE(program, launcher(2) + program);
+    CHECK(folder.run(command + " spec.json --output table.h5 --max-memory 320000000") == 4);
+    CHECK_THAT(folder.read("out.txt"), ContainsSubstring(R"("kind":"out_of_memory")") && ContainsSubstring("it uses") &&
+                                           ContainsSubstring("320000000 (builds.max_memory_bytes)"));
     CHECK_FALSE(fs::exists(folder / "table.h5"));
+}
+
+TEST_CASE("What would take far more memory than allowed is not begun", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", slow);
+    const std::string command = GENERATE(program, launcher(2) + program);
+    CHECK(folder.run(command + " spec.json --output table.h5 --max-memory 100000000") == 4);
+    CHECK_THAT(folder.last_line(), ContainsSubstring(R"("field":"ics")") && ContainsSubstring("unknowns"));
+}
+
+TEST_CASE("A long step is reported once a second with the time that is left", "[contactd-ic]") {
+    const Folder folder;
+    const std::string command = folder.redirected(program + " - --output table.h5 --exit-with-stdin");
+    FILE* pipe = ::popen(command.c_str(), "w");
+    REQUIRE(pipe != nullptr);
+    std::fputs(R"({"material": {"G": 1, "nu": 0.28}, "grid": {"nx": 5, "ny": 5, "dx": 1, "dy": 1}, )"
+               R"("ics": {"source": "fem", "order": 3, "f": 1.2, "solver": "direct"}})"
+               "\n",
+               pipe);
+    std::fflush(pipe);
+    REQUIRE(folder.wait_for(R"("done")"));
+    CHECK(exit_code(::pclose(pipe)) == 0);
+    int reports = 0;
+    std::istringstream lines(folder.read("out.txt"));
+    for (std::string line; std::getline(lines, line);)
+        reports += line.find(R"("stage":"factorisation")") != std::string::npos &&
+                   line.find("seconds_left") != std::string::npos;
+    CHECK(reports > 4);  // two load cases of some seconds each
 }
 
 TEST_CASE("A command line that cannot be used is named", "[contactd-ic]") {

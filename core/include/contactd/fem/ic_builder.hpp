@@ -1,7 +1,9 @@
 // Influence coefficients by finite elements: the one entry of contactd::fem. Collective over MPI_COMM_WORLD.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "contactd/ic_store.hpp"
 #include "contactd/observer.hpp"
@@ -20,7 +22,9 @@ class Runtime {
 
     int rank() const { return rank_; }
     int processes() const { return processes_; }
-    /// `text` of the first process on all of them. Collective.
+    /// Process numbers of all processes of this run on this machine, the same in the same order on each. Collective.
+    std::vector<int> processes_here() const;
+    /// `text` of the first process on all of them; who waits for it sleeps. Collective.
     std::string broadcast(std::string text) const;
     /// Ends all processes at once; for a failure the others may not share.
     [[noreturn]] void abort(int exit_code) const;
@@ -37,8 +41,11 @@ std::string fem_version();
 /// with the closed form. With dx = dy the y case is the x case mirrored and not solved again. Every process gets the
 /// same record. Progress comes on the first process only, where the observer's cancelled() counts too. A Runtime must
 /// exist.
-/// Throws InvalidArgument for a spec that cannot be meshed, NotConverged when a load case misses its tolerance and
-/// Cancelled, each on all processes; errors of the libraries (std::exception) may come on one process alone.
-IcRecord build_ic_table(const IcSpec& spec, Observer& observer);
+/// Of several processes the first one builds alone, and the others sleep, where the equations are factorised or the
+/// mesh is adaptive; `evidence.processes` is 1 then. Throws InvalidArgument for a spec that cannot be meshed,
+/// OutOfMemory when the processes together would need more than `max_memory_bytes` (0: no limit) by all that is known
+/// before, NotConverged when a load case misses its tolerance and Cancelled, each on all processes; errors of the
+/// libraries (std::exception) may come on one process alone.
+IcRecord build_ic_table(const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes = 0);
 
 }  // namespace contactd::fem

@@ -1,0 +1,85 @@
+// What builds are predicted to take, against what they took, and what is done where there is too little.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include "build_size.hpp"
+#include "contactd/error.hpp"
+#include "contactd/fem/ic_builder.hpp"
+#include "fem_specs.hpp"
+
+using namespace contactd;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+struct Measured {
+    FemSpec fem;
+    long long dofs;
+    double megabytes;  ///< largest resident memory of contactd-ic
+};
+
+FemSpec mesh(Solver solver, int order, double f, double L_over_h, MeshKind kind = MeshKind::hex) {
+    FemSpec fem;
+    fem.solver = solver;
+    fem.order = order;
+    fem.f = f;
+    fem.L_over_h = L_over_h;
+    fem.mesh = kind;
+    return fem;
+}
+
+FemSpec adaptive(int order, long long max_dofs) {
+    FemSpec fem = mesh(Solver::automatic, order, 1.2, 640, MeshKind::adaptive);
+    fem.max_dofs = max_dofs;
+    return fem;
+}
+
+IcSpec spec_of(const FemSpec& fem) {
+    IcSpec spec = paper_spec("paper-test3", 64);
+    spec.dx = spec.dy = 1;
+    spec.fem = fem;
+    return spec;
+}
+
+}  // namespace
+
+TEST_CASE("Unknowns and memory are predicted from the mesh", "[fem][size]") {
+    constexpr auto direct = Solver::direct, amg = Solver::amg_pcg;
+    const Measured measured = GENERATE_COPY(
+        Measured{mesh(direct, 1, 1.2, 640), 6414, 71}, Measured{mesh(amg, 1, 1.2, 640), 6414, 64},
+        Measured{mesh(direct, 2, 1.5, 640), 24321, 243}, Measured{mesh(amg, 2, 1.5, 640), 24321, 193},
+        Measured{mesh(direct, 2, 1.2, 640), 45153, 428}, Measured{mesh(amg, 2, 1.2, 640), 45153, 319},
+        Measured{mesh(direct, 2, 1.05, 640), 131085, 1201}, Measured{mesh(amg, 2, 1.05, 640), 131085, 943},
+        Measured{mesh(direct, 3, 1.2, 640), 145884, 2020}, Measured{mesh(amg, 3, 1.2, 640), 145884, 1803},
+        Measured{mesh(direct, 4, 1.5, 640), 181407, 3366}, Measured{mesh(amg, 4, 1.5, 640), 181407, 3861},
+        Measured{mesh(direct, 4, 1.3, 640), 250035, 4805}, Measured{adaptive(2, 20000), 20000, 181},
+        Measured{adaptive(2, 60000), 60000, 419}, Measured{adaptive(4, 40000), 40000, 852});
+    CAPTURE(measured.dofs, measured.megabytes, name_of(measured.fem.solver));
+    const fem::BuildSize size = fem::predicted_size(spec_of(measured.fem), 1);
+    CHECK(size.dofs / 3 == measured.dofs / 3);
+    CHECK(size.bytes > measured.megabytes * 1048576 / 1.5);
+    CHECK(size.bytes < measured.megabytes * 1048576 * 1.5);
+}
+
+TEST_CASE("A build that needs far more memory than it may use is refused before it begins", "[fem][size]") {
+    const auto refusal = [](const IcSpec& spec, std::uint64_t limit) -> std::pair<std::string, std::string> {
+        Observer observer;
+        try {
+            fem::build_ic_table(spec, observer, limit);
+        } catch (const OutOfMemory& error) {
+            return {error.field(), error.what()};
+        }
+        return {};
+    };
+    const auto [field, sentence] = refusal(spec_of(mesh(Solver::automatic, 6, 1.01, 640)), 20'000'000'000);
+    CHECK(field == "ics");
+    CHECK_THAT(sentence, ContainsSubstring("10712397 unknowns") && ContainsSubstring("builds.max_memory_bytes") &&
+                             ContainsSubstring("order 3 would fit"));
+    CHECK(refusal(spec_of(adaptive(4, 1'000'000)), 1'000'000'000).first == "ics.max_dofs");
+
+    IcSpec family = spec_of(mesh(Solver::automatic, 2, 2, 1200));
+    family.any_nu = true;
+    family.nx = family.ny = 1000;
+    CHECK(refusal(family, 1'000'000'000).first == "grid");
+}
