@@ -231,6 +231,13 @@ def test_quick_models_need_curvatures(shared):
         shared.solve(CATTANEO.replace(model="hertz", gap=np.zeros((40, 40))))
 
 
+def test_fastsim_refuses_an_ellipse_beyond_kalkers_table(shared):
+    slender = ROLLING.replace(gap=SemiAxes(0.1, 10), grid=Grid.centred(25, 25, 0.25, 25), model="fastsim")
+    with pytest.raises(InvalidArgument, match="gap has a contact ellipse.* 0.1 mm along.* 10 mm.* 1/32 to 32.*full"):
+        shared.solve(slender)
+    assert shared.solve(slender.replace(model="hertz")).converged
+
+
 def test_many_problems_are_answered_in_their_order(shared):
     approaches = [0.005, 0.02, 0.01, 0.015]
     together = shared.solve_many(FRICTIONLESS.replace(approach=approach) for approach in approaches)

@@ -15,9 +15,10 @@ struct KalkerCoefficients {
 
 /// Interpolated in log(a/b) and nu in a table that bench/kalker_coefficients.py computed. For a/b from 1/10 to 10 and
 /// nu from 0 to 0.5 the error of the table is about 3e-4, of C23 at a/b < 0.3 about 2e-3 (5e-3 at 1/32), as estimated
-/// from its convergence; interpolation adds less than 1e-4. Beyond 1/32 and 32 the last powers of a/b are continued,
-/// which Kalker's asymptotes follow up to logarithms. `a_over_b` is positive, a the semi-axis along the rolling
-/// direction; 0 <= nu <= 0.5.
+/// from its convergence; interpolation adds less than 1e-4. a is the semi-axis along the rolling direction;
+/// 0 <= nu <= 0.5. Throws InvalidArgument ("a_over_b") outside the table, which reaches from 1/32 to 32.
 KalkerCoefficients kalker_coefficients(double a_over_b, double nu);
+
+bool has_kalker_coefficients(double a_over_b);
 
 }  // namespace contactd

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contactd/fastsim.hpp"
 
@@ -10,6 +11,10 @@ namespace contactd {
 
 struct FastsimCreepages {
     double xi, eta, phi;  // in the rolling frame
+};
+
+struct TractionAt {
+    double x, px, py;
 };
 
 // One slice y = constant of the contact area, followed from its leading edge backwards.
@@ -35,38 +40,38 @@ class FastsimSlice {
     bool slips() const { return slips_; }
     double slope_x() const { return slope_x_; }                          // rigid slip over L1
     double slope_y(double x) const { return slope_y_ + slope_yx_ * x; }  // and over L2
+    double slope_yx() const { return slope_yx_; }
     // What took the trial traction beyond the bound, per length: the slip is -L times this.
     double excess_x() const { return excess_x_; }
     double excess_y() const { return excess_y_; }
-    // Where in the last step slip began, as a share of the step, and how far the traction was then from the straight
-    // line between the ends of the step. Zero and none unless adhesion turned into slip.
+    double bound_at(double x) const { return bound_ * std::max(0.0, rest_ - x * x * curvature_); }
+    // Where in the last step slip began: at its beginning, its end (only adhesion), or between.
     double slip_start() const { return slip_start_; }
-    double corner_x() const { return corner_x_; }
-    double corner_y() const { return corner_y_; }
+
+    TractionAt here() const { return {x_, px_, py_}; }
 
     void step_to(double x) {
-        const double h = x_ - x;
-        const double old_x = px_, old_y = py_, old_room = room_;
+        const double h = x_ - x, old_room = room_;
         const bool adhered = !slips_;
-        px_ -= h * slope_x_;
-        py_ -= h * slope_y(0.5 * (x_ + x));  // exact: the slope is linear in x
-        x_ = x;
-        const double g = bound_ * std::max(0.0, rest_ - x * x * curvature_);
-        const double trial = std::sqrt(px_ * px_ + py_ * py_);
-        slips_ = trial > g;
-        room_ = slips_ ? 0 : g - trial;
-        excess_x_ = excess_y_ = corner_x_ = corner_y_ = 0;
-        slip_start_ = slips_ ? 0 : 1;
+        const TractionAt trial = adhering({x_, px_, py_}, x);
+        const double g = bound_at(x), size = std::sqrt(trial.px * trial.px + trial.py * trial.py);
+        slip_start_ = x_;
+        std::tie(x_, px_, py_) = std::tie(trial.x, trial.px, trial.py);
+        slips_ = size > g;
+        room_ = slips_ ? 0 : g - size;
+        excess_x_ = excess_y_ = 0;
+        if (!slips_) slip_start_ = x;
         if (!slips_) return;
-        if (adhered) slip_start_ = old_room / (old_room + trial - g);
-        const double f = slip_start_, at_x = old_x + f * (px_ - old_x), at_y = old_y + f * (py_ - old_y);
-        const double trial_x = px_, trial_y = py_;
-        return_to_bound(g, trial);
-        excess_x_ = (trial_x - px_) / h;
-        excess_y_ = (trial_y - py_) / h;
-        if (!adhered) return;
-        corner_x_ = at_x - (old_x + f * (px_ - old_x));
-        corner_y_ = at_y - (old_y + f * (py_ - old_y));
+        if (adhered) slip_start_ -= h * old_room / (old_room + size - g);
+        return_to_bound(g, size);
+        excess_x_ = (trial.px - px_) / h;
+        excess_y_ = (trial.py - py_) / h;
+    }
+
+    // The traction at x if all adheres from there on: exact, since its slope is linear in x.
+    TractionAt adhering(const TractionAt& from, double x) const {
+        const double h = from.x - x;
+        return {x, from.px - h * slope_x_, from.py - h * slope_y(0.5 * (from.x + x))};
     }
 
    private:
@@ -88,7 +93,7 @@ class FastsimSlice {
 
     double rest_, half_chord_, bound_, curvature_, slope_x_, slope_y_, slope_yx_, stiff_x_, stiff_y_;
     double x_, px_ = 0, py_ = 0, room_ = 0, excess_x_ = 0, excess_y_ = 0;
-    double slip_start_ = 1, corner_x_ = 0, corner_y_ = 0;
+    double slip_start_ = 0;
     bool slips_ = false;
 };
 

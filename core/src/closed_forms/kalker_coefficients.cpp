@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "../../types/number_text.hpp"
+#include "contactd/error.hpp"
 #include "kalker_table.hpp"
 
 namespace contactd {
@@ -40,21 +42,23 @@ Logs logs_at(int row, double nu) {
 
 }  // namespace
 
+// Ratios that are off the ends of the table by rounding belong to it.
+bool has_kalker_coefficients(double a_over_b) {
+    constexpr double last = 0.5 * (rows - 1) * kalker_log2_step, rounding = 1e-9;
+    return a_over_b > 0 && std::abs(std::log2(a_over_b)) <= last + rounding;
+}
+
 KalkerCoefficients kalker_coefficients(double a_over_b, double nu) {
+    if (!has_kalker_coefficients(a_over_b))
+        throw InvalidArgument("a_over_b", "is " + number_text(a_over_b) + "; it must lie in [1/32, 32]");
     nu = std::clamp(nu, 0.0, 0.5);
     const double position = std::log2(a_over_b) / kalker_log2_step + 0.5 * (rows - 1);
-    const double inside = std::clamp(position, 0.0, rows - 1.0);
-    const int first = std::clamp(static_cast<int>(inside) - 2, 0, rows - 6);
-    const auto weights = lagrange<6>(inside - first);
+    const int first = std::clamp(static_cast<int>(position) - 2, 0, rows - 6);
+    const auto weights = lagrange<6>(position - first);
     Logs value{};
     for (int i = 0; i < 6; ++i) {
         const Logs node = logs_at(first + i, nu);
         for (int c = 0; c < 4; ++c) value[c] += weights[i] * node[c];
-    }
-    if (position != inside) {  // the power of a/b between the last two rows
-        const int last = position < 0 ? 0 : rows - 2;
-        const Logs low = logs_at(last, nu), high = logs_at(last + 1, nu);
-        for (int c = 0; c < 4; ++c) value[c] += (high[c] - low[c]) * (position - inside);
     }
     return {std::exp(value[0]), std::exp(value[1]), std::exp(value[2]), std::exp(value[3])};
 }
