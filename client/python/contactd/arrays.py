@@ -11,7 +11,7 @@ import numpy as np
 
 from .errors import InvalidArgument, ProtocolError, Violation
 
-__all__ = ["Frames", "decode", "encode", "invalid", "plain"]
+__all__ = ["Frames", "array_of", "decode", "encode", "invalid", "plain", "whole"]
 
 # What may come back: double precision and bytes. Both are little-endian on every machine.
 _DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
@@ -25,6 +25,21 @@ def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidA
 def plain(value: Any) -> dict[str, Any]:
     """The fields of a dataclass that are not None, as the wire names them."""
     return {f.name: item for f in fields(value) if (item := getattr(value, f.name)) is not None}
+
+
+def array_of(value: Any) -> np.ndarray[Any, Any]:
+    """`value` as an array that still has its mask, should it have one, for `encode` to refuse."""
+    if isinstance(value, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in value):
+        return np.ma.array(value)
+    return np.asanyarray(value)
+
+
+def whole(array: np.ndarray[Any, Any], field: str) -> np.ndarray[Any, Any]:
+    """`array`; raises InvalidArgument where elements are masked, since contact has no word for what is not there."""
+    if np.ma.is_masked(array):
+        problem = f"has {np.ma.count_masked(array)} masked values; every value must be there, as in array.filled(...)"
+        raise invalid(field, problem, "ARRAY_INVALID")
+    return array
 
 
 class Frames(list[bytes]):
@@ -64,6 +79,7 @@ def encode(value: Any, field: str, frames: Frames) -> Any:
 
 
 def _encode_array(array: np.ndarray[Any, Any], field: str, frames: Frames) -> Any:
+    array = np.asarray(whole(array, field))
     return {"$array": {"frame": frames.number_of(array, field), "dtype": "<f8", "shape": list(array.shape)}}
 
 

@@ -20,9 +20,13 @@ _ORDER = 312  # of the columns: z (normal), x, y
 _COLUMNS = [(i, j) for i in (2, 0, 1) for j in (2, 0, 1)]
 _ROW = 2 + len(_COLUMNS)
 _MARK = "times G = "
+#: What our own comments say of the block that follows.
+_OFFSET = re.compile(r"offset iy = (\S+), y = (\S+);")
 #: Parities of A[i,j] along x and y: -1 where exactly one of i and j is that axis.
 _PARITY = [tuple(-1 if (i == axis) != (j == axis) else 1 for axis in (0, 1)) for i, j in _COLUMNS]
 _MOST_OFFSETS = 4_000_000
+#: Largest relative difference of coordinates and the header's element sizes that counts as rounding.
+_SIZE_TOLERANCE = 1e-6
 
 
 def format_text(array: Array, dx: float, dy: float, G: float) -> str:
@@ -57,15 +61,27 @@ def _words(line: str) -> list[str]:
     return line.split("%", 1)[0].replace(",", " ").split()
 
 
-def _number(word: str) -> float | None:
-    """The finite number that `word` is, as Python or Fortran writes it."""
+def _plain(word: str) -> str:
+    """As Python writes it."""
     text = word.lower().replace("d", "e")
     if "e" not in text:  # Fortran leaves it out before an exponent of three digits
         text = re.sub(r"(?<=[0-9.])(?=[+-])", "e", text, count=1)
+    return text
+
+
+def _number(word: str) -> float | None:
+    """The finite number that `word` is, as Python or Fortran writes it."""
+    text = _plain(word)
     if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", text, re.ASCII):
         return None
     value = float(text)
     return value if math.isfinite(value) else None
+
+
+def _off_by(word: str, exact: float) -> float:
+    """What rounding may leave between `word` and `exact`: half its last digit, and the digits of the element size."""
+    digits, _, exponent = _plain(word).partition("e")
+    return 0.5000001 * 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2])) + _SIZE_TOLERANCE * abs(exact)
 
 
 def _shown(words: Sequence[str], n: int) -> str:
@@ -79,6 +95,7 @@ class _Reader:
             self._lines.pop()
         self._at = 0
         self._modulus = G
+        self._told: float | None = None
 
     def read(self, tolerance: float) -> tuple[Array, float, float, float]:
         self._read_kind()
@@ -86,10 +103,10 @@ class _Reader:
         self._read_constants("symmetry (1 0)", (1, 0))
         nx, ny, dx, dy = self._read_extent()
         rows = np.empty((2 * ny - 1, nx, len(_COLUMNS)))
-        for block in range(2 * ny - 1):
-            self._skip_comment()
-            self._skip_comment()
-            rows[block] = self._read_block(nx, block - ny + 1, dx)
+        for block, iy in enumerate(range(1 - ny, ny)):
+            self._skip_comment(iy, dy)
+            self._skip_comment(iy, dy)
+            rows[block] = self._read_block(nx, iy, dx)
         self._expect_end()
         if self._modulus is None:
             raise TableFileError("G is missing; the text does not tell by which modulus its values are multiplied")
@@ -159,16 +176,34 @@ class _Reader:
             _fail(self._at, f"announces {nx} x {ny} offsets, for which {needed} lines must follow; there are {there}")
         return nx, ny, sizes[0], sizes[1]
 
-    def _skip_comment(self) -> None:
+    def _skip_comment(self, iy: int, dy: float) -> None:
         line = self._next("a comment")
         if len(_words(line)) >= _ROW:
             _fail(self._at, "holds numbers; it must be one of the two comment lines before each y offset")
         _, mark, rest = line.partition(_MARK)
-        if self._modulus is None and mark:
-            words = _words(rest)
-            self._modulus = _number(words[0]) if words else None
-            if self._modulus is None or self._modulus <= 0:
-                _fail(self._at, 'does not tell the modulus behind "times G ="')
+        if mark:
+            self._take_modulus(_words(rest))
+        if own := _OFFSET.search(line):
+            self._check_offset(own.groups(), iy, dy)
+
+    def _take_modulus(self, words: Sequence[str]) -> None:
+        """The modulus of our own comments: the same one in each, which that of the caller wins over."""
+        told = _number(words[0]) if words else None
+        if told is None or told <= 0:
+            _fail(self._at, 'does not tell the modulus behind "times G ="')
+        if self._told not in (None, told):
+            _fail(self._at, f"tells the modulus {told:.17g}; the comments before tell {self._told:.17g}")
+        self._told = told
+        if self._modulus is None:
+            self._modulus = told
+
+    def _check_offset(self, said: Sequence[str], iy: int, dy: float) -> None:
+        """A header that was changed contradicts the comments that were not."""
+        offset, y = _number(said[0]), _number(said[1])
+        if offset != iy:
+            _fail(self._at, f"announces the y offset {said[0]:.30}; by the extent in the header it must be {iy}")
+        if y is None or abs(y - iy * dy) > _SIZE_TOLERANCE * abs(iy) * dy:
+            _fail(self._at, f"has y {said[1]:.30}; by the element size in the header it must be {iy * dy:.9g}")
 
     def _read_block(self, nx: int, iy: int, dx: float) -> Array:
         lines = self._lines[self._at : self._at + nx]
@@ -185,8 +220,9 @@ class _Reader:
                 self._at + int(wrong) + 1,
                 f"has ix {block[wrong, 0]:g}; it must be that of the offset {(int(wrong), iy)}",
             )
-        for wrong in np.flatnonzero(np.abs(block[:, 1] - k * dx) > 0.5 * dx)[:1]:  # files with few digits round x
-            _fail(self._at + int(wrong) + 1, f"has x {block[wrong, 1]:g}; it must be ix dx, {wrong * dx:g}")
+        for at in np.flatnonzero(np.abs(block[:, 1] - k * dx) > _SIZE_TOLERANCE * k * dx).tolist():
+            if abs(block[at, 1] - at * dx) > _off_by(_words(lines[at])[1], at * dx):
+                _fail(self._at + at + 1, f"has x {block[at, 1]:g}; it must be ix dx, {at * dx:g}")
         self._at += nx
         rows: Array = block[:, 2:]
         return rows

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import io
 import json
+import math
 import os
 from dataclasses import asdict
 from pathlib import Path
@@ -22,7 +23,7 @@ from .errors import ProtocolError, TableFileError
 from .problem import table_params
 from .reading import read
 from .solution import IcEvidence, IcSpec, IcTable
-from .table_ics import TableIcs
+from .table_ics import TableIcs, check_finite
 
 __all__ = ["load_table", "save_table"]
 
@@ -59,7 +60,9 @@ def load_table(path: PathLike, *, G: float | None = None) -> IcTable | TableIcs:
         return _read_npz(path)
     from .hdf5 import read_hdf5
 
-    return read_hdf5(path)
+    table = read_hdf5(path)
+    _check(table.array, table.spec, os.fspath(path))
+    return table
 
 
 def _suffix(path: PathLike) -> str:
@@ -102,9 +105,14 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     if "pair" in members:
         pair = _json(members, "pair", name)
         try:
-            return TableIcs(array, float(pair["dx"]), float(pair["dy"]), pair.get("G"))
+            dx, dy, G = float(pair["dx"]), float(pair["dy"]), pair.get("G")
+            G = None if G is None else float(G)
         except (KeyError, TypeError, ValueError, AttributeError):
-            raise TableFileError(f'{name}: "pair" must hold dx and dy') from None
+            raise TableFileError(f'{name}: "pair" must hold dx and dy, and G or null') from None
+        try:
+            return TableIcs(array, dx, dy, G)
+        except ValueError as error:
+            raise TableFileError(f"{name}: {error}") from None
     try:
         spec = read(IcSpec, _json(members, "spec", name), "spec")
         evidence = read(IcEvidence, _json(members, "evidence", name), "evidence")
@@ -112,7 +120,22 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
         raise TableFileError(f"{name}: {str(error).replace('answer', 'file')}") from None
     if array.shape[2:] != spec.grid.shape:
         raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid says {list(spec.grid.shape)}")
+    _check(array, spec, name)
     return IcTable(str(members.get("key", "")), "file", spec, array, evidence)
+
+
+def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:
+    """Raises TableFileError where a file holds numbers that no table has."""
+    sizes = {"dx": spec.grid.dx, "dy": spec.grid.dy, "G": spec.material.G}
+    for field, size in sizes.items():
+        if not (math.isfinite(size) and size > 0):
+            raise TableFileError(f"{name}: spec has {field} = {size}; it must be positive and finite")
+    if not 0 <= spec.material.nu <= 0.5:
+        raise TableFileError(f"{name}: spec has nu = {spec.material.nu}; it must lie in [0, 0.5]")
+    try:
+        check_finite(array)
+    except ValueError as error:
+        raise TableFileError(f"{name}: {error}") from None
 
 
 def _json(members: dict[str, Any], member: str, name: str) -> Any:

@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import plain
+from .arrays import array_of, plain
 
 __all__ = ["Force", "Friction", "KineticFriction", "Motion", "Rolling", "RollingKind", "Shift", "SlipLaw"]
 
@@ -127,14 +127,19 @@ class Friction:
 
     def params(self) -> dict[str, Any]:
         """`friction` of contact.solve."""
-        coefficient = np.asarray(self.mu)
         given = _motion(plain(self))
-        given["mu"] = coefficient if coefficient.ndim else coefficient.item()
+        given["mu"] = coefficient_param(self.mu)
         if self.kinetic is not None:
             given["kinetic"] = plain(self.kinetic)
         if self.rolling is not None:
             given["rolling"] = _motion(plain(self.rolling))
         return given
+
+
+def coefficient_param(mu: float | npt.ArrayLike) -> Any:
+    """`friction.mu` of contact.solve."""
+    coefficient = array_of(mu)
+    return coefficient if coefficient.ndim or np.ma.is_masked(coefficient) else coefficient.item()
 
 
 def _motion(given: dict[str, Any]) -> dict[str, Any]:

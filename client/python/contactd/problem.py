@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import invalid, plain
+from .arrays import array_of, invalid, plain
 from .friction import Friction
 from .table_ics import TableIcs
 
@@ -431,7 +431,7 @@ def gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
         return {"paraboloid": plain(gap)}
     if isinstance(gap, SemiAxes):
         return {"semi_axes": plain(gap)}
-    return {"array": np.asarray(gap)}
+    return {"array": array_of(gap)}
 
 
 def _influence_params(problem: ContactProblem) -> dict[str, Any]:
@@ -450,4 +450,4 @@ def _influence_params(problem: ContactProblem) -> dict[str, Any]:
 def traction_params(tractions: Estimate | ContactSolution) -> dict[str, Any]:
     """The arrays of `previous`, `initial` and contact.subsurface that are there."""
     arrays = {name: getattr(tractions, name) for name in ("pressure", "traction_x", "traction_y")}
-    return {name: np.asarray(array) for name, array in arrays.items() if array is not None}
+    return {name: array_of(array) for name, array in arrays.items() if array is not None}

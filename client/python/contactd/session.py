@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolError, TimeoutExpired
-from .friction import Force, Friction, Motion, RollingKind
+from .friction import Force, Friction, Motion, RollingKind, coefficient_param
 from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, check_type, gap_params, problem_params
 from .reading import read
 from .showing import Rows, Shown
@@ -371,8 +371,7 @@ class Session(Shown):
     ) -> dict[str, Any]:
         changes = friction.params() if friction is not None else {}
         if mu is not None:
-            coefficient = np.asarray(mu)
-            changes["mu"] = coefficient if coefficient.ndim else coefficient.item()
+            changes["mu"] = coefficient_param(mu)
         shift = {name: value for name, value in shift.items() if value is not None}
         rolling = {name: value for name, value in rolling.items() if value is not None}
         rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)

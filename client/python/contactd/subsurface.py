@@ -8,10 +8,11 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import invalid, plain
-from .problem import Array, ContactProblem, Estimate, RigidBody, check_type, traction_params
+from .arrays import array_of, invalid, plain
+from .problem import Array, ContactProblem, Estimate, RigidBody, check_type, ics_params, traction_params
 from .showing import Rows, Shown
 from .solution import ContactSolution
+from .table_ics import TableIcs
 
 __all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
 
@@ -105,20 +106,35 @@ def subsurface_params(
     tractions = traction_params(solution)
     if "pressure" not in tractions:
         raise invalid("pressure", "is missing; it must be that of a solution")
-    params = {"grid": plain(problem.grid), "nu": _nu(problem, body) if nu is None else nu, "body": body, **tractions}
+    params = {"grid": plain(problem.grid), **_ics(problem), "body": body, **tractions}
+    params["nu"] = _nu(problem, body) if nu is None else nu
     if (points is None) == (block is None):
         raise TypeError("subsurface() takes either points or block")
     if block is not None:
         check_type("block", block, StressBlock)
-        axes = {name: np.atleast_1d(np.asarray(getattr(block, name))) for name in "xyz"}
+        axes = {name: np.atleast_1d(array_of(getattr(block, name))) for name in "xyz"}
         for name, values in axes.items():
             if values.ndim != 1:
                 raise invalid(f"block.{name}", f"has shape {list(values.shape)}; it must be one axis", "ARRAY_INVALID")
         return {**params, "block": axes}, block.shape
-    array = np.asarray(points)
+    array = array_of(points)
     if array.ndim != 2 or array.shape[1] != 3:
         raise invalid("points", f"has shape {list(array.shape)}; it must be [n, 3]", "ARRAY_INVALID")
     return {**params, "points": array}, array.shape[:1]
+
+
+def _ics(problem: ContactProblem) -> dict[str, Any]:
+    """What tells the daemon of bodies that are no half-spaces."""
+    if problem.model not in (None, "full"):
+        return {}  # of half-spaces by their theory
+    if isinstance(problem.ics, TableIcs):
+        raise invalid(
+            "ics",
+            "is a table of one's own, which may be of any body; the closed form of the stresses is that of the "
+            "half-space. If it is one, ask with problem.replace(ics=AnalyticIcs(), upper=..., lower=...)",
+        )
+    params = ics_params(problem.ics)
+    return {} if params == {"source": "analytic"} else {"ics": params}
 
 
 def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
@@ -127,6 +143,5 @@ def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
     material = problem.upper if body == "upper" or problem.lower is None else problem.lower
     if isinstance(material, RigidBody):
         raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
-    if material is None:
-        raise invalid("nu", "is missing; it must be Poisson's ratio of the body, as the problem does not tell")
+    assert material is not None  # only with a table, which is refused
     return material.nu

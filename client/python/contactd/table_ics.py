@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .arrays import array_of, whole
 from .contact_text import format_text, parse_text
 from .errors import TableFileError
 from .showing import Rows, Shown
@@ -17,7 +19,7 @@ if TYPE_CHECKING:
     from .problem import Array, Material
     from .solution import IcTable
 
-__all__ = ["TableIcs", "combined_modulus"]
+__all__ = ["TableIcs", "check_finite", "combined_modulus"]
 
 _AXES = "xyz"
 #: Largest relative difference of element sizes that counts as rounding.
@@ -29,6 +31,13 @@ def combined_modulus(upper: Material, lower: Material | None = None) -> float:
     if lower is None or lower.G == upper.G:
         return upper.G
     return 2 / (1 / upper.G + 1 / lower.G)
+
+
+def check_finite(array: Array) -> None:
+    """Raises ValueError naming the first coefficient that is no finite number."""
+    for i, j, l, k in np.argwhere(~np.isfinite(array))[:1].tolist():
+        value, name = array[i, j, l, k], _AXES[i] + _AXES[j]
+        raise ValueError(f"array holds {value} for {name} at the offset ({k}, {l}); every coefficient must be finite")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,9 +65,13 @@ class TableIcs(Shown):
     G: float | None = None
 
     def __post_init__(self) -> None:
-        array = np.asarray(self.array, dtype=np.float64)
+        array = np.asarray(whole(array_of(self.array), "array"), dtype=np.float64)
         if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
             raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
+        for name, size in (("dx", self.dx), ("dy", self.dy), ("G", 1.0 if self.G is None else self.G)):
+            if not (math.isfinite(size) and size > 0):
+                raise ValueError(f"{name} is {size}; it must be positive and finite")
+        check_finite(array)
         object.__setattr__(self, "array", array)
 
     def _title(self) -> str:
@@ -116,7 +129,7 @@ class TableIcs(Shown):
         return cls(array, dx, dy, modulus)
 
     def to_contact_text(self, G: float | None = None) -> str:
-        """That text, with enough digits to read the same numbers back. `G` as in from_contact_text."""
+        """That text, in 17 digits: what is read back differs by the rounding of the product with G. `G` as there."""
         modulus = self.G if G is None else G
         if modulus is None:
             raise ValueError("G is None; CONTACT's text holds coefficients times the combined modulus of the bodies")

@@ -26,7 +26,8 @@ double combined_modulus(const BodyPair& bodies);
 ///     1 0                  offsets -ix follow from ix by symmetry, offsets -iy are listed
 ///     mx my dx dy          extent and element sizes
 /// and for each y offset -my+1..my-1 two comment lines and mx lines `ix x Czz Czx Czy Cxz Cxx Cxy Cyz Cyx Cyy`, Cij = G
-/// times displacement i for load j, in 17 significant digits. Signs are as in pair_of, which are CONTACT's.
+/// times displacement i for load j, in 17 significant digits (read back and divided by G it is the coefficient to
+/// rounding). Signs are as in pair_of, which are CONTACT's.
 std::string to_contact_text(const GivenIcs& ics, double G);
 
 /// About how long to_contact_text will be (bytes), before anything of its size is made.
@@ -36,6 +37,7 @@ double contact_text_size(int nx, int ny);
 /// first line may consist of words; numbers may have Fortran's D exponents. `G` is needed unless the comments tell it,
 /// as ours do. Both signs of the y offset are listed but only the part that has the symmetry of IcTable is kept: what
 /// else the text holds must be below `tolerance` times the largest of xx, yy and zz at the origin.
+/// The header must agree with the coordinates of the rows (to half their last digit) and with our own comments.
 /// Throws InvalidArgument whose field is the line, e.g. "line 12".
 GivenIcs from_contact_text(std::string_view text, std::optional<double> G, double tolerance = 1e-6);
 

@@ -24,7 +24,9 @@ inline constexpr std::array<Column, 9> columns{{{Axis::z, Axis::z},
                                                 {Axis::y, Axis::x},
                                                 {Axis::y, Axis::y}}};
 
-/// Stands before the modulus in the comments of our own texts.
+/// Stand before the y offset, its y and the modulus in the comments of our own texts.
+inline constexpr const char* offset_mark = "offset iy = ";
+inline constexpr const char* y_mark = ", y = ";
 inline constexpr const char* modulus_mark = "times G = ";
 
 }  // namespace contactd::contact_text

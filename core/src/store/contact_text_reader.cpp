@@ -69,6 +69,17 @@ std::optional<double> number_in(std::string_view word) {
     return value;
 }
 
+/// What rounding may leave between `word` and `exact`: half its last digit, and the digits of the element size.
+double off_by(std::string_view word, double exact) {
+    const double relative = element_size_tolerance * std::abs(exact);
+    if (std::abs(number_in(word).value_or(0) - exact) <= relative) return relative;
+    const std::size_t end = std::min(word.find_first_of("eEdD"), word.size());
+    const std::size_t point = std::min(word.find('.'), end);
+    const double decimals = point < end ? static_cast<double>(end - point - 1) : 0;
+    const double exponent = end < word.size() ? number_in(word.substr(end + 1)).value_or(0) : 0;
+    return 0.5000001 * std::pow(10, exponent - decimals) + relative;
+}
+
 class Reader {
    public:
     Reader(std::string_view text, std::optional<double> G, double tolerance)
@@ -166,21 +177,50 @@ class Reader {
         return (2 * static_cast<std::size_t>(table.ny) - 1) * static_cast<std::size_t>(table.nx);
     }
 
-    void skip_comment() {
+    void skip_comment(int l, double dy) {
         const std::string_view line = next("a comment");
         if (words_of(line).size() >= numbers_per_row)
             fail(line_number(), "holds numbers; it must be one of the two comment lines before each y offset");
-        const std::string_view mark = contact_text::modulus_mark;
+        if (const auto modulus = number_behind(line, contact_text::modulus_mark)) take_modulus(*modulus);
+        const auto offset = number_behind(line, contact_text::offset_mark),
+                   y = number_behind(line, contact_text::y_mark);
+        if (offset && y) check_offset(*offset, *y, l, dy);
+    }
+
+    static constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+    /// In one of our own comments: nothing where `mark` does not stand, not a number where no number follows it.
+    static std::optional<double> number_behind(std::string_view line, std::string_view mark) {
         const std::size_t found = line.find(mark);
-        if (modulus_ || found == std::string_view::npos) return;
-        const Words words = words_of(line.substr(found + mark.size()));
-        modulus_ = words.empty() ? std::nullopt : number_in(words[0]);
-        if (!modulus_ || *modulus_ <= 0) fail(line_number(), "does not tell the modulus behind \"times G =\"");
+        if (found == std::string_view::npos) return std::nullopt;
+        line.remove_prefix(found + mark.size());
+        const Words words = words_of(line.substr(0, line.find(';')));
+        return words.empty() ? no_number : number_in(words[0]).value_or(no_number);
+    }
+
+    /// The same in every comment; that of the caller wins over it.
+    void take_modulus(double told) {
+        if (!(told > 0)) fail(line_number(), "does not tell the modulus behind \"times G =\"");
+        if (told_ && told != *told_)
+            fail(line_number(),
+                 "tells the modulus " + number_text(told) + "; the comments before tell " + number_text(*told_));
+        told_ = told;
+        if (!modulus_) modulus_ = told;
+    }
+
+    /// A header that was changed contradicts the comments that were not.
+    void check_offset(double offset, double y, int l, double dy) const {
+        if (offset != l)
+            fail(line_number(), "announces the y offset " + number_text(offset) +
+                                    "; by the extent in the header it must be " + std::to_string(l));
+        if (!(std::abs(y - l * dy) <= element_size_tolerance * std::abs(l) * dy))
+            fail(line_number(),
+                 "has y " + number_text(y) + "; by the element size in the header it must be " + number_text(l * dy));
     }
 
     void read_block(const GivenIcs& ics, int l) {
-        skip_comment();
-        skip_comment();
+        skip_comment(l, ics.dy);
+        skip_comment(l, ics.dy);
         for (int k = 0; k < ics.table.nx; ++k) rows_[row_of(ics.table, k, l)] = read_row(ics, k, l);
     }
 
@@ -204,7 +244,7 @@ class Reader {
         }
         if (numbers[0] != k)
             fail(line_number(), "has ix " + number_text(numbers[0]) + "; it must be that of " + offset);
-        if (std::abs(numbers[1] - k * ics.dx) > 0.5 * ics.dx)  // files with few digits round x
+        if (std::abs(numbers[1] - k * ics.dx) > off_by(words[1], k * ics.dx))
             fail(line_number(), "has x " + number_text(numbers[1]) + "; it must be ix dx, " + number_text(k * ics.dx));
         Row row{line_number(), {}};
         std::copy(numbers.begin() + 2, numbers.end(), row.values.begin());
@@ -256,7 +296,7 @@ class Reader {
 
     const std::vector<std::string_view> lines_;
     std::size_t at_ = 0;
-    std::optional<double> modulus_;
+    std::optional<double> modulus_, told_;
     const double tolerance_;
     std::vector<Row> rows_;
 };

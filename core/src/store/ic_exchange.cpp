@@ -36,8 +36,8 @@ std::string to_contact_text(const GivenIcs& ics, double G) {
     append(text, "%d %d\n%d %d\n%d %d\n", 1, 1, 0, contact_text::order_zxy, 1, 0);
     append(text, "%d %d %.17g %.17g\n", table.nx, table.ny, ics.dx, ics.dy);
     for (int l = 1 - table.ny; l < table.ny; ++l) {
-        append(text, "%% offset iy = %d, y = %.9g; sums over both bodies, %s%.17g\n", l, l * ics.dy,
-               contact_text::modulus_mark, G);
+        append(text, "%% %s%d%s%.9g; sums over both bodies, %s%.17g\n", contact_text::offset_mark, l,
+               contact_text::y_mark, l * ics.dy, contact_text::modulus_mark, G);
         text += "%  ix                       x";
         for (const auto& [i, j] : contact_text::columns)
             append(text, "%22s%c%c", "C", name_of(i).front(), name_of(j).front());

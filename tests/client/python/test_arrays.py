@@ -5,10 +5,38 @@ import math
 import numpy as np
 import pytest
 
-from contactd import InvalidArgument, ProtocolError
-from contactd.arrays import Frames, decode, encode
+from contactd import ContactProblem, Estimate, Friction, Grid, InvalidArgument, Material, ProtocolError
+from contactd.arrays import Frames, array_of, decode, encode
+from contactd.problem import problem_params
 
 VALUES = np.arange(6.0).reshape(2, 3)
+
+
+def masked():
+    return np.ma.masked_less(VALUES, 1)
+
+
+@pytest.mark.parametrize(
+    ("field", "changes"),
+    [
+        ("gap.array", {"gap": masked()}),
+        ("gap.array", {"gap": [masked()[0], masked()[1]]}),
+        ("friction.mu", {"friction": Friction(masked(), (0, 0))}),
+        ("friction.mu", {"friction": Friction(np.ma.masked, (0, 0))}),
+        ("previous.traction_x", {"previous": Estimate(VALUES, masked())}),
+        ("initial.pressure", {"initial": Estimate(masked())}),
+    ],
+)
+def test_a_masked_array_is_refused_by_name_instead_of_losing_its_mask(field, changes):
+    problem = ContactProblem(Grid(3, 2, 1, 1), Material(1, 0.3), VALUES, 0.1).replace(**changes)
+    with pytest.raises(InvalidArgument, match=rf"^{field} has 1 masked values; .*filled"):
+        encode(problem_params(problem), "", Frames())
+
+
+def test_a_mask_of_nothing_loses_nothing():
+    whole = np.ma.masked_less(VALUES, -1)
+    assert encode(array_of(whole), "gap.array", frames := Frames())["$array"]["shape"] == [2, 3]
+    assert frames == [VALUES.tobytes()]
 
 
 @pytest.mark.parametrize(

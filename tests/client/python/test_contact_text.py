@@ -117,7 +117,10 @@ ROW = line_of(1, 0)
         (3, "0 3 1 1", "line 4 announces 0 x 3"),
         (3, "99999 99999 1 1", "line 4 announces 99999 x 99999"),
         (3, "400 300 1 1", "lines must follow; there are 30"),
-        (3, "4 2 0.06 0.11", "line 25 stands behind the last y offset"),
+        (3, "4 2 0.06 0.11", "line 5 announces the y offset -2; by the extent in the header it must be -1"),
+        (3, "4 3 0.0601 0.11", r"line 8 has x 0\.06; it must be ix dx, 0\.0601"),
+        (3, "4 3 0.06 0.1101", r"line 5 has y -0\.22; by the element size in the header it must be -0\.2202"),
+        (10, "% offset iy = -1, y = -0.11; sums over both bodies, times G = 3200", "line 11 tells the modulus 3200; .* 320"),
         (ROW, "1 0.06 1 2 3", f"line {ROW + 1} holds 5 numbers; it must hold eleven"),
         (ROW, "1 0.06 1 2 3 4 5 6 7 8 9 10", f"line {ROW + 1} holds 12 numbers"),
         (ROW, "1 0.06 1 2 3 4 5 6 7 8 nine", f'line {ROW + 1} holds "nine"; it must be a finite number'),
@@ -139,6 +142,19 @@ def test_a_broken_line_is_named(tmp_path, line, text, says):
     with pytest.raises(TableFileError, match=says) as caught:
         load_table(write(tmp_path, lines))
     assert str(caught.value).startswith(f"{tmp_path}/table.txt, ")
+
+
+def test_what_follows_the_last_offset_is_no_table(tmp_path):
+    lines = pair().to_contact_text().split("\n")[:-1]
+    with pytest.raises(TableFileError, match=f"line {len(lines) + 1} stands behind the last y offset"):
+        load_table(write(tmp_path, [*lines, lines[-1]]))
+
+
+@pytest.mark.parametrize("rounded", ["0.1", "0.06", "6e-2", "0.06000001", ".6D-1"])
+def test_coordinates_of_few_digits_are_those_of_the_header(tmp_path, rounded):
+    lines = pair().to_contact_text().split("\n")[:-1]
+    lines[ROW] = lines[ROW].replace(lines[ROW].split()[1], rounded)
+    np.testing.assert_allclose(TableIcs.from_contact_text(write(tmp_path, lines)).array, pair().array, rtol=3e-16)
 
 
 def test_opposite_offsets_may_differ_as_much_as_one_allows(tmp_path):

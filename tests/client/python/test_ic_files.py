@@ -23,7 +23,7 @@ from contactd import (
     load_table,
     save_table,
 )
-from contactd.problem import problem_params
+from contactd.problem import problem_params, table_params
 from contactd.solution import ComponentError, IcErrors, LoadCase
 from support.tables import DX, DY, NX, NY, ic_table, made_up
 
@@ -35,6 +35,15 @@ FEM_EVIDENCE = IcEvidence(
     warnings=("Mind the gap.",), solver="direct", mesh=FemIcs(order=3, h_over_hs=4.0), family_nu=(0.0, 0.49),
     interpolation_error=1e-5,
 )  # fmt: skip
+
+
+SPEC = json.dumps(table_params(Material(200, 0.42), Grid(NX, NY, DX, DY), AnalyticIcs()) | {"ics": {"source": "analytic"}})
+
+
+def with_hole(value=np.nan):
+    array = made_up()
+    array[0, 2, 2, 1] = value
+    return array
 
 
 # --- TableIcs ---------------------------------------------------------------------------------------------------------
@@ -75,6 +84,23 @@ def test_the_combined_modulus_is_the_harmonic_mean():
 def test_an_array_of_another_shape_is_no_table(shape):
     with pytest.raises(ValueError, match=r"must be \[3, 3, ny, nx\]"):
         TableIcs(np.ones(shape), DX, DY)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_coefficients_are_finite(value):
+    with pytest.raises(ValueError, match=r"for xz at the offset \(1, 2\); every coefficient must be finite"):
+        TableIcs(with_hole(value), DX, DY)
+
+
+def test_masked_coefficients_are_no_table():
+    with pytest.raises(ValueError, match="array has 1 masked values"):
+        TableIcs(np.ma.masked_invalid(with_hole()), DX, DY)
+
+
+@pytest.mark.parametrize(("name", "size"), [("dx", 0), ("dy", -1), ("dx", np.nan), ("G", np.inf), ("G", 0)])
+def test_sizes_and_modulus_are_positive(name, size):
+    with pytest.raises(ValueError, match=f"{name} is .*; it must be positive and finite"):
+        TableIcs(**{"array": made_up(), "dx": DX, "dy": DY, "G": 1, name: size})
 
 
 def test_a_problem_with_its_own_coefficients_needs_no_bodies():
@@ -138,6 +164,16 @@ def test_an_archive_is_plain_numpy_and_json(tmp_path):
         ({"array": made_up(), "spec": "{}", "evidence": "{}"}, "spec lacks material"),
         ({"array": made_up(), "pair": "{}"}, '"pair" must hold dx and dy'),
         ({"array": made_up(), "pair": "[]"}, '"pair" must hold dx and dy'),
+        ({"array": with_hole(), "pair": '{"dx": 1, "dy": 1}'}, r"holds nan for xz at the offset \(1, 2\)"),
+        ({"array": with_hole(np.inf), "pair": '{"dx": 1, "dy": 1}'}, r"holds inf for xz at the offset \(1, 2\)"),
+        ({"array": with_hole(), "spec": SPEC, "evidence": '{"source": "analytic"}'}, "holds nan for xz"),
+        ({"array": made_up(), "spec": SPEC.replace("0.06", "-1"), "evidence": '{"source": "analytic"}'}, "dx = -1"),
+        ({"array": made_up(), "spec": SPEC.replace("200", "0"), "evidence": '{"source": "analytic"}'}, "G = 0"),
+        ({"array": made_up(), "spec": SPEC.replace("0.42", "7"), "evidence": '{"source": "analytic"}'}, "nu = 7"),
+        ({"array": made_up(), "pair": '{"dx": NaN, "dy": 1}'}, "dx is nan; it must be positive"),
+        ({"array": made_up(), "pair": '{"dx": 1, "dy": 0}'}, "dy is 0.0; it must be positive"),
+        ({"array": made_up(), "pair": '{"dx": 1, "dy": 1, "G": -1}'}, "G is -1.0; it must be positive"),
+        ({"array": made_up(), "pair": '{"dx": 1, "dy": 1, "G": "soft"}'}, "G or null"),
     ],
 )
 def test_an_archive_of_something_else(tmp_path, members, says):

@@ -241,7 +241,10 @@ TEST_CASE("a broken line is named with what would be right", "[exchange]") {
                       Case{3, "4 3 0.06 -1", "line 4 holds \"-1\""}, Case{3, "0 3 1 1", "line 4 announces 0 x 3"},
                       Case{3, "2000000000 2000000000 1 1", "line 4 announces 2000000000 x 2000000000"},
                       Case{3, "2000 2000 1 1", "lines must follow"}, Case{3, "4 4 0.06 0.11", "lines must follow"},
-                      Case{3, "4 2 0.06 0.11", "stands behind the last y offset"},
+                      Case{3, "4 2 0.06 0.11", "line 5 announces the y offset -2; by the extent"},
+                      Case{3, "4 3 0.0601 0.11", "line 8 has x 0.06; it must be ix dx, 0.0601"},
+                      Case{3, "4 3 0.06 0.1101", "line 5 has y -0.22; by the element size"},
+                      Case{10, "% offset iy = -1, y = -0.11; times G = 3200", "line 11 tells the modulus 3200"},
                       Case{row, "1 0.06 1 2 3", "holds 5 numbers; it must hold eleven"},
                       Case{row, "1 0.06 1 2 3 4 5 6 7 8 9 10", "holds 12 numbers"},
                       Case{row, "1 0.06 1 2 3 4 5 6 7 8 nine", "holds \"nine\"; it must be a finite number"},
@@ -256,6 +259,30 @@ TEST_CASE("a broken line is named with what would be right", "[exchange]") {
     const std::string refusal = refusal_of(text_of(lines));
     CHECK_THAT(refusal, ContainsSubstring(c.says));
     if (c.line == row) CHECK_THAT(refusal, ContainsSubstring("line " + std::to_string(row + 1) + " "));
+}
+
+TEST_CASE("what follows the last offset is no table", "[exchange]") {
+    const std::string text = to_contact_text(coupled_pair(), 320);
+    CHECK_THAT(refusal_of(text + lines_of(text).back() + "\n"), ContainsSubstring("behind the last y offset"));
+}
+
+TEST_CASE("coordinates of few digits are those of the header", "[exchange]") {
+    const GivenIcs ics = coupled_pair();
+    auto lines = lines_of(to_contact_text(ics, 320));
+    std::string& line = lines[line_of(ics, 1, 0)];
+    const std::size_t x = line.find("5.99"), end = line.find(' ', x);
+    REQUIRE(x != std::string::npos);
+    line.replace(x, end - x, GENERATE("0.1", "0.06", "6e-2", "0.06000001", ".6D-1"));
+    CHECK(largest_difference(from_contact_text(text_of(lines), std::nullopt).table, ics.table) < 1e-15);
+}
+
+TEST_CASE("coefficients come back to the rounding of their product with the modulus", "[exchange]") {
+    const GivenIcs ics = coupled_pair(7, 5);
+    for (const double G : {1.0, 256.0})
+        CHECK(from_contact_text(to_contact_text(ics, G), {}).table.values == ics.table.values);
+    const IcTable read = from_contact_text(to_contact_text(ics, 8.2e4 / 3), {}).table;
+    for (std::size_t n = 0; n < read.values.size(); ++n)
+        CHECK_THAT(read.values[n], WithinRel(ics.table.values[n], std::numeric_limits<double>::epsilon()));
 }
 
 TEST_CASE("a text that contradicts the symmetry of tables is refused", "[exchange]") {
