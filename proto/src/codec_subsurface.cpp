@@ -80,6 +80,14 @@ StressBlock decode_block(const json& source, const std::vector<std::string>& fra
     return block;
 }
 
+void check_is_half_space(const Ics& ics) {
+    if (ics.body != BodyShape::half_space)
+        throw invalid_field("ics.body",
+                            "is block; the closed form of the stresses is that of the half-space, which a block "
+                            "resembles only well below its size and far from its faces: leave ics out to take it all "
+                            "the same");
+}
+
 LargestStress decode_largest(const json& source) {
     return {source["von_mises"].get<double>(),
             {source["x"].get<double>(), source["y"].get<double>(), source["z"].get<double>()}};
@@ -113,6 +121,7 @@ json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& ar
     json params{{"grid", encode_grid(request.grid)},
                 {"nu", finite(request.nu, "nu")},
                 {"body", word_for(bodies, request.body)}};
+    if (request.ics != Ics{}) params["ics"] = encode_ics(request.ics);
     for (const auto& [name, values] : tractions_of(request))
         if (!values->empty()) params[name] = write(*values, shape_of(request.grid), arrays);
     if (const auto* block = std::get_if<StressBlock>(&request.points)) {
@@ -133,6 +142,8 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const std::vecto
     request.grid = decode_grid(params["grid"]);
     request.nu = params["nu"].get<double>();
     if (params.contains("body")) request.body = meaning_of(params["body"], bodies);
+    if (params.contains("ics")) request.ics = decode_ics(params["ics"]);
+    check_is_half_space(request.ics);
     if (params.contains("block"))
         request.points = decode_block(params["block"], frames, limits);
     else

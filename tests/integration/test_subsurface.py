@@ -9,6 +9,7 @@ from contactd import (
     Client,
     ContactProblem,
     Estimate,
+    FemIcs,
     Friction,
     Grid,
     InvalidArgument,
@@ -134,6 +135,14 @@ def test_beside_a_rigid_body_the_elastic_one_has_stresses(shared, shifted):
         shared.subsurface(problem, shifted, body="upper", points=[[0, 0, -1]])
     beside = shared.subsurface(problem, shifted, points=[[0, 0, -1]])
     assert beside.zz[0] == shared.subsurface(SHIFTED, shifted, points=[[0, 0, -1]]).zz[0] < 0
+
+
+def test_inside_a_block_there_is_no_closed_form(shared, shifted):
+    problem = SHIFTED.replace(ics=FemIcs(body="block", L_over_h=40))
+    with pytest.raises(InvalidArgument, match="ics.body is block; .* half-space"):
+        shared.subsurface(problem, shifted, points=[[0, 0, -1]])
+    of_fem = shared.subsurface(SHIFTED.replace(ics=FemIcs()), shifted, points=[[0, 0, -1]])
+    assert of_fem.zz[0] == shared.subsurface(SHIFTED, shifted, points=[[0, 0, -1]]).zz[0]
 
 
 def test_stresses_are_a_job_that_reports_and_can_be_cancelled(client, background):

@@ -45,6 +45,16 @@ json reference(std::vector<std::size_t> shape) {
 
 }  // namespace
 
+TEST_CASE("Stresses inside a block are refused", "[codec]") {
+    SubsurfaceRequest original = request();
+    original.ics.source = IcSource::fem;
+    ArrayWriter arrays(ArrayEncoding::list);
+    CHECK(refusal_of(sent(encode_subsurface_request(original, arrays))) == "taken");
+    original.ics.body = BodyShape::block;
+    CHECK_THAT(refusal_of(sent(encode_subsurface_request(original, arrays))),
+               ContainsSubstring("ics.body is block") && ContainsSubstring("half-space"));
+}
+
 TEST_CASE("A request for stresses arrives as it was sent", "[codec]") {
     const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
     const bool at_points = GENERATE(false, true);

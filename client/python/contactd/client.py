@@ -301,8 +301,9 @@ class Client(Shown):
             print(stress.largest.von_mises, stress.largest.depth)
 
         Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
-        SubsurfaceStress. `nu` is Poisson's ratio of the body, needed only where the problem has no material for it
-        (TableIcs). Nearer to the surface than an element the steps of the tractions show.
+        SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem. Nearer to the surface
+        than an element the steps of the tractions show. A block and TableIcs, which are no half-spaces or may be none,
+        are refused (InvalidArgument).
         """
         params, shape = subsurface_params(problem, solution, body, points, block, nu)
         result = self.call("contact.subsurface", params, timeout=timeout, on_progress=on_progress)

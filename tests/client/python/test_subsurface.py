@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 
 from contactd import (
+    AnalyticIcs,
     Client,
     ContactProblem,
     Estimate,
+    FemIcs,
     Grid,
     InvalidArgument,
     LargestStress,
@@ -61,12 +63,23 @@ def test_a_rigid_body_has_no_stresses():
     assert params(problem, body="upper")["nu"] == 0.1
 
 
-def test_a_problem_without_materials_needs_poissons_ratio():
+def test_a_table_may_be_of_any_body():
     table = np.ones((3, 3, 2, 3))
     problem = ContactProblem(GRID, gap=Paraboloid(1, 1), approach=0.1, ics=TableIcs(table, 0.5, 1.0))
-    with pytest.raises(InvalidArgument, match="nu is missing"):
-        params(problem)
-    assert params(problem, nu=0.3)["nu"] == 0.3
+    for nu in (None, 0.3):
+        with pytest.raises(InvalidArgument, match="ics is a table .* half-space"):
+            params(problem, nu=nu)
+    assert params(problem.replace(ics=AnalyticIcs(), upper=Material(1, 0.3)))["nu"] == 0.3
+
+
+def test_the_daemon_hears_of_coefficients_that_may_be_of_a_block():
+    assert "ics" not in params()
+    assert params(PROBLEM.replace(ics=FemIcs(body="block")))["ics"] == {"source": "fem", "body": "block"}
+    assert "ics" not in params(PROBLEM.replace(ics=FemIcs(body="block"), model="hertz"))
+
+
+def test_poissons_ratio_may_be_another():
+    assert params(nu=0.3)["nu"] == 0.3
 
 
 def test_there_are_two_bodies():

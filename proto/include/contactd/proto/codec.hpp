@@ -84,6 +84,7 @@ struct SubsurfaceRequest {
     Grid grid;
     double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5
     ContactBody body = ContactBody::lower;
+    Ics ics;  ///< that the tractions were solved with; those of a body that is no half-space are refused
     /// Of a contact solution, for either body: the tractions are those on the upper one. Shape [ny, nx] (N/mm^2);
     /// tractions may be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;
@@ -107,7 +108,8 @@ struct SubsurfaceReply {
 nlohmann::json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays);
 /// `params` has passed its schema. Throws StatusError naming the field for a grid or points that are too many
 /// (LIMIT_EXCEEDED; the arrays of the result have at most limits.max_array_elements together), before anything of their
-/// size is allocated, and for arrays that do not fit; the rest is checked by contactd::subsurface_stress.
+/// size is allocated, for arrays that do not fit and a body that is no
+/// half-space; the rest is checked by contactd::subsurface_stress.
 SubsurfaceRequest decode_subsurface_request(const nlohmann::json& params, const std::vector<std::string>& frames,
                                             const Limits& limits = {});
 nlohmann::json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays);
