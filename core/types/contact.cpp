@@ -66,16 +66,17 @@ void check_gap(const ContactProblem& problem) {
             throw InvalidArgument("gap.semi_axes",
                                   "needs the materials of the bodies, which a table in the request does not tell; give "
                                   "a paraboloid or an array");
-        if (!(problem.Fn ? *problem.Fn > 0 : problem.approach > 0))
+        if (!(problem.Fn ? *problem.Fn > 0 : *problem.approach > 0))
             throw InvalidArgument(
                 problem.Fn ? "Fn" : "approach",
-                "is " + number_text(problem.Fn.value_or(problem.approach)) +
+                "is " + number_text(problem.Fn ? *problem.Fn : *problem.approach) +
                     "; with gap.semi_axes it must be positive, because the curvatures follow from it");
     }
 }
 
 void check_load(const ContactProblem& problem) {
-    check_finite(problem.approach, "approach", "a length");
+    require_load(problem);
+    check_finite(problem.approach.value_or(0), "approach", "a length");
     if (problem.Fn && !(std::isfinite(*problem.Fn) && *problem.Fn >= 0))
         throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be a force, zero or positive");
 }
@@ -137,12 +138,20 @@ double step_length(const Rolling& rolling, const Grid& grid) {
     return rolling.dq != 0 ? rolling.dq : size_along(rolling.chi, grid.dx, grid.dy);
 }
 
+void require_load(const ContactProblem& problem) {
+    if (!problem.approach && !problem.Fn)
+        throw InvalidArgument("approach", "is missing, and so is Fn; one of the two must be prescribed");
+    if (problem.approach && problem.Fn)
+        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + " beside an approach of " +
+                                        number_text(*problem.approach) + "; only one of the two can be prescribed");
+}
+
 std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem) {
     if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap)) return *paraboloid;
     const auto* axes = std::get_if<SemiAxes>(&problem.gap);
     if (axes == nullptr) return {};
     return problem.Fn ? radii_of_force(*axes, problem.bodies.normal_compliance(), *problem.Fn)
-                      : radii_of_approach(*axes, problem.approach);
+                      : radii_of_approach(*axes, *problem.approach);
 }
 
 std::vector<double> undeformed_distance(const ContactProblem& problem) {
@@ -159,8 +168,8 @@ void validate(const ContactProblem& problem) {
         validate(problem.bodies, incompressible_allowed);
     }
     const std::size_t size = problem.grid.size();
-    check_gap(problem);
     check_load(problem);
+    check_gap(problem);
     if (problem.friction) check_friction(*problem.friction, problem.grid);
     check_estimate(problem.previous.pressure, size, "previous.pressure");
     check_estimate(problem.previous.traction_x, size, "previous.traction_x");

@@ -160,10 +160,11 @@ json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
     if (problem.model != Model::full) params["model"] = word_for(models, problem.model);
     encode_settings(problem, params);
     encode_influence(problem, params, arrays);
+    require_load(problem);
     if (problem.Fn)
         params["Fn"] = finite(*problem.Fn, "Fn");
     else
-        params["approach"] = finite(problem.approach, "approach");
+        params["approach"] = finite(*problem.approach, "approach");
     if (problem.friction) params["friction"] = encode_friction(*problem.friction, problem.grid, arrays);
     encode_tractions("previous", previous_of(problem), problem.grid, params, arrays);
     encode_tractions("initial", initial_of(problem), problem.grid, params, arrays);

@@ -68,14 +68,12 @@ void apply_friction(const json& params, const std::vector<std::string>& frames, 
 json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
     ContactProblem problem = spec.problem;
     if (!spec.has_gap) problem.gap = Paraboloid{1, 1};  // takes no frame
+    if (!spec.has_load) problem.approach = 1, problem.Fn.reset();
     for (auto* initial : {&problem.initial_pressure, &problem.initial_traction_x, &problem.initial_traction_y})
         initial->clear();
     json params = encode_problem(problem, arrays);
     if (!spec.has_gap) params.erase("gap");
-    if (!spec.has_load) {
-        params.erase("approach");
-        params.erase("Fn");
-    }
+    if (!spec.has_load) params.erase("approach");
     if (spec.lease_seconds) params["lease_seconds"] = finite(*spec.lease_seconds, "lease_seconds");
     params["accept_unconverged"] = spec.accept_unconverged;
     return params;
@@ -127,10 +125,10 @@ SessionInfo decode_session_info(const json& result) {
 json encode_step(const std::string& session, long long step, const StepInput& input, const Grid& grid,
                  ArrayWriter& arrays) {
     json params{{"session", session}, {"step", step}};
-    if (input.Fn)
-        params["Fn"] = finite(*input.Fn, "Fn");
-    else if (input.approach)
-        params["approach"] = finite(*input.approach, "approach");
+    if (input.Fn && input.approach)
+        throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
+    if (input.Fn) params["Fn"] = finite(*input.Fn, "Fn");
+    if (input.approach) params["approach"] = finite(*input.approach, "approach");
     if (input.gap) params["gap"] = encode_gap(*input.gap, grid, arrays);
     if (input.friction) {
         json friction = encode_friction(*input.friction, grid, arrays);
@@ -147,6 +145,7 @@ void apply_step(const json& params, const std::vector<std::string>& frames, cons
         problem.Fn.reset();
         problem.approach = params["approach"].get<double>();
     } else if (params.contains("Fn")) {
+        problem.approach.reset();
         problem.Fn = params["Fn"].get<double>();
     } else if (!spec.has_load) {
         throw invalid_field("approach", "is missing; session.open named neither it nor Fn, so every step must");

@@ -204,7 +204,7 @@ TEST_CASE("Every way to state gap and load comes back", "[codec]") {
     }
     SECTION("force") {
         original.Fn = 1.0 / 7;
-        original.approach = 0;
+        original.approach.reset();
     }
     const ContactProblem read = arrived(original);
     CHECK(read.gap == original.gap);

@@ -108,6 +108,7 @@ TEST_CASE("A step changes what it names and nothing else") {
 
 TEST_CASE("An approach takes the place of the force that the session was opened with") {
     SessionSpec opened = spec();
+    opened.problem.approach.reset();
     opened.problem.Fn = 5;
     const ContactProblem problem = stepped(opened, {{"approach", 0.01}});
 

@@ -68,8 +68,9 @@ struct ContactProblem {
     Ics ics;                            ///< of both bodies
     std::optional<GivenIcs> given_ics;  ///< instead of computed ones; bodies and ics mean nothing then
     Gap gap;                            ///< undeformed distance h without the approach
-    double approach = 0;                ///< delta (mm); the gap before deformation is h - delta
-    std::optional<double> Fn;           ///< normal force (N, >= 0) prescribed instead: the approach is found then
+    /// Either of these two. The approach is delta (mm), the gap before deformation h - delta; with the normal force
+    /// (N, >= 0) prescribed instead it is found.
+    std::optional<double> approach, Fn;
     Model model = Model::full;
     std::optional<Friction> friction;            ///< absent: frictionless
     PreviousState previous;                      ///< where a shift or a transient step starts
@@ -122,6 +123,9 @@ double step_length(const Rolling& rolling, const Grid& grid);
 
 /// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array.
 std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem);
+
+/// Throws InvalidArgument ("approach" or "Fn") unless one of the two is prescribed, and only one.
+void require_load(const ContactProblem& problem);
 
 /// h at the element centres, shape [ny, nx] (mm), of any gap the problem has.
 std::vector<double> undeformed_distance(const ContactProblem& problem);

@@ -42,10 +42,15 @@ struct RigidSlipForForces {
     SolverEvidence evidence;  ///< iterations: calls of the solver; residual: |F - prescribed| / largest
 };
 
+/// The force that friction carries with a rigid slip of its own. From there to the largest one, which it never quite
+/// reaches, the force of any slip that is long enough would do, to the tolerance of the search (or to 1e-3).
+double largest_force_with_a_slip(double largest, const SolverSettings& settings);
+
 /// Broyden's method, and line searches where that gets on slowly: the force falls monotonically with the rigid slip.
 /// Ends where the forces are met to
 /// `settings.tolerance` of the largest force by a solution of that tolerance; otherwise returns the best it found, not
-/// converged. Throws InvalidArgument naming `field` for forces beyond the largest one, and Cancelled.
+/// converged. Throws InvalidArgument naming `field` for forces that are not below largest_force_with_a_slip, and
+/// Cancelled.
 RigidSlipForForces find_rigid_slip(const PrescribedForces& prescribed, const SolverSettings& settings,
                                    const SolveForForces& solve, Observer& observer);
 

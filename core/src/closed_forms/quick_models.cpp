@@ -29,12 +29,12 @@ HertzContact hertz(const ContactProblem& problem) {
     const double compliance = problem.bodies.normal_compliance();
     if (const auto* axes = std::get_if<SemiAxes>(&problem.gap))
         return problem.Fn ? hertz_of_semi_axes_and_force(*axes, compliance, *problem.Fn)
-                          : hertz_of_semi_axes_and_approach(*axes, compliance, problem.approach);
+                          : hertz_of_semi_axes_and_approach(*axes, compliance, *problem.approach);
     const auto& paraboloid = std::get<Paraboloid>(problem.gap);
     check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
     check_is_curved(paraboloid.Ry, "gap.paraboloid.Ry");
     return problem.Fn ? hertz_of_force(paraboloid, compliance, *problem.Fn)
-                      : hertz_of_approach(paraboloid, compliance, problem.approach);
+                      : hertz_of_approach(paraboloid, compliance, *problem.approach);
 }
 
 void check_is_elliptic(const ContactProblem& problem) {

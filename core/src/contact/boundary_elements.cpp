@@ -132,8 +132,8 @@ class BoundaryElements {
             solution_.approach = normal.approach;
             return normal;
         }
-        solution_.approach = problem_.approach;
-        for (double& h : gap) h -= problem_.approach;
+        solution_.approach = *problem_.approach;
+        for (double& h : gap) h -= *problem_.approach;
         return solve_normal(influence_, gap, problem_.normal_settings, estimate, observer);
     }
 

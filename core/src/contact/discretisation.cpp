@@ -99,12 +99,12 @@ std::string short_number(double value) {
 
 void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution& solution,
                             std::vector<std::string>& warnings) {
-    if (solution.contact_elements > 0 || problem.Fn || !(problem.approach > 0) || !paraboloid_of(problem)) return;
+    if (solution.contact_elements > 0 || problem.Fn || !(solution.approach > 0) || !paraboloid_of(problem)) return;
     const Grid& grid = problem.grid;
     const bool has_origin =
         grid.x0 <= 0 && grid.y0 <= 0 && grid.x0 + grid.nx * grid.dx >= 0 && grid.y0 + grid.ny * grid.dy >= 0;
     warnings.push_back(
-        "The bodies overlap by " + number_text(problem.approach) +
+        "The bodies overlap by " + number_text(solution.approach) +
         " mm at the origin, but no element has its centre in the contact: " +
         (has_origin ? "the contact is narrower than the elements." : "it lies beyond the potential contact area.") +
         " This solution carries nothing.");

@@ -74,9 +74,13 @@ class Search {
     void check() const {
         const double force = length(wanted_);
         if (!std::isfinite(force)) throw InvalidArgument(prescribed_.field, "is not a finite number");
-        if (force > prescribed_.largest * (1 + rounding))
-            throw InvalidArgument(prescribed_.field, "is " + number_text(force) + " N; friction carries at most " +
-                                                         number_text(prescribed_.largest) + " N");
+        const double most = largest_force_with_a_slip(prescribed_.largest, settings_);
+        if (force > 0 && force >= most)
+            throw InvalidArgument(prescribed_.field,
+                                  "is " + number_text(force) + " N; friction carries less than " +
+                                      number_text(prescribed_.largest) + " N, the sum of its bounds, and from " +
+                                      number_text(most) +
+                                      " N on all slips, so that no force tells one slip from a longer one");
     }
 
     // Force turned into the rigid slip, over its scale, that a sphere would have under it.
@@ -225,6 +229,10 @@ class Search {
 };
 
 }  // namespace
+
+double largest_force_with_a_slip(double largest, const SolverSettings& settings) {
+    return largest * (1 - std::min(settings.tolerance, loosest));
+}
 
 RigidSlipForForces find_rigid_slip(const PrescribedForces& prescribed, const SolverSettings& settings,
                                    const SolveForForces& solve, Observer& observer) {

@@ -38,14 +38,14 @@ void sum_up(const Grid& grid, ContactSolution& solution) {
 }
 
 /// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
-/// what the tolerance leaves, and so is a sum below zero.
+/// what the tolerance leaves. The sum stands as it is: one clearly below zero tells of a wrong solution.
 void take_friction_losses(const ContactProblem& problem, ContactSolution& solution) {
     if (!solution.motion) return;
     double work = 0;
     for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
         if (solution.element_division[i] == ElementState::slip)
             work -= solution.slip_x[i] * solution.traction_x[i] + solution.slip_y[i] * solution.traction_y[i];
-    work = std::max(work, 0.0) * problem.grid.element_area();
+    work *= problem.grid.element_area();
     const auto* rolling = std::get_if<Rolling>(&*solution.motion);
     if (rolling == nullptr) {
         solution.frictional_work = work;

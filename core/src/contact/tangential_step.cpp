@@ -202,7 +202,7 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
 double TangentialStep::reduce_to_bound(PrescribedForces& forces) const {
     constexpr double carried = 0.99;  // all of it needs an infinite slip
     const double force = std::hypot(forces.Fx.value_or(0), forces.Fy.value_or(0));
-    if (force <= forces.largest) return 0;
+    if (force == 0 || force < largest_force_with_a_slip(forces.largest, problem_.outer_settings)) return 0;
     const double part = carried * forces.largest / force;
     for (std::optional<double>* component : {&forces.Fx, &forces.Fy})
         if (*component) **component *= part;

@@ -166,6 +166,12 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
     ContactProblem bad = problem();
     bad.approach = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(client.solve(bad), InvalidArgument);
+    bad.approach.reset();
+    CHECK_THROWS_AS(client.solve(bad), InvalidArgument);
+    CHECK_THROWS_AS(client.solve_many(std::vector{bad}), InvalidArgument);
+    bad.approach = 0.02;
+    bad.Fn = 1;
+    CHECK_THROWS_AS(client.solve(bad), InvalidArgument);
 
     ContactProblem large = problem();
     large.grid = Grid::centred(50, 50, 0.1, 0.1);

@@ -64,7 +64,7 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
     const ContactSolution normal = solve_half_spaces(problem);
     if (dice.chance(0.5)) {
         problem.Fn = normal.Fn;
-        problem.approach = 0;
+        problem.approach.reset();
     }
     if (dice.chance(0.1)) return problem;
     Friction friction;

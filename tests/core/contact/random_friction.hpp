@@ -98,7 +98,7 @@ inline Motion2d random_motion(Dice& dice, const Grid& grid, double scale) {
     if (dice.chance(0.5)) motion.turn = scale * dice.log_uniform(1e-2, 30) / (grid.nx * grid.dx + grid.ny * grid.dy);
     if (dice.chance(0.6)) return motion;
     const double force = dice.chance(0.1)   ? 0
-                         : dice.chance(0.2) ? 1 - dice.log_uniform(1e-9, 1e-2)
+                         : dice.chance(0.2) ? 1 - dice.log_uniform(1e-5, 1e-2)  // closer than 1e-6 is refused
                                             : dice.uniform(0, 1);
     const int components = dice.integer(1, 3);
     if (components == 3) {

@@ -159,6 +159,7 @@ TEST_CASE("the most slender ellipse that can be asked for has finite forces", "[
     ContactProblem problem = cattaneo_problem(3);
     problem.model = Model::hertz;
     problem.gap = GENERATE(SemiAxes{1e-12, 1e12}, SemiAxes{1e12, 1e-12});
+    problem.approach.reset();
     problem.Fn = 10;
     problem.friction->motion = GENERATE(Motion{Shift{.x = 1e-9}}, Motion{Rolling{.xi = 1e-9}});
     Observer observer;
@@ -200,6 +201,7 @@ TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
 TEST_CASE("a force that falling friction cannot hold is not found, and only one beyond static friction refused",
           "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
+    problem.approach.reset();
     problem.Fn = 10;
     problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0.2, 1e-4};
     const bool rolls = GENERATE(true, false);
@@ -214,5 +216,6 @@ TEST_CASE("a force that falling friction cannot hold is not found, and only one 
     const auto most = pull(0.999 * 0.4 * 10);
     CHECK_FALSE(most.converged());
     CHECK(std::isfinite(most.force->residual));
+    CHECK_THROWS_AS(pull(0.4 * 10), InvalidArgument);
     CHECK_THROWS_AS(pull(1.01 * 0.4 * 10), InvalidArgument);
 }

@@ -126,6 +126,7 @@ TEST_CASE("errors of a paraboloid on half-spaces are those against Hertz", "[dis
     CHECK_THAT(solution.discretisation->pmax_error, WithinAbs(relative_difference(solution.pmax, exact.pmax), 1e-9));
     CHECK_FALSE(solution.discretisation->rolling_error);
 
+    problem.approach.reset();
     problem.Fn = exact.Fn;  // the approach errs now: by 2/3 of what the force would
     const auto under_force = solve_half_spaces(problem);
     const double sinks_in = std::pow(under_force.approach / 0.02, 1.5);
@@ -191,6 +192,7 @@ TEST_CASE("a contact of fewer than eight elements across is warned of", "[discre
     REQUIRE(coarse.warnings.size() == 1);
     CHECK(says(coarse, "7 elements across, fewer than 8"));
     ContactProblem four = sphere(40, 2.4);  // 40 x 40 elements of 2.4 mm, where 2.4 mm for all of them were meant
+    four.approach.reset();
     four.Fn = 9.2;
     const auto under_force = solve_half_spaces(four);
     CHECK(under_force.contact_elements == 4);

@@ -72,9 +72,9 @@ TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimi
     CHECK(solution.outer->iterations > 1);
     const Displacements u = displacements(problem, solution);
     const Values h = undeformed_distance(problem);
-    const double length = problem.approach;
+    const double length = *problem.approach;
     for (std::size_t i = 0; i < problem.grid.size(); ++i) {
-        const double gap = h[i] - problem.approach + u.z[i], p = solution.pressure[i];
+        const double gap = h[i] - *problem.approach + u.z[i], p = solution.pressure[i];
         const double sx = u.x[i] + 0.003, sy = u.y[i] - 0.001;
         const double px = solution.traction_x[i], py = solution.traction_y[i];
         if (solution.element_division[i] == ElementState::exterior) {
@@ -131,6 +131,7 @@ TEST_CASE("swapping the bodies turns the tangential tractions", "[dissimilar]") 
 
 TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
     ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
+    problem.approach.reset();
     problem.Fn = 5;
     problem.friction->motion = Rolling{.xi = 0.02, .eta = 0.01, .phi = 1e-3};
     const ContactSolution solution = solve_half_spaces(problem);

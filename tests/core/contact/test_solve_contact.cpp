@@ -151,7 +151,7 @@ TEST_CASE("progress of the whole computation grows from normal to tangential", "
 TEST_CASE("the force and the approach prescribe the same contact", "[contact]") {
     ContactProblem problem = cattaneo_problem(24);
     const auto pressed = solve_half_spaces(problem);
-    problem.approach = 0;
+    problem.approach.reset();
     problem.Fn = pressed.Fn;
     const auto loaded = solve_half_spaces(problem);
     REQUIRE(loaded.converged());
@@ -166,6 +166,7 @@ TEST_CASE("bodies that do not touch carry nothing, and that is an answer", "[con
         problem.approach = -0.01;
     }
     SECTION("no force") {
+        problem.approach.reset();
         problem.Fn = 0;
     }
     SECTION("rolling apart") {
@@ -278,6 +279,7 @@ TEST_CASE("semi-axes stand for the paraboloid whose contact has them", "[contact
     problem.grid = Grid::centred(60, 50, 4.8 / 60, 2.4 / 50);
     problem.gap = SemiAxes{2, 1};
     SECTION("under a force") {
+        problem.approach.reset();
         problem.Fn = 10;
     }
     SECTION("under an approach") {
@@ -334,7 +336,7 @@ TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]")
 
     const ContactSolution solution = solve_contact(problem, make_influence(problem, pair), observer);
 
-    const reference::Hertz hertz = reference::hertz(problem.bodies, 50, problem.approach);
+    const reference::Hertz hertz = reference::hertz(problem.bodies, 50, *problem.approach);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fn, WithinRel(hertz.Fn, 2e-3));
     CHECK_THAT(solution.pmax, WithinRel(hertz.pmax, 5e-3));
