@@ -15,25 +15,30 @@ namespace {
 /// Points of each half; each number's points hold those of the number before.
 constexpr std::array<int, 3> sizes{5, 9, 17};
 
-/// Of a mesh that was given: the error under the load of the one of its tables that has the smallest, or, of a block,
-/// what quadratic meshes have.
-double mesh_error(const std::vector<const IcRecord*>& records) {
-    constexpr double usual = 2e-3;
-    double smallest = usual;
-    for (const IcRecord* record : records) {
-        const IcEvidence& evidence = record->evidence;
-        if (!evidence.error_xx) continue;
-        double error = 0;
+using Halves = std::array<double, 2>;
+
+/// Of a mesh that was given, in each half: the largest error under the load or, of a block, whose error is not known,
+/// what quadratic meshes usually have.
+Halves mesh_errors(const std::vector<const IcRecord*>& records) {
+    constexpr Halves usual{2e-3, 6e-3};
+    Halves largest{};
+    for (std::size_t j = 0; j < records.size(); ++j) {
+        const IcEvidence& evidence = records[j]->evidence;
+        if (!evidence.error_xx) return usual;
+        double& error = largest[j < records.size() / 2 ? 0 : 1];
         for (const auto& one : {evidence.error_xx, evidence.error_yy, evidence.error_zz})
             error = std::max(error, std::abs(one->origin));
-        smallest = std::min(smallest, error);
     }
-    return smallest;
+    return largest;
 }
 
-double allowed_error(const IcSpec& spec, const std::vector<const IcRecord*>& records) {
-    constexpr double share = 1.0 / 20, least = 1e-5;
-    return spec.accuracy > 0 ? share * spec.accuracy : std::max(share * mesh_error(records), least);
+/// Of interpolation, in each half.
+Halves allowed_errors(const IcSpec& spec, const std::vector<const IcRecord*>& records) {
+    constexpr double of_accuracy = 1.0 / 20, of_mesh = 1.0 / 10, least = 1e-5;
+    if (spec.accuracy > 0) return {of_accuracy * spec.accuracy, of_accuracy * spec.accuracy};
+    Halves result = mesh_errors(records);
+    for (double& error : result) error = std::max(of_mesh * error, least);
+    return result;
 }
 
 void take_larger(std::optional<ComponentError>& error, const std::optional<ComponentError>& other) {
@@ -84,7 +89,8 @@ IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_o
     const double start = MPI_Wtime();
     // Both halves end at the break, for an accuracy with a mesh each.
     std::map<std::pair<double, double>, IcRecord> built;
-    double done = 0, error = 0, allowed = 0;
+    double done = 0;
+    Halves errors{}, allowed{};
     for (const int size : sizes) {
         const std::vector<double> points = family_points(size);
         // The first size is nearly always enough; a later one shares what is left of the progress.
@@ -104,9 +110,9 @@ IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_o
             records.push_back(&built.at(place));
         }
         IcRecord result = family_of(spec, records);
-        error = *result.evidence.interpolation_error;
-        allowed = allowed_error(spec, records);
-        if (error > allowed) continue;
+        errors = interpolation_errors(spec, result.family);
+        allowed = allowed_errors(spec, records);
+        if (errors[0] > allowed[0] || errors[1] > allowed[1]) continue;
         finish_evidence(result.evidence, start, comm);
         progress.report("sampling", 1);
         return result;
@@ -116,7 +122,7 @@ IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_o
         text, sizeof text,
         "The family over nu did not converge: with %d tables interpolation adds an error of %.3g, and %.3g is "
         "allowed. Ask for a coarser accuracy, or for one nu.",
-        2 * sizes.back(), error, allowed);
+        2 * sizes.back(), std::ranges::max(errors), std::ranges::max(allowed));
     throw NotConverged(text);
 }
 

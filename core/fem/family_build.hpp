@@ -9,9 +9,9 @@ namespace contactd::fem {
 using BuildOne = std::function<IcRecord(const IcSpec& spec, double hardest_nu, const ProgressPart& progress)>;
 
 /// Collective. `spec` is dimensionless with any_nu set. Adds points until interpolation between them adds less than a
-/// twentieth of the accuracy asked for or, where a mesh is given, of its error under the load (but no less than 1e-5);
-/// throws NotConverged when it does not come to that. The evidence's errors are the largest of all tables, its times
-/// their sum.
+/// twentieth of the accuracy asked for or, where a mesh is given, than a tenth of its error under the load in the same
+/// half of Poisson's ratios (but no less than 1e-5); throws NotConverged when it does not come to that. The evidence's
+/// errors are the largest of all tables, its times their sum.
 IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_one, const ProgressPart& progress);
 
 }  // namespace contactd::fem

@@ -3,6 +3,7 @@
 // and Approximation Practice, chapters 2 and 5).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "contactd/ic_store.hpp"
@@ -25,5 +26,7 @@ IcTable table_for(const IcRecord& record, double nu);
 /// What interpolation adds to the error of the tables themselves, estimated by the last two Chebyshev coefficients: of
 /// xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.
 double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family);
+/// The same of the lower and of the upper half.
+std::array<double, 2> interpolation_errors(const IcSpec& spec, const std::vector<IcTable>& family);
 
 }  // namespace contactd

@@ -183,8 +183,12 @@ IcTable table_for(const IcRecord& record, double nu) {
 }
 
 double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family) {
+    return std::ranges::max(interpolation_errors(spec, family));
+}
+
+std::array<double, 2> interpolation_errors(const IcSpec& spec, const std::vector<IcTable>& family) {
     check(family);
-    double error = 0;
+    std::array<double, 2> errors{};
     for (const bool upper : {false, true}) {
         const Tables tables = tables_of(family, upper);
         const auto n = static_cast<int>(tables.size()), degree = n - 1;
@@ -192,9 +196,9 @@ double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& famil
         const double before = largest(spec, tables, weighted_sum(tables, coefficient_weights(n, degree - 1)));
         if (before == 0 && last == 0) continue;
         const double q = decay(last, before);
-        error = std::max(error, 2 * std::max(last, before / 4) * q / (1 - q));
+        errors[upper ? 1 : 0] = 2 * std::max(last, before / 4) * q / (1 - q);
     }
-    return error;
+    return errors;
 }
 
 }  // namespace contactd

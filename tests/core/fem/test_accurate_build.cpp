@@ -132,19 +132,20 @@ TEST_CASE("Poisson's ratios beyond 0.3 cost no more as long as the mesh does", "
 
 TEST_CASE("A family on a given mesh is interpolated as well as the mesh deserves", "[fem][family]") {
     IcSpec family = coarse_spec(6, 6, 1, 1);
+    family.material.G = 1;
     family.fem.far_boundary = FarBoundary::half_space;
     family.fem.solver = Solver::automatic;
     family.any_nu = true;
     const IcRecord record = build(family);
-    CHECK(record.evidence.family_nu.size() == 10);
-    const auto smallest = [&](double nu) {
-        IcSpec one = family;
-        one.any_nu = false;
-        one.material.nu = nu;
-        const IcEvidence evidence = build(one).evidence;
-        return std::max(std::abs(evidence.error_xx->origin), std::abs(evidence.error_zz->origin));
-    };
-    CHECK(*record.evidence.interpolation_error < std::max(smallest(0.0), smallest(0.3)) / 20);
+    CHECK(record.evidence.family_nu.size() < 34);
+    // Where quadratic elements lock, and interpolation is hardest.
+    IcSpec one = family;
+    one.any_nu = false;
+    one.material.nu = 0.47;
+    const IcRecord direct = build(one);
+    const double error =
+        std::max(std::abs(direct.evidence.error_xx->origin), std::abs(direct.evidence.error_zz->origin));
+    CHECK(difference(one, table_for(record, 0.47), direct.table) < error / 5);
 }
 
 TEST_CASE("A table that differs from the closed form by more than 1 % warns", "[fem][warnings]") {
