@@ -17,8 +17,8 @@ from conformance.wire import RECORD, Daemon, Peer
 Start = Callable[..., Daemon]
 
 
-#: What only a defect of the daemon would bring about.
-UNREACHABLE = {"UNEXPECTED"}
+#: What only a defect of the daemon would bring about, and what nobody is there to hear.
+UNREACHABLE = {"UNEXPECTED", "CLIENT_GONE"}
 
 
 def _is_whole(session: pytest.Session) -> bool:

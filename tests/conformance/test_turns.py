@@ -65,6 +65,26 @@ def test_a_step_overtakes_a_batch_that_runs(start):
         assert batch.reply().reason == "REQUEST_CANCELLED", "the batch was through before the step"
 
 
+def test_what_waits_for_a_peer_that_has_gone_is_dropped(busy):
+    with busy.peer() as leaves:
+        line_up(busy.onlooker, leaves, "contact.solve", ENDLESS, times=3)
+    while busy.onlooker.ask("server.info").result["queue"]["solves_waiting"] > 0:
+        pass  # as long as the time limit of a test lets it
+    with busy.peer() as stays:
+        line_up(busy.onlooker, stays, "contact.subsurface", STRESS)
+        busy.release()
+        assert stays.reply().code == OK
+
+
+def test_waiting_solves_are_jobs(busy):
+    with busy.peer() as waits:
+        line_up(busy.onlooker, waits, "contact.solve", ENDLESS)
+        running, queued = busy.onlooker.ask("job.list").result["jobs"]
+        assert [job["state"] for job in (running, queued)] == ["running", "queued"]
+        assert busy.onlooker.ask("job.cancel", {"job": queued["job"]}).code == OK
+        assert waits.reply().reason == "JOB_CANCELLED"
+
+
 def test_nothing_starves(busy):
     with busy.peer() as patient, busy.peer() as urgent:
         line_up(busy.onlooker, patient, "contact.subsurface", STRESS, priority="low")
