@@ -77,7 +77,7 @@ def test_a_step_changes_load_gap_friction_and_motion_for_itself_only(shared):
         other = session.step(Fn=5, gap=h, mu=np.full(GRID.shape, 0.2), xi=-1e-3, dq=0.06, velocity=2)
         again = session.step()
     assert other.Fn == pytest.approx(5, rel=1e-6)
-    assert other.motion == Rolling(xi=-1e-3, dq=0.06, spin_offset=1 / 6, steps=1, velocity=2)
+    assert other.motion == Rolling(xi=-1e-3, dq=0.06, spin_offset=0, steps=1, velocity=2)
     alone = shared.solve(
         problem(Fn=5, gap=h, friction=Friction(mu=0.2, rolling=Rolling(xi=-1e-3, dq=0.06, velocity=2)))
     )
@@ -90,10 +90,10 @@ def test_a_step_in_another_direction_rolls_by_the_size_of_an_element_there(share
     with open_session(shared, grid=grid, friction=Friction(mu=0.4, rolling=Rolling(xi=1e-3))) as session:
         along = session.step()
         across = session.step(xi=0, eta=1e-3, chi=np.pi / 2)
-        at_centres = session.step(phi=1e-3, spin_offset=0)
+        ahead = session.step(phi=1e-3, spin_offset=1 / 6)
     assert along.motion.dq == grid.dx
     assert across.motion.dq == grid.dy
-    assert at_centres.motion.spin_offset == 0
+    assert ahead.motion.spin_offset == 1 / 6
     friction = Friction(mu=0.4, rolling=Rolling(eta=1e-3, chi=np.pi / 2))
     alone = shared.solve(CATTANEO.replace(grid=grid, friction=friction))
     assert across.Fy == pytest.approx(alone.Fy, rel=1e-5)

@@ -53,8 +53,8 @@ class Rolling:
         chi: Rolling direction, angle from the x axis (rad).
         dq: Distance rolled in one step (mm); None: the size of an element along chi. Not that of a time step: see
             docs/contact.md.
-        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1; None:
-            1/6.
+        spin_offset: Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1; None: 0,
+            at the centre. With much spin 1/6 errs half as much on coarse grids.
         kind: "steady": the state that does not change any more; "transient": step by step from ContactProblem.previous.
         steps: Number of steps of transient rolling, 1 (default) to 100000.
         velocity: Rolling velocity (mm/s), default 1: of slip velocities and the frictional power.

@@ -40,8 +40,8 @@ struct Rolling {
     double chi = 0;          ///< rolling direction, angle from the x axis (rad)
     double dq = 0;           ///< distance rolled in one step (mm); 0: size of an element along chi
     /// Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1. The limit for
-    /// small elements is the same; 1/6 errs less than the centre on grids as they are used (docs/contact.md).
-    double spin_offset = 1.0 / 6;
+    /// small elements is the same; with much spin 1/6 errs less on grids as they are used (docs/contact.md).
+    double spin_offset = 0;
     bool steady = true;                ///< steady: u_old = u; transient: u_old belongs to the previous tractions
     int steps = 1;                     ///< of transient rolling
     double velocity = 1;               ///< rolling velocity (mm/s): of slip velocities and of the frictional power

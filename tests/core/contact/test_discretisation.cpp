@@ -252,7 +252,8 @@ TEST_CASE("quick models have no elements that err", "[discretisation]") {
 }
 
 TEST_CASE("spin is evaluated ahead of the element centres by its offset", "[discretisation]") {
-    const Rolling motion{.xi = 1e-3, .eta = -5e-4, .phi = 3e-4, .chi = GENERATE(0.0, pi / 2, 0.7)};
+    const Rolling motion{
+        .xi = 1e-3, .eta = -5e-4, .phi = 3e-4, .chi = GENERATE(0.0, pi / 2, 0.7), .spin_offset = 1.0 / 6};
     ContactProblem problem = rolling_ellipse(6, 4, 20, motion);
     const auto solve = [&](const Rolling& rolling) {
         problem.friction->motion = rolling;
@@ -260,19 +261,19 @@ TEST_CASE("spin is evaluated ahead of the element centres by its offset", "[disc
         REQUIRE(solution.converged());
         return solution;
     };
-    const auto by_default = solve(motion);
+    const auto ahead_of_centres = solve(motion);
     Rolling same = motion;
     same.spin_offset = 0;
     const double ahead = step_length(motion, problem.grid) / 6;
     same.xi -= same.phi * ahead * std::sin(motion.chi);
     same.eta += same.phi * ahead * std::cos(motion.chi);
     const auto shifted = solve(same);
-    CHECK_THAT(shifted.Fx, WithinAbs(by_default.Fx, 1e-2));
-    CHECK_THAT(shifted.Fy, WithinAbs(by_default.Fy, 1e-2));
-    CHECK_THAT(shifted.Mz, WithinAbs(by_default.Mz, 5e-2));
+    CHECK_THAT(shifted.Fx, WithinAbs(ahead_of_centres.Fx, 1e-2));
+    CHECK_THAT(shifted.Fy, WithinAbs(ahead_of_centres.Fy, 1e-2));
+    CHECK_THAT(shifted.Mz, WithinAbs(ahead_of_centres.Mz, 5e-2));
     same = motion;
     same.spin_offset = 0;
-    CHECK(std::abs(solve(same).Fy - by_default.Fy) > 2);
+    CHECK(std::abs(solve(same).Fy - ahead_of_centres.Fy) > 2);
 }
 
 TEST_CASE("spin evaluated ahead or at the centres has one limit, to which ahead is nearer", "[discretisation]") {
