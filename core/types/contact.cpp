@@ -132,10 +132,38 @@ void check_friction(const Friction& friction, const Grid& grid) {
     std::visit([&](const auto& motion) { check_motion(motion, grid); }, friction.motion);
 }
 
+[[noreturn]] void refuse_in_line_contact(const char* field, const std::string& value, const char* instead) {
+    throw InvalidArgument(field, "is " + value + "; a line contact does not change along y, so that " + instead);
+}
+
+void check_line_contact(const ContactProblem& problem) {
+    if (problem.grid.ny != 1)
+        refuse_in_line_contact("grid.ny", std::to_string(problem.grid.ny),
+                               "one row of elements is all of it, and dy the length that forces are counted over");
+    if (const auto* axes = std::get_if<SemiAxes>(&problem.gap))
+        refuse_in_line_contact("gap.semi_axes.b", number_text(axes->b), "it has no ellipse: give a paraboloid by Rx");
+    if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap); paraboloid && std::isfinite(paraboloid->Ry))
+        refuse_in_line_contact("gap.paraboloid.Ry", number_text(paraboloid->Ry), "it must be left out");
+    if (!problem.friction) return;
+    if (const auto* shift = std::get_if<Shift>(&problem.friction->motion)) {
+        if (shift->rotation != 0)
+            refuse_in_line_contact("friction.rotation", number_text(shift->rotation), "nothing may turn about z");
+        return;
+    }
+    const auto& rolling = std::get<Rolling>(problem.friction->motion);
+    if (rolling.phi != 0) refuse_in_line_contact("friction.rolling.phi", number_text(rolling.phi), "there is no spin");
+    if (constexpr double rounding = 1e-9; std::abs(std::sin(rolling.chi)) > rounding)
+        refuse_in_line_contact("friction.rolling.chi", number_text(rolling.chi), "it rolls along x: 0 or pi");
+}
+
 }  // namespace
 
 double step_length(const Rolling& rolling, const Grid& grid) {
     return rolling.dq != 0 ? rolling.dq : size_along(rolling.chi, grid.dx, grid.dy);
+}
+
+bool is_line_contact(const ContactProblem& problem) {
+    return problem.model == Model::full && !problem.given_ics && problem.ics.line_contact;
 }
 
 void require_load(const ContactProblem& problem) {
@@ -171,6 +199,7 @@ void validate(const ContactProblem& problem) {
     check_load(problem);
     check_gap(problem);
     if (problem.friction) check_friction(*problem.friction, problem.grid);
+    if (is_line_contact(problem)) check_line_contact(problem);
     check_estimate(problem.previous.pressure, size, "previous.pressure");
     check_estimate(problem.previous.traction_x, size, "previous.traction_x");
     check_estimate(problem.previous.traction_y, size, "previous.traction_y");

@@ -87,6 +87,30 @@ void validate(const FemSpec& fem, LoadShape load) {
         require(*threshold >= 0 && *threshold < 1, "ics.strength_threshold", *threshold, "lie in [0, 1)");
 }
 
+// Rows of elements have no end in a line contact, so that dy says nothing of their shape.
+void validate_line_contact(const IcSpec& spec) {
+    if (spec.source != IcSource::analytic)
+        throw InvalidArgument("ics.line_contact", "goes with source analytic; finite elements are those of a block");
+    if (spec.ny != 1)
+        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) +
+                                             "; a line contact has one row of elements, and dy is the length that "
+                                             "forces are counted over");
+    constexpr double rounding = 1e-9;
+    const double datum = spec.line_contact->datum, length = spec.nx * spec.dx;
+    if (!(std::isfinite(datum) && datum >= length * (1 - rounding)))
+        throw InvalidArgument("ics.line_contact.datum",
+                              "is " + number_text(datum) + "; it must be at least the length of the grid, " +
+                                  number_text(length) + " mm, so that surfaces yield in the direction of loads");
+}
+
+void validate_aspect(const IcSpec& spec) {
+    const double aspect = spec.dx / spec.dy;
+    if (!(aspect >= 1e-3 && aspect <= 1e3))
+        throw InvalidArgument("grid.dy", "gives elements with dx/dy = " + number_text(aspect) +
+                                             "; it must lie in [0.001, 1000]. For a contact that does not change along "
+                                             "y take ics.line_contact");
+}
+
 void validate_body(const IcSpec& spec) {
     if (spec.body == BodyShape::half_space) return;
     if (spec.source == IcSource::analytic)
@@ -196,9 +220,10 @@ std::optional<FemSpec> fem_preset(std::string_view name) {
 void validate(const IcSpec& spec) {
     validate(Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "grid");
     validate(spec.material, "material", spec.source == IcSource::analytic);
-    const double aspect = spec.dx / spec.dy;
-    if (!(aspect >= 1e-3 && aspect <= 1e3))
-        throw InvalidArgument("grid.dy", "gives dx/dy = " + number_text(aspect) + "; it must lie in [0.001, 1000]");
+    if (spec.line_contact)
+        validate_line_contact(spec);
+    else
+        validate_aspect(spec);
     validate_body(spec);
     if (spec.accuracy != 0) validate_accuracy(spec);
     if (spec.any_nu) {
@@ -278,6 +303,10 @@ IcSpec dimensionless(const IcSpec& spec) {
     result.dx = 1;
     result.dy = rounded(spec.dy / spec.dx);
     if (spec.any_nu) result.material.nu = 0;
+    if (spec.line_contact) {
+        result.line_contact->datum = rounded(spec.line_contact->datum / spec.dx);
+        result.dy = 1;
+    }
     if (spec.source == IcSource::analytic) {
         result.fem = FemSpec{};
         return result;

@@ -46,6 +46,8 @@ GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& fr
 IcExport decode_ic_export(const json& params) {
     IcExport wanted;
     wanted.spec = decode_ic_spec(params);
+    if (wanted.spec.line_contact)
+        throw invalid_field("ics.line_contact", "is nothing that these files can say; ic.get answers such a table");
     wanted.format = params["format"] == "hdf5" ? FileFormat::hdf5 : FileFormat::contact;
     if (params.contains("lower")) wanted.lower = decode_material(params["lower"]);
     return wanted;

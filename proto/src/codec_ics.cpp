@@ -14,7 +14,7 @@ constexpr double default_accuracy = 1e-3;
 
 /// Whether the request names a mesh or a solver. The size of a block belongs to the body.
 bool names_a_mesh(const json& ics, BodyShape body) {
-    constexpr std::array others{"source", "body", "load_shape", "accuracy", "any_nu"};
+    constexpr std::array others{"source", "body", "load_shape", "line_contact", "accuracy", "any_nu"};
     return std::any_of(ics.items().begin(), ics.items().end(), [&](const auto& member) {
         if (member.key() == "L_over_h") return body == BodyShape::half_space;
         return std::find(others.begin(), others.end(), member.key()) == others.end();
@@ -79,6 +79,7 @@ void decode_fem(const json& source, FemSpec& fem) {
 
 json encode_ics(const Ics& ics) {
     json result{{"source", name_of(ics.source)}, {"body", name_of(ics.body)}, {"load_shape", name_of(ics.load_shape)}};
+    if (ics.line_contact) result["line_contact"] = {{"datum", finite(ics.line_contact->datum, "datum")}};
     if (ics.source == IcSource::analytic) return result;
     if (ics.accuracy != 0) {
         result["accuracy"] = finite(ics.accuracy, "accuracy");
@@ -95,6 +96,8 @@ Ics decode_ics(const json& source) {
     read_name(source["source"], ics.source);
     if (source.contains("body")) read_name(source["body"], ics.body);
     if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
+    if (source.contains("line_contact"))
+        ics.line_contact = LineContactSpec{source["line_contact"]["datum"].get<double>()};
     if (ics.source == IcSource::analytic) return ics;
     ics.any_nu = source.value("any_nu", false);
     if (!source.contains("accuracy") && names_a_mesh(source, ics.body)) {

@@ -81,6 +81,10 @@ StressBlock decode_block(const json& source, const std::vector<std::string>& fra
 }
 
 void check_is_half_space(const Ics& ics) {
+    if (ics.line_contact)
+        throw invalid_field("ics.line_contact",
+                            "has loads that never end along y; the closed form of the stresses is that of elements, "
+                            "which do");
     if (ics.body != BodyShape::half_space)
         throw invalid_field("ics.body",
                             "is block; the closed form of the stresses is that of the half-space, which a block "

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from contactd import (
+    AnalyticIcs,
     Client,
     ContactProblem,
     Estimate,
@@ -11,12 +12,15 @@ from contactd import (
     Grid,
     InvalidArgument,
     KineticFriction,
+    LineContact,
     Material,
     Paraboloid,
     RigidBody,
     Rolling,
     SemiAxes,
     StatusError,
+    load_table,
+    save_table,
 )
 from support.problems import CATTANEO, CATTANEO_PARAMS, STEEL
 
@@ -29,6 +33,17 @@ ROLLING = ContactProblem(
     gap=SemiAxes(6, 4),
     Fn=80_000,
     friction=Friction(0.3, rolling=Rolling(xi=5e-4, velocity=20_000)),
+)
+
+
+#: A cylinder on a plane, rolling; forces of 7 mm.
+LINE = ContactProblem(
+    grid=Grid.centred(400, 1, 2.4, 7),
+    upper=STEEL,
+    gap=Paraboloid(100),
+    Fn=7000,
+    ics=AnalyticIcs(line_contact=LineContact(100)),
+    friction=Friction(0.3, rolling=Rolling(xi=1e-3)),
 )
 
 
@@ -236,6 +251,54 @@ def test_fastsim_refuses_an_ellipse_beyond_kalkers_table(shared):
     with pytest.raises(InvalidArgument, match="gap has a contact ellipse.* 0.1 mm along.* 10 mm.* 1/32 to 32.*full"):
         shared.solve(slender)
     assert shared.solve(slender.replace(model="hertz")).converged
+
+
+def test_a_line_contact_has_hertz_pressure_and_carters_force(shared):
+    P, G, nu = 1000, STEEL.G, STEEL.nu
+    a = np.sqrt(4 * P * 100 * (1 - nu) / (np.pi * G))
+    problem = LINE.replace(Fn=7 * P)
+    solution = shared.solve(problem)
+    assert solution.warnings == ()
+    assert solution.pmax == pytest.approx(2 * P / (np.pi * a), rel=1e-3)
+    assert solution.Fx == pytest.approx(-7 * 0.3 * P * (1 - (1 - 1e-3 * 100 / (0.3 * a)) ** 2), rel=2e-3)
+    assert solution.evidence.ics["upper"].origin in ("closed_form", "memory")
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"grid": Grid.centred(40, 3, 2.4, 7)}, "grid.ny is 3; a line contact"),
+        ({"gap": Paraboloid(100, 100)}, "gap.paraboloid.Ry is 100; a line contact"),
+        ({"ics": AnalyticIcs(line_contact=LineContact(2))}, "ics.line_contact.datum is 2; it must be at least"),
+        ({"friction": Friction(0.3, rolling=Rolling(phi=1e-4))}, "friction.rolling.phi is .*; a line contact"),
+    ],
+)
+def test_what_changes_along_y_is_no_line_contact(shared, changes, says):
+    with pytest.raises(InvalidArgument, match=says):
+        shared.solve(LINE.replace(**changes))
+
+
+def test_the_table_of_a_line_contact_is_answered_but_not_exported(shared, tmp_path):
+    table = shared.get_ic(STEEL, LINE.grid, LINE.ics)
+    assert table.spec.ics.line_contact == LineContact(100)
+    dx, far = LINE.grid.dx, 100 * LINE.grid.dx
+    expected = (1 - STEEL.nu) / (np.pi * STEEL.G) * dx * np.log(100 / far)
+    assert table["zz"][0, 100] == pytest.approx(expected, rel=1e-4)
+    save_table(tmp_path / "line.npz", table)
+    assert load_table(tmp_path / "line.npz").spec == table.spec
+    for kind in ("hdf5", "contact"):
+        with pytest.raises(InvalidArgument, match="ics.line_contact"):
+            shared.export_ic(STEEL, LINE.grid, LINE.ics, kind)
+
+
+def test_below_a_line_contact_there_are_no_stresses(shared):
+    with pytest.raises(InvalidArgument, match="ics.line_contact"):
+        shared.subsurface(LINE, shared.solve(LINE), points=[[0, 0, -1]])
+
+
+def test_elements_beyond_1000_to_1_are_refused_with_what_would_be_right(shared):
+    with pytest.raises(InvalidArgument, match=r"grid\.dy gives .*; it must lie in \[0.001, 1000\]. .*line_contact"):
+        shared.solve(FRICTIONLESS.replace(grid=Grid(10, 10, 0.01, 100)))
 
 
 def test_many_problems_are_answered_in_their_order(shared):

@@ -33,6 +33,7 @@ __all__ = [
     "FemSolver",
     "Grid",
     "Ics",
+    "LineContact",
     "LoadShape",
     "Material",
     "MeshKind",
@@ -165,6 +166,22 @@ StopTest = Literal["residual", "update"]
 
 
 @dataclass(frozen=True)
+class LineContact:
+    """A contact that does not change along y nor end there: plane strain (anti-plane strain for what points along y).
+
+    The grid has ny = 1, and its dy is the length that forces are counted over: Fn/dy is the force per length.
+    Displacements of the plane are known up to a constant only, which `datum` fixes. The approach and the rigid shift
+    depend on it; under prescribed forces, and in steady rolling, nothing else does.
+
+    Attributes:
+        datum: Distance from a load, along the surface, at which its displacements xx, yy and zz vanish (mm), at least the
+            length of the grid.
+    """
+
+    datum: float
+
+
+@dataclass(frozen=True)
 class AnalyticIcs:
     """Influence coefficients of the elastic half-space in closed form.
 
@@ -172,10 +189,16 @@ class AnalyticIcs:
         body: "half_space" (default); there is no closed form of another body.
         load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
             (1 - |x|/dx) (1 - |y|/dy).
+        line_contact: A contact that does not change along y; None: elements end along y.
     """
 
     body: Literal["half_space"] | None = None
     load_shape: LoadShape | None = None
+    line_contact: LineContact | None = None
+
+    def __post_init__(self) -> None:
+        if self.line_contact is not None:
+            check_type("line_contact", self.line_contact, LineContact)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -388,7 +411,10 @@ def check_type(name: str, value: object, *types: type, optional: bool = False) -
 def ics_params(ics: Ics) -> dict[str, Any]:
     """`ics` of ic.get, ic.export and contact.solve."""
     source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
-    return {"source": source, **plain(ics)}
+    given = plain(ics)
+    if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
+        given["line_contact"] = plain(ics.line_contact)
+    return {"source": source, **given}
 
 
 def table_params(material: Material, grid: Grid, ics: Ics) -> dict[str, Any]:

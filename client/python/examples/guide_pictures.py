@@ -54,13 +54,13 @@ def draw_cattaneo(names: dict[str, Any], path: Path) -> None:
 
 
 def draw_carter(names: dict[str, Any], path: Path) -> None:
-    problem, solutions, middle = names["cylinder"], names["carter"], names["middle"]
+    problem, solutions, middle = names["cylinder"], names["carter"], 0
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.2, 4), layout="constrained")
     scale = 0.3 * names["P"]
     creepages = names["creepages"] / names["full_slip"]
     fine = np.linspace(0, creepages[-1], 200)
     left.plot(fine, 1 - np.maximum(1 - fine, 0) ** 2, color="C0", label="Carter")
-    left.plot(creepages, -names["force"] / scale, "o", color="C1", label="middle row")
+    left.plot(creepages, -names["force"] / scale, "o", color="C1", label="contactd")
     bare_axes(left, "Force", "creepage / creepage of full slip", "force / (mu P)")
     left.legend(frameon=False)
     for shown, color in zip((1, 4, 7), ("C0", "C1", "C2")):

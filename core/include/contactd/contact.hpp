@@ -124,6 +124,9 @@ double step_length(const Rolling& rolling, const Grid& grid);
 /// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array.
 std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem);
 
+/// Whether its coefficients are those of a line contact.
+bool is_line_contact(const ContactProblem& problem);
+
 /// Throws InvalidArgument ("approach" or "Fn") unless one of the two is prescribed, and only one.
 void require_load(const ContactProblem& problem);
 

@@ -85,6 +85,16 @@ struct FemSpec {
 /// "paper-test3" on Mesh1, and "paper-mesh2-test1", ... on Mesh2. Empty when the name is unknown.
 std::optional<FemSpec> fem_preset(std::string_view name);
 
+/// A contact that does not change along y, nor end there: plane strain for tractions and displacements in x and z,
+/// anti-plane strain for those along y. Displacements of the plane are known up to a constant only.
+struct LineContactSpec {
+    /// Distance from a load, along the surface, at which its xx, yy and zz vanish (mm). It matters where the approach
+    /// or the rigid shift does; under forces, and in steady rolling, it does not.
+    double datum = 0;
+
+    bool operator==(const LineContactSpec&) const = default;
+};
+
 /// Where coefficients come from, whatever material and grid: what a request calls its `ics`.
 struct Ics {
     IcSource source = IcSource::analytic;
@@ -94,6 +104,8 @@ struct Ics {
     /// half-space's, half_space.hpp), of the others times 2 pi G rho / (dx dy). Mesh and solver are then chosen when
     /// the table is built; of `fem` only L_over_h of a block means something.
     double accuracy = 0;
+    /// Of source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
+    std::optional<LineContactSpec> line_contact;
     bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
     FemSpec fem;          ///< of no meaning when source is analytic
 

@@ -33,6 +33,6 @@ NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<
 
 /// Elements with pressure in the first or last column or row: where there are any, the contact may reach beyond the
 /// potential contact area, and the solution is that of bodies cut off there.
-int border_elements(const Grid& grid, std::span<const double> pressure);
+int border_elements(const Grid& grid, std::span<const double> pressure, bool line_contact = false);
 
 }  // namespace contactd

@@ -44,6 +44,7 @@ ShiftedTable cropped(const ShiftedTable& table, int nx, int ny);
 struct HalfSpaces {
     BodyPair bodies;
     LoadShape load_shape = LoadShape::constant;
+    std::optional<LineContactSpec> line_contact{};
 };
 
 /// Closed form. Of `grid` only the numbers and the sizes of the elements matter. Absolute accuracy 1e-13 (bilinear load

@@ -149,12 +149,12 @@ NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<
     return solution;
 }
 
-int border_elements(const Grid& grid, std::span<const double> pressure) {
+int border_elements(const Grid& grid, std::span<const double> pressure, bool line_contact) {
     require_size(pressure, grid.size(), "pressure");
     int count = 0;
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
-            const bool inside = ix > 0 && ix < grid.nx - 1 && iy > 0 && iy < grid.ny - 1;
+            const bool inside = ix > 0 && ix < grid.nx - 1 && (line_contact || (iy > 0 && iy < grid.ny - 1));
             count += !inside && pressure[static_cast<std::size_t>(iy * grid.nx + ix)] > 0;
         }
     return count;

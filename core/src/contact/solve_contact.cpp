@@ -13,13 +13,13 @@
 namespace contactd {
 namespace {
 
-void count_elements(const Grid& grid, ContactSolution& solution) {
+void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     for (const ElementState state : solution.element_division) {
         if (state == ElementState::adhesion) ++solution.adhesion_elements;
         if (state == ElementState::slip) ++solution.slip_elements;
     }
     solution.contact_elements = solution.adhesion_elements + solution.slip_elements;
-    solution.border_elements = border_elements(grid, solution.pressure);
+    solution.border_elements = border_elements(problem.grid, solution.pressure, is_line_contact(problem));
 }
 
 void sum_up(const Grid& grid, ContactSolution& solution) {
@@ -78,7 +78,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     validate(problem);
     if (problem.model != Model::full) {
         ContactSolution solution = solve_by_quick_model(problem);
-        count_elements(problem.grid, solution);
+        count_elements(problem, solution);
         warn(problem, solution);
         return solution;
     }
@@ -87,7 +87,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
                                           " elements; the influence coefficients are for " +
                                           std::to_string(influence.here->size()));
     ContactSolution solution = solve_boundary_elements(problem, influence, observer);
-    count_elements(problem.grid, solution);
+    count_elements(problem, solution);
     sum_up(problem.grid, solution);
     take_friction_losses(problem, solution);
     solution.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());

@@ -11,8 +11,11 @@
 namespace contactd {
 namespace {
 
-KernelIntegrals integrals_at(LoadShape load, double x, double y, double dx, double dy) {
-    return load == LoadShape::bilinear ? tent_load_integrals(x, y, dx, dy) : constant_load_integrals(x, y, dx, dy);
+KernelIntegrals integrals_at(const IcSpec& spec, double x, double y) {
+    const bool tent = spec.load_shape == LoadShape::bilinear;
+    if (spec.line_contact)
+        return (tent ? tent_line_integrals : constant_line_integrals)(x, spec.dx, spec.line_contact->datum);
+    return (tent ? tent_load_integrals : constant_load_integrals)(x, y, spec.dx, spec.dy);
 }
 
 // Displacement along i for a load along j, times G.
@@ -31,7 +34,7 @@ IcTable closed_form(const IcSpec& spec) {
     IcTable table(spec.nx, spec.ny);
     for (int l = 0; l < spec.ny; ++l)
         for (int k = 0; k < spec.nx; ++k) {
-            const KernelIntegrals integrals = integrals_at(spec.load_shape, k * spec.dx, l * spec.dy, spec.dx, spec.dy);
+            const KernelIntegrals integrals = integrals_at(spec, k * spec.dx, l * spec.dy);
             for (const Axis i : {Axis::x, Axis::y, Axis::z})
                 for (const Axis j : {Axis::x, Axis::y, Axis::z})
                     table(i, j, k, l) = scaled_coefficient(i, j, integrals, spec.material.nu) / spec.material.G;

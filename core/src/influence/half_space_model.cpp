@@ -98,7 +98,8 @@ Fit fit_coupling(const IcTable& pair, double dx, double dy, LoadShape load_shape
 
 }  // namespace
 
-HalfSpaceModel::HalfSpaceModel(const HalfSpaces& half_spaces) : load_shape(half_spaces.load_shape) {
+HalfSpaceModel::HalfSpaceModel(const HalfSpaces& half_spaces)
+    : load_shape(half_spaces.load_shape), line_contact(half_spaces.line_contact) {
     const auto& [upper, lower] = half_spaces.bodies;
     a = (1 - upper.nu) / upper.G + (1 - lower.nu) / lower.G;
     b = upper.nu / upper.G + lower.nu / lower.G;

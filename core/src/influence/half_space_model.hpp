@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 
 #include "contactd/ic_table.hpp"
 #include "contactd/shifted_operator.hpp"
@@ -15,6 +16,7 @@ struct HalfSpaceModel {
     double b = 0;  ///< nu/G
     double c = 0;  ///< (1-2nu)/G
     LoadShape load_shape = LoadShape::constant;
+    std::optional<LineContactSpec> line_contact;
 
     explicit HalfSpaceModel(const HalfSpaces& half_spaces);
     HalfSpaceModel(LoadShape load_shape_) : load_shape(load_shape_) {}
@@ -29,8 +31,9 @@ struct HalfSpaceModel {
         return (a * (k.xx + k.yy) + b * (i == Axis::x ? k.xx : k.yy)) / (2 * pi);
     }
     KernelIntegrals integrals(double x, double y, double dx, double dy) const {
-        return load_shape == LoadShape::bilinear ? tent_load_integrals(x, y, dx, dy)
-                                                 : constant_load_integrals(x, y, dx, dy);
+        const bool tent = load_shape == LoadShape::bilinear;
+        if (line_contact) return (tent ? tent_line_integrals : constant_line_integrals)(x, dx, line_contact->datum);
+        return (tent ? tent_load_integrals : constant_load_integrals)(x, y, dx, dy);
     }
 };
 

@@ -70,14 +70,14 @@ void for_lattice(const HalfSpaceModel& model, const Lattice& points,
                  const std::function<void(int k, int l, const KernelIntegrals&)>& visit) {
     std::vector<KernelIntegrals> row(static_cast<std::size_t>(points.last_k - points.first_k + 1));
     std::optional<CornerLattice> corners;
-    if (model.load_shape == LoadShape::constant) corners.emplace(points, model.coupled());
+    if (model.load_shape == LoadShape::constant && !model.line_contact) corners.emplace(points, model.coupled());
     for (int l = points.first_l; l <= points.last_l; ++l) {
         if (corners) corners->next_row(l, row);
         for (int k = points.first_k; k <= points.last_k; ++k) {
             KernelIntegrals& integrals = row[static_cast<std::size_t>(k - points.first_k)];
             if (!corners)
-                integrals = tent_load_integrals((k + points.shift_k) * points.dx, (l + points.shift_l) * points.dy,
-                                                points.dx, points.dy);
+                integrals = model.integrals((k + points.shift_k) * points.dx, (l + points.shift_l) * points.dy,
+                                            points.dx, points.dy);
             visit(k, l, integrals);
         }
     }

@@ -33,7 +33,7 @@ ContactInfluence make_influence(const ContactProblem& problem, const IcTable& pa
     const auto [x, y] = step_of(problem);
     if (x == 0 && y == 0) return influence;
     std::optional<HalfSpaces> half_spaces;
-    if (!problem.given_ics) half_spaces = HalfSpaces{problem.bodies, problem.ics.load_shape};
+    if (!problem.given_ics) half_spaces = HalfSpaces{problem.bodies, problem.ics.load_shape, problem.ics.line_contact};
     const bool closed_form = half_spaces && problem.ics.source == IcSource::analytic;
     const ShiftedTable ahead =
         closed_form ? shifted_half_spaces(*half_spaces, grid, x, y) : shifted_table(pair, half_spaces, grid, x, y);

@@ -60,6 +60,11 @@ CanonicalObject canonical(const IcSpec& spec) {
         size.add("L_over_h", spec.fem.L_over_h);
         json.add_object("fem", size);
     }
+    if (spec.line_contact) {
+        CanonicalObject line;
+        line.add("datum", spec.line_contact->datum);
+        json.add_object("line_contact", line);
+    }
     json.add("load_shape", name_of(spec.load_shape));
     if (!spec.any_nu) json.add("nu", spec.material.nu);
     if (spec.accuracy != 0) json.add("recipe", accuracy_recipe);

@@ -12,6 +12,7 @@ from contactd import AnalyticIcs, FemIcs, Job, Limits, Progress, QuarantinedIc, 
 ROOT = Path(__file__).parents[3]
 SCHEMA = json.loads((ROOT / "proto" / "schema" / "definitions.json").read_text())["definitions"]["ics"]
 OPTIONS = {name: option for name, option in SCHEMA["properties"].items() if name != "source"}
+FEM_OPTIONS = set(OPTIONS) - {"line_contact"}  # of the closed form only
 JSON_TYPES = {"integer": int, "number": float, "boolean": bool}
 
 
@@ -22,10 +23,10 @@ def kind_of(cls, name):
 
 
 def test_finite_elements_have_every_option_and_no_other():
-    assert {field.name for field in fields(FemIcs)} == set(OPTIONS)
+    assert {field.name for field in fields(FemIcs)} == FEM_OPTIONS
 
 
-@pytest.mark.parametrize("name", OPTIONS)
+@pytest.mark.parametrize("name", sorted(FEM_OPTIONS))
 def test_an_option_has_the_type_of_the_schema(name):
     kind = kind_of(FemIcs, name)
     if "enum" in OPTIONS[name]:

@@ -15,6 +15,7 @@ from contactd import (
     Friction,
     Grid,
     InvalidArgument,
+    LineContact,
     Material,
     Paraboloid,
     RigidBody,
@@ -57,6 +58,14 @@ def test_a_table_request_holds_only_what_was_given():
         "grid": {"nx": 3, "ny": 2, "dx": 0.5, "dy": 1.0},
         "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280},
     }
+
+
+def test_a_line_contact_says_its_datum():
+    ics = AnalyticIcs(line_contact=LineContact(datum=100))
+    params = table_params(Material(1, 0.3), Grid(3, 1, 1, 1), ics)
+    assert params["ics"] == {"source": "analytic", "line_contact": {"datum": 100}}
+    with pytest.raises(TypeError, match="line_contact is 100; it must be of type LineContact"):
+        AnalyticIcs(line_contact=100)
 
 
 def test_an_accuracy_is_asked_for_without_a_mesh():

@@ -32,14 +32,18 @@ inline std::size_t at(const Grid& grid, int ix, int iy) {
 }
 
 /// Of half-spaces; none of a rigid body.
-inline IcTable body_table(const Grid& grid, const Material& material) {
+inline IcTable body_table(const Grid& grid, const Material& material, const Ics& ics = {}) {
     if (material.is_rigid()) return IcTable(grid.nx, grid.ny);
-    return half_space_table({{}, material, grid.dx, grid.dy, grid.nx, grid.ny});
+    return half_space_table({ics, material, grid.dx, grid.dy, grid.nx, grid.ny});
 }
 
-/// Of the bodies of the problem.
+/// Of the bodies of the problem, as half-spaces whatever it says of their shape.
 inline IcTable pair_table(const ContactProblem& problem) {
-    return pair_of(body_table(problem.grid, problem.bodies.upper), body_table(problem.grid, problem.bodies.lower));
+    Ics ics = problem.ics;
+    ics.source = IcSource::analytic;
+    ics.body = BodyShape::half_space;
+    return pair_of(body_table(problem.grid, problem.bodies.upper, ics),
+                   body_table(problem.grid, problem.bodies.lower, ics));
 }
 
 inline ContactSolution solve_half_spaces(const ContactProblem& problem) {
