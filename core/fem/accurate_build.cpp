@@ -20,19 +20,43 @@ struct Level {
     double growth;
 };
 
-/// From coarse to fine; each costs about twice the one before. A build starts at first_level() and goes on while the
-/// error it finds is larger than the one asked for.
-constexpr std::array<Level, 9> levels{
-    {{2, 1.5}, {3, 1.6}, {3, 1.5}, {4, 1.5}, {4, 1.4}, {5, 1.6}, {5, 1.5}, {6, 1.8}, {6, 1.5}}};
+/// From coarse to fine, each at most twice as costly as the one before. A build starts at first_level() and goes on
+/// while the error it finds is larger than the one asked for.
+constexpr std::array<Level, 13> levels{{{2, 1.5},
+                                        {2, 1.3},
+                                        {3, 1.8},
+                                        {3, 1.6},
+                                        {3, 1.5},
+                                        {3, 1.4},
+                                        {4, 1.8},
+                                        {4, 1.5},
+                                        {4, 1.4},
+                                        {5, 1.6},
+                                        {5, 1.5},
+                                        {6, 1.8},
+                                        {6, 1.5}}};
 
-/// The level that was measured to do (docs/ic-tables.md) for offsets up to 40 x 40 and Poisson's ratios up to
-/// `hardest_nu`: low orders lock as nu nears 1/2. The corners of a slender load need more.
+/// Up to which Poisson's ratio a level was measured to do for offsets up to 40 x 40 (docs/ic-tables.md): low orders
+/// lock as nu nears 1/2.
+struct Start {
+    double largest_nu;
+    std::size_t level;
+};
+constexpr std::array<Start, 4> starts_for_1e_2{{{0.38, 0}, {0.42, 1}, {0.46, 2}, {0.49, 3}}};
+constexpr std::array<Start, 4> starts_for_1e_3{{{0.35, 4}, {0.37, 5}, {0.46, 6}, {0.49, 7}}};
+constexpr std::array<Start, 2> starts_for_1e_4{{{0.3, 9}, {0.49, 10}}};
+// The corners of slender loads need more.
+constexpr std::size_t slender_start_for_1e_2 = 2, slender_start_for_1e_4 = 11;
+
 std::size_t first_level(const IcSpec& spec, double hardest_nu) {
+    const auto level = [&](const auto& starts) {
+        return std::ranges::find_if(starts, [&](const Start& start) { return hardest_nu <= start.largest_nu; })->level;
+    };
     const double aspect = std::max(spec.dy, 1 / spec.dy);
-    if (spec.accuracy >= 1e-2) return hardest_nu > 0.38 ? 1 : 0;
-    if (spec.accuracy >= 1e-3) return hardest_nu > 0.35 ? 3 : 2;
-    if (aspect > 1.5 && spec.load_shape == LoadShape::constant) return 7;
-    return hardest_nu > 0.3 ? 6 : 5;
+    if (spec.accuracy >= 1e-2) return std::max(level(starts_for_1e_2), aspect > 4 ? slender_start_for_1e_2 : 0);
+    if (spec.accuracy >= 1e-3) return level(starts_for_1e_3);
+    if (aspect > 1.5 && spec.load_shape == LoadShape::constant) return slender_start_for_1e_4;
+    return level(starts_for_1e_4);
 }
 
 /// The half-space is cut off at the first layer that ends at least so far beyond the farthest offset. There

@@ -114,14 +114,16 @@ TEST_CASE("A family differs from a direct computation by less than a tenth of th
     const IcRecord record = build(family);
     REQUIRE(record.family.size() == record.evidence.family_nu.size());
     CHECK(record.evidence.interpolation_error < 1e-3);
-    for (const double nu : {0.05, 0.17, 0.3, 0.41, 0.49}) {
+    for (const double nu : {0.05, 0.17, 0.3, 0.47, 0.49}) {
         const IcSpec one = accurate_spec(1e-2, nu, 1, 6);
         CAPTURE(nu);
         CHECK(difference(one, table_for(record, nu), build(one).table) < 1e-3);
     }
     // Here a table by itself does with a coarser mesh than the family, which has one mesh up to 0.49.
-    const IcSpec between = accurate_spec(1e-2, 0.33, 1, 6);
-    CHECK(difference(between, table_for(record, 0.33), closed_form(between)) < 5e-3);
+    for (const double nu : {0.33, 0.41}) {
+        const IcSpec between = accurate_spec(1e-2, nu, 1, 6);
+        CHECK(difference(between, table_for(record, nu), closed_form(between)) < 5e-3);
+    }
 }
 
 TEST_CASE("Poisson's ratios beyond 0.3 cost no more as long as the mesh does", "[fem][accuracy]") {
