@@ -15,8 +15,8 @@ namespace contactd {
 std::vector<double> family_points(int n);
 
 /// Barycentric interpolation of `family`, tables of G = 1 at family_points(n), to `nu` in [0, largest_family_nu], among
-/// those of nu's half; nu is rounded to twelve digits, as in keys. Throws InvalidArgument: "material.nu" outside,
-/// "family" when it is no such family.
+/// those of nu's half, which nu rounded to twelve digits decides, as in keys. Throws InvalidArgument: "material.nu"
+/// outside, "family" when it is no such family.
 IcTable interpolated(const std::vector<IcTable>& family, double nu);
 
 /// The table of a record for `nu`: its only one, or for a family (spec.any_nu) the interpolated one. Throws StoreError

@@ -158,11 +158,11 @@ std::vector<double> family_points(int n) {
     return points;
 }
 
-IcTable interpolated(const std::vector<IcTable>& family, double exact_nu) {
+IcTable interpolated(const std::vector<IcTable>& family, double given_nu) {
     check(family);
-    check_nu(exact_nu);
-    const double nu = rounded(exact_nu);
-    const bool upper = nu > family_break;
+    check_nu(given_nu);
+    const bool upper = rounded(given_nu) > family_break;
+    const double nu = upper ? given_nu : std::min(given_nu, family_break);
     const Tables tables = tables_of(family, upper);
     return weighted_sum(tables, interpolation_weights(half_of(upper), tables.size(), nu));
 }
