@@ -37,7 +37,7 @@ def array_of(value: Any) -> np.ndarray[Any, Any]:
 def whole(array: np.ndarray[Any, Any], field: str) -> np.ndarray[Any, Any]:
     """`array`; raises InvalidArgument where elements are masked, since contact has no word for what is not there."""
     if np.ma.is_masked(array):
-        problem = f"has {np.ma.count_masked(array)} masked values; every value must be there, as in array.filled(...)"
+        problem = f"has {np.count_nonzero(np.ma.getmaskarray(array))} masked values; every value must be there, as in array.filled(...)"
         raise invalid(field, problem, "ARRAY_INVALID")
     return array
 

@@ -19,9 +19,10 @@ def seconds_of(name: str, value: Any) -> float:
     right = f"it must be a number of seconds, more than 0 and at most {LONGEST:g}, or None, which is the latter"
     if not isinstance(value, Real) or isinstance(value, bool):
         raise TypeError(f"{name} is {value!r}; {right}")
-    if not 0 < value <= LONGEST:
+    seconds = float(value)
+    if not 0 < seconds <= LONGEST:
         raise ValueError(f"{name} is {value}; {right}")
-    return float(value)
+    return seconds
 
 
 def may_build(params: dict[str, Any]) -> bool:
