@@ -386,13 +386,15 @@ void Service::job_list(const CallPtr& call) {
     json jobs = json::array();
     for (const auto& job : jobs_.all()) {
         const JobProgress progress = job->progress();
-        jobs.push_back({{"job", job->name},
-                        {"kind", job->kind},
-                        {"state", job->running() ? "running" : "queued"},
-                        {"stage", progress.stage},
-                        {"fraction", progress.fraction},
-                        {"callers", job->callers()},
-                        {"seconds", seconds_since(job->created)}});
+        json entry = {{"job", job->name},
+                      {"kind", job->kind},
+                      {"state", job->running() ? "running" : "queued"},
+                      {"stage", progress.stage},
+                      {"fraction", progress.fraction},
+                      {"callers", job->callers()},
+                      {"seconds", seconds_since(job->created)}};
+        if (progress.seconds_left) entry["seconds_left"] = *progress.seconds_left;
+        jobs.push_back(std::move(entry));
     }
     call->succeed({{"jobs", std::move(jobs)}});
 }

@@ -12,6 +12,7 @@ from contactd import (
     TimeoutExpired,
 )
 from support.daemons import eventually
+from support.faults import script
 from support.problems import CATTANEO, ENDLESS, GRID, LONG, QUICK, STEEL
 
 
@@ -42,6 +43,16 @@ def test_a_cancelled_build_ends_for_every_caller_also_those_who_came_later(daemo
     eventually(lambda: client.jobs() == (), "the job is still there")
     assert client.info().counters["builds_cancelled"] == 1
     assert daemon.tables() == []
+
+
+def test_a_listed_build_says_how_many_seconds_are_left(daemons, background):
+    report = '{"stage": "factorisation", "fraction": 0.3, "seconds_left": 12.5}'
+    program = script(daemons.folder, f"echo '{report}'", "exec sleep 60")
+    with daemons.start(builds={"program": str(program)}).client() as client:
+        waiting = background(client.get_ic, STEEL, GRID, QUICK)
+        eventually(lambda: any(job.seconds_left == 12.5 for job in client.jobs()))
+        client.cancel_job(running_build(client).job)
+        assert_cancelled(waiting)
 
 
 def test_progress_names_the_job_that_can_be_cancelled(client):

@@ -165,10 +165,12 @@ proto::SubsurfaceReply Client::subsurface(const proto::SubsurfaceRequest& reques
 std::vector<Job> Client::jobs(const CallOptions& options) {
     const json result = impl_->quick("job.list", options);
     std::vector<Job> jobs;
-    for (const json& job : result["jobs"])
+    for (const json& job : result["jobs"]) {
         jobs.push_back({job["job"].get<std::string>(), job["kind"].get<std::string>(), job["state"].get<std::string>(),
                         job["stage"].get<std::string>(), job["fraction"].get<double>(), job["callers"].get<int>(),
                         job["seconds"].get<double>()});
+        if (job.contains("seconds_left")) jobs.back().seconds_left = job["seconds_left"].get<double>();
+    }
     return jobs;
 }
 

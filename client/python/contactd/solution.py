@@ -582,6 +582,7 @@ class Job:
         fraction: 0 to 1, of the whole job, an estimate.
         callers: How many calls wait for it.
         seconds: Since it was queued (s).
+        seconds_left: Time to go as last reported (s), of builds; None where there is no estimate.
     """
 
     job: str
@@ -591,3 +592,4 @@ class Job:
     fraction: float
     callers: int
     seconds: float
+    seconds_left: float | None = None

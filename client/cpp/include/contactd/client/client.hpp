@@ -63,13 +63,14 @@ struct CallOptions {
 
 /// Work that waits or runs in the daemon.
 struct Job {
-    std::string job;      ///< its name
-    std::string kind;     ///< "build", "solve", "subsurface" or "step"
-    std::string state;    ///< "queued" or "running"
-    std::string stage;    ///< empty while queued
-    double fraction = 0;  ///< 0..1, an estimate
-    int callers = 0;      ///< requests that wait for it
-    double seconds = 0;   ///< since it was queued
+    std::string job;                       ///< its name
+    std::string kind;                      ///< "build", "solve", "subsurface" or "step"
+    std::string state;                     ///< "queued" or "running"
+    std::string stage;                     ///< empty while queued
+    double fraction = 0;                   ///< 0..1, an estimate
+    int callers = 0;                       ///< requests that wait for it
+    double seconds = 0;                    ///< since it was queued
+    std::optional<double> seconds_left{};  ///< time to go as last reported, of builds where there is an estimate
 };
 
 /// One connection, for one call at a time: use one client per thread, and another one in on_progress. A call while
