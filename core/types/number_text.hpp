@@ -12,6 +12,13 @@ inline std::string number_text(double value) {
     return {text, end};
 }
 
+/// To three digits, for what was measured or estimated.
+inline std::string short_text(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr;
+    return {text, end};
+}
+
 /// To the twelve digits by which numbers of keys are told apart.
 inline double rounded(double value) {
     char text[40];

@@ -91,12 +91,6 @@ std::string percent(double part) {
     return text;
 }
 
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution& solution,
                             std::vector<std::string>& warnings) {
     if (solution.contact_elements > 0 || problem.Fn || !(solution.approach > 0) || !paraboloid_of(problem)) return;
@@ -130,12 +124,12 @@ void warn_of_long_step(const ContactProblem& problem, const ContactSolution& sol
     if (along.step <= along.element * (1 + rounding)) return;
     if (step < longest_step * along.element && step < longest_part * along.contact) return;
     warnings.push_back(
-        "friction.rolling.dq is " + number_text(along.step) + " mm, " + short_number(along.step / along.element) +
-        " elements and " + short_number(along.step / along.contact) +
+        "friction.rolling.dq is " + number_text(along.step) + " mm, " + short_text(along.step / along.element) +
+        " elements and " + short_text(along.step / along.contact) +
         " of the contact's length along the rolling direction: the tangential force under small "
         "creepages is off by about " +
         percent(*solution.discretisation->rolling_error) + ". Leave it out, which takes the size of an element, " +
-        short_number(along.element) + " mm; what a time step rolls takes several steps of transient rolling.");
+        short_text(along.element) + " mm; what a time step rolls takes several steps of transient rolling.");
 }
 
 }  // namespace

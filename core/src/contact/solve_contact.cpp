@@ -1,8 +1,11 @@
 #include "contactd/solve_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <variant>
 
+#include "../../types/number_text.hpp"
 #include "boundary_elements.hpp"
 #include "closed_forms/quick_models.hpp"
 #include "contactd/error.hpp"
@@ -57,9 +60,33 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
     solution.frictional_power = work / dq * rolling->velocity;
 }
 
+/// Of the last step (mm/s); its slip is relative already where it rolls.
+double largest_slip_velocity(const Motion& motion, const ContactSolution& solution) {
+    double slip = 0;
+    for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
+        slip = std::max(slip, std::hypot(solution.slip_x[i], solution.slip_y[i]));
+    const auto* rolling = std::get_if<Rolling>(&motion);
+    return rolling ? slip * rolling->velocity : slip / std::get<Shift>(motion).duration;
+}
+
+void warn_of_friction_that_never_falls(const ContactProblem& problem, ContactSolution& solution) {
+    constexpr double hardly_any = 1e-3;  // of the slip velocity in the law
+    if (!problem.friction || !problem.friction->kinetic || solution.slip_elements == 0) return;
+    const double largest = largest_slip_velocity(problem.friction->motion, solution);
+    const double in_law = problem.friction->kinetic->slip_velocity;
+    if (largest >= hardly_any * in_law) return;
+    const bool rolls = std::holds_alternative<Rolling>(problem.friction->motion);
+    solution.warnings.push_back(
+        "Friction hardly falls: the largest slip velocity is " + short_text(largest) +
+        " mm/s, and friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
+        (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 where it is left out.");
+}
+
 void warn(const ContactProblem& problem, ContactSolution& solution) {
+    warn_of_friction_that_never_falls(problem, solution);
     if (problem.model == Model::full)
-        solution.warnings = discretisation_warnings(problem, solution);
+        for (std::string& warning : discretisation_warnings(problem, solution))
+            solution.warnings.push_back(std::move(warning));
     else if (solution.Fn > 0 && solution.contact_elements == 0)
         solution.warnings.push_back(
             "No element has its centre in the contact, which is narrower than the elements or lies beyond the "

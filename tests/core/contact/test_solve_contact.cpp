@@ -263,6 +263,22 @@ TEST_CASE("friction that falls with slip carries less than its static coefficien
     }
 }
 
+TEST_CASE("friction that never falls because the velocity was left out is warned of", "[contact]") {
+    ContactProblem problem = cattaneo_problem(16);
+    problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.2, 500.0};
+    const auto warnings = [&](const Motion& motion) {
+        problem.friction->motion = motion;
+        return solve_half_spaces(problem).warnings;
+    };
+    REQUIRE(warnings(Rolling{.xi = 4e-3}).size() == 1);
+    CHECK(warnings(Rolling{.xi = 4e-3}).front().find("friction.rolling.velocity") != std::string::npos);
+    CHECK(warnings(Rolling{.xi = 4e-3, .velocity = 20000}).empty());
+    REQUIRE(warnings(Shift{.x = 0.008}).size() == 1);
+    CHECK(warnings(Shift{.x = 0.008}).front().find("friction.duration") != std::string::npos);
+    CHECK(warnings(Shift{.x = 0.008, .duration = 1e-5}).empty());
+    CHECK(warnings(Rolling{}).empty());  // nothing slips
+}
+
 TEST_CASE("contact at the border of the potential contact area is warned of", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
     CHECK(solve_half_spaces(problem).warnings.empty());
