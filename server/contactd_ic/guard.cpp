@@ -110,7 +110,7 @@ int Guard::milliseconds_to_look_at_memory() {
     if (const std::uint64_t used = resident_bytes(watched_processes_); used > most)
         end(out_of_memory,
             "The build ran out of memory: it uses " + std::to_string(used) + " bytes and may use " +
-                std::to_string(most) + " (builds.max_memory_bytes).",
+                std::to_string(most) + " bytes (builds.max_memory_bytes).",
             "out_of_memory");
     return interval;
 }

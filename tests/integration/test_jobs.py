@@ -53,6 +53,7 @@ def test_a_listed_build_says_how_many_seconds_are_left(daemons, background):
         eventually(lambda: any(job.seconds_left == 12.5 for job in client.jobs()))
         client.cancel_job(running_build(client).job)
         assert_cancelled(waiting)
+    program.unlink()
 
 
 def test_progress_names_the_job_that_can_be_cancelled(client):

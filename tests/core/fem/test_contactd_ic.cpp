@@ -171,7 +171,7 @@ TEST_CASE("Who uses more memory than allowed is ended, and says so", "[contactd-
     const std::string command = GENERATE(program, launcher(2) + program);
     CHECK(folder.run(command + " spec.json --output table.h5 --max-memory 320000000") == 4);
     CHECK_THAT(folder.read("out.txt"), ContainsSubstring(R"("kind":"out_of_memory")") && ContainsSubstring("it uses") &&
-                                           ContainsSubstring("320000000 (builds.max_memory_bytes)"));
+                                           ContainsSubstring("320000000 bytes (builds.max_memory_bytes)"));
     CHECK_FALSE(fs::exists(folder / "table.h5"));
 }
 
