@@ -233,7 +233,7 @@ def test_two_daemons_that_are_asked_for_one_table_build_it_once(daemons, backgro
 def test_a_daemon_that_is_no_more_does_not_keep_another_from_building(daemons, background, blow):
     shared = {"store": {"folder": str(daemons.folder / "store")}, "builds": {"stall_seconds": 2}}
     first, second = (daemons.start(name, **shared) for name in ("first", "second"))
-    with first.client(timeout=10) as doomed, second.client() as client:
+    with first.client(build_timeout=10) as doomed, second.client() as client:
         callers = [background(doomed.get_ic, STEEL, GRID, LONG)]
         eventually(lambda: list((daemons.folder / "store").glob("*.lock")))
         callers.append(background(client.get_ic, STEEL, GRID, LONG))
@@ -261,7 +261,7 @@ def test_a_daemon_killed_at_any_moment_serves_whole_tables_afterwards(daemons, b
     for _ in range(20 if LONG_FAULTS else 4):
         daemon = daemons.start()
         assert not [path for path in daemon.store.iterdir() if path.suffix in (".tmp", ".lock")]
-        with daemon.client(timeout=30) as client:
+        with daemon.client(timeout=30, build_timeout=30) as client:
             moments.shuffle(ratios)
             callers = [background(client.get_ic, steel(nu), GRID, QUICK) for nu in ratios]
             if daemon.process.poll() is None:
