@@ -263,6 +263,20 @@ TEST_CASE("friction that falls with slip carries less than its static coefficien
     }
 }
 
+TEST_CASE("friction work of a wrong sign is stated as it is", "[contact]") {
+    ContactProblem problem = cattaneo_problem(20);
+    const auto there = solve_half_spaces(problem);
+    CHECK(*there.frictional_work > 0);
+    problem.previous = {there.pressure, there.traction_x, there.traction_y};
+    problem.initial_traction_x = there.traction_x;  // of the way there, along the slip of the way back
+    problem.initial_traction_y = there.traction_y;
+    problem.friction->motion = Shift{.x = -0.00817};
+    problem.tangential_settings.max_iterations = 1;
+    const auto back = solve_half_spaces(problem);
+    CHECK_FALSE(back.converged());
+    CHECK(*back.frictional_work < -0.1 * *there.frictional_work);
+}
+
 TEST_CASE("friction that never falls because the velocity was left out is warned of", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
     problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.2, 500.0};
