@@ -138,8 +138,16 @@ struct Elliptic {
     RollingSolution steady(const RigidSlip& w, const RollingSolution& last = {}) const {
         return solve_steady_rolling(bodies, bound, w.x, w.y, {}, last.traction_x, last.traction_y, observer);
     }
-    RollingSolution transient(const RigidSlip& w, const RollingSolution& last) const {
-        return solve_transient_rolling(bodies, bound, w.x, w.y, last.traction_x, last.traction_y, {}, {}, {}, observer);
+    /// A step in time, by what slip owes to the last one: w + (C - A) p.
+    TangentialSolution transient(const RigidSlip& w, const RollingSolution& last) const {
+        Values x(grid.size()), y(x), rigid_x(x), rigid_y(x);
+        influence.tangential(last.traction_x, last.traction_y, x, y);
+        change.tangential(last.traction_x, last.traction_y, rigid_x, rigid_y);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            rigid_x[i] += w.x[i] - x[i];
+            rigid_y[i] += w.y[i] - y[i];
+        }
+        return solve_tangential(influence, bound, rigid_x, rigid_y, {}, last.traction_x, last.traction_y, observer);
     }
 };
 

@@ -5,12 +5,8 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include "contact/contact_cases.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/normal.hpp"
-#include "contactd/prescribed_force.hpp"
 #include "contactd/reference.hpp"
-#include "contactd/slip.hpp"
-#include "contactd/tangential.hpp"
+#include "contactd/solve_contact.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -25,61 +21,35 @@ const BodyPair bodies{{200, 0}, {200, 0}};
 
 // The contact on its way: every step starts where the last one ended.
 struct Path {
-    Grid grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
-    ConvolutionOperator influence{half_space_pair(grid, bodies.upper), n, n};
-    Values bound, traction_x = Values(grid.size()), traction_y = Values(grid.size());
+    ContactProblem problem;
+    ContactInfluence influence;
     double largest = 0;          // force in full slip
     double shift = 0, work = 0;  // since the beginning: displacement of the force, and what friction dissipated
-    Observer observer;
 
     Path() {
-        Values gap;
-        for (int iy = 0; iy < n; ++iy)
-            for (int ix = 0; ix < n; ++ix)
-                gap.push_back((std::pow(grid.x(ix), 2) + std::pow(grid.y(iy), 2)) / (2 * radius) - approach);
-        bound = solve_normal(influence, gap, {}, {}, observer).pressure;
-        for (double& g : bound) {
-            g *= mu;
-            largest += g * grid.element_area();
-        }
+        problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
+        problem.bodies = bodies;
+        problem.gap = Paraboloid{radius, radius};
+        problem.approach = approach;
+        influence = make_influence(problem, pair_table(problem));
+        Observer observer;
+        largest = mu * solve_contact(problem, influence, observer).Fn;
     }
 
     // Fx as a part of the largest force.
     void step(double Fx) {
-        Values history_x(bound.size()), history_y(bound.size());
-        influence.tangential(traction_x, traction_y, history_x, history_y);
-        for (double& value : history_y) value = -value;
-        TangentialSolution solution;
-        solution.traction_x = traction_x;
-        solution.traction_y = traction_y;
-        Values rigid_x;
-        const auto solve = [&](double wx, double wy, double tolerance) {
-            rigid_x = Values(bound.size(), wx);
-            for (std::size_t i = 0; i < bound.size(); ++i) rigid_x[i] -= history_x[i];
-            Values rigid_y = history_y;
-            for (double& value : rigid_y) value += wy;
-            solution = solve_tangential(influence, bound, rigid_x, rigid_y, {tolerance, 1000}, solution.traction_x,
-                                        solution.traction_y, observer);
-            ForcesAtSlip forces{0, 0, solution.evidence.converged};
-            for (std::size_t i = 0; i < bound.size(); ++i) {
-                forces.Fx += solution.traction_x[i] * grid.element_area();
-                forces.Fy += solution.traction_y[i] * grid.element_area();
-            }
-            return forces;
-        };
-        PrescribedForces prescribed;
-        prescribed.Fx = Fx * largest;
-        prescribed.largest = largest;
-        prescribed.scale = slip_scale(influence, bound);
-        const auto found = find_rigid_slip(prescribed, {}, solve, observer);
-        REQUIRE(found.evidence.converged);
-        shift += found.wx;
-        traction_x = solution.traction_x;
-        traction_y = solution.traction_y;
-        const auto slip = slip_distance(influence, bound, rigid_x, history_y, traction_x, traction_y);
-        const double dissipated = friction_work(traction_x, traction_y, slip, grid.element_area());
-        CHECK(dissipated >= -1e-9 * largest * prescribed.scale);
-        work += dissipated;
+        problem.friction = Friction{{mu}, {}, Shift{.Fx = Fx * largest, .Fy = {}}};
+        Observer observer;
+        ContactSolution solution = solve_contact(problem, influence, observer);
+        REQUIRE(solution.converged());
+        const double moved = std::get<Shift>(*solution.motion).x;
+        CHECK(*solution.frictional_work >= -1e-9 * largest * std::abs(moved));
+        shift += moved;
+        work += *solution.frictional_work;
+        problem.previous = {std::move(solution.pressure), std::move(solution.traction_x),
+                            std::move(solution.traction_y)};
+        problem.initial_traction_x = problem.previous.traction_x;
+        problem.initial_traction_y = problem.previous.traction_y;
     }
 };
 

@@ -64,15 +64,23 @@ TEST_CASE("steady rolling agrees with an established code, which evaluates spin 
 
 TEST_CASE("the transient marches to the steady state", "[verification]") {
     const EllipticCase rolling(GENERATE(at_centres, ahead));
-    const RollingSolution steady = rolling.steady({1e-8, 1000});
-    Values px, py;
-    for (int step = 0; step < 250; ++step) {
-        const RollingSolution next = rolling.transient_step(px, py, {1e-7, 1000});
-        REQUIRE(next.evidence.converged);
-        px = next.traction_x;
-        py = next.traction_y;
-    }
-    const TangentialForces marched = tangential_forces(rolling.grid, px, py), direct = rolling.forces(steady);
+    const TangentialForces direct = rolling.forces(rolling.steady({1e-8, 1000}));
+    ContactProblem problem;
+    problem.grid = rolling.grid;
+    problem.bodies = {{82000, 0.28}, {82000, 0.28}};
+    problem.gap = radii_of_force({6, 4}, (1 - 0.28) / 82000, 50000);
+    problem.Fn = 50000;
+    problem.normal_settings.tolerance = 1e-10;
+    problem.tangential_settings.tolerance = 1e-7;
+    Rolling transient = rolling.rolling;
+    transient.dq = rolling.dq;
+    transient.steady = false;
+    transient.steps = 250;
+    problem.friction = Friction{{0.3}, {}, transient};
+
+    const ContactSolution marched = solve_half_spaces(problem);
+
+    REQUIRE(marched.converged());
     CHECK_THAT(marched.Fx, WithinAbs(direct.Fx, 0.02));
     CHECK_THAT(marched.Fy, WithinAbs(direct.Fy, 0.02));
     CHECK_THAT(marched.Mz, WithinAbs(direct.Mz, 0.05));
@@ -118,7 +126,7 @@ TEST_CASE("small creepages give Kalker's coefficients, the better the finer the 
 
 TEST_CASE("a long line contact rolls as Carter describes", "[verification]") {
     const Material material{1000, 0.25};
-    const BodyPair pair{material, material};
+    const MaterialPair pair{material, material};
     constexpr double mu = 0.3, R = 60;
     const auto contact = reference::line_contact(pair, R, 10);
     const double force_over_limit = GENERATE(0.25, 0.5, 0.75, 0.9);

@@ -1,5 +1,5 @@
 // Rolling contact: tractions under Coulomb friction while particles travel through a given contact area (Kalker 1990,
-// chapter 5), one step in time or the steady state.
+// chapter 5). A step in time is a shift problem (tangential.hpp); here is the steady state.
 #pragma once
 
 #include <span>
@@ -41,16 +41,6 @@ struct RollingSolution : TangentialSolution {
     std::vector<double> slip_x, slip_y;  ///< over the step (mm), 0 outside contact; over dq, the relative slip
 };
 
-/// One step from the tractions `previous_*` (empty: none): s = w + A p - A' p_previous, with s = 0 and |p| <= g in
-/// adhesion, |p| = g and s opposite to p in slip. `bound` is g = mu p_n (N/mm^2), zero outside contact; `rigid_*` is w,
-/// the rigid slip over the step plus what the pressure adds (mm). A shift problem; evidence, `initial_*` (empty:
-/// the previous tractions) and errors as of solve_tangential.
-RollingSolution solve_transient_rolling(const RollingBodies& bodies, std::span<const double> bound,
-                                        std::span<const double> rigid_x, std::span<const double> rigid_y,
-                                        std::span<const double> previous_x, std::span<const double> previous_y,
-                                        const SolverSettings& settings, std::span<const double> initial_x,
-                                        std::span<const double> initial_y, Observer& observer);
-
 /// The steady state, p_previous = p: s = w + C p, found directly. Converged means that the division stands, |p| <= g
 /// everywhere and |p| = g in slip hold exactly, and
 /// evidence.residual <= tolerance, the larger of
@@ -73,8 +63,5 @@ struct TangentialForces {
 };
 TangentialForces tangential_forces(const Grid& grid, std::span<const double> traction_x,
                                    std::span<const double> traction_y);
-
-/// Frictional power per rolling velocity, -sum p . s/dq dx dy over the elements in slip (N), >= 0.
-double frictional_power(const Grid& grid, const RollingSolution& solution, double dq);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// The slip of a shift, and what friction dissipates in it.
+// The slip of a shift.
 #pragma once
 
 #include <span>
@@ -17,9 +17,5 @@ struct SlipDistance {
 SlipDistance slip_distance(const InfluenceOperator& influence, std::span<const double> bound,
                            std::span<const double> rigid_x, std::span<const double> rigid_y,
                            std::span<const double> traction_x, std::span<const double> traction_y);
-
-/// -sum p . s dx dy (N mm), >= 0 but for the solver's tolerance: the traction on the upper body opposes its slip.
-double friction_work(std::span<const double> traction_x, std::span<const double> traction_y, const SlipDistance& slip,
-                     double element_area);
 
 }  // namespace contactd

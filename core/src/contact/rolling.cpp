@@ -210,38 +210,6 @@ RigidSlip rigid_slip(const Grid& grid, const Shift& shift) {
     return rigid_slip(grid, Rolling{.xi = shift.x, .eta = shift.y, .phi = shift.rotation, .spin_offset = 0}, 1);
 }
 
-RollingSolution solve_transient_rolling(const RollingBodies& bodies, std::span<const double> bound,
-                                        std::span<const double> rigid_x, std::span<const double> rigid_y,
-                                        std::span<const double> previous_x, std::span<const double> previous_y,
-                                        const SolverSettings& settings, std::span<const double> initial_x,
-                                        std::span<const double> initial_y, Observer& observer) {
-    check(bodies);
-    const std::size_t n = bodies.grid.size();
-    check_arrays(n, bound, rigid_x, rigid_y, initial_x, initial_y);
-    if (!previous_x.empty()) require_size(previous_x, n, "previous.traction_x");
-    if (!previous_y.empty()) require_size(previous_y, n, "previous.traction_y");
-    const Stopwatch stopwatch;
-    Field previous(n);
-    std::copy(previous_x.begin(), previous_x.end(), previous.x.begin());
-    std::copy(previous_y.begin(), previous_y.end(), previous.y.begin());
-    const RigidSlip rigid = rigid_slip_after(bodies, rigid_x, rigid_y, previous.x, previous.y);
-    const bool from_previous = initial_x.empty() && initial_y.empty();
-    RollingSolution result;
-    static_cast<TangentialSolution&>(result) =
-        solve_tangential(bodies.influence, bound, rigid.x, rigid.y, settings, from_previous ? previous_x : initial_x,
-                         from_previous ? previous_y : initial_y, observer);
-    result.slip_x.resize(n);
-    result.slip_y.resize(n);
-    bodies.influence.tangential(result.traction_x, result.traction_y, result.slip_x, result.slip_y);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool contact = bound[i] > 0;
-        result.slip_x[i] = contact ? result.slip_x[i] + rigid.x[i] : 0;
-        result.slip_y[i] = contact ? result.slip_y[i] + rigid.y[i] : 0;
-    }
-    result.evidence.seconds = stopwatch.seconds();
-    return result;
-}
-
 RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<const double> bound,
                                      std::span<const double> rigid_x, std::span<const double> rigid_y,
                                      const SolverSettings& settings, std::span<const double> initial_x,
@@ -284,14 +252,6 @@ TangentialForces tangential_forces(const Grid& grid, std::span<const double> tra
         }
     const double area = grid.element_area();
     return {sum.Fx * area, sum.Fy * area, sum.Mz * area};
-}
-
-double frictional_power(const Grid& grid, const RollingSolution& solution, double dq) {
-    double work = 0;  // adhesion does none: its slip is what the tolerance leaves
-    for (std::size_t i = 0; i < solution.element_division.size(); ++i)
-        if (solution.element_division[i] == ElementState::slip)
-            work -= solution.traction_x[i] * solution.slip_x[i] + solution.traction_y[i] * solution.slip_y[i];
-    return std::max(work, 0.0) / dq * grid.element_area();
 }
 
 }  // namespace contactd

@@ -22,11 +22,4 @@ SlipDistance slip_distance(const InfluenceOperator& influence, std::span<const d
     return slip;
 }
 
-double friction_work(std::span<const double> traction_x, std::span<const double> traction_y, const SlipDistance& slip,
-                     double element_area) {
-    require_size(traction_x, slip.x.size(), "traction_x");
-    require_size(traction_y, slip.y.size(), "traction_y");
-    return -element_area * (dot(traction_x, slip.x) + dot(traction_y, slip.y));
-}
-
 }  // namespace contactd

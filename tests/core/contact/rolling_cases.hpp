@@ -56,13 +56,6 @@ struct RollingCase {
         return solve_steady_rolling(bodies, bound, w.x, w.y, settings, initial_x, initial_y, observer);
     }
 
-    RollingSolution transient_step(const Values& previous_x, const Values& previous_y,
-                                   const SolverSettings& settings = {}) const {
-        Observer observer;
-        const RigidSlip w = rigid_slip(grid, rolling, dq);
-        return solve_transient_rolling(bodies, bound, w.x, w.y, previous_x, previous_y, settings, {}, {}, observer);
-    }
-
     TangentialForces forces(const TangentialSolution& solution) const {
         return tangential_forces(grid, solution.traction_x, solution.traction_y);
     }
