@@ -13,6 +13,7 @@
 #include "contactd/hertz.hpp"
 #include "contactd/normal.hpp"
 #include "contactd/rolling.hpp"
+#include "contactd/shifted_operator.hpp"
 #include "contactd/tangential.hpp"
 
 namespace contactd::bench {

@@ -1,7 +1,9 @@
 // The influence operator of a table that is Toeplitz in both directions: A p is a convolution, done by FFT.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "contactd/ic_table.hpp"
 #include "contactd/influence_operator.hpp"
@@ -14,6 +16,8 @@ class ConvolutionOperator final : public InfluenceOperator {
    public:
     /// `table` (of the pair of bodies) covers at least the offsets 0..nx-1 x 0..ny-1. Throws InvalidArgument otherwise.
     ConvolutionOperator(const IcTable& table, int nx, int ny);
+    /// On the grid of the table's extent.
+    explicit ConvolutionOperator(IcTable table);
     ~ConvolutionOperator() override;
     ConvolutionOperator(ConvolutionOperator&&) noexcept;
     ConvolutionOperator& operator=(ConvolutionOperator&&) noexcept;
@@ -27,22 +31,22 @@ class ConvolutionOperator final : public InfluenceOperator {
     void normal_of_tangential(std::span<const double> px, std::span<const double> py,
                               std::span<double> uz) const override;
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
-    double diagonal(Axis i) const override;
+    std::vector<double> diagonal(Axis i) const override;
     void precondition(Axis i, std::span<const double> r, std::span<double> z) const override;
     void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                  std::span<double> zy) const override;
+    std::size_t bytes() const override { return size() * bytes_per_element; }
+    /// The table, symbols of five to nine components on a padded grid, coarser grids, and some boxes; about.
+    static constexpr std::size_t bytes_per_element = 800;
+
     /// Elements of twice the size, down to about a dozen along the longer side.
-    const InfluenceOperator* coarser() const override;
-    void to_coarser(std::span<const double> fine, std::span<double> coarse) const override;
-    void from_coarser(std::span<const double> coarse, std::span<double> fine) const override;
-    void copy_from_coarser(std::span<const double> coarse, std::span<double> fine) const override;
-    int elements_per_coarser() const override;
-    ElementBox extent() const override;
-    ElementBox convenient_box(const ElementBox& needed, bool may_grow) const override;
+    const CoarserGrid* coarser() const override;
     /// Operators of the same size share one; the last few sizes are kept.
-    std::shared_ptr<const InfluenceOperator> restricted(const ElementBox& box) const override;
+    const ElementBoxes* boxes() const override;
 
    private:
+    class Coarser;
+    class Boxes;
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

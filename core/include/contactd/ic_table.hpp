@@ -5,24 +5,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "contactd/axis.hpp"
 #include "contactd/ic_spec.hpp"
 
 namespace contactd {
-
-enum class Axis { x = 0, y = 1, z = 2 };
-std::string_view name_of(Axis value);                ///< "x", "y", "z"
-bool from_name(std::string_view name, Axis& value);  ///< sets `value` and returns true, or returns false
-
-/// Mathematical parity of A[i,j](k,l) in the offsets (design: xx, yy, zz even/even; xy, yx odd/odd; xz, zx odd/even;
-/// yz, zy even/odd): +1 or -1 along x and along y.
-struct Parity {
-    int along_x;
-    int along_y;
-};
-Parity parity(Axis displacement, Axis load);
 
 /// A[i,j](k,l): displacement component i (mm) at the element whose offset from the loaded element is (k,l), for a unit
 /// traction (1 N/mm^2) along j on the loaded element. Body z <= 0, outward normal +z, load positive along its axis.

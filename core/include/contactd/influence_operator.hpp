@@ -6,18 +6,15 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
-#include "contactd/ic_table.hpp"
+#include "contactd/axis.hpp"
+#include "contactd/element_box.hpp"
 
 namespace contactd {
 
-/// A rectangle of elements: columns first_x .. first_x + nx - 1, rows alike.
-struct ElementBox {
-    int first_x = 0, first_y = 0, nx = 0, ny = 0;
-
-    std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-    bool operator==(const ElementBox&) const = default;
-};
+class CoarserGrid;
+class ElementBoxes;
 
 /// All spans have size() entries, in the element order of the grid. Implementations are safe to use from several
 /// threads at once.
@@ -46,8 +43,8 @@ class InfluenceOperator {
         std::fill(uy.begin(), uy.end(), 0.0);
     }
 
-    /// A[i,i](0,0), the influence of an element on itself (mm^3/N).
-    virtual double diagonal(Axis i) const = 0;
+    /// A[i,i] of every element on itself (mm^3/N), > 0.
+    virtual std::vector<double> diagonal(Axis i) const = 0;
     /// z ~ A[i,i]^-1 r, symmetric and positive definite; any approximation serves, even a scaled identity.
     virtual void precondition(Axis i, std::span<const double> r, std::span<double> z) const = 0;
     /// The same for both tangential components at once, with their coupling where an implementation knows it.
@@ -57,26 +54,49 @@ class InfluenceOperator {
         precondition(Axis::y, ry, zy);
     }
 
-    /// The same bodies on a coarser grid, for solvers to find a first estimate on, or null. Lives as long as this one.
-    virtual const InfluenceOperator* coarser() const { return nullptr; }
-    /// Means over the elements that a coarser one stands for; called only when there is a coarser grid.
-    virtual void to_coarser(std::span<const double> /*fine*/, std::span<double> /*coarse*/) const {}
-    /// Interpolates between the centres of the coarser elements.
-    virtual void from_coarser(std::span<const double> /*coarse*/, std::span<double> /*fine*/) const {}
-    /// Gives every element the value of the coarser one it belongs to.
-    virtual void copy_from_coarser(std::span<const double> /*coarse*/, std::span<double> /*fine*/) const {}
-    /// How many elements a coarser one stands for.
-    virtual int elements_per_coarser() const { return 1; }
+    /// About what it takes in memory, with all that it will make when that is first needed.
+    virtual std::size_t bytes() const = 0;
 
+    /// What makes solves quicker, where an operator has it, else null. Both live as long as this one.
+    virtual const CoarserGrid* coarser() const { return nullptr; }
+    virtual const ElementBoxes* boxes() const { return nullptr; }
+};
+
+/// The same bodies on a grid of larger elements, where solvers find a first estimate.
+class CoarserGrid {
+   public:
+    virtual ~CoarserGrid() = default;
+    virtual const InfluenceOperator& influence() const = 0;
+    /// How many elements a coarser one stands for, along x and along y. The last coarser ones may reach beyond.
+    virtual int along_x() const = 0;
+    virtual int along_y() const = 0;
+    int ratio() const { return along_x() * along_y(); }
+    /// Means over the elements that a coarser one stands for.
+    virtual void average(std::span<const double> fine, std::span<double> coarse) const = 0;
+    /// Interpolates between the centres of the coarser elements.
+    virtual void interpolate(std::span<const double> coarse, std::span<double> fine) const = 0;
+    /// Gives every element the value of the coarser one it belongs to.
+    virtual void copy(std::span<const double> coarse, std::span<double> fine) const = 0;
+};
+
+/// The same bodies on parts of the grid, for problems whose tractions vanish elsewhere: products cost less there.
+class ElementBoxes {
+   public:
+    virtual ~ElementBoxes() = default;
     /// All elements, as a rectangle.
-    virtual ElementBox extent() const { return {0, 0, static_cast<int>(size()), 1}; }
+    virtual ElementBox extent() const = 0;
     /// A box around `needed` on which products are cheap: a little larger, so that few sizes occur, and with a margin
     /// where the contact may grow; extent() when nothing is gained.
-    virtual ElementBox convenient_box(const ElementBox& /*needed*/, bool /*may_grow*/) const { return extent(); }
-    /// The same bodies on the elements of a box within extent(), for problems whose tractions vanish elsewhere; its
-    /// element order is that of the box. Null when this operator cannot be restricted. Results depend on the box alone,
-    /// not on what was asked for before.
-    virtual std::shared_ptr<const InfluenceOperator> restricted(const ElementBox& /*box*/) const { return nullptr; }
+    virtual ElementBox convenient(const ElementBox& needed, bool may_grow) const = 0;
+    /// The operator on the elements of a box within extent(); its element order is that of the box. Results depend on
+    /// the box alone, not on what was asked for before.
+    virtual std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const = 0;
 };
+
+/// All elements: the rectangle that they are where the operator has boxes, else a row.
+inline ElementBox extent_of(const InfluenceOperator& influence) {
+    const ElementBoxes* boxes = influence.boxes();
+    return boxes != nullptr ? boxes->extent() : ElementBox{0, 0, static_cast<int>(influence.size()), 1};
+}
 
 }  // namespace contactd

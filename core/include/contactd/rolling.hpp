@@ -9,21 +9,15 @@
 #include "contactd/grid.hpp"
 #include "contactd/influence_operator.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "contactd/step_operator.hpp"
 #include "contactd/tangential.hpp"
 
 namespace contactd {
 
-/// C = A - A' with A' the coefficients one step ahead: a ShiftedOperator of this table gives
-/// the change of displacements over a step of steady rolling at the cost of one product. Components xx, xy, yx, yy as
-/// in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws InvalidArgument when `pair` is
-/// smaller than `ahead`.
-ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead);
-
 /// What rolling solvers know of the bodies: the particle that is now at x was at x + step one step ago.
 struct RollingBodies {
     const InfluenceOperator& influence;  ///< A on the grid
-    const ShiftedOperator& change;       ///< C = A - A' on the grid, of change_over_step, for the step
+    const StepOperator& change;          ///< C on the grid, for the step
     const Grid& grid;
     double step_x = 0, step_y = 0;  ///< dq (cos chi, sin chi) (mm), not both zero
 };

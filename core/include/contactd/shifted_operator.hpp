@@ -1,94 +1,32 @@
-// Displacements of particles that roll: at points that lie some distance away from the element centres.
+// Products with a table that is Toeplitz in both directions and has no parity, by FFTs.
 #pragma once
 
-#include <cstddef>
 #include <memory>
-#include <optional>
-#include <span>
-#include <vector>
 
-#include "contactd/grid.hpp"
-#include "contactd/ic_spec.hpp"
-#include "contactd/ic_table.hpp"
-#include "contactd/influence_operator.hpp"
+#include "contactd/shifted_table.hpp"
+#include "contactd/step_operator.hpp"
 
 namespace contactd {
 
-/// A'[i,j](k,l) = A[i,j](k + shift_x/dx, l + shift_y/dy): tangential displacement i (mm) at the point that lies
-/// (shift_x, shift_y) from the centre of the element whose offset from the loaded one is (k,l), for a unit traction
-/// along j. Of the pair of bodies (see pair_of). There is no parity: offsets have both signs.
-struct ShiftedTable {
-    int nx = 0;                  ///< offsets -(nx-1)..nx-1 along x
-    int ny = 0;                  ///< offsets -(ny-1)..ny-1 along y
-    std::vector<double> values;  ///< shape [2, 3, 2 ny - 1, 2 nx - 1]: i = x, y; j = x, y, z; l; k; mm^3/N
-
-    ShiftedTable() = default;
-    ShiftedTable(int nx_, int ny_) : nx(nx_), ny(ny_), values(6 * component_size()) {}
-
-    std::size_t component_size() const {
-        return static_cast<std::size_t>(2 * nx - 1) * static_cast<std::size_t>(2 * ny - 1);
-    }
-    std::size_t index(Axis i, Axis j, int k, int l) const {
-        return (static_cast<std::size_t>(i) * 3 + static_cast<std::size_t>(j)) * component_size() +
-               static_cast<std::size_t>(l + ny - 1) * static_cast<std::size_t>(2 * nx - 1) +
-               static_cast<std::size_t>(k + nx - 1);
-    }
-    double& operator()(Axis i, Axis j, int k, int l) { return values[index(i, j, k, l)]; }  ///< i = x or y
-    double operator()(Axis i, Axis j, int k, int l) const { return values[index(i, j, k, l)]; }
-};
-
-/// The part for a grid of nx x ny elements. Throws InvalidArgument when the table is smaller.
-ShiftedTable cropped(const ShiftedTable& table, int nx, int ny);
-
-/// Two half-spaces under loads of one shape.
-struct HalfSpaces {
-    BodyPair bodies;
-    LoadShape load_shape = LoadShape::constant;
-    std::optional<LineContactSpec> line_contact{};
-};
-
-/// Closed form. Of `grid` only the numbers and the sizes of the elements matter. Absolute accuracy 1e-13 (bilinear load
-/// 1e-12) of the largest coefficient.
-ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid, double shift_x, double shift_y);
-
-/// From a table of the pair, with element sizes dx and dy of `grid` and at least the grid's extent. A shift by whole
-/// elements takes the table's own numbers. For other shifts the difference to the closed form of `nearest` is
-/// interpolated (cubic, with the parity of the component) and added to the closed form at the shifted point: `nearest`
-/// are the half-spaces of the bodies' materials, whether the bodies are half-spaces or not, the singularity under the
-/// load is theirs. When nothing is known of the bodies (no `nearest`), the half-spaces with the same singularity are
-/// found from the table, by least squares near the origin. Beyond the end of the table, which a shift by one element
-/// reaches when the table has the grid's extent, that difference goes on linearly in 1/rho, so it stays bounded; a
-/// larger table leaves less to that.
-/// Errors, of the largest coefficient: none for half-spaces, known (rounding) or found (1e-9). For a thin layer, taken
-/// as half-spaces less an image at twice its thickness of 2 dx, 5e-5 with `nearest` and 4e-4 without it at half and
-/// third elements, 1e-5 where a table of 20 x 20 offsets ends (tests/core/influence/test_shifted_table.cpp holds it to
-/// that). The roughness of a computed table from offset to offset goes over to the result as it is. Throws
-/// InvalidArgument ("grid") when the table is smaller than the grid.
-ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>& nearest, const Grid& grid,
-                           double shift_x, double shift_y);
-
-/// A' p by FFTs, as ConvolutionOperator does A p; spans have size() entries. Safe to use from several threads at once.
-class ShiftedOperator {
+/// Of a ShiftedTable, as ConvolutionOperator of an IcTable: with that of change_over_step what a step changes.
+class ShiftedOperator final : public StepOperator {
    public:
     explicit ShiftedOperator(ShiftedTable table);
-    ~ShiftedOperator();
+    ~ShiftedOperator() override;
     ShiftedOperator(ShiftedOperator&&) noexcept;
     ShiftedOperator& operator=(ShiftedOperator&&) noexcept;
 
-    std::size_t size() const;
-    /// (ux, uy) = [[A'_xx, A'_xy], [A'_yx, A'_yy]] (px, py)
+    std::size_t size() const override;
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
-                    std::span<double> uy) const;
-    /// False when xz and yz are negligible (see coupling_tolerance; relative to xx); tangential_of_normal gives zeros.
-    bool coupled() const;
-    /// ux = A'_xz pz, uy = A'_yz pz
-    void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const;
+                    std::span<double> uy) const override;
+    /// See coupling_tolerance; relative to xx.
+    bool coupled() const override;
+    void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
+    std::size_t bytes() const override { return size() * bytes_per_element; }
+    static constexpr std::size_t bytes_per_element = 500;  ///< table, symbols, coarser grids, and some boxes; about
 
-    /// The same on the elements of a box, as InfluenceOperator::restricted.
-    std::shared_ptr<const ShiftedOperator> restricted(const ElementBox& box) const;
-
-    /// The same shift (in mm) on the grid of ConvolutionOperator::coarser(), or null where that is null.
-    const ShiftedOperator* coarser() const;
+    std::shared_ptr<const StepOperator> on(const ElementBox& box) const override;
+    const StepOperator* coarser() const override;
 
    private:
     struct Impl;

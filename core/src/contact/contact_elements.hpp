@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contactd/influence_operator.hpp"
 #include "solver_support.hpp"
 #include "traction_loops.hpp"
 
@@ -66,5 +67,14 @@ struct Contact {
         for (const Run& run : runs) std::copy_n(&from[run.grid_first], run.size, &to[run.first]);
     }
 };
+
+/// The mean of A_xx and A_yy of each element in contact on itself.
+inline std::vector<double> tangential_diagonal(const InfluenceOperator& influence, const Contact& contact) {
+    const std::vector<double> x = influence.diagonal(Axis::x), y = influence.diagonal(Axis::y);
+    std::vector<double> mean;
+    mean.reserve(contact.size());
+    for (const std::size_t i : contact.elements) mean.push_back(0.5 * (x[i] + y[i]));
+    return mean;
+}
 
 }  // namespace contactd

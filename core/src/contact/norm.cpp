@@ -36,6 +36,10 @@ void project_on_simplex(std::vector<double>& p, double sum) {
     for (double& value : p) value = std::max(value - shift, 0.0);
 }
 
+double largest(const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
 }  // namespace
 
 Norm::Norm(const InfluenceOperator& influence, const NormProblem& problem, const SolverSettings& settings,
@@ -46,7 +50,7 @@ Norm::Norm(const InfluenceOperator& influence, const NormProblem& problem, const
       settings_(settings),
       observer_(observer),
       n_(problem.distance.size()),
-      self_(influence.diagonal(Axis::z)) {
+      self_(largest(influence.diagonal(Axis::z))) {
     for (Values* values : {&p_, &u_, &r_, &z_, &v_, &q_, &best_p_, &best_u_}) values->resize(n_);
     in_contact_.resize(n_);
     if (problem.pressure_sum) weight_.resize(n_);

@@ -34,28 +34,29 @@ NormalSolution solve_from_coarser(const Task& task, Observer& observer);
 // Coarse pressures on the finer grid: the square of the pressure is smooth up to the edge of the contact, so that is
 // interpolated, no element beyond the coarse contact gets any, and every coarse element keeps its force, without which
 // the displacements far from it would be wrong.
-Values refined(const InfluenceOperator& fine, const Values& coarse) {
-    Values squares = coarse, factors(coarse.size()), result(fine.size()), copied(fine.size());
+Values refined(const CoarserGrid& grid, std::size_t fine_size, const Values& coarse) {
+    Values squares = coarse, factors(coarse.size()), result(fine_size), copied(fine_size);
     for (double& value : squares) value = std::max(value, 0.0) * std::max(value, 0.0);
-    fine.from_coarser(squares, result);
+    grid.interpolate(squares, result);
     for (double& value : result) value = std::sqrt(value);
-    fine.to_coarser(result, factors);
+    grid.average(result, factors);
     for (std::size_t i = 0; i < coarse.size(); ++i) factors[i] = coarse[i] > 0 ? coarse[i] / factors[i] : 0;
-    fine.copy_from_coarser(factors, copied);
+    grid.copy(factors, copied);
     for (std::size_t i = 0; i < result.size(); ++i) result[i] *= copied[i];
     return result;
 }
 
 Values estimate_on_coarser_grid(const Task& task, const Observer& observer) {
-    const InfluenceOperator& coarser = *task.influence.coarser();
-    Values distance(coarser.size());
-    task.influence.to_coarser(task.problem.distance, distance);
+    const CoarserGrid& grid = *task.influence.coarser();
+    Values distance(grid.influence().size());
+    grid.average(task.problem.distance, distance);
     SolverSettings settings = task.settings;
     settings.tolerance = std::max(settings.tolerance, coarse_tolerance);
     NormProblem problem{distance, task.problem.pressure_sum, true};
-    if (problem.pressure_sum) *problem.pressure_sum /= task.influence.elements_per_coarser();
+    if (problem.pressure_sum) *problem.pressure_sum /= grid.ratio();
     SilentObserver silent(observer);
-    return refined(task.influence, solve_from_coarser({coarser, problem, settings}, silent).pressure);
+    return refined(grid, task.influence.size(),
+                   solve_from_coarser({grid.influence(), problem, settings}, silent).pressure);
 }
 
 NormalSolution solve_from_coarser(const Task& task, Observer& observer) {
@@ -68,7 +69,7 @@ ElementBox overlaps_outside(const Task& task, const Restriction& restriction, co
     Values u(task.influence.size());
     task.influence.normal(solution.pressure, u);
     const auto& h = task.problem.distance;
-    return bounding_box(task.influence.extent(), [&](std::size_t i) {
+    return bounding_box(extent_of(task.influence), [&](std::size_t i) {
         const double gap = u[i] + h[i] - solution.approach;
         return gap < -rounding * (std::abs(u[i]) + std::abs(h[i]) + std::abs(solution.approach)) &&
                !restriction.contains(i);
@@ -78,7 +79,7 @@ ElementBox overlaps_outside(const Task& task, const Restriction& restriction, co
 // Solves on a box around the estimate, or where the undeformed bodies overlap without one, and makes it larger as long
 // as the contact conditions are violated outside.
 NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Observer& observer) {
-    const ElementBox extent = task.influence.extent();
+    const ElementBox extent = extent_of(task.influence);
     NormalSolution solution;
     const bool anywhere = task.problem.pressure_sum && !any_pressure(estimate);
     if (!any_pressure(estimate)) estimate.assign(task.influence.size(), 0.0);

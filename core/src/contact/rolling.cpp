@@ -82,20 +82,21 @@ Field estimate_on_coarser_grid(const RollingBodies& bodies, std::span<const doub
                                std::span<const double> rigid_x, std::span<const double> rigid_y,
                                const SolverSettings& settings, Observer& observer) {
     Field estimate(bodies.grid.size());
-    const InfluenceOperator* influence = bodies.influence.coarser();
-    const ShiftedOperator* change = bodies.change.coarser();
-    if (influence == nullptr || change == nullptr) return estimate;
-    const ElementBox extent = influence->extent();
+    const CoarserGrid* coarse_grid = bodies.influence.coarser();
+    const StepOperator* change = bodies.change.coarser();
+    if (coarse_grid == nullptr || change == nullptr) return estimate;
+    const InfluenceOperator& influence = coarse_grid->influence();
+    const int along_x = coarse_grid->along_x(), along_y = coarse_grid->along_y();
     Grid grid = bodies.grid;
-    grid.dx *= extent.nx < grid.nx ? 2 : 1;
-    grid.dy *= extent.ny < grid.ny ? 2 : 1;
-    grid.nx = extent.nx;
-    grid.ny = extent.ny;
-    if (influence->size() != grid.size() || change->size() != grid.size()) return estimate;
-    const RollingBodies coarser{*influence, *change, grid, bodies.step_x, bodies.step_y};
+    grid.dx *= along_x;
+    grid.dy *= along_y;
+    grid.nx = (grid.nx + along_x - 1) / along_x;
+    grid.ny = (grid.ny + along_y - 1) / along_y;
+    if (influence.size() != grid.size() || change->size() != grid.size()) return estimate;
+    const RollingBodies coarser{influence, *change, grid, bodies.step_x, bodies.step_y};
     const auto to_coarser = [&](std::span<const double> fine) {
         Values coarse(grid.size());
-        bodies.influence.to_coarser(fine, coarse);
+        coarse_grid->average(fine, coarse);
         return coarse;
     };
     const Values g = to_coarser(bound), wx = to_coarser(rigid_x), wy = to_coarser(rigid_y);
@@ -108,8 +109,8 @@ Field estimate_on_coarser_grid(const RollingBodies& bodies, std::span<const doub
     Field coarse(grid.size());
     contact.scatter(solver.tractions().x, coarse.x);
     contact.scatter(solver.tractions().y, coarse.y);
-    bodies.influence.from_coarser(coarse.x, estimate.x);
-    bodies.influence.from_coarser(coarse.y, estimate.y);
+    coarse_grid->interpolate(coarse.x, estimate.x);
+    coarse_grid->interpolate(coarse.y, estimate.y);
     return estimate;
 }
 
@@ -175,23 +176,6 @@ RollingSolution whole_of(const RollingSolution& part, const Restriction& restric
 
 }  // namespace
 
-ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead) {
-    if (pair.nx < ahead.nx || pair.ny < ahead.ny)
-        throw InvalidArgument("grid", "needs offsets up to " + std::to_string(ahead.nx) + " x " +
-                                          std::to_string(ahead.ny) + "; the table holds " + std::to_string(pair.nx) +
-                                          " x " + std::to_string(pair.ny));
-    using enum Axis;
-    ShiftedTable change = ahead;
-    for (const Axis i : {x, y})
-        for (const Axis j : {x, y, z})
-            for (int l = 1 - ahead.ny; l < ahead.ny; ++l)
-                for (int k = 1 - ahead.nx; k < ahead.nx; ++k) {
-                    double& value = change(i, j, k, l);
-                    value = pair.at(i, j, k, l) - value;
-                }
-    return change;
-}
-
 RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq) {
     const double ahead = rolling.spin_offset * dq;
     const double ahead_x = ahead * std::cos(rolling.chi), ahead_y = ahead * std::sin(rolling.chi);
@@ -218,12 +202,13 @@ RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<cons
     check_arrays(bodies.grid.size(), bound, rigid_x, rigid_y, initial_x, initial_y);
     const Stopwatch stopwatch;
     const Restriction restriction(
-        bodies.influence, bounding_box(bodies.influence.extent(), [&](std::size_t i) { return bound[i] > 0; }), false);
+        bodies.influence, bounding_box(extent_of(bodies.influence), [&](std::size_t i) { return bound[i] > 0; }), false);
+    const std::shared_ptr<const StepOperator> change =
+        restriction.is_whole() ? nullptr : bodies.change.on(restriction.box());
     RollingSolution result;
-    if (restriction.is_whole()) {
+    if (!change) {
         result = solve_steady(bodies, bound, rigid_x, rigid_y, settings, initial_x, initial_y, observer);
     } else {
-        const std::shared_ptr<const ShiftedOperator> change = bodies.change.restricted(restriction.box());
         const RollingBodies on_box{restriction.influence(), *change, restriction.crop(bodies.grid), bodies.step_x,
                                    bodies.step_y};
         const auto crop = [&](std::span<const double> whole) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "traction_loops.hpp"
 
@@ -32,8 +33,9 @@ void Linearisation::project(Field& a) const {
     project_out(a.x.size(), normal, a);
 }
 
-RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact)
-    : m_(contact.size()), inverse_diagonal_(m_), z_(m_ + 1) {
+RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact,
+                           std::vector<double> stiffness)
+    : m_(contact.size()), stiffness_(std::move(stiffness)), inverse_diagonal_(m_), z_(m_ + 1) {
     const Between along_x(step_x / grid.dx), along_y(step_y / grid.dy);
     struct Offset {
         int x, y;
@@ -51,6 +53,7 @@ RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const
             else
                 offsets.push_back(offset);
         }
+    for (const double value : stiffness_) diagonal_stiffness_.push_back(diagonal_ * value);
     links_ = offsets.size();
     std::vector<std::size_t> element_at(grid.size(), m_);
     for (std::size_t e = 0; e < m_; ++e) element_at[contact.elements[e]] = e;
@@ -75,9 +78,10 @@ RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const
         }
 }
 
-void RollingSweep::linearise(const Linearisation& linearisation, double stiffness) {
+void RollingSweep::linearise(const Linearisation& linearisation) {
     linearisation_ = &linearisation;
-    shifted_reciprocal(m_, linearisation.turning.data(), diagonal_ * stiffness, stiffness, inverse_diagonal_.data());
+    shifted_reciprocal(m_, linearisation.turning.data(), diagonal_stiffness_.data(), stiffness_.data(),
+                       inverse_diagonal_.data());
 }
 
 void RollingSweep::solve(const Field& r, Field& z) const {

@@ -25,9 +25,11 @@ struct Linearisation {
 // between the centres by bilinear interpolation, and zero outside contact.
 class RollingSweep {
    public:
-    RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact);
+    // `stiffness` of each element in contact.
+    RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact,
+                 std::vector<double> stiffness);
 
-    void linearise(const Linearisation& linearisation, double stiffness);
+    void linearise(const Linearisation& linearisation);
     // z and r may be the same.
     void solve(const Field& r, Field& z) const;
     double diagonal() const { return diagonal_; }  // of T
@@ -44,6 +46,7 @@ class RollingSweep {
     std::size_t links_ = 0;    // per element
     std::vector<Link> ahead_;  // shape [m, links_], in the order of the sweep
     const Linearisation* linearisation_ = nullptr;
+    std::vector<double> stiffness_, diagonal_stiffness_;  // the latter times the diagonal of T
     std::vector<double> inverse_diagonal_;
     mutable Field z_;  // with one zero behind its end
 };

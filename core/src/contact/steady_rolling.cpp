@@ -29,6 +29,11 @@ double root_mean_square(const Field& a) {
     return a.x.empty() ? 0 : std::sqrt(inner(a, a) / static_cast<double>(a.x.size()));
 }
 
+std::vector<double> times(double factor, std::vector<double> values) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+
 }  // namespace
 
 SteadyRolling::SteadyRolling(const RollingBodies& bodies, const Contact& contact, const SolverSettings& settings,
@@ -41,9 +46,9 @@ SteadyRolling::SteadyRolling(const RollingBodies& bodies, const Contact& contact
       settings_(settings),
       observer_(observer),
       m_(contact.size()),
-      self_(0.5 * (influence_.diagonal(Axis::x) + influence_.diagonal(Axis::y))),
+      self_(tangential_diagonal(influence_, contact)),
       rms_w_(root_mean_square(w_)),
-      sweep_(bodies.grid, bodies.step_x, bodies.step_y, contact),
+      sweep_(bodies.grid, bodies.step_x, bodies.step_y, contact, times(sweep_self, self_)),
       history_(m_, capacity(m_)),
       law_(m_),
       before_(m_),
@@ -52,7 +57,11 @@ SteadyRolling::SteadyRolling(const RollingBodies& bodies, const Contact& contact
       inverse_g_(m_),
       squared_bound_(dot(g_, g_)) {
     for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_, &swept_}) *field = Field(m_);
-    for (std::size_t e = 0; e < m_; ++e) inverse_g_[e] = 1 / g_[e];
+    for (std::size_t e = 0; e < m_; ++e) {
+        inverse_g_[e] = 1 / g_[e];
+        stiff_.push_back(stiff_self * self_[e] * sweep_.diagonal());
+        to_diagonal_.push_back(1 / (sweep_self * self_[e]));
+    }
     full_in_ = Field(influence_.size());
     full_out_ = Field(influence_.size());
 }
@@ -80,9 +89,9 @@ void SteadyRolling::start(const Field& estimate) {
 // As in TangCg: finds slip also when the bound has grown a little since the estimate.
 void SteadyRolling::find_division() {
     update_slip();
-    const double stiffness = start_self * self_ * sweep_.diagonal();
     bool moved = false;
     for (std::size_t e = 0; e < m_; ++e) {
+        const double stiffness = start_self * self_[e] * sweep_.diagonal();
         const double x = p_.x[e] - s_.x[e] / stiffness, y = p_.y[e] - s_.y[e] / stiffness;
         if (!(std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound))) continue;
         moved = moved || size(e) < g_[e] * (1 - on_bound);
@@ -153,12 +162,10 @@ double SteadyRolling::violation() const {
 
 void SteadyRolling::linearise() {
     linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.turning.data(), r_);
-    const double stiff = stiff_self * self_ * sweep_.diagonal();
-    const double to_diagonal = 1 / (sweep_self * self_);
-    shifted_reciprocal(m_, law_.turning.data(), stiff, stiff, weight_.data());
-    for (std::size_t e = 0; e < m_; ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal;
+    shifted_reciprocal(m_, law_.turning.data(), stiff_.data(), stiff_.data(), weight_.data());
+    for (std::size_t e = 0; e < m_; ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal_[e];
     slipping_ = static_cast<std::size_t>(std::count(law_.slips.begin(), law_.slips.end(), 1));
-    sweep_.linearise(law_, sweep_self * self_);
+    sweep_.linearise(law_);
 }
 
 void SteadyRolling::linearise_history() {

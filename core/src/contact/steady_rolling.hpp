@@ -57,14 +57,15 @@ class SteadyRolling {
     bool made_progress();
 
     const InfluenceOperator& influence_;
-    const ShiftedOperator& change_;
+    const StepOperator& change_;
     const Contact& contact_;
     const std::vector<double>& g_;
     const Field& w_;
     const SolverSettings& settings_;
     Observer& observer_;
     const std::size_t m_;
-    const double self_, rms_w_;
+    const std::vector<double> self_;  // of each element in contact, A's diagonal
+    const double rms_w_;
     RollingSweep sweep_;
     SecantHistory history_;
     Linearisation law_;
@@ -73,6 +74,7 @@ class SteadyRolling {
     std::vector<char> before_;               // the division before the last step
     std::vector<double> weight_, diagonal_;  // of A^-1 in the preconditioner and of what stands in for it, per element
     std::vector<double> inverse_g_;
+    std::vector<double> stiff_, to_diagonal_;  // turning stiffness that rules the Jacobian; slip to traction of one
     double squared_bound_;      // sum of g^2
     std::size_t slipping_ = 0;  // elements
     bool division_changed_ = false;

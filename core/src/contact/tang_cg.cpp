@@ -37,15 +37,16 @@ TangCg::TangCg(const InfluenceOperator& influence, const Contact& contact, const
       settings_(settings),
       observer_(observer),
       m_(contact.size()),
-      self_(0.5 * (influence.diagonal(Axis::x) + influence.diagonal(Axis::y))) {
+      self_(tangential_diagonal(influence, contact)) {
     for (Field* field : {&p_, &s_, &r_, &z_, &v_, &q_, &jv_, &normal_}) *field = Field(m_);
-    for (Values* values : {&turning_, &scale_, &diagonal_, &inverse_g_}) values->resize(m_);
+    for (Values* values : {&turning_, &scale_, &diagonal_, &inverse_g_, &to_self_}) values->resize(m_);
     slips_.resize(m_);
     squared_bound_ = dot(g_, g_);
     full_in_ = Field(influence.size());
     full_out_ = Field(influence.size());
     for (std::size_t e = 0; e < m_; ++e) {
         inverse_g_[e] = 1 / g_[e];
+        to_self_[e] = 1 / self_[e];
         noise_ = std::max({noise_, rounding * std::abs(w_.x[e]), rounding * std::abs(w_.y[e])});
     }
 }
@@ -96,7 +97,7 @@ void TangCg::set_tractions(const Field& estimate) {
     // slip when the bound has grown a little since the estimate.
     double change = 0;
     for (std::size_t e = 0; e < m_; ++e) {
-        const double x = p_.x[e] - s_.x[e] / (start_self * self_), y = p_.y[e] - s_.y[e] / (start_self * self_);
+        const double x = p_.x[e] - s_.x[e] / (start_self * self_[e]), y = p_.y[e] - s_.y[e] / (start_self * self_[e]);
         if (!slips_[e] && std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound)) change += let_slip(e);
     }
     drift_ = relative_to_traction(change);
@@ -142,11 +143,10 @@ double TangCg::relative_to_traction(double change_squared) const {
 
 void TangCg::linearise() {
     linearise_law(m_, slips_.data(), p_, s_, inverse_g_.data(), normal_, turning_.data(), r_);
-    const double to_self = 1 / self_;
     for (std::size_t e = 0; e < m_; ++e) {
-        const double part = 1 / (soft + turning_[e] * to_self);
+        const double part = 1 / (soft + turning_[e] * to_self_[e]);
         scale_[e] = soft * part;
-        diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self;
+        diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self_[e];
     }
     for (const Contact::Run& run : contact_.runs) {
         multiply(run.size, &scale_[run.first], &r_.x[run.first], &full_in_.x[run.grid_first]);

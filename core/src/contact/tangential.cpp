@@ -38,13 +38,13 @@ TangentialSolution solve(const InfluenceOperator& influence, const Problem& prob
 
 // What is smooth up to the edge of the contact is the traction over its bound: that is interpolated, weighted with the
 // bound, so that slip on the coarser grid is slip on the finer one.
-Field refined(const InfluenceOperator& fine, const Values& fine_bound, const Values& coarse_bound,
+Field refined(const CoarserGrid& grid, const Values& fine_bound, const Values& coarse_bound,
               const TangentialSolution& coarse) {
-    Field tractions(fine.size());
-    Values weight(fine.size());
-    fine.from_coarser(coarse.traction_x, tractions.x);
-    fine.from_coarser(coarse.traction_y, tractions.y);
-    fine.from_coarser(coarse_bound, weight);
+    Field tractions(fine_bound.size());
+    Values weight(fine_bound.size());
+    grid.interpolate(coarse.traction_x, tractions.x);
+    grid.interpolate(coarse.traction_y, tractions.y);
+    grid.interpolate(coarse_bound, weight);
     for (std::size_t i = 0; i < weight.size(); ++i) {
         const double factor = weight[i] > 0 ? fine_bound[i] / weight[i] : 0;
         tractions.x[i] *= factor;
@@ -55,18 +55,18 @@ Field refined(const InfluenceOperator& fine, const Values& fine_bound, const Val
 
 Field estimate_on_coarser_grid(const InfluenceOperator& influence, const Problem& problem,
                                const SolverSettings& settings, const Observer& observer) {
-    const InfluenceOperator& coarser = *influence.coarser();
+    const CoarserGrid& grid = *influence.coarser();
     const auto to_coarser = [&](const Values& fine) {
-        Values coarse(coarser.size());
-        influence.to_coarser(fine, coarse);
+        Values coarse(grid.influence().size());
+        grid.average(fine, coarse);
         return coarse;
     };
     SolverSettings coarse_settings = settings;
     coarse_settings.tolerance = std::max(settings.tolerance, coarse_tolerance);
     SilentObserver silent(observer);
     const Problem coarse{to_coarser(problem.bound), to_coarser(problem.rigid_x), to_coarser(problem.rigid_y)};
-    return refined(influence, problem.bound, coarse.bound,
-                   solve(coarser, coarse, coarse_settings, nullptr, true, silent));
+    return refined(grid, problem.bound, coarse.bound,
+                   solve(grid.influence(), coarse, coarse_settings, nullptr, true, silent));
 }
 
 TangentialSolution solve(const InfluenceOperator& influence, const Problem& problem, const SolverSettings& settings,
@@ -97,7 +97,7 @@ TangentialSolution solve_tangential(const InfluenceOperator& influence, std::spa
     if (!initial_y.empty()) require_size(initial_y, influence.size(), "initial.traction_y");
     const Stopwatch stopwatch;
     const Restriction restriction(influence,
-                                  bounding_box(influence.extent(), [&](std::size_t i) { return bound[i] > 0; }), false);
+                                  bounding_box(extent_of(influence), [&](std::size_t i) { return bound[i] > 0; }), false);
     const Problem problem{restriction.crop(bound), restriction.crop(rigid_x), restriction.crop(rigid_y)};
     const bool has_estimate = any(initial_x) || any(initial_y);
     const Field whole = full_size(initial_x, initial_y, influence.size());

@@ -173,9 +173,9 @@ MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const ch
 }
 
 CONTACTD_WIDE
-void shifted_reciprocal(std::size_t m, const double* __restrict a, double added, double numerator,
+void shifted_reciprocal(std::size_t m, const double* a, const double* added, const double* numerator,
                         double* __restrict out) {
-    for (std::size_t e = 0; e < m; ++e) out[e] = numerator / (added + a[e]);
+    for (std::size_t e = 0; e < m; ++e) out[e] = numerator[e] / (added[e] + a[e]);
 }
 
 CONTACTD_WIDE

@@ -72,7 +72,7 @@ MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const ch
                      MutableVectors p, MutableVectors s);
 
 /// out = numerator/(added + a)
-void shifted_reciprocal(std::size_t m, const double* a, double added, double numerator, double* out);
+void shifted_reciprocal(std::size_t m, const double* a, const double* added, const double* numerator, double* out);
 
 /// After a step to p and s: slip ends where s . p > push g, and the tractions and slips of before become what the step
 /// changed of them.

@@ -216,4 +216,21 @@ ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>&
     return table;
 }
 
+ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead) {
+    if (pair.nx < ahead.nx || pair.ny < ahead.ny)
+        throw InvalidArgument("grid", "needs offsets up to " + std::to_string(ahead.nx) + " x " +
+                                          std::to_string(ahead.ny) + "; the table holds " + std::to_string(pair.nx) +
+                                          " x " + std::to_string(pair.ny));
+    using enum Axis;
+    ShiftedTable change = ahead;
+    for (const Axis i : {x, y})
+        for (const Axis j : {x, y, z})
+            for (int l = 1 - ahead.ny; l < ahead.ny; ++l)
+                for (int k = 1 - ahead.nx; k < ahead.nx; ++k) {
+                    double& value = change(i, j, k, l);
+                    value = pair.at(i, j, k, l) - value;
+                }
+    return change;
+}
+
 }  // namespace contactd

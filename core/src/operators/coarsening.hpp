@@ -4,7 +4,7 @@
 #include <span>
 
 #include "contactd/ic_table.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "contactd/shifted_table.hpp"
 
 namespace contactd {
 
@@ -25,7 +25,8 @@ class Coarsening {
     void interpolate(std::span<const double> coarse, std::span<double> fine) const;
     /// The value of the coarse element that a fine one belongs to.
     void copy(std::span<const double> coarse, std::span<double> fine) const;
-    int ratio() const { return factor_x_ * factor_y_; }  ///< fine elements in a coarse one
+    int along_x() const { return factor_x_; }  ///< fine elements in a coarse one
+    int along_y() const { return factor_y_; }
 
    private:
     int nx_, ny_, factor_x_, factor_y_, coarse_nx_, coarse_ny_;

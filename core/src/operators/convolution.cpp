@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "coarsening.hpp"
 #include "contactd/error.hpp"
@@ -50,7 +51,7 @@ int quick_size(int n) {
 struct Interval {
     int first, n;
 };
-Interval convenient(Interval needed, int all, int margin) {
+Interval convenient_interval(Interval needed, int all, int margin) {
     const int n = std::min(quick_size(std::max(needed.n + margin, 1)), all);
     return {std::clamp(needed.first - (n - needed.n) / 2, 0, all - n), n};
 }
@@ -61,6 +62,42 @@ int padded_size(int n) {
     if (n == 1) return 1;
     return smooth_size(n) == n ? 2 * n : smooth_size(2 * n - 1);
 }
+
+/// On elements of twice the size.
+class ConvolutionOperator::Coarser final : public CoarserGrid {
+   public:
+    Coarser(const Coarsening& coarsening, IcTable table) : coarsening_(coarsening), influence_(std::move(table)) {}
+
+    const InfluenceOperator& influence() const override { return influence_; }
+    int along_x() const override { return coarsening_.along_x(); }
+    int along_y() const override { return coarsening_.along_y(); }
+    void average(std::span<const double> fine, std::span<double> coarse) const override {
+        coarsening_.average(fine, coarse);
+    }
+    void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
+        coarsening_.interpolate(coarse, fine);
+    }
+    void copy(std::span<const double> coarse, std::span<double> fine) const override {
+        coarsening_.copy(coarse, fine);
+    }
+
+   private:
+    const Coarsening coarsening_;
+    const ConvolutionOperator influence_;
+};
+
+class ConvolutionOperator::Boxes final : public ElementBoxes {
+   public:
+    explicit Boxes(const Impl& whole) : whole_(whole) {}
+
+    ElementBox extent() const override;
+    ElementBox convenient(const ElementBox& needed, bool may_grow) const override;
+    std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override;
+
+   private:
+    const Impl& whole_;
+    mutable KeptBoxes<InfluenceOperator> kept_;
+};
 
 struct ConvolutionOperator::Impl {
     int nx, ny;
@@ -83,16 +120,15 @@ struct ConvolutionOperator::Impl {
     Lazy<Coupling> coupling;
     Lazy<TangentialInverse> tangential_inverse;
     std::array<Lazy<PaddedFft::Symbol>, 3> reciprocal;
-    Lazy<std::unique_ptr<ConvolutionOperator>> coarse;
+    Lazy<std::unique_ptr<CoarserGrid>> coarse;
+    const Boxes boxes{*this};
 
-    KeptBoxes<ConvolutionOperator> boxes;
-
-    Impl(const IcTable& larger_table, int nx_, int ny_)
-        : nx(nx_),
-          ny(ny_),
+    explicit Impl(IcTable table_)
+        : nx(table_.nx),
+          ny(table_.ny),
           product(nx, ny, padded_size(nx), padded_size(ny)),
           inverse(nx, ny, preconditioner_size(nx), preconditioner_size(ny)),
-          table(cropped(larger_table, nx, ny)),
+          table(std::move(table_)),
           coupled(contactd::coupling(table) > coupling_tolerance),
           coarsening(nx, ny) {}
 
@@ -159,8 +195,10 @@ ConvolutionOperator::ConvolutionOperator(const IcTable& table, int nx, int ny) {
         throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " x " + std::to_string(ny) +
                                           "; the table holds " + std::to_string(table.nx) + " x " +
                                           std::to_string(table.ny));
-    impl_ = std::make_unique<Impl>(table, nx, ny);
+    impl_ = std::make_unique<Impl>(cropped(table, nx, ny));
 }
+
+ConvolutionOperator::ConvolutionOperator(IcTable table) : impl_(std::make_unique<Impl>(std::move(table))) {}
 
 ConvolutionOperator::~ConvolutionOperator() = default;
 ConvolutionOperator::ConvolutionOperator(ConvolutionOperator&&) noexcept = default;
@@ -199,8 +237,8 @@ void ConvolutionOperator::tangential_of_normal(std::span<const double> pz, std::
     impl_->product.spread(symbols.xz, symbols.yz, pz, ux, uy);
 }
 
-double ConvolutionOperator::diagonal(Axis i) const {
-    return impl_->table(i, i, 0, 0);
+std::vector<double> ConvolutionOperator::diagonal(Axis i) const {
+    return std::vector<double>(size(), impl_->table(i, i, 0, 0));
 }
 
 void ConvolutionOperator::precondition(Axis i, std::span<const double> r, std::span<double> z) const {
@@ -213,48 +251,34 @@ void ConvolutionOperator::precondition_tangential(std::span<const double> rx, st
     impl_->inverse.apply({symbols.xx, symbols.xy, symbols.xy, symbols.yy}, rx, ry, zx, zy);
 }
 
-const InfluenceOperator* ConvolutionOperator::coarser() const {
+const CoarserGrid* ConvolutionOperator::coarser() const {
     Impl& impl = *impl_;
     if (!impl.coarsening.useful()) return nullptr;
     const auto make = [&] {
-        const IcTable coarse_table = impl.coarsening.coarse(impl.table, impl.coupled);
-        return std::make_unique<ConvolutionOperator>(coarse_table, coarse_table.nx, coarse_table.ny);
+        return std::make_unique<Coarser>(impl.coarsening, impl.coarsening.coarse(impl.table, impl.coupled));
     };
     return impl.coarse.get(make).get();
 }
 
-void ConvolutionOperator::to_coarser(std::span<const double> fine, std::span<double> coarse) const {
-    impl_->coarsening.average(fine, coarse);
+const ElementBoxes* ConvolutionOperator::boxes() const {
+    return &impl_->boxes;
 }
 
-void ConvolutionOperator::from_coarser(std::span<const double> coarse, std::span<double> fine) const {
-    impl_->coarsening.interpolate(coarse, fine);
+ElementBox ConvolutionOperator::Boxes::extent() const {
+    return {0, 0, whole_.nx, whole_.ny};
 }
 
-void ConvolutionOperator::copy_from_coarser(std::span<const double> coarse, std::span<double> fine) const {
-    impl_->coarsening.copy(coarse, fine);
-}
-
-int ConvolutionOperator::elements_per_coarser() const {
-    return impl_->coarsening.ratio();
-}
-
-ElementBox ConvolutionOperator::extent() const {
-    return {0, 0, impl_->nx, impl_->ny};
-}
-
-ElementBox ConvolutionOperator::convenient_box(const ElementBox& needed, bool may_grow) const {
+ElementBox ConvolutionOperator::Boxes::convenient(const ElementBox& needed, bool may_grow) const {
     const int margin = may_grow ? 2 : 0;
-    const Interval columns = convenient({needed.first_x, needed.nx}, impl_->nx, margin);
-    const Interval rows = convenient({needed.first_y, needed.ny}, impl_->ny, margin);
+    const Interval columns = convenient_interval({needed.first_x, needed.nx}, whole_.nx, margin);
+    const Interval rows = convenient_interval({needed.first_y, needed.ny}, whole_.ny, margin);
     const ElementBox box{columns.first, rows.first, columns.n, rows.n};
     const double part = may_grow ? small_box : small_lasting_box;
-    return static_cast<double>(box.size()) <= part * static_cast<double>(size()) ? box : extent();
+    return static_cast<double>(box.size()) <= part * static_cast<double>(extent().size()) ? box : extent();
 }
 
-std::shared_ptr<const InfluenceOperator> ConvolutionOperator::restricted(const ElementBox& box) const {
-    return impl_->boxes.get(box,
-                            [&] { return std::make_shared<const ConvolutionOperator>(impl_->table, box.nx, box.ny); });
+std::shared_ptr<const InfluenceOperator> ConvolutionOperator::Boxes::influence(const ElementBox& box) const {
+    return kept_.get(box, [&] { return std::make_shared<const ConvolutionOperator>(whole_.table, box.nx, box.ny); });
 }
 
 int smooth_size(int n) {

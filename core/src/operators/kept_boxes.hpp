@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "contactd/influence_operator.hpp"
+#include "contactd/element_box.hpp"
 
 namespace contactd {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "contactd/ic_table.hpp"
+#include "contactd/axis.hpp"
 
 namespace contactd {
 

@@ -41,9 +41,11 @@ inline ElementBox united(const ElementBox& a, const ElementBox& b) {
 class Restriction {
    public:
     Restriction(const InfluenceOperator& influence, const ElementBox& needed, bool may_grow)
-        : whole_(influence), extent_(influence.extent()), box_(influence.convenient_box(needed, may_grow)) {
-        if (!(box_ == extent_)) part_ = influence.restricted(box_);
-        if (!part_) box_ = extent_;
+        : whole_(influence), extent_(extent_of(influence)), box_(extent_) {
+        const ElementBoxes* boxes = influence.boxes();
+        if (boxes == nullptr) return;
+        box_ = boxes->convenient(needed, may_grow);
+        if (!(box_ == extent_)) part_ = boxes->influence(box_);
     }
 
     const InfluenceOperator& influence() const { return part_ ? *part_ : whole_; }

@@ -44,7 +44,7 @@ struct ShiftedOperator::Impl {
     Lazy<Tangential> tangential;
     Lazy<Coupling> coupling;
     Lazy<std::unique_ptr<ShiftedOperator>> coarse;
-    KeptBoxes<ShiftedOperator> boxes;
+    KeptBoxes<StepOperator> boxes;
 
     explicit Impl(ShiftedTable table_)
         : nx(table_.nx),
@@ -91,12 +91,12 @@ void ShiftedOperator::tangential_of_normal(std::span<const double> pz, std::span
     std::fill(uy.begin(), uy.end(), 0.0);
 }
 
-std::shared_ptr<const ShiftedOperator> ShiftedOperator::restricted(const ElementBox& box) const {
+std::shared_ptr<const StepOperator> ShiftedOperator::on(const ElementBox& box) const {
     return impl_->boxes.get(
         box, [&] { return std::make_shared<const ShiftedOperator>(cropped(impl_->table, box.nx, box.ny)); });
 }
 
-const ShiftedOperator* ShiftedOperator::coarser() const {
+const StepOperator* ShiftedOperator::coarser() const {
     Impl& impl = *impl_;
     if (!impl.coarsening.useful()) return nullptr;
     return impl.coarse.get([&] { return std::make_unique<ShiftedOperator>(impl.coarsening.coarse(impl.table)); }).get();

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "contactd/convolution.hpp"
+#include "contactd/shifted_operator.hpp"
+
 namespace contactd::server {
 
 using proto::StatusCode;
@@ -11,8 +14,10 @@ namespace {
 
 // Beside the operators: gap, friction and tractions of the problem, as opened and as solved, and the state.
 constexpr std::size_t bytes_per_element_problem = 300, bytes_per_element_state = 128, bytes_beside = 8192;
-// As ContactInfluence counts its own, with those of rolling, which a step may ask for.
-constexpr std::size_t bytes_per_element_operators = 1300, bytes_per_element_table = 2 * 9 * sizeof(double);
+// With the operator of rolling, which a step may ask for.
+constexpr std::size_t bytes_per_element_operators =
+    ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element;
+constexpr std::size_t bytes_per_element_table = 2 * 9 * sizeof(double);
 
 StatusError state_unknown() {
     return {StatusCode::not_found, proto::reason::state_unknown,

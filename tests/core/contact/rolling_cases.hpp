@@ -8,6 +8,7 @@
 #include "contact_cases.hpp"
 #include "contactd/convolution.hpp"
 #include "contactd/rolling.hpp"
+#include "contactd/shifted_operator.hpp"
 
 namespace contactd::test {
 

@@ -75,7 +75,7 @@ TEST_CASE("convolution equals the dense sum", "[convolution]") {
     CAPTURE(nx, ny);
     const IcTable table = rough_table(Grid::centred(nx + 2, ny + 1, 1, 0.7));
     const ConvolutionOperator influence(table, nx, ny);
-    CHECK(influence.diagonal(Axis::y) == table(Axis::y, Axis::y, 0, 0));
+    CHECK(influence.diagonal(Axis::y) == Values(influence.size(), table(Axis::y, Axis::y, 0, 0)));
     check_against_dense_sums(influence, table, nx, ny);
     check_coupling_against_dense_sums(influence, table, nx, ny);
     CHECK(influence.coupled() == (nx * ny > 1));
@@ -178,8 +178,11 @@ TEST_CASE("coarser operator stands for elements of twice the size", "[convolutio
     const int nx = 40, ny = 21;
     const Grid grid = Grid::centred(nx, ny, 1, 1);
     const ConvolutionOperator fine(dissimilar_pair(grid), nx, ny);
-    const InfluenceOperator* coarse = fine.coarser();
-    REQUIRE(coarse != nullptr);
+    const CoarserGrid* grid_of_coarse = fine.coarser();
+    REQUIRE(grid_of_coarse != nullptr);
+    CHECK(grid_of_coarse->along_x() == 2);
+    CHECK(grid_of_coarse->along_y() == 2);
+    const InfluenceOperator* coarse = &grid_of_coarse->influence();
     REQUIRE(coarse->size() == 20 * 11);
     REQUIRE(coarse->coupled());
     Values p_coarse(coarse->size()), u_coarse(coarse->size()), p(fine.size()), u(fine.size()), mean(coarse->size());
@@ -189,13 +192,13 @@ TEST_CASE("coarser operator stands for elements of twice the size", "[convolutio
 
     coarse->normal(p_coarse, u_coarse);
     fine.normal(p, u);
-    fine.to_coarser(u, mean);
+    grid_of_coarse->average(u, mean);
 
     for (std::size_t i = 0; i < 20 * 10; ++i) CHECK_THAT(u_coarse[i], WithinAbs(mean[i], 1e-13));
     Values other_coarse(coarse->size()), other(fine.size());
     coarse->tangential_of_normal(p_coarse, u_coarse, other_coarse);
     fine.tangential_of_normal(p, u, other);
-    fine.to_coarser(u, mean);
+    grid_of_coarse->average(u, mean);
     for (std::size_t i = 0; i < 20 * 10; ++i) CHECK_THAT(u_coarse[i], WithinAbs(mean[i], 1e-13));
 }
 
@@ -208,7 +211,7 @@ TEST_CASE("a convenient box holds what is needed, with a margin where the contac
     const ConvolutionOperator influence(half_space_pair(Grid::centred(40, 30, 0.1, 0.1), {200, 0.3}), 40, 30);
     const ElementBox needed = GENERATE(ElementBox{3, 4, 11, 9}, ElementBox{29, 0, 11, 12}, ElementBox{20, 20, 1, 1});
     for (const bool may_grow : {true, false}) {
-        const ElementBox box = influence.convenient_box(needed, may_grow);
+        const ElementBox box = influence.boxes()->convenient(needed, may_grow);
         CHECK(box.size() < influence.size());
         CHECK((box.first_x >= 0 && box.first_x <= needed.first_x));
         CHECK((box.first_y >= 0 && box.first_y <= needed.first_y));
@@ -216,8 +219,8 @@ TEST_CASE("a convenient box holds what is needed, with a margin where the contac
         CHECK((box.first_y + box.ny <= 30 && box.first_y + box.ny >= needed.first_y + needed.ny));
         if (may_grow) CHECK((box.nx >= needed.nx + 2 && box.ny >= needed.ny + 2));
     }
-    CHECK(influence.convenient_box({}, false).size() > 0);
-    CHECK(influence.convenient_box({1, 1, 39, 29}, false) == influence.extent());
+    CHECK(influence.boxes()->convenient({}, false).size() > 0);
+    CHECK(influence.boxes()->convenient({1, 1, 39, 29}, false) == influence.boxes()->extent());
 }
 
 TEST_CASE("convolution refuses a table that is too small", "[convolution]") {

@@ -112,7 +112,7 @@ TEST_CASE("coarser shifted operator stands for elements of twice the size", "[sh
     const int nx = 40, ny = 21;
     const ShiftedTable table = random_table(nx, ny);
     const ShiftedOperator fine(table);
-    const ShiftedOperator* coarse = fine.coarser();
+    const StepOperator* coarse = fine.coarser();
     REQUIRE(coarse != nullptr);
     REQUIRE(coarse->size() == 20 * 11);
     Values p_coarse(coarse->size()), ux_coarse(p_coarse), uy_coarse(p_coarse), p(fine.size()), ux(p), uy(p);
@@ -138,7 +138,7 @@ TEST_CASE("small grids have no coarser shifted operator", "[shifted]") {
 
 TEST_CASE("shifted operator on a box takes the offsets that fit into it", "[shifted]") {
     const ShiftedTable table = random_table(9, 8);
-    const auto part = ShiftedOperator(table).restricted({2, 1, 6, 5});
+    const auto part = ShiftedOperator(table).on({2, 1, 6, 5});
     REQUIRE(part->size() == 30);
     const Values p = random_values(30, 4), none(30);
     Values ux(30), uy(30);

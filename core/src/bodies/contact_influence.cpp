@@ -1,21 +1,15 @@
-#include "contactd/solve_contact.hpp"
+#include "contactd/contact_influence.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "contactd/convolution.hpp"
-#include "contactd/rolling.hpp"
+#include "contactd/shifted_operator.hpp"
 
 namespace contactd {
-namespace {
-
-// The table, symbols of five to nine components on a padded grid, coarser grids, and some boxes; about.
-constexpr std::size_t bytes_per_element_here = 800, bytes_per_element_change = 500;
-
-}  // namespace
 
 std::size_t ContactInfluence::bytes() const {
-    return (here ? here->size() * bytes_per_element_here : 0) +
-           (change ? change->size() * bytes_per_element_change : 0);
+    return (here ? here->bytes() : 0) + (change ? change->bytes() : 0);
 }
 
 std::array<double, 2> step_of(const ContactProblem& problem) {

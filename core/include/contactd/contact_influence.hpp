@@ -1,0 +1,29 @@
+// From the bodies to the operators that solve their contact.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "contactd/contact.hpp"
+#include "contactd/ic_table.hpp"
+#include "contactd/influence_operator.hpp"
+#include "contactd/step_operator.hpp"
+
+namespace contactd {
+
+struct ContactInfluence {
+    std::shared_ptr<const InfluenceOperator> here;  ///< displacements at the elements
+    /// Of rolling: by how much they differ from those one step ahead; null otherwise.
+    std::shared_ptr<const StepOperator> change;
+
+    std::size_t bytes() const;  ///< about what they take in memory
+};
+
+/// The way from a particle to where it was one step ago (mm): dq (cos chi, sin chi); zero unless the bodies roll.
+std::array<double, 2> step_of(const ContactProblem& problem);
+
+/// `pair` holds the coefficients of both bodies (pair_of), or those given by the problem; a rigid body has none.
+ContactInfluence make_influence(const ContactProblem& problem, const IcTable& pair);
+
+}  // namespace contactd

@@ -1,0 +1,34 @@
+// What a step of rolling changes: by how much displacements at the elements differ from those one step ahead.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "contactd/element_box.hpp"
+
+namespace contactd {
+
+/// C = A - A', where A' gives the displacements at the points one step ahead of the elements. Spans have size()
+/// entries, in the element order of the grid. Implementations are safe to use from several threads at once.
+class StepOperator {
+   public:
+    virtual ~StepOperator() = default;
+    virtual std::size_t size() const = 0;
+    /// (ux, uy) = [[C_xx, C_xy], [C_yx, C_yy]] (px, py)
+    virtual void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                            std::span<double> uy) const = 0;
+    /// False when C_xz and C_yz are negligible; tangential_of_normal then gives zeros.
+    virtual bool coupled() const = 0;
+    /// ux = C_xz pz, uy = C_yz pz
+    virtual void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const = 0;
+    /// About what it takes in memory, with all that it will make when that is first needed.
+    virtual std::size_t bytes() const = 0;
+
+    /// The same step on the elements of a box, as ElementBoxes::influence, or null where it cannot be had.
+    virtual std::shared_ptr<const StepOperator> on(const ElementBox& /*box*/) const { return nullptr; }
+    /// The same step (in mm) on the grid of InfluenceOperator::coarser(), or null. Lives as long as this one.
+    virtual const StepOperator* coarser() const { return nullptr; }
+};
+
+}  // namespace contactd

@@ -1,0 +1,153 @@
+// The solvers on an operator of another kind: what they need to know of bodies is what InfluenceOperator and
+// StepOperator say, and no more.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <string>
+
+#include "contactd/normal.hpp"
+#include "contactd/tangential.hpp"
+#include "dense_operator.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// The operators of the problem, as matrices.
+ContactInfluence dense_influence(const ContactProblem& problem) {
+    const IcTable pair = pair_table(problem);
+    const std::size_t n = problem.grid.size();
+    ContactInfluence influence;
+    influence.here = std::make_shared<const DenseOperator>(DenseMatrices(n, 3, entries_of(pair, problem.grid)));
+    const auto [x, y] = step_of(problem);
+    if (x == 0 && y == 0) return influence;
+    const ShiftedTable change =
+        change_over_step(pair, shifted_half_spaces({problem.bodies, problem.ics.load_shape}, problem.grid, x, y));
+    influence.change = std::make_shared<const DenseStep>(DenseMatrices(n, 2, entries_of(change, problem.grid)));
+    return influence;
+}
+
+/// An ellipse of nine by seven elements.
+ContactProblem ellipse() {
+    ContactProblem problem;
+    problem.grid = Grid::centred(11, 9, 0.2, 0.25);
+    problem.bodies = {{1000, 0.28}, {1000, 0.28}};
+    problem.gap = Paraboloid{60, 45};
+    problem.Fn = 50;
+    problem.normal_settings.tolerance = 1e-10;
+    problem.tangential_settings.tolerance = 1e-9;
+    problem.outer_settings.tolerance = 1e-8;
+    return problem;
+}
+
+}  // namespace
+
+TEST_CASE("every solver runs on a dense operator and gives the convolution's answers", "[contact][dense]") {
+    ContactProblem problem = ellipse();
+    std::string name;
+    const auto with = [&](const char* what, const Motion& motion) {
+        name = what;
+        problem.friction = Friction{{0.3}, {}, motion};
+    };
+    SECTION("force prescribed") {
+        name = "force";
+    }
+    SECTION("approach prescribed") {
+        problem.Fn.reset();
+        problem.approach = 0.02;
+    }
+    SECTION("shift") {
+        with("shift", Shift{.x = 0.001, .y = -0.0005, .rotation = 0.0003});
+    }
+    SECTION("shift by a force") {
+        with("shift by a force", Shift{.Fx = -9, .Fy = 3});
+    }
+    SECTION("steady rolling") {
+        with("steady", Rolling{.xi = 0.002, .eta = -0.001, .phi = 0.001, .chi = 0.2});
+    }
+    SECTION("rolling by forces") {
+        with("rolling by forces", Rolling{.phi = 0.001, .Fx = -8, .Fy = 2});
+    }
+    SECTION("transient rolling") {
+        with("transient", Rolling{.xi = 0.002, .phi = 0.001, .dq = 0.15, .steady = false, .steps = 4});
+    }
+    const bool dissimilar = GENERATE(false, true);
+    if (dissimilar) problem.bodies = {{1000, 0.28}, {400, 0.4}};
+    CAPTURE(name, dissimilar);
+    Observer observer;
+
+    const ContactSolution dense = solve_contact(problem, dense_influence(problem), observer);
+    const ContactSolution convolved = solve_contact(problem, make_influence(problem, pair_table(problem)), observer);
+
+    REQUIRE(dense.converged());
+    REQUIRE(convolved.converged());
+    CHECK_THAT(dense.Fn, WithinRel(convolved.Fn, 1e-8));
+    CHECK_THAT(dense.approach, WithinRel(convolved.approach, 1e-8));
+    const double unit = convolved.pmax;
+    for (std::size_t i = 0; i < dense.pressure.size(); ++i) {
+        CHECK_THAT(dense.pressure[i], WithinAbs(convolved.pressure[i], 1e-6 * unit));
+        CHECK_THAT(dense.traction_x[i], WithinAbs(convolved.traction_x[i], 1e-5 * unit));
+        CHECK_THAT(dense.traction_y[i], WithinAbs(convolved.traction_y[i], 1e-5 * unit));
+    }
+    CHECK(dense.element_division == convolved.element_division);
+}
+
+// The elements of a body that is not uniform have self-influences of their own: A_ij s_i s_j is symmetric and positive.
+TEST_CASE("solvers take operators whose elements are unlike each other", "[contact][dense]") {
+    const ContactProblem problem = ellipse();
+    const Grid& grid = problem.grid;
+    const std::size_t n = grid.size();
+    const auto even = entries_of(pair_table(problem), grid);
+    const auto softness = [&](std::size_t at) { return 1 + 0.08 * static_cast<double>(at) / static_cast<double>(n) * 9; };
+    const DenseOperator influence(DenseMatrices(n, 3, [&](Axis i, Axis j, std::size_t at, std::size_t from) {
+        return softness(at) * softness(from) * even(i, j, at, from);
+    }));
+    Values gap = sampled(Paraboloid{60, 45}, grid);
+    for (double& h : gap) h -= 0.02;
+    Observer observer;
+
+    const NormalSolution normal = solve_normal(influence, gap, {1e-10, 1000}, {}, observer);
+
+    REQUIRE(normal.evidence.converged);
+    Values u(n);
+    influence.normal(normal.pressure, u);
+    int in_contact = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        CHECK(normal.pressure[i] >= 0);
+        in_contact += normal.pressure[i] > 0;
+        if (normal.pressure[i] > 0)
+            CHECK_THAT(u[i] + gap[i], WithinAbs(0, 1e-8 * 0.02));
+        else
+            CHECK(u[i] + gap[i] >= -1e-8 * 0.02);
+    }
+    CHECK(in_contact > 20);
+
+    Values bound = normal.pressure;
+    for (double& g : bound) g *= 0.3;
+    const Values shift(n, 0.0005), none(n);
+    const TangentialSolution tangential = solve_tangential(influence, bound, shift, none, {1e-9, 1000}, {}, {}, observer);
+
+    REQUIRE(tangential.evidence.converged);
+    Values sx(n), sy(n);
+    influence.tangential(tangential.traction_x, tangential.traction_y, sx, sy);
+    int adhering = 0, slipping = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double px = tangential.traction_x[i], py = tangential.traction_y[i], p = std::hypot(px, py);
+        const double slip_x = sx[i] + shift[i], slip_y = sy[i];
+        if (tangential.element_division[i] == ElementState::adhesion) {
+            ++adhering;
+            CHECK(p <= bound[i]);
+            CHECK_THAT(std::hypot(slip_x, slip_y), WithinAbs(0, 1e-7 * 0.0005));
+        } else if (tangential.element_division[i] == ElementState::slip) {
+            ++slipping;
+            CHECK_THAT(p, WithinRel(bound[i], 1e-9));
+            CHECK(slip_x * px + slip_y * py <= 0);
+            CHECK_THAT((slip_x * py - slip_y * px) / p, WithinAbs(0, 1e-6 * 0.0005));
+        }
+    }
+    CHECK(adhering > 0);
+    CHECK(slipping > 0);
+}
