@@ -14,7 +14,8 @@ ContactProblem on_ellipse(int n, const Motion& motion) {
     problem.bodies = {Elliptic::steel, Elliptic::steel};
     problem.gap = radii_of_force({6, 4}, (1 - Elliptic::steel.nu) / Elliptic::steel.G, Elliptic::Fn);
     problem.Fn = Elliptic::Fn;
-    problem.friction = Friction{{0.3}, {}, motion};
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = motion;
     return problem;
 }
 
@@ -92,7 +93,7 @@ void steady_rolling_warm(benchmark::State& state) {
     problem.initial_pressure = last.pressure;
     problem.initial_traction_x = last.traction_x;
     problem.initial_traction_y = last.traction_y;
-    problem.friction->motion = rolling(1.05);
+    problem.motion = rolling(1.05);
     run(state, problem);
 }
 

@@ -67,7 +67,7 @@ Rolling creepages(double phi) {
 
 void hertz(benchmark::State& state) {
     run(state, [](const Grid& grid) {
-        const BodyPair bodies{steel, steel};
+        const MaterialPair bodies{steel, steel};
         const auto found = hertz_of_semi_axes_and_force(axes, bodies.normal_compliance(), Fn);
         return hertz_pressure(grid, {{found.a, found.b}, found.Fn, combined_material(bodies)});
     });

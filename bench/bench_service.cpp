@@ -31,9 +31,8 @@ ContactProblem cattaneo(int n, bool friction) {
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
     if (friction) {
-        problem.friction = Friction{};
-        problem.friction->mu = {0.4};
-        problem.friction->motion = Shift{0.00817, 0};
+        problem.friction = FrictionLaw{{0.4}};
+        problem.motion = Shift{0.00817, 0};
     }
     return problem;
 }

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "contactd/error.hpp"
-#include "contactd/hertz.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"
 
@@ -53,29 +52,30 @@ void check_radius(double radius, const char* field) {
 }
 
 void check_gap(const ContactProblem& problem) {
-    if (const auto* array = std::get_if<std::vector<double>>(&problem.gap))
+    if (!problem.gap) return;
+    if (const auto* array = std::get_if<std::vector<double>>(&*problem.gap))
         check_array(*array, problem.grid.size(), "gap");
-    if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap)) {
+    if (const auto* paraboloid = std::get_if<Paraboloid>(&*problem.gap)) {
         check_radius(paraboloid->Rx, "gap.paraboloid.Rx");
         check_radius(paraboloid->Ry, "gap.paraboloid.Ry");
     }
-    if (const auto* axes = std::get_if<SemiAxes>(&problem.gap)) {
+    if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap)) {
         check_positive(axes->a, "gap.semi_axes.a");
         check_positive(axes->b, "gap.semi_axes.b");
-        if (problem.given_ics)
+        if (problem.bodies.pair)
             throw InvalidArgument("gap.semi_axes",
                                   "needs the materials of the bodies, which a table in the request does not tell; give "
                                   "a paraboloid or an array");
-        if (!(problem.Fn ? *problem.Fn > 0 : *problem.approach > 0))
+        const std::optional<double> load = problem.Fn ? problem.Fn : problem.approach;
+        if (load && !(*load > 0))
             throw InvalidArgument(
                 problem.Fn ? "Fn" : "approach",
-                "is " + number_text(problem.Fn ? *problem.Fn : *problem.approach) +
+                "is " + number_text(*load) +
                     "; with gap.semi_axes it must be positive, because the curvatures follow from it");
     }
 }
 
 void check_load(const ContactProblem& problem) {
-    require_load(problem);
     check_finite(problem.approach.value_or(0), "approach", "a length");
     if (problem.Fn && !(std::isfinite(*problem.Fn) && *problem.Fn >= 0))
         throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be a force, zero or positive");
@@ -119,7 +119,7 @@ void check_motion(const Rolling& rolling, const Grid& grid) {
                               "is " + std::to_string(rolling.steps) + "; it must be at least 1");
 }
 
-void check_coefficients(const Friction& friction, std::size_t size) {
+void check_coefficients(const FrictionLaw& friction, std::size_t size) {
     if (friction.mu.size() != 1) check_array(friction.mu, size, "friction.mu");
     for (const double mu : friction.mu)
         if (!std::isfinite(mu) || mu < 0)
@@ -127,9 +127,18 @@ void check_coefficients(const Friction& friction, std::size_t size) {
     if (friction.kinetic) validate(*friction.kinetic, friction.mu);
 }
 
-void check_friction(const Friction& friction, const Grid& grid) {
-    check_coefficients(friction, grid.size());
-    std::visit([&](const auto& motion) { check_motion(motion, grid); }, friction.motion);
+void check_rigid_slip(const RigidSlip& slip, std::size_t size) {
+    if (slip.empty()) return;
+    check_array(slip.x, size, "friction.rigid_slip.x");
+    check_array(slip.y, size, "friction.rigid_slip.y");
+}
+
+void check_friction(const ContactProblem& problem) {
+    if (!problem.friction) return;
+    const Grid& grid = problem.grid;
+    check_coefficients(*problem.friction, grid.size());
+    std::visit([&](const auto& motion) { check_motion(motion, grid); }, problem.motion);
+    check_rigid_slip(problem.rigid_slip, grid.size());
 }
 
 [[noreturn]] void refuse_in_line_contact(const char* field, const std::string& value, const char* instead) {
@@ -140,65 +149,32 @@ void check_line_contact(const ContactProblem& problem) {
     if (problem.grid.ny != 1)
         refuse_in_line_contact("grid.ny", std::to_string(problem.grid.ny),
                                "one row of elements is all of it, and dy the length that forces are counted over");
-    if (const auto* axes = std::get_if<SemiAxes>(&problem.gap))
+    if (const auto* axes = problem.gap ? std::get_if<SemiAxes>(&*problem.gap) : nullptr)
         refuse_in_line_contact("gap.semi_axes.b", number_text(axes->b), "it has no ellipse: give a paraboloid by Rx");
-    if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap); paraboloid && std::isfinite(paraboloid->Ry))
+    const auto* paraboloid = problem.gap ? std::get_if<Paraboloid>(&*problem.gap) : nullptr;
+    if (paraboloid != nullptr && std::isfinite(paraboloid->Ry))
         refuse_in_line_contact("gap.paraboloid.Ry", number_text(paraboloid->Ry), "it must be left out");
     if (!problem.friction) return;
-    if (const auto* shift = std::get_if<Shift>(&problem.friction->motion)) {
+    if (const auto* shift = std::get_if<Shift>(&problem.motion)) {
         if (shift->rotation != 0)
             refuse_in_line_contact("friction.rotation", number_text(shift->rotation), "nothing may turn about z");
         return;
     }
-    const auto& rolling = std::get<Rolling>(problem.friction->motion);
+    const auto& rolling = std::get<Rolling>(problem.motion);
     if (rolling.phi != 0) refuse_in_line_contact("friction.rolling.phi", number_text(rolling.phi), "there is no spin");
     if (constexpr double rounding = 1e-9; std::abs(std::sin(rolling.chi)) > rounding)
         refuse_in_line_contact("friction.rolling.chi", number_text(rolling.chi), "it rolls along x: 0 or pi");
 }
 
-}  // namespace
-
-double step_length(const Rolling& rolling, const Grid& grid) {
-    return rolling.dq != 0 ? rolling.dq : size_along(rolling.chi, grid.dx, grid.dy);
-}
-
-bool is_line_contact(const ContactProblem& problem) {
-    return problem.model == Model::full && !problem.given_ics && problem.ics.line_contact;
-}
-
-void require_load(const ContactProblem& problem) {
-    if (!problem.approach && !problem.Fn)
-        throw InvalidArgument("approach", "is missing, and so is Fn; one of the two must be prescribed");
-    if (problem.approach && problem.Fn)
-        throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + " beside an approach of " +
-                                        number_text(*problem.approach) + "; only one of the two can be prescribed");
-}
-
-std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem) {
-    if (const auto* paraboloid = std::get_if<Paraboloid>(&problem.gap)) return *paraboloid;
-    const auto* axes = std::get_if<SemiAxes>(&problem.gap);
-    if (axes == nullptr) return {};
-    return problem.Fn ? radii_of_force(*axes, problem.bodies.normal_compliance(), *problem.Fn)
-                      : radii_of_approach(*axes, *problem.approach);
-}
-
-std::vector<double> undeformed_distance(const ContactProblem& problem) {
-    if (const auto* array = std::get_if<std::vector<double>>(&problem.gap)) return *array;
-    return sampled(*paraboloid_of(problem), problem.grid);
-}
-
-void validate(const ContactProblem& problem) {
+void check(const ContactProblem& problem, bool complete) {
     validate(problem.grid, "grid");
-    if (problem.given_ics) {
-        validate(*problem.given_ics, problem.grid);
-    } else {
-        const bool incompressible_allowed = problem.ics.source == IcSource::analytic;
-        validate(problem.bodies, incompressible_allowed);
-    }
+    validate(problem.bodies, problem.grid);
+    if (complete || (problem.approach && problem.Fn)) require_load(problem);
     const std::size_t size = problem.grid.size();
     check_load(problem);
+    if (complete && !problem.gap) throw InvalidArgument("gap", "is missing; it is what parts the undeformed bodies");
     check_gap(problem);
-    if (problem.friction) check_friction(*problem.friction, problem.grid);
+    check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
     check_estimate(problem.previous.pressure, size, "previous.pressure");
     check_estimate(problem.previous.traction_x, size, "previous.traction_x");
@@ -209,6 +185,39 @@ void validate(const ContactProblem& problem) {
     check_estimate(problem.initial_pressure, size, "initial.pressure");
     check_estimate(problem.initial_traction_x, size, "initial.traction_x");
     check_estimate(problem.initial_traction_y, size, "initial.traction_y");
+}
+
+}  // namespace
+
+double step_length(const Rolling& rolling, const Grid& grid) {
+    return rolling.dq != 0 ? rolling.dq : size_along(rolling.chi, grid.dx, grid.dy);
+}
+
+std::array<double, 2> step_of(const ContactProblem& problem) {
+    const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
+    if (rolling == nullptr) return {0, 0};
+    const double dq = step_length(*rolling, problem.grid);
+    return {dq * std::cos(rolling->chi), dq * std::sin(rolling->chi)};
+}
+
+bool is_line_contact(const ContactSetup& setup) {
+    return setup.model == Model::full && line_contact_of(setup.bodies);
+}
+
+void require_load(const ContactLoad& load) {
+    if (!load.approach && !load.Fn)
+        throw InvalidArgument("approach", "is missing, and so is Fn; one of the two must be prescribed");
+    if (load.approach && load.Fn)
+        throw InvalidArgument("Fn", "is " + number_text(*load.Fn) + " beside an approach of " +
+                                        number_text(*load.approach) + "; only one of the two can be prescribed");
+}
+
+void validate(const ContactProblem& problem) {
+    check(problem, true);
+}
+
+void validate_opening(const ContactProblem& problem) {
+    check(problem, false);
 }
 
 }  // namespace contactd

@@ -9,13 +9,13 @@
 
 namespace contactd {
 
-bool BodyPair::quasi_identical() const {
+bool MaterialPair::quasi_identical() const {
     const double a = (1 - 2 * upper.nu) / upper.G;  // zero of a rigid one
     const double b = (1 - 2 * lower.nu) / lower.G;
     return std::abs(a - b) <= 1e-12 * (1 / upper.G + 1 / lower.G);
 }
 
-double BodyPair::normal_compliance() const {
+double MaterialPair::normal_compliance() const {
     return (1 - upper.nu) / (2 * upper.G) + (1 - lower.nu) / (2 * lower.G);
 }
 
@@ -29,13 +29,6 @@ void validate(const Material& material, const char* field, bool incompressible_a
     if (material.nu == 0.5 && !incompressible_allowed)
         throw InvalidArgument(name + ".nu",
                               "is 0.5; finite elements need nu < 0.5, only closed-form coefficients take 0.5");
-}
-
-void validate(const BodyPair& bodies, bool incompressible_allowed) {
-    if (!bodies.upper.is_rigid()) validate(bodies.upper, "bodies.upper", incompressible_allowed);
-    if (!bodies.lower.is_rigid()) validate(bodies.lower, "bodies.lower", incompressible_allowed);
-    if (bodies.upper.is_rigid() && bodies.lower.is_rigid())
-        throw InvalidArgument("bodies.lower", "is rigid, and bodies.upper too; one of them must be elastic");
 }
 
 }  // namespace contactd

@@ -19,45 +19,6 @@ constexpr double flat = std::numeric_limits<double>::infinity();
 /// Largest radius that the schema takes.
 constexpr double largest_radius = 1e12;
 
-json encode_body(const Material& material) {
-    return material.is_rigid() ? json{{"rigid", true}} : encode_material(material);
-}
-
-Material decode_body(const json& source) {
-    return source.contains("rigid") ? Material::rigid() : decode_material(source);
-}
-
-json encode_bodies(const BodyPair& bodies) {
-    json result = object({{"upper", encode_body(bodies.upper)}});
-    if (bodies.lower != bodies.upper) result["lower"] = encode_body(bodies.lower);
-    return result;
-}
-
-BodyPair decode_bodies(const json& source) {
-    const Material upper = decode_body(source["upper"]);
-    return {upper, source.contains("lower") ? decode_body(source["lower"]) : upper};
-}
-
-void encode_influence(const ContactProblem& problem, json& params, ArrayWriter& arrays) {
-    const bool full = problem.model == Model::full;
-    if (full && problem.given_ics) {
-        params["ics"] = encode_given_ics(*problem.given_ics, arrays);
-        return;
-    }
-    params["bodies"] = encode_bodies(problem.bodies);
-    if (full) params["ics"] = encode_ics(problem.ics);
-}
-
-void decode_influence(const json& params, const std::vector<std::string>& frames, ContactProblem& problem) {
-    const bool full = problem.model == Model::full;
-    if (full && params["ics"]["source"] == "table") {
-        problem.given_ics = decode_given_ics(params["ics"], frames, problem.grid);
-        return;
-    }
-    problem.bodies = decode_bodies(params["bodies"]);
-    if (full) problem.ics = decode_ics(params["ics"]);
-}
-
 bool fits_the_wire(const Paraboloid& paraboloid) {
     const auto fits = [](double radius) { return radius == flat || std::abs(radius) <= largest_radius; };
     return fits(paraboloid.Rx) && fits(paraboloid.Ry) && (paraboloid.Rx != flat || paraboloid.Ry != flat);
@@ -155,37 +116,46 @@ void decode_tractions(const std::string& field, const json& params, const std::v
 
 }  // namespace
 
-json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
-    json params = object({{"grid", encode_grid(problem.grid)}, {"gap", encode_gap(problem.gap, problem.grid, arrays)}});
+json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
+    json params = object({{"grid", encode_grid(problem.grid)}});
+    if (problem.gap) params["gap"] = encode_gap(*problem.gap, problem.grid, arrays);
     if (problem.model != Model::full) params["model"] = word_for(models, problem.model);
     encode_settings(problem, params);
-    encode_influence(problem, params, arrays);
-    require_load(problem);
-    if (problem.Fn)
-        params["Fn"] = finite(*problem.Fn, "Fn");
-    else
-        params["approach"] = finite(*problem.approach, "approach");
-    if (problem.friction) params["friction"] = encode_friction(*problem.friction, problem.grid, arrays);
+    encode_bodies(problem, params, arrays);
+    if (problem.Fn && problem.approach) require_load(problem);
+    if (problem.Fn) params["Fn"] = finite(*problem.Fn, "Fn");
+    if (problem.approach) params["approach"] = finite(*problem.approach, "approach");
+    if (problem.friction)
+        params["friction"] =
+            encode_friction({problem.friction, problem.motion, problem.rigid_slip}, problem.grid, arrays);
     encode_tractions("previous", previous_of(problem), problem.grid, params, arrays);
     encode_tractions("initial", initial_of(problem), problem.grid, params, arrays);
     return params;
 }
 
-ContactProblem decode_problem(const json& params, const std::vector<std::string>& frames) {
+ContactProblem decode_opening(const json& params, const std::vector<std::string>& frames) {
     ContactProblem problem;
     problem.grid = decode_grid(params["grid"]);
     if (params.contains("model")) problem.model = meaning_of(params["model"], models);
-    decode_influence(params, frames, problem);
-    problem.gap = decode_gap(params["gap"], frames, problem.grid);
-    if (params.contains("Fn"))
-        problem.Fn = params["Fn"].get<double>();
-    else
-        problem.approach = params["approach"].get<double>();
-    if (params.contains("friction")) problem.friction = decode_friction(params["friction"], frames, problem.grid);
+    decode_bodies(params, frames, problem);
+    if (params.contains("gap")) problem.gap = decode_gap(params["gap"], frames, problem.grid);
+    if (params.contains("Fn")) problem.Fn = params["Fn"].get<double>();
+    if (params.contains("approach")) problem.approach = params["approach"].get<double>();
+    if (params.contains("friction")) decode_friction(params["friction"], frames, problem);
     decode_tractions("previous", params, frames, problem.grid, previous_of(problem));
     decode_settings(params, problem);
     decode_tractions("initial", params, frames, problem.grid, initial_of(problem));
     return problem;
+}
+
+json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
+    require_load(problem);
+    if (!problem.gap) throw InvalidArgument("gap", "is missing; it is what parts the undeformed bodies");
+    return encode_opening(problem, arrays);
+}
+
+ContactProblem decode_problem(const json& params, const std::vector<std::string>& frames) {
+    return decode_opening(params, frames);
 }
 
 }  // namespace contactd::proto

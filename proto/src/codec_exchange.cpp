@@ -9,7 +9,6 @@ namespace {
 using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 
-constexpr const char* table_field = "ics.table";
 constexpr std::size_t table_axes = 4;
 
 std::string text_of(const Shape& shape) {
@@ -26,7 +25,9 @@ json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays) {
             {"dy", finite(ics.dy, "ics.dy")}};
 }
 
-GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& frames, const Grid& grid) {
+GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& frames, const Grid& grid,
+                          const std::string& field) {
+    const std::string table_field = field + ".table";
     const Shape shape = claimed_shape(source["table"], table_axes);
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
     if (shape.size() != table_axes || shape[0] != 3 || shape[1] != 3 || shape[2] < ny || shape[3] < nx)

@@ -102,32 +102,44 @@ KineticFriction decode_kinetic(const json& source) {
 
 }  // namespace
 
-json encode_friction(const Friction& friction, const Grid& grid, ArrayWriter& arrays) {
-    const auto* rolling = std::get_if<Rolling>(&friction.motion);
-    json result = rolling ? json{{"rolling", encode(*rolling)}} : encode(std::get<Shift>(friction.motion));
-    if (friction.mu.size() == 1)
-        result["mu"] = finite(friction.mu[0], "friction.mu");
-    else
-        result["mu"] = arrays.write(std::span<const double>(friction.mu), shape_of(grid));
-    if (friction.kinetic) result["kinetic"] = encode_kinetic(*friction.kinetic);
+json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& arrays) {
+    json result = json::object();
+    if (parts.motion) {
+        const auto* rolling = std::get_if<Rolling>(&*parts.motion);
+        result = rolling ? json{{"rolling", encode(*rolling)}} : encode(std::get<Shift>(*parts.motion));
+    }
+    const auto write = [&](const std::vector<double>& values) {
+        return arrays.write(std::span<const double>(values), shape_of(grid));
+    };
+    if (parts.law) {
+        const auto& [mu, kinetic] = *parts.law;
+        result["mu"] = mu.size() == 1 ? json(finite(mu[0], "friction.mu")) : write(mu);
+        if (kinetic) result["kinetic"] = encode_kinetic(*kinetic);
+    }
+    if (!parts.rigid_slip.empty())
+        result["rigid_slip"] = object({{"x", write(parts.rigid_slip.x)}, {"y", write(parts.rigid_slip.y)}});
     return result;
 }
 
-Friction decode_friction(const json& source, const std::vector<std::string>& frames, const Grid& grid,
-                         Friction friction) {
+void decode_friction(const json& source, const std::vector<std::string>& frames, ContactProblem& problem) {
+    if (!problem.friction) problem.friction.emplace();
+    const std::vector<std::size_t> shape = shape_of(problem.grid);
     if (source.contains("mu")) {
         if (source["mu"].is_number())
-            friction.mu = {source["mu"].get<double>()};
+            problem.friction->mu = {source["mu"].get<double>()};
         else
-            friction.mu = read_array(source["mu"], frames, shape_of(grid), "friction.mu");
+            problem.friction->mu = read_array(source["mu"], frames, shape, "friction.mu");
     }
-    if (source.contains("kinetic")) friction.kinetic = decode_kinetic(source["kinetic"]);
+    if (source.contains("kinetic")) problem.friction->kinetic = decode_kinetic(source["kinetic"]);
     const auto has = [&](const char* field) { return source.contains(field); };
     if (has("rolling"))
-        friction.motion = decode_rolling(source["rolling"], known_or_new<Rolling>(friction.motion));
+        problem.motion = decode_rolling(source["rolling"], known_or_new<Rolling>(problem.motion));
     else if (has("rigid_shift") || has("rotation") || has("duration") || has("force"))
-        friction.motion = decode_shift(source, known_or_new<Shift>(friction.motion));
-    return friction;
+        problem.motion = decode_shift(source, known_or_new<Shift>(problem.motion));
+    if (!has("rigid_slip")) return;
+    const json& slip = source["rigid_slip"];
+    problem.rigid_slip = {read_array(slip["x"], frames, shape, "friction.rigid_slip.x"),
+                          read_array(slip["y"], frames, shape, "friction.rigid_slip.y")};
 }
 
 json encode_motion(const Motion& motion) {

@@ -78,15 +78,30 @@ nlohmann::json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays)
 Gap decode_gap(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
 
 /// Coefficients that the request itself holds, which cover `grid`. Throws StatusError (ARRAY_INVALID).
+/// `field` is where they stand.
 nlohmann::json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays);
-GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
+GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid,
+                          const std::string& field);
+
+/// `bodies` and `ics` of a request.
+void encode_bodies(const ContactSetup& setup, nlohmann::json& params, ArrayWriter& arrays);
+void decode_bodies(const nlohmann::json& params, const std::vector<std::string>& frames, ContactSetup& setup);
+
+/// A problem whose gap and load may be missing, and then are on the other side.
+nlohmann::json encode_opening(const ContactProblem& problem, ArrayWriter& arrays);
+ContactProblem decode_opening(const nlohmann::json& params, const std::vector<std::string>& frames);
 
 nlohmann::json encode_use(const IcUse& use);
 
-nlohmann::json encode_friction(const Friction& friction, const Grid& grid, ArrayWriter& arrays);
-/// Fields that are not there are as in `friction`.
-Friction decode_friction(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid,
-                         Friction friction = {});
+/// What a request says of friction: each part is absent, or empty, where it is not said.
+struct FrictionParts {
+    std::optional<FrictionLaw> law;
+    std::optional<Motion> motion;
+    RigidSlip rigid_slip;
+};
+nlohmann::json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& arrays);
+/// Lays `friction` of a request over the problem's, which stays as it is in fields that are not there.
+void decode_friction(const nlohmann::json& json, const std::vector<std::string>& frames, ContactProblem& problem);
 
 /// The parts of a result that hold no arrays: of a solution all but its evidence, and that of its solvers.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);

@@ -60,33 +60,24 @@ void apply_friction(const json& params, const std::vector<std::string>& frames, 
     if (!problem.friction && !friction.contains("mu"))
         throw invalid_field("friction.mu",
                             "is missing; a step that names friction must say it where session.open named none");
-    problem.friction = decode_friction(friction, frames, problem.grid, problem.friction.value_or(Friction{}));
+    decode_friction(friction, frames, problem);
 }
 
 }  // namespace
 
 json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
-    ContactProblem problem = spec.problem;
-    if (!spec.has_gap) problem.gap = Paraboloid{1, 1};  // takes no frame
-    if (!spec.has_load) problem.approach = 1, problem.Fn.reset();
+    ContactProblem problem{spec.setup, spec.load};
     for (auto* initial : {&problem.initial_pressure, &problem.initial_traction_x, &problem.initial_traction_y})
         initial->clear();
-    json params = encode_problem(problem, arrays);
-    if (!spec.has_gap) params.erase("gap");
-    if (!spec.has_load) params.erase("approach");
+    json params = encode_opening(problem, arrays);
     if (spec.lease_seconds) params["lease_seconds"] = finite(*spec.lease_seconds, "lease_seconds");
     params["accept_unconverged"] = spec.accept_unconverged;
     return params;
 }
 
 SessionSpec decode_session_spec(const json& params, const std::vector<std::string>& frames) {
-    SessionSpec spec;
-    spec.has_gap = params.contains("gap");
-    spec.has_load = params.contains("approach") || params.contains("Fn");
-    json whole = params;
-    if (!spec.has_gap) whole["gap"] = {{"paraboloid", {{"Rx", 1}, {"Ry", 1}}}};
-    if (!spec.has_load) whole["approach"] = 1;
-    spec.problem = decode_problem(whole, frames);
+    const ContactProblem opening = decode_opening(params, frames);
+    SessionSpec spec{opening, opening};
     if (params.contains("lease_seconds")) spec.lease_seconds = params["lease_seconds"].get<double>();
     spec.accept_unconverged = params.value("accept_unconverged", false);
     return spec;
@@ -130,33 +121,33 @@ json encode_step(const std::string& session, long long step, const StepInput& in
     if (input.Fn) params["Fn"] = finite(*input.Fn, "Fn");
     if (input.approach) params["approach"] = finite(*input.approach, "approach");
     if (input.gap) params["gap"] = encode_gap(*input.gap, grid, arrays);
-    if (input.friction) {
-        json friction = encode_friction(*input.friction, grid, arrays);
-        say_force(friction.contains("rolling") ? friction["rolling"] : friction);
+    if (input.friction || input.motion || !input.rigid_slip.empty()) {
+        json friction = encode_friction({input.friction, input.motion, input.rigid_slip}, grid, arrays);
+        if (input.motion) say_force(friction.contains("rolling") ? friction["rolling"] : friction);
         params["friction"] = std::move(friction);
     }
     for (const SolutionField field : input.fields) params["fields"].push_back(word_for(field_names, field));
     return params;
 }
 
-void apply_step(const json& params, const std::vector<std::string>& frames, const SessionSpec& spec,
-                const std::optional<Motion>& last, ContactProblem& problem) {
+void apply_step(const json& params, const std::vector<std::string>& frames, const std::optional<Motion>& last,
+                ContactProblem& problem) {
     if (params.contains("approach")) {
         problem.Fn.reset();
         problem.approach = params["approach"].get<double>();
     } else if (params.contains("Fn")) {
         problem.approach.reset();
         problem.Fn = params["Fn"].get<double>();
-    } else if (!spec.has_load) {
+    } else if (!problem.approach && !problem.Fn) {
         throw invalid_field("approach", "is missing; session.open named neither it nor Fn, so every step must");
     }
     if (params.contains("gap"))
         problem.gap = decode_gap(params["gap"], frames, problem.grid);
-    else if (!spec.has_gap)
+    else if (!problem.gap)
         throw invalid_field("gap", "is missing; session.open named none, so every step must");
     if (params.contains("friction")) apply_friction(params, frames, problem);
     if (last && problem.friction)
-        take_estimates(params.value("friction", json::object()), *last, problem.friction->motion);
+        take_estimates(params.value("friction", json::object()), *last, problem.motion);
 }
 
 std::vector<SolutionField> decode_fields(const json& params) {

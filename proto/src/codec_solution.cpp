@@ -88,13 +88,13 @@ json encode_totals(const ContactSolution& solution) {
                                       {"Fy", finite(solution.Fy, "Fy")},
                                       {"Mz", finite(solution.Mz, "Mz")}})},
                    {"pmax", finite(solution.pmax, "pmax")},
-                   {"area", object({{"contact", finite(solution.contact_area, "The contact area")},
-                                    {"adhesion", finite(solution.adhesion_area, "The adhesion area")},
-                                    {"slip", finite(solution.slip_area, "The slip area")}})},
-                   {"elements", object({{"contact", solution.contact_elements},
-                                        {"adhesion", solution.adhesion_elements},
-                                        {"slip", solution.slip_elements},
-                                        {"border", solution.border_elements}})},
+                   {"area", object({{"contact", finite(solution.area.contact, "The contact area")},
+                                    {"adhesion", finite(solution.area.adhesion, "The adhesion area")},
+                                    {"slip", finite(solution.area.slip, "The slip area")}})},
+                   {"elements", object({{"contact", solution.elements.contact},
+                                        {"adhesion", solution.elements.adhesion},
+                                        {"slip", solution.elements.slip},
+                                        {"border", solution.elements.border}})},
                    {"warnings", solution.warnings},
                    {"converged", solution.converged()}});
 }
@@ -107,13 +107,13 @@ void decode_totals(const json& result, ContactSolution& solution) {
     solution.Fy = forces["Fy"].get<double>();
     solution.Mz = forces["Mz"].get<double>();
     solution.pmax = result["pmax"].get<double>();
-    solution.contact_area = area["contact"].get<double>();
-    solution.adhesion_area = area["adhesion"].get<double>();
-    solution.slip_area = area["slip"].get<double>();
-    solution.contact_elements = elements["contact"].get<int>();
-    solution.adhesion_elements = elements["adhesion"].get<int>();
-    solution.slip_elements = elements["slip"].get<int>();
-    solution.border_elements = elements["border"].get<int>();
+    solution.area.contact = area["contact"].get<double>();
+    solution.area.adhesion = area["adhesion"].get<double>();
+    solution.area.slip = area["slip"].get<double>();
+    solution.elements.contact = elements["contact"].get<int>();
+    solution.elements.adhesion = elements["adhesion"].get<int>();
+    solution.elements.slip = elements["slip"].get<int>();
+    solution.elements.border = elements["border"].get<int>();
     solution.warnings = result["warnings"].get<std::vector<std::string>>();
 }
 

@@ -17,45 +17,46 @@ void check_open(const Request& request) {
     const auto& grid = request.params["grid"];
     if (grid["nx"].get<double>() * grid["ny"].get<double>() > max_elements) return;
     const SessionSpec spec = decode_session_spec(request.params, request.frames);
-    validate(spec.problem);
+    validate_opening({spec.setup, spec.load});
     ArrayWriter arrays(ArrayEncoding::frame);
     const nlohmann::json again = encode_session_spec(spec, arrays);
     fuzz::require(violations_of("session.open.params", again).empty(), "what was read can be written as a request");
     const SessionSpec second = decode_session_spec(again, arrays.take_frames());
-    fuzz::require(second.has_gap == spec.has_gap && second.has_load == spec.has_load, "what is left out stays so");
-}
-
-ContactProblem problem_with(const std::optional<Friction>& friction) {
-    ContactProblem problem;
-    problem.grid = Grid::centred(3, 2, 0.1, 0.1);
-    problem.bodies = {{200, 0.42}, {200, 0.42}};
-    problem.gap = Paraboloid{50, 50};
-    problem.approach = 0.02;
-    problem.friction = friction;
-    return problem;
+    fuzz::require(second.load.gap.has_value() == spec.load.gap.has_value() &&
+                      second.load.approach.has_value() == spec.load.approach.has_value() &&
+                      second.load.Fn.has_value() == spec.load.Fn.has_value(),
+                  "what is left out stays so");
 }
 
 /// A step is laid over sessions that differ in what it may leave out.
-std::vector<SessionSpec> sessions() {
-    Friction shift, rolling;
-    shift.mu = rolling.mu = {0.3};
-    Rolling motion;
-    motion.Fx = 0.01;
-    rolling.motion = motion;
-    return {{problem_with({})}, {problem_with(shift), false, false}, {problem_with(rolling), true, false}};
+std::vector<ContactProblem> sessions() {
+    ContactProblem shift;
+    shift.grid = Grid::centred(3, 2, 0.1, 0.1);
+    shift.bodies = {{200, 0.42}, {200, 0.42}};
+    shift.friction = FrictionLaw{{0.3}};
+    ContactProblem rolling = shift, whole = shift;
+    rolling.gap = whole.gap = Paraboloid{50, 50};
+    rolling.motion = Rolling{.Fx = 0.01};
+    whole.approach = 0.02;
+    whole.friction.reset();
+    return {whole, shift, rolling};
 }
 
 void check_step(const Request& request) {
     decode_fields(request.params);
-    for (const SessionSpec& spec : sessions()) {
+    for (const ContactProblem& opened : sessions()) {
         std::optional<Motion> last;
-        if (spec.problem.friction) last = spec.problem.friction->motion;
+        if (opened.friction) last = opened.motion;
         try {
-            ContactProblem problem = spec.problem;
-            apply_step(request.params, request.frames, spec, last, problem);
+            ContactProblem problem = opened;
+            apply_step(request.params, request.frames, last, problem);
             validate(problem);
             ArrayWriter arrays(ArrayEncoding::frame);
-            const StepInput input{problem.approach, problem.Fn, problem.gap, problem.friction, {}};
+            StepInput input{problem.approach, problem.Fn, problem.gap, problem.friction};
+            if (problem.friction) {
+                input.motion = problem.motion;
+                input.rigid_slip = problem.rigid_slip;
+            }
             fuzz::require(
                 violations_of("session.step.params", encode_step("0", 1, input, problem.grid, arrays)).empty(),
                 "what was read can be written as a step");

@@ -15,13 +15,13 @@ inline contactd::proto::SolveReply solve_reply() {
     solution.Fy = 1e-17;
     solution.Mz = 1e-3;
     solution.pmax = 4.39;
-    solution.contact_area = 3.1;
-    solution.adhesion_area = 1.1;
-    solution.slip_area = 2.0;
-    solution.contact_elements = 3;
-    solution.adhesion_elements = 1;
-    solution.slip_elements = 2;
-    solution.border_elements = 1;
+    solution.area.contact = 3.1;
+    solution.area.adhesion = 1.1;
+    solution.area.slip = 2.0;
+    solution.elements.contact = 3;
+    solution.elements.adhesion = 1;
+    solution.elements.slip = 2;
+    solution.elements.border = 1;
     solution.element_division = {ElementState::exterior, ElementState::adhesion, ElementState::slip,
                                  ElementState::exterior, ElementState::slip,     ElementState::exterior};
     solution.pressure = {0, 1, 2, 0, 3, 0};

@@ -20,17 +20,15 @@ Shift shift(double x, double y) {
     return shift;
 }
 
-Friction friction() {
-    return {{0.4}, {}, shift(0.00817, -1e-9)};
-}
-
 ContactProblem problem() {
     ContactProblem problem;
     problem.grid = Grid{3, 2, 0.1, 1.0 / 3, -7, 0.3};
     problem.bodies = {{200, 0.42}, {100.1, 0.3}};
     problem.gap = std::vector<double>{0.1, 0.2, 0.3, -0.4, 1.0 / 7, 6e-5};
     problem.approach = 0.02;
-    problem.friction = friction();
+    problem.friction = FrictionLaw{{0.4}};
+    problem.motion = shift(0.00817, -1e-9);
+    problem.rigid_slip = {{1e-3, 0, 0, 0, 0, 2}, {0, 0, 1.0 / 3, 0, 0, 0}};
     problem.previous = {{1, 0, 0, 0, 0, 2}, {}, {0, 0, 0.1 + 0.2, 0, 0, 0}};
     problem.normal_settings = {1e-9, 50};
     problem.tangential_settings = {1e-5, 70};
@@ -77,12 +75,13 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
 
     CHECK(read.grid == original.grid);
     CHECK(read.bodies == original.bodies);
-    CHECK(read.ics.source == IcSource::analytic);
     CHECK(read.gap == original.gap);
     CHECK(read.approach == original.approach);
     CHECK_FALSE(read.Fn);
     CHECK(read.model == Model::full);
     CHECK(read.friction == original.friction);
+    CHECK(read.motion == original.motion);
+    CHECK(read.rigid_slip == original.rigid_slip);
     CHECK(read.previous == original.previous);
     CHECK(read.normal_settings == original.normal_settings);
     CHECK(read.tangential_settings == original.tangential_settings);
@@ -94,22 +93,19 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
 
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {
     ContactProblem original = problem();
-    original.ics.source = IcSource::fem;
-    original.ics.body = BodyShape::block;
-    original.ics.load_shape = LoadShape::bilinear;
-    original.ics.any_nu = true;
-    original.ics.fem = *fem_preset("paper-mesh2-test1");
+    Ics ics;
+    ics.source = IcSource::fem;
+    ics.body = BodyShape::block;
+    ics.load_shape = LoadShape::bilinear;
+    ics.any_nu = true;
+    ics.fem = *fem_preset("paper-mesh2-test1");
+    original.bodies = Bodies::of(original.bodies.materials(), ics);
     original.friction.reset();
     ArrayWriter arrays(ArrayEncoding::list);
 
     const ContactProblem read = decode_problem(sent(encode_problem(original, arrays)), {});
 
-    CHECK(read.ics.source == IcSource::fem);
-    CHECK(read.ics.body == BodyShape::block);
-    CHECK(read.ics.load_shape == LoadShape::bilinear);
-    CHECK(read.ics.any_nu);
-    CHECK(read.ics.accuracy == 0);
-    CHECK(read.ics.fem == original.ics.fem);
+    CHECK(read.bodies == original.bodies);
     CHECK_FALSE(read.friction);
 }
 
@@ -123,10 +119,11 @@ TEST_CASE("A problem may ask for an accuracy", "[codec]") {
     const ContactProblem again = decode_problem(sent(encode_problem(read, arrays)), {});
 
     for (const ContactProblem& problem : {read, again}) {
-        CHECK(problem.ics.accuracy == 1e-2);
-        CHECK(problem.ics.body == BodyShape::block);
-        CHECK(problem.ics.fem.L_over_h == 20);
-        CHECK_FALSE(problem.ics.any_nu);
+        const Ics& ics = *problem.bodies.upper.computed();
+        CHECK(ics.accuracy == 1e-2);
+        CHECK(ics.body == BodyShape::block);
+        CHECK(ics.fem.L_over_h == 20);
+        CHECK_FALSE(ics.any_nu);
     }
 }
 
@@ -140,7 +137,9 @@ TEST_CASE("What a request leaves out has its default", "[codec]") {
     CHECK(read.outer_settings == ContactProblem{}.outer_settings);
     CHECK(read.gap == Gap{Paraboloid{50, 50}});
     CHECK(read.model == Model::full);
-    CHECK(read.friction == Friction{{0.4}, {}, shift(0.00817, 0)});
+    CHECK(read.friction == FrictionLaw{{0.4}});
+    CHECK(read.motion == Motion{shift(0.00817, 0)});
+    CHECK(read.rigid_slip.empty());
     CHECK(read.previous.empty());
 }
 
@@ -222,10 +221,10 @@ TEST_CASE("A paraboloid flatter than the wire takes arrives as an array", "[code
 TEST_CASE("A rigid body stays rigid", "[codec]") {
     ContactProblem original = problem();
     SECTION("upper") {
-        original.bodies.upper = Material::rigid();
+        original.bodies.upper = {Material::rigid()};
     }
     SECTION("lower") {
-        original.bodies.lower = Material::rigid();
+        original.bodies.lower = {Material::rigid()};
     }
     CHECK(arrived(original).bodies == original.bodies);
 }
@@ -242,12 +241,12 @@ TEST_CASE("A quick model needs bodies and no coefficients", "[codec]") {
     params["model"] = "hertz";
     params["ics"] = {{"source", "table"}, {"table", {1}}, {"dx", 0.06}, {"dy", 0.06}};
     REQUIRE(violations_of("contact.solve.params", params).empty());
-    CHECK_FALSE(decode_problem(params, {}).given_ics);
+    CHECK_FALSE(decode_problem(params, {}).bodies.pair);
 }
 
 TEST_CASE("Every friction comes back exactly", "[codec]") {
     ContactProblem original = problem();
-    Friction& friction = *original.friction;
+    FrictionLaw& friction = *original.friction;
     SECTION("coefficient per element") {
         friction.mu = {0.1, 0.2, 0.3, 0.4, 0, 1.0 / 3};
     }
@@ -264,7 +263,7 @@ TEST_CASE("Every friction comes back exactly", "[codec]") {
             shift.Fx = 0;
             shift.Fy = 1e-300;
         }
-        friction.motion = shift;
+        original.motion = shift;
     }
     SECTION("rolling") {
         Rolling rolling;
@@ -272,9 +271,11 @@ TEST_CASE("Every friction comes back exactly", "[codec]") {
         SECTION("with every field") {
             rolling = {1e-3, -2e-3, 3e-4, 1.0 / 3, 0.1, 0.1 + 0.2, false, 77, 3e4, 5.5, {}};
         }
-        friction.motion = rolling;
+        original.motion = rolling;
     }
-    CHECK(arrived(original).friction == original.friction);
+    const ContactProblem read = arrived(original);
+    CHECK(read.friction == original.friction);
+    CHECK(read.motion == original.motion);
 }
 
 TEST_CASE("What a friction leaves out has its default", "[codec]") {
@@ -282,12 +283,68 @@ TEST_CASE("What a friction leaves out has its default", "[codec]") {
     const auto friction_of = [&](const char* text) {
         params["friction"] = json::parse(text);
         CHECK(violations_of("contact.solve.params", params).empty());
-        return *decode_problem(params, {}).friction;
+        return decode_problem(params, {});
     };
     Shift pulled;
     pulled.Fx = -3;
-    CHECK(friction_of(R"({"mu": 0.3, "force": [-3, null]})") == Friction{{0.3}, {}, pulled});
-    CHECK(friction_of(R"({"mu": 0.3, "rolling": {}})") == Friction{{0.3}, {}, Rolling{}});
+    CHECK(friction_of(R"({"mu": 0.3, "force": [-3, null]})").friction == FrictionLaw{{0.3}});
+    CHECK(friction_of(R"({"mu": 0.3, "force": [-3, null]})").motion == Motion{pulled});
+    CHECK(friction_of(R"({"mu": 0.3, "rolling": {}})").motion == Motion{Rolling{}});
     const KineticFriction kinetic{SlipLaw::exponential, 0.2, 5};
-    CHECK(friction_of(R"({"mu": 0.3, "kinetic": {"mu": 0.2, "slip_velocity": 5}, "rolling": {}})").kinetic == kinetic);
+    CHECK(friction_of(R"({"mu": 0.3, "kinetic": {"mu": 0.2, "slip_velocity": 5}, "rolling": {}})").friction->kinetic ==
+          kinetic);
+}
+
+TEST_CASE("Bodies with coefficients of their own keep them", "[codec]") {
+    ContactProblem original = problem();
+    Ics block;
+    block.source = IcSource::fem;
+    block.body = BodyShape::block;
+    block.accuracy = 1e-2;
+    SECTION("of different sources") {
+        original.bodies.upper.ics = block;
+    }
+    SECTION("of different sources, the materials equal") {
+        original.bodies.lower = original.bodies.upper;
+        original.bodies.lower.ics = block;
+    }
+    SECTION("a table against a material") {
+        GivenIcs given{IcTable(3, 2), original.grid.dx, original.grid.dy};
+        for (const Axis i : {Axis::x, Axis::y, Axis::z}) given.table(i, i, 0, 0) = 1e-3;
+        original.bodies.lower.ics = given;
+    }
+    SECTION("against a rigid body") {
+        original.bodies = {{Material::rigid()}, {{200, 0.3}, block}};
+    }
+    CHECK(arrived(original).bodies == original.bodies);
+}
+
+TEST_CASE("Coefficients are said by a body, or for both", "[codec]") {
+    json params = wire::solve_params();
+    params.erase("ics");
+    params["bodies"]["upper"]["ics"] = {{"source", "analytic"}, {"load_shape", "bilinear"}};
+    SECTION("the lower body is as the upper one") {
+        params["bodies"].erase("lower");
+        REQUIRE(violations_of("contact.solve.params", params).empty());
+        const ContactProblem read = decode_problem(params, {});
+        CHECK(read.bodies.lower == read.bodies.upper);
+        CHECK(read.bodies.lower.computed()->load_shape == LoadShape::bilinear);
+    }
+    SECTION("what a body does not say is said beside the bodies") {
+        params["bodies"]["lower"] = {{"G", 1}, {"nu", 0.1}};
+        CHECK(refused_field(params) == "bodies.lower.ics");
+        params["ics"] = {{"source", "fem"}};
+        REQUIRE(violations_of("contact.solve.params", params).empty());
+        const ContactProblem read = decode_problem(params, {});
+        CHECK(read.bodies.upper.computed()->source == IcSource::analytic);
+        CHECK(read.bodies.lower.computed()->source == IcSource::fem);
+    }
+    SECTION("a table of the pair leaves nothing to say") {
+        params["ics"] = {{"source", "table"}, {"table", {1}}, {"dx", 0.06}, {"dy", 0.06}};
+        CHECK(refused_field(params) == "ics.table");
+    }
+    SECTION("a rigid body has none") {
+        params["bodies"]["lower"] = {{"rigid", true}, {"ics", {{"source", "analytic"}}}};
+        CHECK_FALSE(violations_of("contact.solve.params", params).empty());
+    }
 }

@@ -27,7 +27,7 @@ ContactProblem problem(const GivenIcs& ics) {
     problem.grid = Grid::centred(3, 2, 0.06, 0.06);
     problem.gap = std::vector<double>(6, 0.1);
     problem.approach = 0.2;
-    problem.given_ics = ics;
+    problem.bodies.pair = ics;
     return problem;
 }
 
@@ -76,11 +76,11 @@ TEST_CASE("Given coefficients arrive as they were sent", "[codec]") {
     CHECK_NOTHROW(check_params("contact.solve", params));
     CHECK_NOTHROW(check_frames_used(params, frames));
     const ContactProblem read = decode_problem(params, frames);
-    REQUIRE(read.given_ics);
-    CHECK(read.given_ics->table.nx == 4);
-    CHECK(read.given_ics->table.ny == 5);
-    CHECK(read.given_ics->table.values == original.given_ics->table.values);
-    CHECK(read.given_ics->dx == 0.06);
+    REQUIRE(read.bodies.pair);
+    CHECK(read.bodies.pair->table.nx == 4);
+    CHECK(read.bodies.pair->table.ny == 5);
+    CHECK(read.bodies.pair->table.values == original.bodies.pair->table.values);
+    CHECK(read.bodies.pair->dx == 0.06);
     CHECK_NOTHROW(validate(read));
 }
 

@@ -11,18 +11,19 @@ using nlohmann::json;
 namespace {
 
 SessionSpec spec() {
-    SessionSpec spec;
-    spec.problem.grid = Grid{3, 2, 0.1, 0.2, -7, 0.3};
-    spec.problem.bodies = {{200, 0.42}, {100, 0.3}};
-    spec.problem.gap = std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
-    spec.problem.approach = 0.02;
+    SessionSpec spec{};
+    spec.setup.grid = Grid{3, 2, 0.1, 0.2, -7, 0.3};
+    spec.setup.bodies = {{200, 0.42}, {100, 0.3}};
+    spec.load.gap = std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    spec.load.approach = 0.02;
     Rolling rolling;
     rolling.xi = 1e-3;
     rolling.dq = 0.05;
     rolling.steady = false;
     rolling.Fy = 2;
-    spec.problem.friction = Friction{{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {}, rolling};
-    spec.problem.previous.pressure = {1, 2, 3, 4, 5, 6};
+    spec.setup.friction = FrictionLaw{{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
+    spec.load.motion = rolling;
+    spec.load.previous.pressure = {1, 2, 3, 4, 5, 6};
     spec.lease_seconds = 7;
     spec.accept_unconverged = true;
     return spec;
@@ -45,13 +46,13 @@ ContactProblem stepped(const SessionSpec& opened, const json& input, const std::
     params["step"] = 1;
     CAPTURE(params.dump());
     REQUIRE(violations_of("session.step.params", params).empty());
-    ContactProblem problem = opened.problem;
-    apply_step(params, {}, opened, last, problem);
+    ContactProblem problem{opened.setup, opened.load};
+    apply_step(params, {}, last, problem);
     return problem;
 }
 
 Rolling rolling_of(const ContactProblem& problem) {
-    return std::get<Rolling>(problem.friction->motion);
+    return std::get<Rolling>(problem.motion);
 }
 
 std::string refused_field(const SessionSpec& opened, const json& input) {
@@ -66,29 +67,29 @@ TEST_CASE("What a session is opened with arrives as it was sent") {
     const SessionSpec original = spec();
     const SessionSpec read = arrived(original);
 
-    CHECK(read.problem.grid == original.problem.grid);
-    CHECK(read.problem.gap == original.problem.gap);
-    CHECK(read.problem.approach == original.problem.approach);
-    CHECK(read.problem.friction == original.problem.friction);
-    CHECK(read.problem.previous == original.problem.previous);
-    CHECK(read.has_gap);
-    CHECK(read.has_load);
+    CHECK(read.setup.grid == original.setup.grid);
+    CHECK(read.load.gap == original.load.gap);
+    CHECK(read.load.approach == original.load.approach);
+    CHECK(read.setup.friction == original.setup.friction);
+    CHECK(read.load.previous == original.load.previous);
     CHECK(read.lease_seconds == 7.0);
     CHECK(read.accept_unconverged);
 }
 
 TEST_CASE("What a session leaves to its steps arrives as left out, and can be validated all the same") {
     SessionSpec original = spec();
-    original.has_gap = original.has_load = false;
+    original.load.gap.reset();
+    original.load.approach.reset();
     original.lease_seconds.reset();
     original.accept_unconverged = false;
     const SessionSpec read = arrived(original);
 
-    CHECK_FALSE(read.has_gap);
-    CHECK_FALSE(read.has_load);
+    CHECK_FALSE(read.load.gap);
+    CHECK_FALSE(read.load.approach);
+    CHECK_FALSE(read.load.Fn);
     CHECK_FALSE(read.lease_seconds);
     CHECK_FALSE(read.accept_unconverged);
-    CHECK_NOTHROW(validate(read.problem));
+    CHECK_NOTHROW(validate_opening({read.setup, read.load}));
     CHECK(refused_field(read, {{"gap", {{"paraboloid", {{"Rx", 1}}}}}}) == "approach");
     CHECK(refused_field(read, {{"Fn", 1}}) == "gap");
 }
@@ -98,9 +99,9 @@ TEST_CASE("A step changes what it names and nothing else") {
         stepped(spec(), {{"Fn", 9}, {"friction", {{"rolling", {{"xi", -2e-3}, {"force", {nullptr, nullptr}}}}}}});
 
     CHECK(problem.Fn == 9.0);
-    CHECK(problem.gap == spec().problem.gap);
-    CHECK(problem.friction->mu == spec().problem.friction->mu);
-    Rolling expected = rolling_of(spec().problem);
+    CHECK(problem.gap == spec().load.gap);
+    CHECK(problem.friction->mu == spec().setup.friction->mu);
+    Rolling expected = rolling_of({spec().setup, spec().load});
     expected.xi = -2e-3;
     expected.Fy.reset();
     CHECK(rolling_of(problem) == expected);
@@ -108,8 +109,8 @@ TEST_CASE("A step changes what it names and nothing else") {
 
 TEST_CASE("An approach takes the place of the force that the session was opened with") {
     SessionSpec opened = spec();
-    opened.problem.approach.reset();
-    opened.problem.Fn = 5;
+    opened.load.approach.reset();
+    opened.load.Fn = 5;
     const ContactProblem problem = stepped(opened, {{"approach", 0.01}});
 
     CHECK_FALSE(problem.Fn);
@@ -120,7 +121,7 @@ TEST_CASE("An approach takes the place of the force that the session was opened 
 TEST_CASE("A step may shift where the session was opened to roll") {
     const ContactProblem problem = stepped(spec(), {{"friction", {{"rigid_shift", {1, 2}}}}});
 
-    CHECK(std::get<Shift>(problem.friction->motion).y == 2);
+    CHECK(std::get<Shift>(problem.motion).y == 2);
 }
 
 TEST_CASE(
@@ -139,7 +140,7 @@ TEST_CASE(
 
 TEST_CASE("Friction needs its coefficient from the session or the step") {
     SessionSpec opened = spec();
-    opened.problem.friction.reset();
+    opened.setup.friction.reset();
 
     CHECK(refused_field(opened, {{"friction", {{"rigid_shift", {0, 0}}}}}) == "friction.mu");
     CHECK(stepped(opened, {{"friction", {{"mu", 0.3}}}}).friction->mu_of(0) == 0.3);
@@ -151,13 +152,15 @@ TEST_CASE("A step of the client arrives whole: nothing that session.open said st
     input.gap = Paraboloid{2, 3};
     Rolling rolling;
     rolling.eta = 4;
-    input.friction = Friction{{0.9}, {}, rolling};
+    input.friction = FrictionLaw{{0.9}};
+    input.motion = rolling;
+    input.rigid_slip = {{1, 2, 3, 4, 5, 6}, {0, 0, 0, 0, 0, 7}};
     input.fields = {SolutionField::slip_x, SolutionField::pressure};
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json params = encode_step("abc", 12, input, spec().problem.grid, arrays);
+    const json params = encode_step("abc", 12, input, spec().setup.grid, arrays);
     REQUIRE(violations_of("session.step.params", params).empty());
-    ContactProblem problem = spec().problem;
-    apply_step(params, arrays.take_frames(), spec(), {}, problem);
+    ContactProblem problem{spec().setup, spec().load};
+    apply_step(params, arrays.take_frames(), {}, problem);
 
     CHECK(params["session"] == "abc");
     CHECK(params["step"] == 12);
@@ -166,6 +169,7 @@ TEST_CASE("A step of the client arrives whole: nothing that session.open said st
     CHECK(problem.friction->mu == std::vector<double>{0.9});
     rolling.dq = 0.05;  // 0 stands for the one of the session
     CHECK(rolling_of(problem) == rolling);
+    CHECK(problem.rigid_slip == input.rigid_slip);
     CHECK(decode_fields(params) == input.fields);
 }
 

@@ -185,7 +185,7 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/previous", "{\"pressure\": 1}", "previous.pressure", "is 1; it must be a list of numbers"},
             Case{"/friction/mu", "-0.1", "friction.mu", "is -0.1; it must lie in [0, 1000]"},
             Case{"/friction", "{\"mu\": 0.4}", "friction.rigid_shift",
-                 "is missing; it must be a list of 2 values, unless force or rolling is there"},
+                 "is missing; it must be a list of 2 values, unless force or rolling or rigid_slip is there"},
             Case{"/friction/rigid_shift", "[1]", "friction.rigid_shift", "has 1 values; it must have 2"},
             Case{"/friction/rigid_shift", "[1, 2, 3]", "friction.rigid_shift", "has 3 values; it must have 2"},
             Case{"/friction/rigid_shift", "[1, \"2\"]", "friction.rigid_shift[1]", "is \"2\"; it must be a number"},
@@ -214,7 +214,7 @@ TEST_CASE("A bad value of rolling is named with what would be right", "[schema]"
             Case{"/friction/rolling/velocity", "-1", "friction.rolling.velocity", "is -1; it must be positive"},
             Case{"/friction/rolling/force", "[1e19, 0]", "friction.rolling.force[0]", "it must lie in"},
             Case{"/friction/force", "[1, 2]", "friction.force",
-                 "does not go with rolling; only mu, kinetic, rolling do: rolling has its creepages and forces"},
+                 "does not go with rolling; only mu, kinetic, rolling, rigid_slip do: rolling has its creepages and forces"},
             Case{"/friction/duration", "2", "friction.duration", "does not go with rolling"}));
 }
 

@@ -37,10 +37,10 @@ TEST_CASE("Cattaneo problem agrees with the half-space code", "[verification]") 
     CHECK_THAT(solution.Fy, WithinAbs(0, 1e-5 * row.Fx));
     CHECK_THAT(solution.pmax, WithinRel(row.pmax, 1e-5));
     const double rounding = 5e-5;  // of the printed area
-    CHECK_THAT(solution.contact_area,
+    CHECK_THAT(solution.area.contact,
                WithinAbs(row.contact_area, rounding + row.elements_off * problem.grid.element_area()));
-    CHECK(std::abs(solution.adhesion_elements - row.adhesion) <= row.elements_off);
-    CHECK(std::abs(solution.slip_elements - row.slip) <= row.elements_off);
+    CHECK(std::abs(solution.elements.adhesion - row.adhesion) <= row.elements_off);
+    CHECK(std::abs(solution.elements.slip - row.slip) <= row.elements_off);
 }
 
 TEST_CASE("lateral tractions vanish in their sum only", "[verification]") {
@@ -53,13 +53,13 @@ TEST_CASE("without lateral effects the problem is Cattaneo's", "[verification]")
     // nu = 0: no coupling of x and y, so theory and discretisation solve the same problem.
     ContactProblem problem = cattaneo_problem(80);
     problem.bodies = {{200, 0}, {200, 0}};
-    const auto hertz = reference::hertz(problem.bodies, 50, 0.02);
+    const auto hertz = reference::hertz(problem.bodies.materials(), 50, 0.02);
     const double Fx = 0.7 * 0.4 * hertz.Fn;
-    const auto cattaneo = reference::cattaneo(problem.bodies, hertz, 0.4, Fx);
-    problem.friction->motion = Shift{cattaneo.rigid_shift, 0};
+    const auto cattaneo = reference::cattaneo(problem.bodies.materials(), hertz, 0.4, Fx);
+    problem.motion = Shift{cattaneo.rigid_shift, 0};
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fx, WithinRel(-Fx, 2e-3));
     const double adhesion_area = std::acos(-1) * cattaneo.adhesion_radius * cattaneo.adhesion_radius;
-    CHECK_THAT(solution.adhesion_area, WithinRel(adhesion_area, 2e-2));
+    CHECK_THAT(solution.area.adhesion, WithinRel(adhesion_area, 2e-2));
 }

@@ -23,7 +23,7 @@ TEST_CASE("ellipses agree with Hertz", "[verification]") {
     const double common = p0 * b / (modulus * e * e * a * a);
     ContactProblem problem;
     problem.grid = Grid::centred(100, 96, 2.2 * a / 100, 2.2 * b / 96);
-    problem.bodies = {steel, steel};
+    problem.bodies = Bodies::of({steel, steel});
     problem.gap = Paraboloid{0.5 / (common * (K - E)), 0.5 / (common * (a * a / (b * b) * E - K))};
     problem.approach = p0 * b * K / modulus;
     const ContactInfluence influence = make_influence(problem, half_space_pair(problem.grid, steel));
@@ -34,15 +34,15 @@ TEST_CASE("ellipses agree with Hertz", "[verification]") {
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fn, WithinRel(2.0 / 3 * std::numbers::pi * a * b * p0, 1e-3));
     CHECK_THAT(solution.pmax, WithinRel(p0, 2e-3));
-    CHECK_THAT(solution.contact_area, WithinRel(std::numbers::pi * a * b, 1e-2));
+    CHECK_THAT(solution.area.contact, WithinRel(std::numbers::pi * a * b, 1e-2));
 }
 
 TEST_CASE("spheres of different materials agree with Hertz", "[verification]") {
-    const BodyPair bodies{{200, 0.42}, {3000, 0.1}};
+    const MaterialPair bodies{{200, 0.42}, {3000, 0.1}};
     const auto hertz = reference::hertz(bodies, 20, 0.01);
     ContactProblem problem;
     problem.grid = Grid::centred(90, 75, 2.4 * hertz.radius / 90, 2.4 * hertz.radius / 75);
-    problem.bodies = bodies;
+    problem.bodies = Bodies::of(bodies);
     problem.gap = Paraboloid{20, 20};
     problem.approach = 0.01;
     IcSpec spec;

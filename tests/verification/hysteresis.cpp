@@ -17,7 +17,7 @@ namespace {
 
 constexpr int n = 60;
 constexpr double mu = 0.4, approach = 0.02, radius = 50;
-const BodyPair bodies{{200, 0}, {200, 0}};
+const MaterialPair bodies{{200, 0}, {200, 0}};
 
 // The contact on its way: every step starts where the last one ended.
 struct Path {
@@ -28,7 +28,7 @@ struct Path {
 
     Path() {
         problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
-        problem.bodies = bodies;
+        problem.bodies = Bodies::of(bodies);
         problem.gap = Paraboloid{radius, radius};
         problem.approach = approach;
         influence = make_influence(problem, pair_table(problem));
@@ -38,7 +38,8 @@ struct Path {
 
     // Fx as a part of the largest force.
     void step(double Fx) {
-        problem.friction = Friction{{mu}, {}, Shift{.Fx = Fx * largest, .Fy = {}}};
+        problem.friction = FrictionLaw{{mu}};
+        problem.motion = Shift{.Fx = Fx * largest, .Fy = {}};
         Observer observer;
         ContactSolution solution = solve_contact(problem, influence, observer);
         REQUIRE(solution.converged());

@@ -20,14 +20,19 @@ namespace {
 
 constexpr double mu = 0.3, P = 1000, length = 7, radius = 100, datum = 400;
 const Material steel{82000, 0.28};
-const BodyPair bodies{steel, steel};
+const MaterialPair bodies{steel, steel};
 const reference::LineContact cylinder = reference::line_contact(bodies, radius, P);
+
+Ics line_contact_ics(double distance) {
+    Ics ics;
+    ics.line_contact = LineContactSpec{distance};
+    return ics;
+}
 
 ContactProblem pressed(int n = 500) {
     ContactProblem problem;
     problem.grid = Grid::centred(n, 1, 2.2 * cylinder.half_width / n, length);
-    problem.bodies = bodies;
-    problem.ics.line_contact = LineContactSpec{datum};
+    problem.bodies = Bodies::of(bodies, line_contact_ics(datum));
     problem.gap = Paraboloid{radius, std::numeric_limits<double>::infinity()};
     problem.Fn = P * length;
     return problem;
@@ -35,7 +40,8 @@ ContactProblem pressed(int n = 500) {
 
 ContactProblem moved(const Motion& motion, int n = 500) {
     ContactProblem problem = pressed(n);
-    problem.friction = Friction{{mu}, {}, motion};
+    problem.friction = FrictionLaw{{mu}};
+    problem.motion = motion;
     return problem;
 }
 
@@ -58,7 +64,7 @@ constexpr double in_plane = 2 * (1 - 0.28) / 82000, sideways = 2.0 / 82000;
 TEST_CASE("a cylinder pressed on a plane has Hertz's line contact", "[verification]") {
     const auto solution = solved(pressed());
     CHECK_THAT(solution.pmax, WithinRel(cylinder.pmax, 1e-4));
-    CHECK_THAT(solution.contact_area, WithinRel(2 * cylinder.half_width * length, 0.005));
+    CHECK_THAT(solution.area.contact, WithinRel(2 * cylinder.half_width * length, 0.005));
     CHECK_THAT(solution.approach, WithinRel(middle(in_plane, P, cylinder.half_width), 1e-4));
     ContactProblem by_approach = pressed();
     by_approach.Fn.reset();
@@ -88,13 +94,13 @@ TEST_CASE("a cylinder rolls as Carter says, along and, in anti-plane strain, sid
     CHECK_THAT(along ? solution.Fx : solution.Fy, WithinRel(expected, 1e-3));
     // Rounding makes it, up to what the solver takes for nothing.
     CHECK_THAT(along ? solution.Fy : solution.Fx, WithinAbs(0, 1e-6 * mu * P * length));
-    CHECK_THAT(solution.adhesion_area, WithinRel(2 * (1 - share) * cylinder.half_width * length, 0.03));
+    CHECK_THAT(solution.area.adhesion, WithinRel(2 * (1 - share) * cylinder.half_width * length, 0.03));
 }
 
 TEST_CASE("steady rolling does not depend on the datum", "[verification]") {
     ContactProblem problem = moved(Rolling{.xi = 5e-4}, 200);
     const auto near = solved(problem);
-    problem.ics.line_contact->datum = 1e5;
+    problem.bodies = Bodies::of(bodies, line_contact_ics(1e5));
     CHECK_THAT(solved(problem).Fx, WithinRel(near.Fx, 1e-5));
 }
 
@@ -105,7 +111,7 @@ TEST_CASE("a shift under a force is Cattaneo's and Mindlin's in the plane", "[ve
     (along ? shift.Fx : shift.Fy) = -force * length;
     const auto solution = solved(moved(shift));
     const double c = cylinder.half_width * std::sqrt(1 - share), compliance = along ? in_plane : sideways;
-    CHECK_THAT(solution.adhesion_area, WithinRel(2 * c * length, 0.01));
+    CHECK_THAT(solution.area.adhesion, WithinRel(2 * c * length, 0.01));
     const double expected =
         middle(compliance, mu * P, cylinder.half_width) - middle(compliance, mu * P * (1 - share), c);
     const auto& motion = std::get<Shift>(*solution.motion);
@@ -114,7 +120,7 @@ TEST_CASE("a shift under a force is Cattaneo's and Mindlin's in the plane", "[ve
 
 TEST_CASE("cylinders that differ couple normal and tangential contact", "[verification]") {
     ContactProblem problem = moved(Rolling{.xi = 0.02}, 200);  // more than what the pressure stretches them by
-    problem.bodies = {{82000, 0.28}, {1000, 0.1}};
+    problem.bodies = Bodies::of({{82000, 0.28}, {1000, 0.1}}, line_contact_ics(datum));
     problem.gap = Paraboloid{radius, std::numeric_limits<double>::infinity()};
     problem.Fn = P * length / 100;
     const auto solution = solved(problem);
@@ -125,8 +131,8 @@ TEST_CASE("cylinders that differ couple normal and tangential contact", "[verifi
 
 TEST_CASE("a line contact rolls from rest into its steady state", "[verification]") {
     ContactProblem problem = moved(Rolling{.xi = 5e-4}, 60);
-    problem.ics.line_contact->datum = 5;  // the force builds up over a distance that grows with its logarithm
+    problem.bodies = Bodies::of(bodies, line_contact_ics(5));  // the force builds up over a distance that grows with its logarithm
     const auto steady = solved(problem);
-    problem.friction->motion = Rolling{.xi = 5e-4, .steady = false, .steps = 400};
+    problem.motion = Rolling{.xi = 5e-4, .steady = false, .steps = 400};
     CHECK_THAT(solved(problem).Fx, WithinRel(steady.Fx, 0.01));
 }

@@ -13,7 +13,7 @@ namespace {
 
 const char* kind_of(const ContactProblem& problem) {
     if (!problem.friction) return "normal";
-    const auto* rolling = std::get_if<Rolling>(&problem.friction->motion);
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
     return rolling == nullptr ? "shift" : rolling->steady ? "steady rolling" : "transient rolling";
 }
 
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
         longest = std::max(longest, seconds.count());
         const auto describe = [&] {
             std::printf("seed %d, %d x %d, %s%s%s: ", seed, problem.grid.nx, problem.grid.ny, kind_of(problem),
-                        problem.bodies.quasi_identical() ? "" : ", dissimilar",
+                        problem.bodies.materials().quasi_identical() ? "" : ", dissimilar",
                         problem.friction && problem.friction->kinetic ? ", slip law" : "");
         };
         if (!solution.converged()) {

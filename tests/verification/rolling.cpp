@@ -72,11 +72,12 @@ TEST_CASE("the transient marches to the steady state", "[verification]") {
     problem.Fn = 50000;
     problem.normal_settings.tolerance = 1e-10;
     problem.tangential_settings.tolerance = 1e-7;
+    problem.friction = FrictionLaw{{0.3}};
     Rolling transient = rolling.rolling;
     transient.dq = rolling.dq;
     transient.steady = false;
     transient.steps = 250;
-    problem.friction = Friction{{0.3}, {}, transient};
+    problem.motion = transient;
 
     const ContactSolution marched = solve_half_spaces(problem);
 

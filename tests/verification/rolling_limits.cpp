@@ -19,19 +19,19 @@ constexpr double mu = 0.3, Fn = 50000, bound = mu * Fn;
 ContactProblem ellipse(double a, double b, const Material& material, int n, const Rolling& rolling) {
     ContactProblem problem;
     problem.grid = Grid::centred(n, n, 2.2 * a / n, 2.2 * b / n);
-    problem.bodies = {material, material};
+    problem.bodies = Bodies::of({material, material});
     problem.gap = SemiAxes{a, b};
     problem.Fn = Fn;
     problem.friction.emplace();
     problem.friction->mu = {mu};
-    problem.friction->motion = rolling;
+    problem.motion = rolling;
     return problem;
 }
 
 ContactSolution solved(const ContactProblem& problem) {
     Observer observer;
     if (problem.model != Model::full) return solve_contact(problem, {}, observer);
-    const ContactInfluence influence = make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper));
+    const ContactInfluence influence = make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material));
     ContactSolution solution = solve_contact(problem, influence, observer);
     REQUIRE(solution.converged());
     return solution;
@@ -53,7 +53,7 @@ TEST_CASE("full slip carries mu Fn against the creepage", "[verification]") {
         solved(ellipse(6, 4, {82000, 0.28}, 25, creepages(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0)));
     CHECK_THAT(solution.Fx, WithinAbs(-bound * std::cos(angle), 1e-3 * bound));
     CHECK_THAT(solution.Fy, WithinAbs(-bound * std::sin(angle), 1e-3 * bound));
-    CHECK(solution.adhesion_elements == 0);
+    CHECK(solution.elements.adhesion == 0);
 }
 
 TEST_CASE("spin alone pushes sideways and turns against itself", "[verification]") {

@@ -19,15 +19,16 @@ int main(int argc, char** argv) {
         problem.approach = 0.02;                                     // mm; or problem.Fn, a force (N)
         contactd::Shift shift;
         shift.x = 0.00817;  // mm
-        problem.friction = contactd::Friction{{0.4}, {}, shift};
+        problem.friction = contactd::FrictionLaw{{0.4}};
+        problem.motion = shift;
 
         contactd::client::Client client(argv[1]);
         const auto reply = client.solve(problem);
 
         const auto& solution = reply.solution;
         std::printf("Fn     %.8g N\nFx     %.8g N\npmax   %.8g N/mm^2\n", solution.Fn, solution.Fx, solution.pmax);
-        std::printf("area   %.5g mm^2, %d elements in adhesion, %d in slip\n", solution.contact_area,
-                    solution.adhesion_elements, solution.slip_elements);
+        std::printf("area   %.5g mm^2, %d elements in adhesion, %d in slip\n", solution.area.contact,
+                    solution.elements.adhesion, solution.elements.slip);
         std::printf("normal: %d iterations, residual %.1e; tangential: %d iterations, residual %.1e\n",
                     solution.normal.iterations, solution.normal.residual, solution.tangential->iterations,
                     solution.tangential->residual);

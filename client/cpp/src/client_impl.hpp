@@ -16,9 +16,11 @@ using nlohmann::json;
 enum class Wait { for_answer, for_build };
 
 /// Where solving may need tables by finite elements.
-inline Wait wait_of(const ContactProblem& problem) {
-    const bool builds = problem.model == Model::full && !problem.given_ics && problem.ics.source == IcSource::fem;
-    return builds ? Wait::for_build : Wait::for_answer;
+inline Wait wait_of(const ContactSetup& setup) {
+    if (setup.model != Model::full || setup.bodies.pair) return Wait::for_answer;
+    for (const Body* body : {&setup.bodies.upper, &setup.bodies.lower})
+        if (const Ics* ics = body->computed(); ics != nullptr && ics->source == IcSource::fem) return Wait::for_build;
+    return Wait::for_answer;
 }
 
 class Client::Impl {

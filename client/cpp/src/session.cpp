@@ -39,12 +39,12 @@ Session::Session(Client& client, Grid grid, std::string name, double lease_secon
       process_(::getpid()) {}
 
 Session::Session(Client& client, proto::SessionSpec spec, const CallOptions& options)
-    : Session(client, spec.problem.grid, {}, 0, 0) {
-    if (spec.has_gap && spec.has_load) validate(spec.problem);
+    : Session(client, spec.setup.grid, {}, 0, 0) {
+    validate_opening({spec.setup, spec.load});
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_session_spec(spec, arrays);
     const json result =
-        client_.impl_->call("session.open", std::move(params), arrays.take_frames(), options, wait_of(spec.problem))
+        client_.impl_->call("session.open", std::move(params), arrays.take_frames(), options, wait_of(spec.setup))
             .result;
     name_ = result["session"].get<std::string>();
     lease_seconds_ = result["lease_seconds"].get<double>();
@@ -52,7 +52,7 @@ Session::Session(Client& client, proto::SessionSpec spec, const CallOptions& opt
 }
 
 Session::Session(Client& client, const ContactProblem& problem, const CallOptions& options)
-    : Session(client, proto::SessionSpec{.problem = problem}, options) {}
+    : Session(client, proto::SessionSpec{problem, problem}, options) {}
 
 Session Session::join(Client& client, const std::string& name, const CallOptions& options) {
     const json result = client.impl_->quick("session.info", options, {{"session", name}});

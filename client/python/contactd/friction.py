@@ -111,6 +111,9 @@ class Friction:
         duration: Of a shift (s), default 1; slip velocity = slip / duration, for kinetic friction.
         kinetic: How it falls with the slip velocity; None: it does not.
         rolling: Rolling instead of a shift, whose fields it excludes.
+        rigid_slip: (along x, along y) of each element, each of shape [ny, nx], beside that of the motion, where the
+            surfaces do not move like a plane: of a shift over the step (mm), of rolling over the distance rolled, as
+            creepages are. None: none.
     """
 
     mu: float | npt.ArrayLike
@@ -120,10 +123,11 @@ class Friction:
     duration: float | None = None
     kinetic: KineticFriction | None = None
     rolling: Rolling | None = None
+    rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None = None
 
     def __post_init__(self) -> None:
-        if self.rigid_shift is None and self.force is None and self.rolling is None:
-            raise TypeError("Friction() takes a motion: rigid_shift, force or rolling")
+        if all(motion is None for motion in (self.rigid_shift, self.force, self.rolling, self.rigid_slip)):
+            raise TypeError("Friction() takes a motion: rigid_shift, force, rolling or rigid_slip")
 
     def params(self) -> dict[str, Any]:
         """`friction` of contact.solve."""
@@ -133,7 +137,15 @@ class Friction:
             given["kinetic"] = plain(self.kinetic)
         if self.rolling is not None:
             given["rolling"] = _motion(plain(self.rolling))
+        if self.rigid_slip is not None:
+            given["rigid_slip"] = slip_param(self.rigid_slip)
         return given
+
+
+def slip_param(slip: tuple[npt.ArrayLike, npt.ArrayLike]) -> dict[str, Any]:
+    """`friction.rigid_slip` of contact.solve."""
+    x, y = slip
+    return {"x": array_of(x), "y": array_of(y)}
 
 
 def coefficient_param(mu: float | npt.ArrayLike) -> Any:

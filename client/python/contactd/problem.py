@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 import reprlib
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from dataclasses import fields as dataclass_fields
 from numbers import Real
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -348,8 +350,10 @@ class ContactProblem:
         gap: Undeformed distance without the approach (mm): a paraboloid, by radii or semi-axes, or an array [ny, nx].
         approach: delta (mm), > 0 in compression; the gap before deformation is h - delta.
         lower: The lower body; None: as the upper one.
-        ics: Where the influence coefficients come from: closed forms (default), finite elements, or a table of your
-            own.
+        ics: Where the influence coefficients of both bodies come from: closed forms (default), finite elements, or a
+            table of your own, which is of the pair.
+        upper_ics: The same of the upper body alone, where it is not `ics`; a table is of this body then.
+        lower_ics: The same of the lower body; None, and `lower` None too: as the upper one.
         friction: Friction and the motion; None: frictionless.
         normal: Stop test of NORM, for the pressures.
         tangential: Stop test of TangCG or steady rolling, for the tractions.
@@ -375,22 +379,15 @@ class ContactProblem:
     model: Model | None = None
     previous: Estimate | ContactSolution | None = None
     outer: SolverSettings | None = None
+    upper_ics: Ics | TableIcs | None = None
+    lower_ics: Ics | TableIcs | None = None
 
     def __post_init__(self) -> None:
         if self.gap is _REQUIRED:
             raise TypeError("ContactProblem() lacks gap")
         if (self.approach is None) == (self.Fn is None):
             raise TypeError("ContactProblem() takes either approach or Fn")
-        check_type("grid", self.grid, Grid)
-        check_type("ics", self.ics, AnalyticIcs, FemIcs, TableIcs)
-        for name in ("upper", "lower"):
-            check_type(name, getattr(self, name), Material, RigidBody, optional=True)
-        check_type("friction", self.friction, Friction, optional=True)
-        for name in ("normal", "tangential", "outer"):
-            check_type(name, getattr(self, name), SolverSettings, optional=True)
-        for name in ("initial", "previous"):
-            if (tractions := getattr(self, name)) is not None and not hasattr(tractions, "pressure"):
-                raise TypeError(f"{name} is {reprlib.repr(tractions)}; it must be a solution or an Estimate")
+        check_field_types(vars(self))
 
     def replace(self, **changes: Any) -> ContactProblem:
         """The same problem with some fields changed; Fn takes the place of the approach, and the other way round."""
@@ -398,6 +395,23 @@ class ContactProblem:
             if changes.get(given) is not None:
                 changes.setdefault(other, None)
         return replace(self, **changes)
+
+
+def check_field_types(fields: Mapping[str, Any]) -> None:
+    """Raises TypeError when a field of a ContactProblem is of a wrong type, or there is none of its name."""
+    if unknown := fields.keys() - {field.name for field in dataclass_fields(ContactProblem)}:
+        raise TypeError(f"ContactProblem has no field {', '.join(sorted(unknown))}")
+    check_type("grid", fields.get("grid"), Grid)
+    check_type("ics", fields.get("ics", AnalyticIcs()), AnalyticIcs, FemIcs, TableIcs)
+    for name in ("upper", "lower"):
+        check_type(name, fields.get(name), Material, RigidBody, optional=True)
+        check_type(f"{name}_ics", fields.get(f"{name}_ics"), AnalyticIcs, FemIcs, TableIcs, optional=True)
+    check_type("friction", fields.get("friction"), Friction, optional=True)
+    for name in ("normal", "tangential", "outer"):
+        check_type(name, fields.get(name), SolverSettings, optional=True)
+    for name in ("initial", "previous"):
+        if (tractions := fields.get(name)) is not None and not hasattr(tractions, "pressure"):
+            raise TypeError(f"{name} is {reprlib.repr(tractions)}; it must be a solution or an Estimate")
 
 
 def check_type(name: str, value: object, *types: type, optional: bool = False) -> None:
@@ -426,28 +440,29 @@ def table_params(material: Material, grid: Grid, ics: Ics) -> dict[str, Any]:
     return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}
 
 
-def body_params(body: Material | RigidBody) -> dict[str, Any]:
-    """`bodies.upper` or `bodies.lower`."""
-    return {"rigid": True} if isinstance(body, RigidBody) else plain(body)
+def body_params(body: Material | RigidBody, ics: Ics | TableIcs | None, grid: Grid) -> dict[str, Any]:
+    """`bodies.upper` or `bodies.lower`; `ics` is the body's own."""
+    params = {"rigid": True} if isinstance(body, RigidBody) else plain(body)
+    return params if ics is None else {**params, "ics": coefficient_params(ics, grid)}
 
 
 def problem_params(problem: ContactProblem) -> dict[str, Any]:
     """The parameters of contact.solve."""
-    params = {"grid": plain(problem.grid), "gap": gap_params(problem.gap)}
-    for name in ("approach", "Fn", "model"):
-        if (value := getattr(problem, name)) is not None:
-            params[name] = value
-    params.update(_influence_params(problem))
-    if problem.friction is not None:
-        params["friction"] = problem.friction.params()
-    settings = {
-        name: plain(s) for name in ("normal", "tangential", "outer") if (s := getattr(problem, name)) is not None
-    }
-    if settings:
+    return opening_params(vars(problem))
+
+
+def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
+    """The same of fields of a problem, of which gap and load may be missing: steps of a session bring them."""
+    given = {name: value for name, value in fields.items() if value is not None}
+    params = {"grid": plain(given["grid"]), **_influence_params(given)}
+    if "gap" in given:
+        params["gap"] = gap_params(given["gap"])
+    params.update({name: given[name] for name in ("approach", "Fn", "model") if name in given})
+    if "friction" in given:
+        params["friction"] = given["friction"].params()
+    if settings := {name: plain(given[name]) for name in ("normal", "tangential", "outer") if name in given}:
         params["settings"] = settings
-    for name in ("initial", "previous"):
-        if (tractions := getattr(problem, name)) is not None:
-            params[name] = traction_params(tractions)
+    params.update({name: traction_params(given[name]) for name in ("initial", "previous") if name in given})
     return params
 
 
@@ -460,16 +475,28 @@ def gap_params(gap: Paraboloid | SemiAxes | npt.ArrayLike) -> dict[str, Any]:
     return {"array": array_of(gap)}
 
 
-def _influence_params(problem: ContactProblem) -> dict[str, Any]:
-    if isinstance(problem.ics, TableIcs) and problem.model in (None, "full"):
-        (ny, nx), ics = problem.grid.shape, problem.ics
-        return {"ics": {"source": "table", "table": ics.array[:, :, :ny, :nx], "dx": ics.dx, "dy": ics.dy}}
-    bodies = {"upper": problem.upper, "lower": problem.lower}
+def coefficient_params(ics: Ics | TableIcs, grid: Grid) -> dict[str, Any]:
+    """`ics` of contact.solve, of both bodies or of one."""
+    if not isinstance(ics, TableIcs):
+        return ics_params(ics)
+    ny, nx = grid.shape
+    return {"source": "table", "table": ics.array[:, :, :ny, :nx], "dx": ics.dx, "dy": ics.dy}
+
+
+def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
+    grid, ics = given["grid"], given.get("ics", AnalyticIcs())
+    own = {body: given.get(f"{body}_ics") for body in ("upper", "lower")}
+    is_full = given.get("model", "full") == "full"
+    if isinstance(ics, TableIcs) and is_full and not any(own.values()):
+        return {"ics": coefficient_params(ics, grid)}
+    bodies = {name: given[name] for name in ("upper", "lower") if name in given}
+    if own["lower"] is not None and "lower" not in bodies and "upper" in bodies:
+        bodies["lower"] = bodies["upper"]
     params: dict[str, Any] = {}
-    if any(bodies.values()):
-        params["bodies"] = {name: body_params(body) for name, body in bodies.items() if body is not None}
-    if not isinstance(problem.ics, TableIcs):
-        params["ics"] = ics_params(problem.ics)
+    if bodies:
+        params["bodies"] = {name: body_params(body, own[name], grid) for name, body in bodies.items()}
+    if not isinstance(ics, TableIcs) or (is_full and any(own.values())):
+        params["ics"] = coefficient_params(ics, grid)
     return params
 
 

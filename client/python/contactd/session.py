@@ -15,8 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolError, TimeoutExpired
-from .friction import Force, Friction, Motion, RollingKind, coefficient_param
-from .problem import Array, ContactProblem, Grid, Paraboloid, SemiAxes, check_type, gap_params, problem_params
+from .friction import Force, Friction, Motion, RollingKind, coefficient_param, slip_param
+from .problem import Array, Grid, Paraboloid, SemiAxes, check_field_types, check_type, gap_params, opening_params
 from .reading import read
 from .showing import Rows, Shown
 from .solution import Areas, Counts, Discretisation, Forces, IcUse, Progress, SolverEvidence, WithForces
@@ -137,12 +137,10 @@ class SessionSummary:
 def _session_params(fields: dict[str, Any], lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
     """The parameters of session.open."""
     given = {name: value for name, value in fields.items() if value is not None}
-    left_out: dict[str, Any] = {} if "gap" in given else {"gap": Paraboloid(1, 1)}
-    if not given.keys() & {"approach", "Fn"}:
-        left_out["approach"] = 1
-    params = problem_params(ContactProblem(**given, **left_out))
-    for name in left_out:
-        del params[name]
+    check_field_types(given)
+    if given.keys() >= {"approach", "Fn"}:
+        raise TypeError("session() takes either approach or Fn")
+    params = opening_params(given)
     if lease is not None:
         params["lease_seconds"] = lease
     if accept_unconverged:
@@ -274,6 +272,7 @@ class Session(Shown):
         rigid_shift: tuple[float, float] | None = None,
         rotation: float | None = None,
         duration: float | None = None,
+        rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None = None,
         xi: float | None = None,
         eta: float | None = None,
         phi: float | None = None,
@@ -306,7 +305,10 @@ class Session(Shown):
             "kind": kind, "steps": steps, "velocity": velocity,
         }  # fmt: skip
         shift = {"rigid_shift": _pair(rigid_shift), "rotation": rotation, "duration": duration}
-        if changes := self._friction(friction, mu, _pair(force), shift, rolling):
+        changes = self._friction(friction, mu, _pair(force), shift, rolling)
+        if rigid_slip is not None:
+            changes["rigid_slip"] = slip_param(rigid_slip)
+        if changes:
             params["friction"] = changes
         if names := [fields] if isinstance(fields, str) else list(fields):
             params["fields"] = names

@@ -42,7 +42,8 @@ def check_finite(array: Array) -> None:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TableIcs(Shown):
-    """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then.
+    """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then. Or of one
+    body, for `upper_ics` or `lower_ics`: then `array` is as that of an IcTable (see `of_body`).
 
     `array[i, j, l, k]` (mm^3/N) is the difference (upper less lower body) of the displacements along axis i at an element
     whose offset from the loaded element is (k dx, l dy), for unit tractions along axis j, positive on the upper body;
@@ -111,6 +112,11 @@ class TableIcs(Shown):
         for i, j in ((0, 2), (2, 0), (1, 2), (2, 1)):
             array[i, j] = lower.array[i, j, :ny, :nx] - upper.array[i, j, :ny, :nx]
         return cls(array, grid.dx, grid.dy, combined_modulus(upper.spec.material, lower.spec.material))
+
+    @classmethod
+    def of_body(cls, table: IcTable) -> TableIcs:
+        """One body with this table, for `ContactProblem.upper_ics` or `lower_ics`."""
+        return cls(table.array, table.spec.grid.dx, table.spec.grid.dy)
 
     @classmethod
     def from_contact_text(

@@ -32,8 +32,12 @@ def may_build(params: dict[str, Any]) -> bool:
 
 
 def _asks_for_finite_elements(problem: dict[str, Any]) -> bool:
-    ics = problem.get("ics")
-    return isinstance(ics, dict) and ics.get("source") == "fem" and problem.get("model", "full") == "full"
+    if problem.get("model", "full") != "full":
+        return False
+    bodies = problem.get("bodies")
+    holders = [problem, *(bodies.values() if isinstance(bodies, dict) else ())]
+    sources = [holder.get("ics") for holder in holders if isinstance(holder, dict)]
+    return any(isinstance(ics, dict) and ics.get("source") == "fem" for ics in sources)
 
 
 def say_that_the_build_goes_on(error: TimeoutExpired, job: str) -> None:

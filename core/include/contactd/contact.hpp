@@ -1,29 +1,18 @@
 // Contact problems and their solutions as plain values.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "contactd/friction.hpp"
-#include "contactd/gap.hpp"
-#include "contactd/given_ics.hpp"
-#include "contactd/grid.hpp"
-#include "contactd/ic_spec.hpp"
-#include "contactd/material.hpp"
+#include "contactd/contact_load.hpp"
+#include "contactd/contact_setup.hpp"
 
 namespace contactd {
 
 enum class ElementState : std::uint8_t { exterior = 0, adhesion = 1, slip = 2 };
-
-/// Stop test and bound of one iterative solver.
-struct SolverSettings {
-    double tolerance = 1e-6;  ///< of the paper's stop tests (sections 4.1 and 4.2)
-    int max_iterations = 1000;
-
-    bool operator==(const SolverSettings&) const = default;
-};
 
 /// How a solver ended.
 struct SolverEvidence {
@@ -49,36 +38,18 @@ struct DiscretisationEvidence {
     bool operator==(const DiscretisationEvidence&) const = default;
 };
 
-/// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. fastsim: Hertzian
-/// contact with Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes.
-enum class Model { full, hertz, fastsim };
+/// Normal contact, the approach or the force prescribed, and tangential contact where there is friction.
+struct ContactProblem : ContactSetup, ContactLoad {};
 
-/// Tractions at the end of the step before, each empty (zero) or of shape [ny, nx] (N/mm^2), on the upper body.
-struct PreviousState {
-    std::vector<double> pressure, traction_x, traction_y;
-
-    bool empty() const { return pressure.empty() && traction_x.empty() && traction_y.empty(); }
-    bool operator==(const PreviousState&) const = default;
+/// Of the contact area and its parts (mm^2).
+struct Areas {
+    double contact = 0, adhesion = 0, slip = 0;
 };
 
-/// Normal contact, the approach or the force prescribed, and tangential contact where `friction` is given.
-struct ContactProblem {
-    Grid grid;
-    BodyPair bodies;
-    Ics ics;                            ///< of both bodies
-    std::optional<GivenIcs> given_ics;  ///< instead of computed ones; bodies and ics mean nothing then
-    Gap gap;                            ///< undeformed distance h without the approach
-    /// Either of these two. The approach is delta (mm), the gap before deformation h - delta; with the normal force
-    /// (N, >= 0) prescribed instead it is found.
-    std::optional<double> approach, Fn;
-    Model model = Model::full;
-    std::optional<Friction> friction;            ///< absent: frictionless
-    PreviousState previous;                      ///< where a shift or a transient step starts
-    SolverSettings normal_settings{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
-    SolverSettings tangential_settings;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
-    SolverSettings outer_settings{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
-    std::vector<double> initial_pressure;        ///< empty, or an estimate, shape [ny, nx]
-    std::vector<double> initial_traction_x, initial_traction_y;  ///< empty, or estimates
+/// Numbers of elements.
+struct Counts {
+    int contact = 0, adhesion = 0, slip = 0;
+    int border = 0;  ///< of those in contact, at the border of the potential contact area
 };
 
 /// Arrays have shape [ny, nx]. Tractions act on the upper body.
@@ -88,10 +59,8 @@ struct ContactSolution {
     double Fx = 0, Fy = 0;    ///< tangential force on the upper body (N)
     double Mz = 0;            ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
     double pmax = 0;          ///< largest pressure (N/mm^2)
-    double contact_area = 0;  ///< (mm^2)
-    double adhesion_area = 0, slip_area = 0;
-    int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
-    int border_elements = 0;  ///< contact elements at the border of the potential contact area
+    Areas area;
+    Counts elements;
     std::vector<ElementState> element_division;
     std::vector<double> pressure;                ///< (N/mm^2), >= 0
     std::vector<double> traction_x, traction_y;  ///< (N/mm^2); zero without friction
@@ -121,19 +90,12 @@ struct ContactSolution {
 /// Of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);
 
-/// The paraboloid of the gap, with the radii that semi-axes stand for under the load; nothing for an array.
-std::optional<Paraboloid> paraboloid_of(const ContactProblem& problem);
-
-/// Whether its coefficients are those of a line contact.
-bool is_line_contact(const ContactProblem& problem);
-
-/// Throws InvalidArgument ("approach" or "Fn") unless one of the two is prescribed, and only one.
-void require_load(const ContactProblem& problem);
-
-/// h at the element centres, shape [ny, nx] (mm), of any gap the problem has.
-std::vector<double> undeformed_distance(const ContactProblem& problem);
+/// The way from a particle to where it was one step ago (mm): dq (cos chi, sin chi); zero unless the bodies roll.
+std::array<double, 2> step_of(const ContactProblem& problem);
 
 /// Throws InvalidArgument naming the field as on the wire when the problem cannot be solved as stated.
 void validate(const ContactProblem& problem);
+/// The same, but gap and load may be missing: later steps bring them.
+void validate_opening(const ContactProblem& problem);
 
 }  // namespace contactd

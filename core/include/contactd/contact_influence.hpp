@@ -1,7 +1,6 @@
 // From the bodies to the operators that solve their contact.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -20,10 +19,7 @@ struct ContactInfluence {
     std::size_t bytes() const;  ///< about what they take in memory
 };
 
-/// The way from a particle to where it was one step ago (mm): dq (cos chi, sin chi); zero unless the bodies roll.
-std::array<double, 2> step_of(const ContactProblem& problem);
-
-/// `pair` holds the coefficients of both bodies (pair_of), or those given by the problem; a rigid body has none.
+/// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none.
 ContactInfluence make_influence(const ContactProblem& problem, const IcTable& pair);
 
 }  // namespace contactd

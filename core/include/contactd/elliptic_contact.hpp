@@ -12,7 +12,7 @@ namespace contactd {
 /// The one material that stands for both bodies in tangential contact: 1/G = (1/G1 + 1/G2)/2, nu/G = (nu1/G1 +
 /// nu2/G2)/2 (Kalker 1990, section 1.7). One body may be rigid. What couples normal and tangential contact of bodies
 /// that are not quasi-identical is left out by all quick models.
-Material combined_material(const BodyPair& bodies);
+Material combined_material(const MaterialPair& bodies);
 
 /// An elliptic contact area centred at the origin, its axes along x and y, with Hertz's pressure
 /// p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Johnson, section 4.2).

@@ -57,13 +57,20 @@ void validate(const KineticFriction& kinetic, std::span<const double> mu_static)
 
 using Motion = std::variant<Shift, Rolling>;
 
+/// Rigid slip of each element, shape [ny, nx]: (mm) over a step, or over the distance rolled.
+struct RigidSlip {
+    std::vector<double> x, y;
+
+    bool empty() const { return x.empty() && y.empty(); }
+    bool operator==(const RigidSlip&) const = default;
+};
+
 /// Coulomb friction: |p_t| <= mu p_n, in slip equal and opposite to the slip.
-struct Friction {
+struct FrictionLaw {
     std::vector<double> mu{0};  ///< (static) coefficient, >= 0: one for all elements, or shape [ny, nx]
     std::optional<KineticFriction> kinetic{};
-    Motion motion{};
 
-    bool operator==(const Friction&) const = default;
+    bool operator==(const FrictionLaw&) const = default;
     double mu_of(std::size_t element) const { return mu.size() == 1 ? mu[0] : mu[element]; }
 };
 

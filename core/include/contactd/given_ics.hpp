@@ -1,5 +1,7 @@
-// Influence coefficients that a user brings along: of the pair of bodies, for one element size.
+// Influence coefficients that a user brings along, of one body or of the pair, for one element size.
 #pragma once
+
+#include <string>
 
 #include "contactd/grid.hpp"
 #include "contactd/ic_table.hpp"
@@ -7,9 +9,11 @@
 namespace contactd {
 
 struct GivenIcs {
-    IcTable table;  ///< of the pair (see pair_of): difference upper - lower for tractions on the upper body; mm^3/N
+    IcTable table;  ///< of a body, or of the pair (see pair_of); mm^3/N
     double dx = 0;  ///< element size along x that the table is for (mm)
     double dy = 0;  ///< element size along y (mm)
+
+    bool operator==(const GivenIcs&) const = default;
 };
 
 /// Largest relative difference of element sizes that files with few digits may bring along.
@@ -21,9 +25,9 @@ inline constexpr double coupling_tolerance = 1e-6;
 /// zz at the origin. Zero for quasi-identical bodies (paper, section 4).
 double coupling(const IcTable& pair);
 
-/// Throws InvalidArgument naming ics.dx, ics.dy or ics.table when no contact problem on `grid` can be solved with them:
+/// Throws InvalidArgument naming dx, dy or table of `field` when no contact problem on `grid` can be solved with them:
 /// element sizes that are not the grid's (by more than element_size_tolerance), too few offsets, a value that is not
 /// finite, or xx, yy, zz that are not positive at the origin and largest there, as those of every elastic body are.
-void validate(const GivenIcs& ics, const Grid& grid);
+void validate(const GivenIcs& ics, const Grid& grid, const std::string& field);
 
 }  // namespace contactd

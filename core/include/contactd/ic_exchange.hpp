@@ -18,7 +18,7 @@ namespace contactd {
 std::vector<unsigned char> to_ic_file(const IcRecord& record);
 
 /// CONTACT's combined modulus of rigidity, which its coefficients are multiplied by: 1/G = (1/G_upper + 1/G_lower)/2.
-double combined_modulus(const BodyPair& bodies);
+double combined_modulus(const MaterialPair& bodies);
 
 /// The pair's table as text; `G` is that of combined_modulus. Lines:
 ///     nmatrix iaconvex     1 1: one table for every row of elements; CONTACT's body 1 is the upper one

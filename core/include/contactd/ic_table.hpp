@@ -31,6 +31,8 @@ struct IcTable {
     double operator()(Axis i, Axis j, int k, int l) const { return values[index(i, j, k, l)]; }
     /// Offsets of either sign, |k| < nx and |l| < ny, by parity.
     double at(Axis i, Axis j, int k, int l) const;
+
+    bool operator==(const IcTable&) const = default;
 };
 
 /// One solve of a finite-element build.

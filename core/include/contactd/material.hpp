@@ -18,8 +18,8 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// The two bodies. The contact problem uses the difference of their surface displacements; forces act on the upper one.
-struct BodyPair {
+/// Of the two bodies. A contact problem uses the difference of their surface displacements; forces act on the upper one.
+struct MaterialPair {
     Material upper;
     Material lower;
 
@@ -29,13 +29,11 @@ struct BodyPair {
     /// Sum of (1-nu)/(2G), which is 1/E*: all that normal contact of half-spaces knows of them (mm^2/N).
     double normal_compliance() const;
 
-    bool operator==(const BodyPair&) const = default;
+    bool operator==(const MaterialPair&) const = default;
 };
 
 /// Throws InvalidArgument naming `field`.G or `field`.nu when the material cannot be used.
 /// nu = 0.5 is allowed only where `incompressible_allowed`: displacement-based finite elements cannot take it.
 void validate(const Material& material, const char* field, bool incompressible_allowed);
-/// The same for both bodies, of which one may be rigid.
-void validate(const BodyPair& bodies, bool incompressible_allowed);
 
 }  // namespace contactd

@@ -22,10 +22,6 @@ struct RollingBodies {
     double step_x = 0, step_y = 0;  ///< dq (cos chi, sin chi) (mm), not both zero
 };
 
-struct RigidSlip {
-    std::vector<double> x, y;  ///< (mm), shape [ny, nx]
-};
-
 /// dq (xi - phi y, eta + phi x) of the creepages and spin of `rolling`, spin_offset dq ahead of the element centres.
 RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq);
 /// (x - rotation y, y + rotation x) at the element centres.

@@ -40,7 +40,7 @@ ShiftedTable cropped(const ShiftedTable& table, int nx, int ny);
 
 /// Two half-spaces under loads of one shape.
 struct HalfSpaces {
-    BodyPair bodies;
+    MaterialPair bodies;
     LoadShape load_shape = LoadShape::constant;
     std::optional<LineContactSpec> line_contact{};
 };

@@ -26,11 +26,11 @@ void check_is_curved(double radius, const char* field) {
 }
 
 HertzContact hertz(const ContactProblem& problem) {
-    const double compliance = problem.bodies.normal_compliance();
-    if (const auto* axes = std::get_if<SemiAxes>(&problem.gap))
+    const double compliance = problem.bodies.materials().normal_compliance();
+    if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap))
         return problem.Fn ? hertz_of_semi_axes_and_force(*axes, compliance, *problem.Fn)
                           : hertz_of_semi_axes_and_approach(*axes, compliance, *problem.approach);
-    const auto& paraboloid = std::get<Paraboloid>(problem.gap);
+    const auto& paraboloid = std::get<Paraboloid>(*problem.gap);
     check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
     check_is_curved(paraboloid.Ry, "gap.paraboloid.Ry");
     return problem.Fn ? hertz_of_force(paraboloid, compliance, *problem.Fn)
@@ -38,35 +38,36 @@ HertzContact hertz(const ContactProblem& problem) {
 }
 
 void check_is_elliptic(const ContactProblem& problem) {
-    if (std::holds_alternative<std::vector<double>>(problem.gap)) unknown(problem, "gap", "is an array");
-    if (problem.given_ics) unknown(problem, "ics", "holds a table of coefficients");
+    if (std::holds_alternative<std::vector<double>>(*problem.gap)) unknown(problem, "gap", "is an array");
+    if (problem.bodies.pair) unknown(problem, "ics", "holds a table of coefficients");
 }
 
 void check_is_simple(const ContactProblem& problem) {
-    const Friction& friction = *problem.friction;
+    const FrictionLaw& friction = *problem.friction;
     if (friction.mu.size() != 1) unknown(problem, "friction.mu", "differs from element to element");
     if (friction.kinetic) unknown(problem, "friction.kinetic", "makes friction depend on the slip");
     if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
-    const auto* rolling = std::get_if<Rolling>(&friction.motion);
+    if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling && !rolling->steady) unknown(problem, "friction.rolling.kind", "is transient");
     if (!rolling && problem.model == Model::fastsim) unknown(problem, "friction", "is a shift");
 }
 
 EllipticFriction friction_of(const ContactProblem& problem, const EllipticContact& contact) {
-    const Friction& friction = *problem.friction;
-    if (const auto* shift = std::get_if<Shift>(&friction.motion))
-        return cattaneo_mindlin(problem.grid, contact, friction.mu[0], *shift);
-    const auto& rolling = std::get<Rolling>(friction.motion);
-    if (problem.model == Model::fastsim) return fastsim(problem.grid, contact, friction.mu[0], rolling);
-    return vermeulen_johnson(problem.grid, contact, friction.mu[0], rolling);
+    const double mu = problem.friction->mu[0];
+    if (const auto* shift = std::get_if<Shift>(&problem.motion))
+        return cattaneo_mindlin(problem.grid, contact, mu, *shift);
+    const auto& rolling = std::get<Rolling>(problem.motion);
+    if (problem.model == Model::fastsim) return fastsim(problem.grid, contact, mu, rolling);
+    return vermeulen_johnson(problem.grid, contact, mu, rolling);
 }
 
 void take_friction(EllipticFriction friction, ContactSolution& solution) {
     solution.Fx = friction.Fx;
     solution.Fy = friction.Fy;
     solution.Mz = friction.Mz;
-    solution.adhesion_area = friction.adhesion_area;
-    solution.slip_area = friction.slip_area;
+    solution.area.adhesion = friction.adhesion_area;
+    solution.area.slip = friction.slip_area;
     solution.element_division = std::move(friction.element_division);
     solution.traction_x = std::move(friction.traction_x);
     solution.traction_y = std::move(friction.traction_y);
@@ -83,14 +84,14 @@ ContactSolution solve_by_quick_model(const ContactProblem& problem) {
     check_is_elliptic(problem);
     if (problem.friction) check_is_simple(problem);
     const HertzContact found = hertz(problem);
-    const EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies)};
+    const EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies.materials())};
     ContactSolution solution;
     solution.normal.converged = true;  // closed form
     solution.approach = found.approach;
     solution.Fn = found.Fn;
     solution.pmax = found.pmax;
-    solution.contact_area = contact.area();
-    solution.slip_area = solution.contact_area;  // where no friction holds it
+    solution.area.contact = contact.area();
+    solution.area.slip = solution.area.contact;  // where no friction holds it
     solution.pressure = hertz_pressure(problem.grid, contact);
     solution.element_division.assign(problem.grid.size(), ElementState::exterior);
     for (std::size_t i = 0; i < solution.pressure.size(); ++i)

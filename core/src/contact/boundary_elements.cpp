@@ -6,6 +6,7 @@
 
 #include "contactd/friction_law.hpp"
 #include "contactd/normal.hpp"
+#include "contactd/undeformed_distance.hpp"
 #include "solver_support.hpp"
 #include "tangential_step.hpp"
 
@@ -51,7 +52,7 @@ class BoundaryElements {
           distance_(undeformed_distance(problem)),
           now_(make_tractions(n_, problem.initial_pressure, problem.initial_traction_x, problem.initial_traction_y)) {
         if (!problem.friction) return;
-        const Friction& friction = *problem.friction;
+        const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
         for (std::size_t i = 0; i < n_; ++i) static_mu_.push_back(friction.mu_of(i));
         if (friction.kinetic) slip_law_.emplace(*friction.kinetic, static_mu_);
@@ -74,7 +75,7 @@ class BoundaryElements {
    private:
     int number_of_steps() const {
         if (!problem_.friction) return 1;
-        const auto* rolling = std::get_if<Rolling>(&problem_.friction->motion);
+        const auto* rolling = std::get_if<Rolling>(&problem_.motion);
         return rolling && !rolling->steady ? rolling->steps : 1;
     }
 
@@ -152,9 +153,9 @@ class BoundaryElements {
     /// How far the coefficients of friction were from those that the slip asks for; they follow it.
     double follow_slip_law() {
         if (!slip_law_) return 0;
-        const auto* rolling = std::get_if<Rolling>(&problem_.friction->motion);
+        const auto* rolling = std::get_if<Rolling>(&problem_.motion);
         const double seconds =
-            rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.friction->motion).duration;
+            rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.motion).duration;
         Values velocity(n_);
         for (std::size_t i = 0; i < n_; ++i)
             if (tangential_.element_division[i] == ElementState::slip)

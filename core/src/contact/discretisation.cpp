@@ -7,6 +7,7 @@
 
 #include "../../types/number_text.hpp"
 #include "contactd/hertz.hpp"
+#include "contactd/undeformed_distance.hpp"
 
 namespace contactd {
 namespace {
@@ -73,14 +74,20 @@ double rolling_error(const RollingLengths& along, int across) {
     return rolling_factor * (1.0 / across + along.step / along.contact);
 }
 
+bool are_half_spaces(const Bodies& bodies) {
+    if (bodies.any_given()) return false;
+    for (const Body* body : {&bodies.upper, &bodies.lower})
+        if (const Ics* ics = body->computed(); ics != nullptr && ics->body != BodyShape::half_space) return false;
+    return true;
+}
+
 /// The whole ellipse under the approach of the solution, where Hertz's theory holds.
 std::optional<HertzContact> hertz_of(const ContactProblem& problem, const ContactSolution& solution, bool coupled) {
-    const bool half_spaces = !problem.given_ics && problem.ics.body == BodyShape::half_space;
-    if (!half_spaces || coupled || solution.border_elements > 0 || !(solution.approach > 0)) return {};
+    if (!are_half_spaces(problem.bodies) || coupled || solution.elements.border > 0 || !(solution.approach > 0)) return {};
     const auto paraboloid = paraboloid_of(problem);
     const auto is_curved = [](double radius) { return radius > 0 && std::isfinite(radius); };
     if (!paraboloid || !is_curved(paraboloid->Rx) || !is_curved(paraboloid->Ry)) return {};
-    const HertzContact hertz = hertz_of_approach(*paraboloid, problem.bodies.normal_compliance(), solution.approach);
+    const HertzContact hertz = hertz_of_approach(*paraboloid, problem.bodies.materials().normal_compliance(), solution.approach);
     if (!(hertz.Fn > 0 && hertz.pmax > 0)) return {};  // they underflow
     return hertz;
 }
@@ -93,7 +100,7 @@ std::string percent(double part) {
 
 void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution& solution,
                             std::vector<std::string>& warnings) {
-    if (solution.contact_elements > 0 || problem.Fn || !(solution.approach > 0) || !paraboloid_of(problem)) return;
+    if (solution.elements.contact > 0 || problem.Fn || !(solution.approach > 0) || !paraboloid_of(problem)) return;
     const Grid& grid = problem.grid;
     const bool has_origin =
         grid.x0 <= 0 && grid.y0 <= 0 && grid.x0 + grid.nx * grid.dx >= 0 && grid.y0 + grid.ny * grid.dy >= 0;
@@ -136,13 +143,13 @@ void warn_of_long_step(const ContactProblem& problem, const ContactSolution& sol
 
 std::optional<DiscretisationEvidence> discretisation(const ContactProblem& problem, const ContactSolution& solution,
                                                      bool coupled) {
-    if (solution.contact_elements == 0) return {};
+    if (solution.elements.contact == 0) return {};
     const ContactSize size = contact_size(problem.grid, solution.pressure);
     DiscretisationEvidence evidence;
     evidence.elements_across = elements_across(problem.grid, size);
     if (const auto hertz = hertz_of(problem, solution, coupled)) {
         // Under the prescribed load, of which the approach may have been found.
-        const double compliance = problem.bodies.normal_compliance();
+        const double compliance = problem.bodies.materials().normal_compliance();
         const double pmax =
             problem.Fn ? hertz_of_force(*paraboloid_of(problem), compliance, *problem.Fn).pmax : hertz->pmax;
         evidence.from_hertz = true;

@@ -18,11 +18,11 @@ namespace {
 
 void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     for (const ElementState state : solution.element_division) {
-        if (state == ElementState::adhesion) ++solution.adhesion_elements;
-        if (state == ElementState::slip) ++solution.slip_elements;
+        if (state == ElementState::adhesion) ++solution.elements.adhesion;
+        if (state == ElementState::slip) ++solution.elements.slip;
     }
-    solution.contact_elements = solution.adhesion_elements + solution.slip_elements;
-    solution.border_elements = border_elements(problem.grid, solution.pressure, is_line_contact(problem));
+    solution.elements.contact = solution.elements.adhesion + solution.elements.slip;
+    solution.elements.border = border_elements(problem.grid, solution.pressure, is_line_contact(problem));
 }
 
 void sum_up(const Grid& grid, ContactSolution& solution) {
@@ -35,9 +35,9 @@ void sum_up(const Grid& grid, ContactSolution& solution) {
     solution.Fx = forces.Fx;
     solution.Fy = forces.Fy;
     solution.Mz = forces.Mz;
-    solution.contact_area = solution.contact_elements * area;
-    solution.adhesion_area = solution.adhesion_elements * area;
-    solution.slip_area = solution.slip_elements * area;
+    solution.area.contact = solution.elements.contact * area;
+    solution.area.adhesion = solution.elements.adhesion * area;
+    solution.area.slip = solution.elements.slip * area;
 }
 
 /// Slip of rolling is over the distance rolled, which the solvers do not divide by. Adhesion loses nothing: its slip is
@@ -71,11 +71,11 @@ double largest_slip_velocity(const Motion& motion, const ContactSolution& soluti
 
 void warn_of_friction_that_never_falls(const ContactProblem& problem, ContactSolution& solution) {
     constexpr double hardly_any = 1e-3;  // of the slip velocity in the law
-    if (!problem.friction || !problem.friction->kinetic || solution.slip_elements == 0) return;
-    const double largest = largest_slip_velocity(problem.friction->motion, solution);
+    if (!problem.friction || !problem.friction->kinetic || solution.elements.slip == 0) return;
+    const double largest = largest_slip_velocity(problem.motion, solution);
     const double in_law = problem.friction->kinetic->slip_velocity;
     if (largest >= hardly_any * in_law) return;
-    const bool rolls = std::holds_alternative<Rolling>(problem.friction->motion);
+    const bool rolls = std::holds_alternative<Rolling>(problem.motion);
     solution.warnings.push_back(
         "Friction hardly falls: the largest slip velocity is " + short_text(largest) +
         " mm/s, and friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
@@ -87,13 +87,13 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
     if (problem.model == Model::full)
         for (std::string& warning : discretisation_warnings(problem, solution))
             solution.warnings.push_back(std::move(warning));
-    else if (solution.Fn > 0 && solution.contact_elements == 0)
+    else if (solution.Fn > 0 && solution.elements.contact == 0)
         solution.warnings.push_back(
             "No element has its centre in the contact, which is narrower than the elements or lies beyond the "
             "potential contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
-    if (solution.border_elements == 0) return;
-    const bool one = solution.border_elements == 1;
-    solution.warnings.push_back(std::to_string(solution.border_elements) +
+    if (solution.elements.border == 0) return;
+    const bool one = solution.elements.border == 1;
+    solution.warnings.push_back(std::to_string(solution.elements.border) +
                                 (one ? " contact element touches" : " contact elements touch") +
                                 " the border of the potential contact area: the contact may reach beyond it, and the "
                                 "solution is that of bodies cut off there.");

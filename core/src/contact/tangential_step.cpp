@@ -23,16 +23,6 @@ bool any(const Field& field) {
     return inner(field, field) > 0;
 }
 
-/// Slip of the motion itself: w of a shift, dq w of rolling.
-Field rigid_slip(const Motion& motion, const Grid& grid, double unit) {
-    const auto* rolling = std::get_if<Rolling>(&motion);
-    RigidSlip slip = rolling ? rigid_slip(grid, *rolling, unit) : rigid_slip(grid, std::get<Shift>(motion));
-    Field result;
-    result.x = std::move(slip.x);
-    result.y = std::move(slip.y);
-    return result;
-}
-
 bool prescribes_force(const Motion& motion) {
     return std::visit([](const auto& m) { return m.Fx || m.Fy; }, motion);
 }
@@ -51,8 +41,24 @@ void set_translation(Motion& motion, double x, double y) {
 }  // namespace
 
 TangentialStep::TangentialStep(const ContactProblem& problem, const ContactInfluence& influence)
-    : problem_(problem), influence_(influence), n_(problem.grid.size()), motion_(problem.friction->motion) {
+    : problem_(problem), influence_(influence), n_(problem.grid.size()), motion_(problem.motion) {
     if (rolling()) unit_ = step_length(*rolling(), problem.grid);
+}
+
+// Slip of the motion itself, w of a shift, dq w of rolling, and what the elements have beside it.
+Field TangentialStep::rigid_slip() const {
+    const Grid& grid = problem_.grid;
+    RigidSlip slip = rolling() ? contactd::rigid_slip(grid, *rolling(), unit_)
+                               : contactd::rigid_slip(grid, std::get<Shift>(motion_));
+    Field result;
+    result.x = std::move(slip.x);
+    result.y = std::move(slip.y);
+    const RigidSlip& beside = problem_.rigid_slip;
+    for (std::size_t i = 0; i < beside.x.size(); ++i) {
+        result.x[i] += unit_ * beside.x[i];
+        result.y[i] += unit_ * beside.y[i];
+    }
+    return result;
 }
 
 RollingBodies TangentialStep::bodies() const {
@@ -102,7 +108,7 @@ RollingSolution TangentialStep::solve(std::span<const double> pressure, std::spa
     if (prescribes_force(motion_)) {
         solution = solve_for_force(rest, bound, estimate, observer);
     } else {
-        Field rigid = rigid_slip(motion_, problem_.grid, unit_);
+        Field rigid = rigid_slip();
         add(rigid, rest);
         solution = solve_with(rigid, bound, estimate, problem_.tangential_settings, observer);
     }
@@ -117,7 +123,7 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     std::size_t first = 0;
     while (first < n_ && !is_free(first)) ++first;
     if (first == n_) return;
-    Field slip = rigid_slip(motion_, problem_.grid, unit_), u(n_);
+    Field slip = rigid_slip(), u(n_);
     add(slip, rest);
     if (rolling() && rolling()->steady)
         influence_.change->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
@@ -139,7 +145,7 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
     Field last;
     const auto solve = [&](double wx, double wy, double tolerance) -> ForcesAtSlip {
         set_translation(motion_, wx / unit_, wy / unit_);
-        Field rigid = rigid_slip(motion_, problem_.grid, unit_);
+        Field rigid = rigid_slip();
         add(rigid, rest);
         SilentObserver silent(observer);
         SolverSettings settings = problem_.tangential_settings;

@@ -40,6 +40,7 @@ class TangentialStep {
 
    private:
     const Rolling* rolling() const { return std::get_if<Rolling>(&motion_); }
+    Field rigid_slip() const;
     RollingBodies bodies() const;
     void add_coupling(std::span<const double> pressure, Field& rigid) const;
     void add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,

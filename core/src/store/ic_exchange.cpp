@@ -20,7 +20,7 @@ constexpr double characters_per_row = 247;  // an integer, ten numbers and the e
 
 }  // namespace
 
-double combined_modulus(const BodyPair& bodies) {
+double combined_modulus(const MaterialPair& bodies) {
     if (bodies.upper.G == bodies.lower.G) return bodies.upper.G;  // to the last bit
     return 2 / (1 / bodies.upper.G + 1 / bodies.lower.G);
 }

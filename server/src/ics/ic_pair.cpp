@@ -18,6 +18,7 @@ using PairPtr = std::shared_ptr<Pair>;
 /// Dimensionless tables know nothing of a material but nu, and families not even that.
 bool same_table(const Pair& pair) {
     if (!pair.specs[0] || !pair.specs[1]) return false;
+    if (static_cast<const Ics&>(*pair.specs[0]) != static_cast<const Ics&>(*pair.specs[1])) return false;
     return pair.specs[0]->material.nu == pair.specs[1]->material.nu || pair.answers[0].record->spec.any_nu;
 }
 

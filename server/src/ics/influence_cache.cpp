@@ -47,8 +47,8 @@ std::string influence_key(const ContactProblem& problem, const std::string& uppe
         key.append(bytes, sizeof value);
     };
     const auto [sx, sy] = step_of(problem);
-    for (const double value : {problem.bodies.upper.G, problem.bodies.upper.nu, problem.bodies.lower.G,
-                               problem.bodies.lower.nu, problem.grid.dx, problem.grid.dy, sx, sy})
+    const auto [upper, lower] = problem.bodies.materials();
+    for (const double value : {upper.G, upper.nu, lower.G, lower.nu, problem.grid.dx, problem.grid.dy, sx, sy})
         add(value);
     add(problem.grid.nx);
     add(problem.grid.ny);

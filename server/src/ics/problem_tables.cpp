@@ -6,62 +6,82 @@
 namespace contactd::server {
 namespace {
 
-IcSpec spec_of(const ContactProblem& problem, const Material& material) {
-    const Grid& grid = problem.grid;
-    return {problem.ics, material, grid.dx, grid.dy, grid.nx, grid.ny};
+std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
+    const Ics* ics = body.computed();
+    if (ics == nullptr) return {};
+    const Grid& grid = setup.grid;
+    return IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny};
 }
 
-IcTable body_table(const ContactProblem& problem, const IcAnswer& answer, const Material& material) {
-    const Grid& grid = problem.grid;
-    if (material.is_rigid()) return IcTable(grid.nx, grid.ny);
-    return table_of(answer, spec_of(problem, material));
+IcTable body_table(const ContactSetup& setup, const Body& body, const IcAnswer& answer) {
+    const Grid& grid = setup.grid;
+    if (const GivenIcs* given = body.given()) return cropped(given->table, grid.nx, grid.ny);
+    if (const auto spec = spec_of(setup, body)) return table_of(answer, *spec);
+    return IcTable(grid.nx, grid.ny);
 }
 
-}  // namespace
-
-bool needs_tables(const ContactProblem& problem) {
-    return problem.model == Model::full && !problem.given_ics;
-}
-
-std::array<std::optional<IcSpec>, 2> specs_of(const ContactProblem& problem) {
-    std::array<std::optional<IcSpec>, 2> specs;
-    const auto& [upper, lower] = problem.bodies;
-    if (!upper.is_rigid()) specs[0] = spec_of(problem, upper);
-    if (!lower.is_rigid()) specs[1] = spec_of(problem, lower);
-    return specs;
-}
-
-void check(const ContactProblem& problem) {
-    validate(problem);
-    if (!needs_tables(problem)) return;
-    const auto specs = specs_of(problem);
+void check_tables(const ContactSetup& setup) {
+    if (!needs_tables(setup)) return;
+    const auto specs = specs_of(setup);
     if (specs[0]) validate_body(*specs[0], "bodies.upper");
     if (specs[1]) validate_body(*specs[1], "bodies.lower");
 }
 
-ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache) {
-    if (problem.model != Model::full) return {};
-    if (problem.given_ics) return make_influence(problem, problem.given_ics->table);
-    return cache.of(influence_key(problem, ics[0].key, ics[1].key), [&] {
-        return make_influence(problem, pair_of(body_table(problem, ics[0], problem.bodies.upper),
-                                               body_table(problem, ics[1], problem.bodies.lower)));
-    });
+proto::IcUse use_of(const GivenIcs& given) {
+    proto::IcUse use{"given", ic_key(given), {}};
+    use.evidence.source = "table";
+    use.evidence.version = "contactd " + version();
+    return use;
 }
 
-IcUses uses_of(const ContactProblem& problem, const IcAnswers& ics) {
+std::optional<proto::IcUse> use_of(const Body& body, const IcAnswer& answer) {
+    if (const GivenIcs* given = body.given()) return use_of(*given);
+    if (body.computed() == nullptr) return {};
+    return proto::IcUse{answer.origin, answer.key, answer.record->evidence};
+}
+
+}  // namespace
+
+bool needs_tables(const ContactSetup& setup) {
+    if (setup.model != Model::full || setup.bodies.pair) return false;
+    return setup.bodies.upper.computed() != nullptr || setup.bodies.lower.computed() != nullptr;
+}
+
+std::array<std::optional<IcSpec>, 2> specs_of(const ContactSetup& setup) {
+    return {spec_of(setup, setup.bodies.upper), spec_of(setup, setup.bodies.lower)};
+}
+
+void check(const ContactProblem& problem) {
+    validate(problem);
+    check_tables(problem);
+}
+
+void check_opening(const ContactProblem& problem) {
+    validate_opening(problem);
+    check_tables(problem);
+}
+
+ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache) {
+    const Bodies& bodies = problem.bodies;
+    if (problem.model != Model::full) return {};
+    if (bodies.pair) return make_influence(problem, bodies.pair->table);
+    const auto make = [&] {
+        return make_influence(problem, pair_of(body_table(problem, bodies.upper, ics[0]),
+                                               body_table(problem, bodies.lower, ics[1])));
+    };
+    if (bodies.any_given()) return make();
+    return cache.of(influence_key(problem, ics[0].key, ics[1].key), make);
+}
+
+IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
     IcUses uses;
-    if (problem.model != Model::full) return uses;
-    if (problem.given_ics) {
-        uses.pair = {"given", ic_key(*problem.given_ics), {}};
-        uses.pair->evidence.source = "table";
-        uses.pair->evidence.version = "contactd " + version();
+    if (setup.model != Model::full) return uses;
+    if (setup.bodies.pair) {
+        uses.pair = use_of(*setup.bodies.pair);
         return uses;
     }
-    const auto use = [&](const IcAnswer& answer) {
-        return proto::IcUse{answer.origin, answer.key, answer.record->evidence};
-    };
-    if (!problem.bodies.upper.is_rigid()) uses.upper = use(ics[0]);
-    if (!problem.bodies.lower.is_rigid()) uses.lower = use(ics[1]);
+    uses.upper = use_of(setup.bodies.upper, ics[0]);
+    uses.lower = use_of(setup.bodies.lower, ics[1]);
     return uses;
 }
 

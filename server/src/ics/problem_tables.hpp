@@ -1,4 +1,4 @@
-// From a contact problem to the tables of its bodies, and from these to the operators that solve it.
+// From a contact to the tables of its bodies, and from these to the operators that solve it.
 #pragma once
 
 #include <array>
@@ -12,14 +12,16 @@
 
 namespace contactd::server {
 
-/// False for quick models, and where the request holds its coefficients.
-bool needs_tables(const ContactProblem& problem);
+/// False for quick models, and where the request holds all coefficients.
+bool needs_tables(const ContactSetup& setup);
 
-/// The tables wanted; none of a rigid body.
-std::array<std::optional<IcSpec>, 2> specs_of(const ContactProblem& problem);
+/// The tables wanted; none of a rigid body, nor of one whose table is given.
+std::array<std::optional<IcSpec>, 2> specs_of(const ContactSetup& setup);
 
 /// Throws for a problem that cannot be solved as stated.
 void check(const ContactProblem& problem);
+/// The same, where steps will bring gap and load that are missing.
+void check_opening(const ContactProblem& problem);
 
 /// The operators of the pair, from the cache where they can be; none of a quick model.
 ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache);
@@ -28,6 +30,6 @@ ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ic
 struct IcUses {
     std::optional<proto::IcUse> upper{}, lower{}, pair{};
 };
-IcUses uses_of(const ContactProblem& problem, const IcAnswers& ics);
+IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
 
 }  // namespace contactd::server

@@ -26,11 +26,11 @@ StatusError state_unknown() {
 
 }  // namespace
 
-std::size_t session_bytes(const ContactProblem& problem) {
+std::size_t session_bytes(const ContactSetup& setup) {
     std::size_t per_element = bytes_per_element_problem + bytes_per_element_state;
-    if (problem.model == Model::full) per_element += bytes_per_element_operators;
-    if (problem.given_ics) per_element += bytes_per_element_table;
-    return bytes_beside + problem.grid.size() * per_element;
+    if (setup.model == Model::full) per_element += bytes_per_element_operators;
+    if (setup.bodies.any_given()) per_element += bytes_per_element_table;
+    return bytes_beside + setup.grid.size() * per_element;
 }
 
 StatusError session_unknown() {
@@ -40,14 +40,15 @@ StatusError session_unknown() {
 
 Session::Session(proto::SessionSpec what, std::chrono::duration<double> lease_time, IcAnswers ics,
                  ContactInfluence influence)
-    : spec(std::move(what)),
+    : opened{std::move(what.setup), std::move(what.load)},
+      accept_unconverged(what.accept_unconverged),
       lease(lease_time),
       ics_(std::move(ics)),
-      problem_(spec.problem),
+      problem_(opened),
       influence_(std::move(influence)),
-      rolling_step_(step_of(spec.problem)) {
+      rolling_step_(step_of(opened)) {
     auto start = std::make_shared<SessionState>();
-    start->tractions = spec.problem.previous;
+    start->tractions = opened.previous;
     state_ = std::move(start);
 }
 
@@ -149,11 +150,11 @@ std::chrono::duration<double> Session::idle(Clock::time_point now) const {
 }
 
 std::size_t Session::bytes() const {
-    return session_bytes(spec.problem) + states() * state_bytes();
+    return session_bytes(opened) + states() * state_bytes();
 }
 
 std::size_t Session::state_bytes() const {
-    return bytes_beside + spec.problem.grid.size() * bytes_per_element_state;
+    return bytes_beside + opened.grid.size() * bytes_per_element_state;
 }
 
 }  // namespace contactd::server

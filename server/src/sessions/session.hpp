@@ -42,10 +42,12 @@ class Session : public std::enable_shared_from_this<Session> {
    public:
     using Clock = std::chrono::steady_clock;
 
-    /// `influence` is that of the problem, made of `ics`.
+    /// `influence` is that of the set-up, made of `ics`.
     Session(proto::SessionSpec spec, std::chrono::duration<double> lease, IcAnswers ics, ContactInfluence influence);
 
-    const proto::SessionSpec spec;
+    /// What all steps have in common, and what holds for those that do not say it.
+    const ContactProblem opened;
+    const bool accept_unconverged;  ///< whether steps count that missed a tolerance
     const std::chrono::duration<double> lease;
     const Clock::time_point created = Clock::now();
 
@@ -109,8 +111,8 @@ class Session : public std::enable_shared_from_this<Session> {
     Clock::time_point last_used_ = Clock::now();
 };
 
-/// What a session of `problem` will take in memory, about.
-std::size_t session_bytes(const ContactProblem& problem);
+/// What a session of `setup` will take in memory, about.
+std::size_t session_bytes(const ContactSetup& setup);
 
 /// NOT_FOUND: the session has ended, or never was.
 proto::StatusError session_unknown();

@@ -35,11 +35,11 @@ void in_turn(const CallPtr& call, const SolveTools& tools, SessionTable& session
 void finish_open(const CallPtr& call, proto::SessionSpec spec, std::chrono::duration<double> lease,
                  const IcAnswers& ics, const SolveTools& tools, SessionTable& sessions) {
     if (call->answered()) return;
-    ContactInfluence influence = influence_of(spec.problem, ics, tools.influences);
+    ContactInfluence influence = influence_of({spec.setup, spec.load}, ics, tools.influences);
     proto::SessionReply reply;
     reply.lease_seconds = lease.count();
-    reply.bytes = session_bytes(spec.problem);
-    IcUses uses = uses_of(spec.problem, ics);
+    reply.bytes = session_bytes(spec.setup);
+    IcUses uses = uses_of(spec.setup, ics);
     reply.upper = std::move(uses.upper);
     reply.lower = std::move(uses.lower);
     reply.pair = std::move(uses.pair);
@@ -54,10 +54,10 @@ void open_session(const CallPtr& call, const SolveTools& tools, SessionTable& se
     proto::SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);
     const auto lease = sessions.lease(spec.lease_seconds);
-    check(spec.problem);
-    sessions.check_room(session_bytes(spec.problem));  // before a build is started for it
-    const auto specs = specs_of(spec.problem);
-    const bool needs = needs_tables(spec.problem);
+    check_opening({spec.setup, spec.load});
+    sessions.check_room(session_bytes(spec.setup));  // before a build is started for it
+    const auto specs = specs_of(spec.setup);
+    const bool needs = needs_tables(spec.setup);
     auto prepare = [call, spec = std::move(spec), lease, tools, &sessions](const IcAnswers& ics) {
         tools.workers.post(turn_of(call), [call, spec, lease, ics, tools, &sessions] {
             guarded(call, [&] { finish_open(call, spec, lease, ics, tools, sessions); });
@@ -74,14 +74,14 @@ void step_session(const CallPtr& call, const SolveTools& tools, SessionTable& se
 
 void tell_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions) {
     in_turn(call, tools, sessions, [](Session& session) -> json {
-        const ContactProblem& problem = session.spec.problem;
+        const ContactProblem& problem = session.opened;
         proto::SessionInfo info;
         info.step = session.state()->step;
         info.lease_seconds = session.lease.count();
         info.states = session.states();
         info.bytes = session.bytes();
         info.grid = problem.grid;
-        if (problem.friction) info.rolls = std::holds_alternative<Rolling>(problem.friction->motion);
+        if (problem.friction) info.rolls = std::holds_alternative<Rolling>(problem.motion);
         IcUses uses = uses_of(problem, session.ics());
         info.upper = std::move(uses.upper);
         info.lower = std::move(uses.lower);
@@ -127,7 +127,7 @@ void list_sessions(const CallPtr& call, const SessionTable& sessions) {
                         {"step", session->state()->step},
                         {"states", session->states()},
                         {"bytes", session->bytes()},
-                        {"elements", session->spec.problem.grid.size()}});
+                        {"elements", session->opened.grid.size()}});
     call->succeed({{"sessions", std::move(list)}, {"bytes", sessions.bytes()}});
 }
 

@@ -110,7 +110,7 @@ void Session::solve_step(const SessionState& before, const CallPtr& call, const 
     observer.throw_if_cancelled();
     ContactSolution solution = solve_contact(problem_, influence_, observer);
     count(tools.counters, solution);
-    if (!solution.converged() && !spec.accept_unconverged) throw not_converged(solution);
+    if (!solution.converged() && !accept_unconverged) throw not_converged(solution);
 
     auto after = std::make_shared<SessionState>();
     after->step = before.step + 1;
@@ -129,12 +129,13 @@ void Session::solve_step(const SessionState& before, const CallPtr& call, const 
 }
 
 void Session::state_problem(const SessionState& before, const proto::Request& request) {
-    const ContactProblem& opened = spec.problem;
+    problem_.friction = opened.friction;
+    problem_.gap = opened.gap;
     problem_.approach = opened.approach;
     problem_.Fn = opened.Fn;
-    problem_.gap = opened.gap;
-    problem_.friction = opened.friction;
-    proto::apply_step(request.params, request.frames, spec, before.motion, problem_);
+    problem_.motion = opened.motion;
+    problem_.rigid_slip = opened.rigid_slip;
+    proto::apply_step(request.params, request.frames, before.motion, problem_);
     proto::check_frames_used(request.params, request.frames);
     if (problem_.model != Model::full) return;  // the quick ones know no history and need no estimate
     problem_.previous = before.tractions;

@@ -25,10 +25,15 @@ inline ContactProblem problem() {
     return problem;
 }
 
+inline std::vector<double> gap_of(const ContactProblem& problem) {
+    if (const auto* array = std::get_if<std::vector<double>>(&*problem.gap)) return *array;
+    return sampled(std::get<Paraboloid>(*problem.gap), problem.grid);
+}
+
 /// Solves by returning the gap as the pressure.
 inline proto::SolveReply gap_as_pressure(const ContactProblem& read) {
     proto::SolveReply reply;
-    reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = undeformed_distance(read);
+    reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = gap_of(read);
     reply.solution.element_division.assign(read.grid.size(), ElementState::slip);
     reply.upper = {"closed_form", "", {}};
     reply.upper->evidence.source = "analytic";

@@ -40,7 +40,7 @@ TEST_CASE("A problem goes out and its solution comes back", "[client]") {
 
     const auto reply = client.solve(problem());
 
-    CHECK(reply.solution.pressure == undeformed_distance(problem()));
+    CHECK(reply.solution.pressure == fake::gap_of(problem()));
     CHECK(reply.upper->origin == "closed_form");
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("Of many problems the one that cannot be solved is named", "[client]")
     fake::Daemon daemon(echo_gaps);
     Client client(daemon.endpoint());
     std::vector<ContactProblem> problems(2, problem());
-    problems[1].bodies.upper.nu = 0.6;
+    problems[1].bodies.upper.material.nu = 0.6;
     try {
         client.solve_many(problems);
         FAIL("nothing was thrown");

@@ -65,13 +65,14 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
 
     contactd::ContactProblem problem;
     problem.grid = contactd::Grid::centred(8, 8, 0.3, 0.3);
-    problem.bodies = {{200, 0.42}, contactd::Material::rigid()};
+    problem.bodies = {{200, 0.42}, {contactd::Material::rigid()}};
     problem.gap = contactd::Paraboloid{50, 50};
     problem.Fn = 9.2;
     contactd::Shift pulled;
     pulled.Fx = 1e6;
     std::vector<contactd::ContactProblem> problems(2, problem);
-    problems[1].friction = contactd::Friction{{0.4}, {}, pulled};
+    problems[1].friction = contactd::FrictionLaw{{0.4}};
+    problems[1].motion = pulled;
     const auto replies = client.solve_many(problems);
     CHECK(std::get<contactd::proto::SolveReply>(replies[0]).solution.Fn == Approx(9.2).epsilon(1e-6));
     CHECK(std::get<contactd::proto::Status>(replies[1]).violations[0].field == "friction.force");
@@ -92,13 +93,13 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
     Daemon daemon;
     contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
     contactd::proto::SessionSpec spec;
-    spec.problem.grid = contactd::Grid::centred(12, 12, 0.2, 0.2);
-    spec.problem.bodies = {{200, 0.42}, {200, 0.42}};
-    spec.problem.gap = contactd::Paraboloid{50, 50};
-    spec.has_load = false;
+    spec.setup.grid = contactd::Grid::centred(12, 12, 0.2, 0.2);
+    spec.setup.bodies = {{200, 0.42}, {200, 0.42}};
+    spec.load.gap = contactd::Paraboloid{50, 50};
     contactd::Shift shift;
     shift.x = 0.004;
-    spec.problem.friction = contactd::Friction{{0.4}, {}, shift};
+    spec.setup.friction = contactd::FrictionLaw{{0.4}};
+    spec.load.motion = shift;
     contactd::proto::StepInput input;
     input.approach = 0.02;
     input.fields = {contactd::proto::SolutionField::pressure};

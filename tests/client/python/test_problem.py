@@ -136,6 +136,7 @@ def test_either_the_approach_or_the_force_is_given(load):
         ("upper", {"G": 200, "nu": 0.42}, "Material or RigidBody"),
         ("lower", "steel", "Material or RigidBody"),
         ("ics", "fem", "AnalyticIcs or FemIcs or TableIcs"),
+        ("lower_ics", "fem", "AnalyticIcs or FemIcs or TableIcs"),
         ("friction", 0.3, "Friction"),
         ("normal", 1e-8, "SolverSettings"),
         ("previous", 3, "a solution or an Estimate"),
@@ -164,6 +165,29 @@ def test_a_gap_may_be_given_by_semi_axes():
 def test_a_body_may_be_rigid():
     bodies = problem_params(PROBLEM.replace(upper=RigidBody(), lower=STEEL))["bodies"]
     assert bodies == {"upper": {"rigid": True}, "lower": {"G": 82000, "nu": 0.28}}
+
+
+def test_a_body_may_have_coefficients_of_its_own():
+    table = TableIcs(np.ones((3, 3, 4, 5)), 0.5, 1.0)
+    problem = PROBLEM.replace(upper_ics=FemIcs(body="block"), lower=Material(1, 0), lower_ics=table)
+    bodies = problem_params(problem)["bodies"]
+    assert bodies["upper"] == {"G": 82000, "nu": 0.28, "ics": {"source": "fem", "body": "block"}}
+    assert bodies["lower"]["ics"].keys() == {"source", "table", "dx", "dy"}
+    assert bodies["lower"]["ics"]["table"].shape == (3, 3, 2, 3)  # no more than the grid needs
+
+
+def test_coefficients_of_the_lower_body_alone_name_its_material():
+    bodies = problem_params(PROBLEM.replace(lower_ics=FemIcs()))["bodies"]
+    assert bodies["lower"] == {"G": 82000, "nu": 0.28, "ics": {"source": "fem"}}
+    assert "ics" not in bodies["upper"]
+
+
+def test_a_rigid_slip_goes_out_as_two_arrays():
+    slip = (np.ones((2, 3)), np.zeros((2, 3)))
+    friction = problem_params(PROBLEM.replace(friction=Friction(0.4, rigid_slip=slip)))["friction"]
+    assert friction["mu"] == 0.4
+    assert friction["rigid_slip"]["x"] is slip[0]
+    assert friction["rigid_slip"]["y"] is slip[1]
 
 
 def test_quick_models_do_not_use_a_table():

@@ -14,7 +14,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 constexpr double pi = std::numbers::pi, mu = 0.3;
-const BodyPair steel_pair{{82000, 0.28}, {82000, 0.28}};
+const MaterialPair steel_pair{{82000, 0.28}, {82000, 0.28}};
 const auto line = reference::line_contact(steel_pair, 250, 2000);
 const double full_creepage = mu * line.half_width / 250;  // Johnson (8.27)
 

@@ -68,7 +68,7 @@ TEST_CASE("Hertz's pressure adds up to the force", "[elliptic]") {
 }
 
 TEST_CASE("a circle is shifted as Cattaneo says", "[elliptic]") {
-    const BodyPair bodies{soft, hard};
+    const MaterialPair bodies{soft, hard};
     const EllipticContact circle{{1, 1}, 10, combined_material(bodies)};
     Shift shift;
     shift.Fx = 0.875 * bound;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 const Material steel{82000, 0.28};
-const BodyPair steel_pair{steel, steel};
+const MaterialPair steel_pair{steel, steel};
 const EllipticContact contact{{6, 4}, 50000, steel};
 const EllipticContact circle{{5, 5}, 50000, steel};
 constexpr double mu = 0.3, bound = mu * 50000;

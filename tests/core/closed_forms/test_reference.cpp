@@ -8,7 +8,7 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 TEST_CASE("Hertz and Cattaneo give the paper's values", "[reference]") {
-    const BodyPair bodies{{200, 0.42}, {200, 0.42}};
+    const MaterialPair bodies{{200, 0.42}, {200, 0.42}};
     const auto hertz = reference::hertz(bodies, 50, 0.02);
     CHECK_THAT(hertz.radius, WithinRel(1.0, 1e-12));
     CHECK_THAT(hertz.Fn, WithinAbs(9.195402, 1e-6));

@@ -10,6 +10,7 @@
 #include "contactd/half_space.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/solve_contact.hpp"
+#include "contactd/undeformed_distance.hpp"
 
 namespace contactd::test {
 
@@ -39,11 +40,13 @@ inline IcTable body_table(const Grid& grid, const Material& material, const Ics&
 
 /// Of the bodies of the problem, as half-spaces whatever it says of their shape.
 inline IcTable pair_table(const ContactProblem& problem) {
-    Ics ics = problem.ics;
-    ics.source = IcSource::analytic;
-    ics.body = BodyShape::half_space;
-    return pair_of(body_table(problem.grid, problem.bodies.upper, ics),
-                   body_table(problem.grid, problem.bodies.lower, ics));
+    const auto table = [&](const Body& body) {
+        Ics ics = std::get<Ics>(body.ics);
+        ics.source = IcSource::analytic;
+        ics.body = BodyShape::half_space;
+        return body_table(problem.grid, body.material, ics);
+    };
+    return pair_of(table(problem.bodies.upper), table(problem.bodies.lower));
 }
 
 inline ContactSolution solve_half_spaces(const ContactProblem& problem) {
@@ -88,7 +91,8 @@ inline ContactProblem cattaneo_problem(int n) {
     problem.bodies = {{200, 0.42}, {200, 0.42}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
-    problem.friction = Friction{{0.4}, {}, Shift{0.00817, 0}};
+    problem.friction = FrictionLaw{{0.4}};
+    problem.motion = Shift{0.00817, 0};
     return problem;
 }
 

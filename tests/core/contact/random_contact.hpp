@@ -7,7 +7,7 @@
 
 namespace contactd::test {
 
-inline BodyPair random_bodies(Dice& dice) {
+inline MaterialPair random_bodies(Dice& dice) {
     const Material one = random_material(dice);
     if (dice.chance(0.4)) return {one, one};
     if (dice.chance(0.3)) return {Material::rigid(), one};
@@ -18,8 +18,8 @@ inline BodyPair random_bodies(Dice& dice) {
 
 /// Displacements and slip are of this order where most of the contact slips.
 inline double slip_unit(const ContactProblem& problem, const ContactSolution& normal, double mu) {
-    const double compliance = 1 / problem.bodies.upper.G + 1 / problem.bodies.lower.G;
-    return mu * normal.pmax * compliance * std::sqrt(std::max(normal.contact_area, problem.grid.element_area())) * 0.5;
+    const double compliance = 1 / problem.bodies.upper.material.G + 1 / problem.bodies.lower.material.G;
+    return mu * normal.pmax * compliance * std::sqrt(std::max(normal.area.contact, problem.grid.element_area())) * 0.5;
 }
 
 inline void prescribe_force(Dice& dice, double largest, std::optional<double>& Fx, std::optional<double>& Fy) {
@@ -30,7 +30,7 @@ inline void prescribe_force(Dice& dice, double largest, std::optional<double>& F
 
 inline Motion random_motion(Dice& dice, const ContactProblem& problem, const ContactSolution& normal, double mu) {
     const double unit = slip_unit(problem, normal, mu), angle = dice.uniform(0, 6.3);
-    const double length = std::sqrt(std::max(normal.contact_area, problem.grid.element_area()));
+    const double length = std::sqrt(std::max(normal.area.contact, problem.grid.element_area()));
     const double size = unit * dice.log_uniform(0.01, 5), turn = dice.chance(0.5) ? unit / length : 0;
     const double largest = mu * normal.Fn;
     const bool forces = dice.chance(0.3) && largest > 0;
@@ -56,7 +56,7 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
     Dice dice(seed + 77'000'000);
     ContactProblem problem;
     problem.grid = random_grid(dice, 3, largest_size);
-    problem.bodies = random_bodies(dice);
+    problem.bodies = Bodies::of(random_bodies(dice));
     const Values h = random_distance(dice, problem.grid);
     problem.gap = h;
     const auto [least, most] = std::minmax_element(h.begin(), h.end());
@@ -67,21 +67,21 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
         problem.approach.reset();
     }
     if (dice.chance(0.1)) return problem;
-    Friction friction;
+    FrictionLaw friction;
     friction.mu = {dice.chance(0.05) ? 0 : dice.uniform(0, 1)};
     const double mu = friction.mu[0];
-    friction.motion = random_motion(dice, problem, normal, mu);
+    problem.motion = random_motion(dice, problem, normal, mu);
     if (dice.chance(0.15)) {
         friction.mu = Values(h.size());
         for (double& value : friction.mu) value = mu * dice.uniform(0.97, 1.1);
     }
-    const bool forces = std::visit([](const auto& motion) { return motion.Fx || motion.Fy; }, friction.motion);
+    const bool forces = std::visit([](const auto& motion) { return motion.Fx || motion.Fy; }, problem.motion);
     if (dice.chance(0.15) && !forces &&
         mu * normal.pmax > 0)  // falling friction may not carry a force that static friction does
         friction.kinetic = KineticFriction{dice.chance(0.5) ? SlipLaw::linear : SlipLaw::exponential,
                                            0.9 * mu * dice.uniform(0.5, 1), slip_unit(problem, normal, mu) * 10};
     problem.friction = friction;
-    const auto* rolling = std::get_if<Rolling>(&problem.friction->motion);
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (dice.chance(0.3) && !(rolling && rolling->steady)) {
         const ContactSolution before = solve_half_spaces(problem);
         problem.previous = {before.pressure, before.traction_x, before.traction_y};
@@ -109,8 +109,8 @@ inline Surface displacements(const ContactProblem& problem, const Values& pz, co
                                                         (l - grid.ny + 1) * grid.dy + shift_y, grid.dx, grid.dy, body);
                 };
                 // The lower body carries the opposite, in a frame that is mirrored for what couples.
-                table.push_back(couples ? of(problem.bodies.lower) - of(problem.bodies.upper)
-                                        : of(problem.bodies.upper) + of(problem.bodies.lower));
+                table.push_back(couples ? of(problem.bodies.lower.material) - of(problem.bodies.upper.material)
+                                        : of(problem.bodies.upper.material) + of(problem.bodies.lower.material));
             }
         return table;
     };
@@ -168,6 +168,9 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
             const std::size_t i = at(grid, ix, iy);
             slip.x[i] = unit * (x - turn * (grid.y(iy) + ahead_y)) - old.x[i];
             slip.y[i] = unit * (y + turn * (grid.x(ix) + ahead_x)) - old.y[i];
+            if (problem.rigid_slip.empty()) continue;
+            slip.x[i] += unit * problem.rigid_slip.x[i];
+            slip.y[i] += unit * problem.rigid_slip.y[i];
         }
     return slip;
 }
@@ -189,7 +192,7 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
     }
     if (problem.Fn && std::abs(solution.Fn - *problem.Fn) > 1e-6 * *problem.Fn) return "the normal force is missed";
     if (!problem.friction) return {};
-    const Friction& friction = *problem.friction;
+    const FrictionLaw& friction = *problem.friction;
     const Surface w = given_slip(problem, solution, before);
     const auto* rolling = std::get_if<Rolling>(&*solution.motion);
     const double seconds =
@@ -218,10 +221,10 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
 /// The state before the last step of a transient with several, by taking the steps one by one.
 inline PreviousState state_before_last(const ContactProblem& problem) {
     if (!problem.friction) return problem.previous;
-    const auto* rolling = std::get_if<Rolling>(&problem.friction->motion);
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling == nullptr || rolling->steady || rolling->steps == 1) return problem.previous;
     ContactProblem shorter = problem;
-    --std::get<Rolling>(shorter.friction->motion).steps;
+    --std::get<Rolling>(shorter.motion).steps;
     const ContactSolution before = solve_half_spaces(shorter);
     return {before.pressure, before.traction_x, before.traction_y};
 }

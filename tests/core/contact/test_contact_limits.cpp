@@ -31,13 +31,13 @@ std::string refused(const ContactProblem& problem) {
 TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     problem.tangential_settings.max_iterations = 6;
-    problem.friction->motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
+    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
     REQUIRE_FALSE(solve_half_spaces(problem).converged());
-    problem.friction->motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false, .steps = 40};
+    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false, .steps = 40};
     const auto marched = solve_half_spaces(problem);
     CHECK_FALSE(marched.converged());
     CHECK(marched.tangential->residual > problem.tangential_settings.tolerance);
-    problem.friction->motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
+    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
     problem.previous = {marched.pressure, marched.traction_x, marched.traction_y};
     problem.initial_traction_x = marched.traction_x;
     problem.initial_traction_y = marched.traction_y;
@@ -67,7 +67,7 @@ TEST_CASE("elements without friction slip as far as their neighbours and the mot
 TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
     ContactProblem problem = cattaneo_problem(10);
     problem.friction->mu = {0};
-    problem.friction->motion =
+    problem.motion =
         GENERATE(Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0}},
                  Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0, .steady = false, .steps = 2}},
                  Motion{Shift{.x = 1e-3, .rotation = 2e-3}});
@@ -85,17 +85,17 @@ TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
 TEST_CASE("friction that falls to nothing lets go", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     // The whole contact slides a hundred times faster than where friction ends.
-    problem.friction->motion = GENERATE(Motion{Shift{.x = 0.1}}, Motion{Rolling{.xi = 0.1}});
+    problem.motion = GENERATE(Motion{Shift{.x = 0.1}}, Motion{Rolling{.xi = 0.1}});
     problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0, 1e-3};
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
-    CHECK(solution.slip_elements == solution.contact_elements);
+    CHECK(solution.elements.slip == solution.elements.contact);
     CHECK_THAT(solution.Fx, WithinAbs(0, 1e-6 * solution.Fn));
 }
 
 TEST_CASE("a coefficient of friction whose squares underflow is none", "[limits]") {
     ContactProblem problem = cattaneo_problem(10);
-    problem.friction->motion = GENERATE(Motion{Shift{.x = 1e-3}}, Motion{Rolling{.xi = 1e-3}});
+    problem.motion = GENERATE(Motion{Shift{.x = 1e-3}}, Motion{Rolling{.xi = 1e-3}});
     Values mu(problem.grid.size(), 1e-170);
     mu[at(problem.grid, 4, 5)] = 0.4;
     problem.friction->mu = GENERATE_COPY(Values{1e-170}, mu);
@@ -127,7 +127,7 @@ TEST_CASE("numbers whose squares leave the range of a double are refused by name
         field = "grid.dy";
     }
     SECTION("modulus") {
-        problem.bodies.lower.G = 1e-160;
+        problem.bodies.lower.material.G = 1e-160;
         field = "bodies.lower.G";
     }
     SECTION("step before") {
@@ -139,9 +139,9 @@ TEST_CASE("numbers whose squares leave the range of a double are refused by name
         field = "initial.pressure";
     }
     SECTION("coefficients") {
-        problem.given_ics = GivenIcs{pair_table(problem), problem.grid.dx, problem.grid.dy};
+        problem.bodies.pair = GivenIcs{pair_table(problem), problem.grid.dx, problem.grid.dy};
         REQUIRE(refused(problem).empty());
-        auto& table = problem.given_ics->table;
+        auto& table = problem.bodies.pair->table;
         SECTION("large") {
             table(Axis::x, Axis::z, 1, 0) = 1e200;
         }
@@ -161,7 +161,7 @@ TEST_CASE("the most slender ellipse that can be asked for has finite forces", "[
     problem.gap = GENERATE(SemiAxes{1e-12, 1e12}, SemiAxes{1e12, 1e-12});
     problem.approach.reset();
     problem.Fn = 10;
-    problem.friction->motion = GENERATE(Motion{Shift{.x = 1e-9}}, Motion{Rolling{.xi = 1e-9}});
+    problem.motion = GENERATE(Motion{Shift{.x = 1e-9}}, Motion{Rolling{.xi = 1e-9}});
     Observer observer;
     const double Fx = solve_contact(problem, {}, observer).Fx;
     CHECK(Fx < 0);
@@ -172,11 +172,11 @@ TEST_CASE("adhesion dissipates nothing", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     problem.friction->mu = {1000};
     const auto shifted = solve_half_spaces(problem);
-    REQUIRE(shifted.slip_elements == 0);
+    REQUIRE(shifted.elements.slip == 0);
     CHECK(*shifted.frictional_work == 0);
-    problem.friction->motion = Rolling{.xi = 1e-3, .steady = false};
+    problem.motion = Rolling{.xi = 1e-3, .steady = false};
     const auto rolled = solve_half_spaces(problem);
-    REQUIRE(rolled.slip_elements == 0);
+    REQUIRE(rolled.elements.slip == 0);
     CHECK(*rolled.frictional_power == 0);
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
     }
     const auto solution = solve_contact(problem, {}, observer);
     REQUIRE(solution.Fn > 0);
-    REQUIRE(solution.contact_elements == 0);
+    REQUIRE(solution.elements.contact == 0);
     REQUIRE(solution.warnings.size() == 1);
     CHECK(solution.warnings[0].find("whole contact") != std::string::npos);
 }
@@ -207,9 +207,9 @@ TEST_CASE("a force that falling friction cannot hold is not found, and only one 
     const bool rolls = GENERATE(true, false);
     const auto pull = [&](double force) {
         if (rolls)
-            problem.friction->motion = Rolling{.Fx = -force};
+            problem.motion = Rolling{.Fx = -force};
         else
-            problem.friction->motion = Shift{.Fx = -force};
+            problem.motion = Shift{.Fx = -force};
         return solve_half_spaces(problem);
     };
     CHECK(pull(0.3 * 0.4 * 10).converged());

@@ -25,7 +25,7 @@ ContactInfluence dense_influence(const ContactProblem& problem) {
     const auto [x, y] = step_of(problem);
     if (x == 0 && y == 0) return influence;
     const ShiftedTable change =
-        change_over_step(pair, shifted_half_spaces({problem.bodies, problem.ics.load_shape}, problem.grid, x, y));
+        change_over_step(pair, shifted_half_spaces({problem.bodies.materials()}, problem.grid, x, y));
     influence.change = std::make_shared<const DenseStep>(DenseMatrices(n, 2, entries_of(change, problem.grid)));
     return influence;
 }
@@ -46,11 +46,13 @@ ContactProblem ellipse() {
 }  // namespace
 
 TEST_CASE("every solver runs on a dense operator and gives the convolution's answers", "[contact][dense]") {
+    const bool dissimilar = GENERATE(false, true);
     ContactProblem problem = ellipse();
     std::string name;
     const auto with = [&](const char* what, const Motion& motion) {
         name = what;
-        problem.friction = Friction{{0.3}, {}, motion};
+        problem.friction = FrictionLaw{{0.3}};
+        problem.motion = motion;
     };
     SECTION("force prescribed") {
         name = "force";
@@ -74,7 +76,6 @@ TEST_CASE("every solver runs on a dense operator and gives the convolution's ans
     SECTION("transient rolling") {
         with("transient", Rolling{.xi = 0.002, .phi = 0.001, .dq = 0.15, .steady = false, .steps = 4});
     }
-    const bool dissimilar = GENERATE(false, true);
     if (dissimilar) problem.bodies = {{1000, 0.28}, {400, 0.4}};
     CAPTURE(name, dissimilar);
     Observer observer;

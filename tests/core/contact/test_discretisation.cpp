@@ -25,10 +25,11 @@ const Material steel{82000, 0.28};
 ContactProblem rolling_ellipse(double a, double b, int n, const Rolling& rolling) {
     ContactProblem problem;
     problem.grid = Grid::centred(n, n, 2.2 * a / n, 2.2 * b / n);
-    problem.bodies = {steel, steel};
+    problem.bodies = Bodies::of({steel, steel});
     problem.gap = SemiAxes{a, b};
     problem.Fn = 50000;
-    problem.friction = Friction{{0.3}, {}, rolling};
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = rolling;
     return problem;
 }
 
@@ -77,7 +78,7 @@ TEST_CASE("a slender contact and its motion turned by a right angle have the sam
     CHECK_THAT(turned.Fx, WithinRel(-along.Fy, 1e-5));
     CHECK_THAT(turned.Mz, WithinRel(along.Mz, 1e-4));
     CHECK_THAT(*turned.frictional_power, WithinRel(*along.frictional_power, 1e-4));
-    CHECK(turned.slip_elements == along.slip_elements);
+    CHECK(turned.elements.slip == along.elements.slip);
 }
 
 TEST_CASE("a step far above the elements or the contact is warned of", "[discretisation]") {
@@ -155,7 +156,7 @@ TEST_CASE("errors are numbers however little the bodies overlap", "[discretisati
     ContactProblem problem = sphere(9, 0.4);
     problem.approach = GENERATE(1e-6, 1e-12, 1e-100);
     const auto solution = solve_half_spaces(problem);
-    REQUIRE(solution.contact_elements == 1);
+    REQUIRE(solution.elements.contact == 1);
     CHECK(std::isfinite(solution.discretisation->force_error));
     CHECK(std::isfinite(solution.discretisation->pmax_error));
     CHECK(solution.discretisation->force_error >= 1);
@@ -165,17 +166,19 @@ TEST_CASE("contacts that Hertz does not describe are not compared with him", "[d
     ContactProblem problem = cattaneo_problem(16);
     CHECK(solve_half_spaces(problem).discretisation->from_hertz);
     SECTION("coupled with friction") {
-        problem.bodies.lower = {400, 0.3};
+        problem.bodies.lower.material = {400, 0.3};
     }
     SECTION("cut off at the border") {
         problem.approach = 0.05;
     }
     SECTION("a block") {
-        problem.ics.source = IcSource::fem;
-        problem.ics.body = BodyShape::block;
+        Ics block;
+        block.source = IcSource::fem;
+        block.body = BodyShape::block;
+        problem.bodies = Bodies::of({steel, steel}, block);
     }
     SECTION("coefficients of the request") {
-        problem.given_ics = GivenIcs{pair_table(problem), problem.grid.dx, problem.grid.dy};
+        problem.bodies.pair = GivenIcs{pair_table(problem), problem.grid.dx, problem.grid.dy};
     }
     SECTION("a flat direction") {
         problem.gap = Paraboloid{.Rx = 50};
@@ -195,7 +198,7 @@ TEST_CASE("a contact of fewer than eight elements across is warned of", "[discre
     four.approach.reset();
     four.Fn = 9.2;
     const auto under_force = solve_half_spaces(four);
-    CHECK(under_force.contact_elements == 4);
+    CHECK(under_force.elements.contact == 4);
     CHECK(says(under_force, "2 elements across"));
     CHECK(under_force.discretisation->force_error > 0.4);
     SECTION("in one direction only") {
@@ -221,7 +224,7 @@ TEST_CASE("a line contact is not asked for elements along it", "[discretisation]
     problem.gap = Paraboloid{.Rx = 50};
     problem.grid = Grid::centred(40, rows, 0.06, 60.0 / rows);
     const auto solution = solve_half_spaces(problem);
-    CHECK(solution.contact_elements == rows * solution.discretisation->elements_across);
+    CHECK(solution.elements.contact == rows * solution.discretisation->elements_across);
     CHECK_FALSE(says(solution, "elements across"));
     problem.grid = Grid::centred(8, rows, 0.4, 60.0 / rows);
     CHECK(says(solve_half_spaces(problem), "elements across"));
@@ -230,7 +233,7 @@ TEST_CASE("a line contact is not asked for elements along it", "[discretisation]
 TEST_CASE("a grid without an element in the contact says so", "[discretisation]") {
     ContactProblem problem = sphere(40, 2.4);
     const auto between = solve_half_spaces(problem);
-    CHECK(between.contact_elements == 0);
+    CHECK(between.elements.contact == 0);
     CHECK_FALSE(between.discretisation);
     CHECK(says(between, "narrower than the elements"));
     problem.grid = {40, 40, 0.06, 0.06, 3, -1.2};
@@ -256,7 +259,7 @@ TEST_CASE("spin is evaluated ahead of the element centres by its offset", "[disc
         .xi = 1e-3, .eta = -5e-4, .phi = 3e-4, .chi = GENERATE(0.0, pi / 2, 0.7), .spin_offset = 1.0 / 6};
     ContactProblem problem = rolling_ellipse(6, 4, 20, motion);
     const auto solve = [&](const Rolling& rolling) {
-        problem.friction->motion = rolling;
+        problem.motion = rolling;
         const auto solution = solve_half_spaces(problem);
         REQUIRE(solution.converged());
         return solution;

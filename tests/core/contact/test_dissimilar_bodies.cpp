@@ -14,13 +14,14 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 /// A sphere pressed on a plane and held against shifting.
-ContactProblem sphere(const BodyPair& bodies, double mu, int n = 24) {
+ContactProblem sphere(const MaterialPair& bodies, double mu, int n = 24) {
     ContactProblem problem;
     problem.grid = Grid::centred(n, n, 2.4 / n, 2.4 / n);
-    problem.bodies = bodies;
+    problem.bodies = Bodies::of(bodies);
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
-    problem.friction = Friction{{mu}, {}, Shift{}};
+    problem.friction = FrictionLaw{{mu}};
+    problem.motion = Shift{};
     return problem;
 }
 
@@ -51,18 +52,18 @@ ContactProblem punch(const Material& plane, double mu) {
     return problem;
 }
 
-const BodyPair rigid_on_soft{Material::rigid(), {200, 0.1}};
-const BodyPair soft_on_rigid{{200, 0.1}, Material::rigid()};
-const BodyPair extreme{{200, 0.0}, {200, 0.5}};
-const BodyPair stiff_on_soft{{82000, 0.28}, {10, 0.2}};
+const MaterialPair rigid_on_soft{Material::rigid(), {200, 0.1}};
+const MaterialPair soft_on_rigid{{200, 0.1}, Material::rigid()};
+const MaterialPair extreme{{200, 0.0}, {200, 0.5}};
+const MaterialPair stiff_on_soft{{82000, 0.28}, {10, 0.2}};
 
 }  // namespace
 
 TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimilar]") {
-    const BodyPair bodies = GENERATE(rigid_on_soft, soft_on_rigid, extreme, stiff_on_soft);
+    const MaterialPair bodies = GENERATE(rigid_on_soft, soft_on_rigid, extreme, stiff_on_soft);
     const double mu = GENERATE(0.05, 0.4);
     ContactProblem problem = sphere(bodies, mu, 16);
-    problem.friction->motion = Shift{0.003, -0.001};
+    problem.motion = Shift{0.003, -0.001};
     problem.outer_settings.tolerance = 1e-9;
     problem.normal_settings.tolerance = problem.tangential_settings.tolerance = 1e-10;
 
@@ -133,7 +134,7 @@ TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
     ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
     problem.approach.reset();
     problem.Fn = 5;
-    problem.friction->motion = Rolling{.xi = 0.02, .eta = 0.01, .phi = 1e-3};
+    problem.motion = Rolling{.xi = 0.02, .eta = 0.01, .phi = 1e-3};
     const ContactSolution solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fn, WithinRel(5, 1e-6));

@@ -12,6 +12,7 @@
 #include "contactd/friction_law.hpp"
 #include "contactd/reference.hpp"
 #include "contactd/solve_contact.hpp"
+#include "random_contact.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -32,11 +33,11 @@ TEST_CASE("sums of a solution are those of its arrays", "[contact]") {
     }
     CHECK_THAT(solution.Fn, WithinRel(Fn, 1e-12));
     CHECK_THAT(solution.Fx, WithinRel(Fx, 1e-12));
-    CHECK(solution.contact_elements == contact);
-    CHECK(solution.adhesion_elements == adhesion);
-    CHECK(solution.slip_elements == contact - adhesion);
-    CHECK_THAT(solution.contact_area, WithinRel(contact * problem.grid.element_area(), 1e-12));
-    CHECK_THAT(solution.adhesion_area + solution.slip_area, WithinRel(solution.contact_area, 1e-12));
+    CHECK(solution.elements.contact == contact);
+    CHECK(solution.elements.adhesion == adhesion);
+    CHECK(solution.elements.slip == contact - adhesion);
+    CHECK_THAT(solution.area.contact, WithinRel(contact * problem.grid.element_area(), 1e-12));
+    CHECK_THAT(solution.area.adhesion + solution.area.slip, WithinRel(solution.area.contact, 1e-12));
     CHECK(solution.normal.seconds > 0);
     CHECK(solution.tangential->seconds > 0);
 }
@@ -44,7 +45,8 @@ TEST_CASE("sums of a solution are those of its arrays", "[contact]") {
 TEST_CASE("the force on the upper body opposes its shift", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
     CHECK(solve_half_spaces(problem).Fx < 0);
-    problem.friction = Friction{{0.4}, {}, Shift{0, -0.00817}};
+    problem.friction = FrictionLaw{{0.4}};
+    problem.motion = Shift{0, -0.00817};
     CHECK(solve_half_spaces(problem).Fy > 0);
 }
 
@@ -59,18 +61,18 @@ TEST_CASE("without friction every contact element slips freely", "[contact]") {
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
     CHECK(solution.tangential.has_value() == problem.friction.has_value());
-    CHECK(solution.contact_elements == 52);
-    CHECK(solution.slip_elements == 52);
+    CHECK(solution.elements.contact == 52);
+    CHECK(solution.elements.slip == 52);
     CHECK(solution.Fx == 0);
     CHECK(solution.traction_y.size() == problem.grid.size());
 }
 
 TEST_CASE("without a shift every contact element adheres", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
-    problem.friction->motion = Shift{};
+    problem.motion = Shift{};
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
-    CHECK(solution.adhesion_elements == 52);
+    CHECK(solution.elements.adhesion == 52);
     CHECK(solution.Fx == 0);
 }
 
@@ -81,7 +83,7 @@ TEST_CASE("bodies that do not touch carry nothing", "[contact]") {
     CHECK(solution.converged());
     CHECK(solution.Fn == 0);
     CHECK(solution.Fx == 0);
-    CHECK(solution.contact_elements == 0);
+    CHECK(solution.elements.contact == 0);
 }
 
 TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
@@ -92,12 +94,13 @@ TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
     const auto along_x = solve_half_spaces(problem);
     problem.grid = Grid::centred(33, 21, 0.08, 0.11);
     problem.gap = Paraboloid{60, 40};
-    problem.friction = Friction{{0.4}, {}, Shift{0, 0.00817}};
+    problem.friction = FrictionLaw{{0.4}};
+    problem.motion = Shift{0, 0.00817};
     const auto along_y = solve_half_spaces(problem);
     CHECK_THAT(along_y.Fn, WithinRel(along_x.Fn, 1e-6));
     CHECK_THAT(along_y.Fy, WithinRel(along_x.Fx, 1e-6));
-    CHECK(along_y.adhesion_elements == along_x.adhesion_elements);
-    CHECK(along_y.slip_elements == along_x.slip_elements);
+    CHECK(along_y.elements.adhesion == along_x.elements.adhesion);
+    CHECK(along_y.elements.slip == along_x.elements.slip);
 }
 
 TEST_CASE("a solution is a good estimate for the same problem", "[contact]") {
@@ -143,7 +146,7 @@ TEST_CASE("progress of the whole computation grows from normal to tangential", "
         }
     } observer;
     const ContactProblem problem = cattaneo_problem(16);
-    solve_contact(problem, make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper)), observer);
+    solve_contact(problem, make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material)), observer);
     CHECK(observer.last_normal >= 0);
     CHECK(observer.first_tangential >= observer.last_normal);
 }
@@ -171,7 +174,7 @@ TEST_CASE("bodies that do not touch carry nothing, and that is an answer", "[con
     }
     SECTION("rolling apart") {
         problem.approach = -0.01;
-        problem.friction->motion = Rolling{.xi = 0.01, .phi = 1e-3};
+        problem.motion = Rolling{.xi = 0.01, .phi = 1e-3};
     }
     SECTION("apart, with a slip law") {
         problem.approach = -0.01;
@@ -179,7 +182,7 @@ TEST_CASE("bodies that do not touch carry nothing, and that is an answer", "[con
     }
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
-    CHECK(solution.contact_elements == 0);
+    CHECK(solution.elements.contact == 0);
     CHECK(solution.Fn == 0);
     CHECK(solution.Fx == 0);
     CHECK(solution.pmax == 0);
@@ -189,7 +192,7 @@ TEST_CASE("tractions of a step before stay where nothing moves", "[contact]") {
     ContactProblem problem = cattaneo_problem(20);
     const auto first = solve_half_spaces(problem);
     problem.previous = {first.pressure, first.traction_x, first.traction_y};
-    problem.friction->motion = Shift{};
+    problem.motion = Shift{};
     const auto second = solve_half_spaces(problem);
     REQUIRE(second.converged());
     CHECK_THAT(second.Fx, WithinRel(first.Fx, 1e-5));
@@ -199,7 +202,7 @@ TEST_CASE("tractions of a step before stay where nothing moves", "[contact]") {
 TEST_CASE("two small shifts end where one large one does", "[contact]") {
     ContactProblem problem = cattaneo_problem(20);
     const auto whole = solve_half_spaces(problem);
-    problem.friction->motion = Shift{0.00817 / 2, 0};
+    problem.motion = Shift{0.00817 / 2, 0};
     const auto half = solve_half_spaces(problem);
     problem.previous = {half.pressure, half.traction_x, half.traction_y};
     const auto both = solve_half_spaces(problem);
@@ -209,9 +212,9 @@ TEST_CASE("two small shifts end where one large one does", "[contact]") {
 
 TEST_CASE("rolling is steady, or becomes so", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
-    problem.friction->motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
+    problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
     const auto steady = solve_half_spaces(problem);
-    problem.friction->motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3, .steady = false, .steps = 200};
+    problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3, .steady = false, .steps = 200};
     const auto transient = solve_half_spaces(problem);
     REQUIRE(steady.converged());
     REQUIRE(transient.converged());
@@ -222,9 +225,9 @@ TEST_CASE("rolling is steady, or becomes so", "[contact]") {
 
 TEST_CASE("steps in one request are those of several", "[contact]") {
     ContactProblem problem = cattaneo_problem(12);
-    problem.friction->motion = Rolling{.xi = 4e-3, .steady = false, .steps = 3};
+    problem.motion = Rolling{.xi = 4e-3, .steady = false, .steps = 3};
     const auto together = solve_half_spaces(problem);
-    problem.friction->motion = Rolling{.xi = 4e-3, .steady = false};
+    problem.motion = Rolling{.xi = 4e-3, .steady = false};
     ContactSolution last;
     for (int step = 0; step < 3; ++step) {
         last = solve_half_spaces(problem);
@@ -235,9 +238,9 @@ TEST_CASE("steps in one request are those of several", "[contact]") {
 
 TEST_CASE("creepages are found from forces", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
-    problem.friction->motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
+    problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
     const auto given = solve_half_spaces(problem);
-    problem.friction->motion = Rolling{.phi = 1e-3, .Fx = given.Fx, .Fy = given.Fy};
+    problem.motion = Rolling{.phi = 1e-3, .Fx = given.Fx, .Fy = given.Fy};
     const auto found = solve_half_spaces(problem);
     REQUIRE(found.converged());
     const auto& rolling = std::get<Rolling>(*found.motion);
@@ -248,7 +251,7 @@ TEST_CASE("creepages are found from forces", "[contact]") {
 
 TEST_CASE("friction that falls with slip carries less than its static coefficient", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
-    problem.friction->motion = Rolling{.xi = 4e-3, .velocity = 1000};
+    problem.motion = Rolling{.xi = 4e-3, .velocity = 1000};
     const auto coulomb = solve_half_spaces(problem);
     problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0.2, 2.0};
     const auto falling = solve_half_spaces(problem);
@@ -270,7 +273,7 @@ TEST_CASE("friction work of a wrong sign is stated as it is", "[contact]") {
     problem.previous = {there.pressure, there.traction_x, there.traction_y};
     problem.initial_traction_x = there.traction_x;  // of the way there, along the slip of the way back
     problem.initial_traction_y = there.traction_y;
-    problem.friction->motion = Shift{.x = -0.00817};
+    problem.motion = Shift{.x = -0.00817};
     problem.tangential_settings.max_iterations = 1;
     const auto back = solve_half_spaces(problem);
     CHECK_FALSE(back.converged());
@@ -281,7 +284,7 @@ TEST_CASE("friction that never falls because the velocity was left out is warned
     ContactProblem problem = cattaneo_problem(16);
     problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.2, 500.0};
     const auto warnings = [&](const Motion& motion) {
-        problem.friction->motion = motion;
+        problem.motion = motion;
         return solve_half_spaces(problem).warnings;
     };
     REQUIRE(warnings(Rolling{.xi = 4e-3}).size() == 1);
@@ -298,7 +301,7 @@ TEST_CASE("contact at the border of the potential contact area is warned of", "[
     CHECK(solve_half_spaces(problem).warnings.empty());
     problem.approach = 0.05;
     const auto solution = solve_half_spaces(problem);
-    CHECK(solution.border_elements > 0);
+    CHECK(solution.elements.border > 0);
     REQUIRE(solution.warnings.size() == 1);
     CHECK(solution.warnings[0].find("border") != std::string::npos);
 }
@@ -316,7 +319,7 @@ TEST_CASE("semi-axes stand for the paraboloid whose contact has them", "[contact
         problem.approach = 0.02;
     }
     const auto solution = solve_half_spaces(problem);
-    CHECK_THAT(solution.contact_area, WithinRel(2 * std::numbers::pi, 0.01));
+    CHECK_THAT(solution.area.contact, WithinRel(2 * std::numbers::pi, 0.01));
 }
 
 TEST_CASE("quick models answer the same request, near to the full one", "[contact]") {
@@ -327,7 +330,7 @@ TEST_CASE("quick models answer the same request, near to the full one", "[contac
     const auto hertz = solve_contact(problem, {}, observer);
     CHECK_THAT(hertz.Fn, WithinRel(full.Fn, 1e-3));
     CHECK_THAT(hertz.Fx, WithinRel(full.Fx, 0.02));
-    problem.friction->motion = Rolling{.xi = 4e-3, .eta = 2e-3};
+    problem.motion = Rolling{.xi = 4e-3, .eta = 2e-3};
     problem.model = Model::full;
     const auto rolling = solve_half_spaces(problem);
     problem.model = Model::fastsim;
@@ -354,21 +357,74 @@ TEST_CASE("what a quick model does not know is refused by name", "[contact]") {
     CHECK(refused([](ContactProblem& p) { p.gap = Paraboloid{50}; }) == "gap.paraboloid.Ry");
     CHECK(refused([](ContactProblem& p) { p.friction->mu = Values(64, 0.1); }) == "friction.mu");
     CHECK(refused([](ContactProblem& p) { p.model = Model::fastsim; }) == "friction");
-    CHECK(refused([](ContactProblem& p) { p.friction->motion = Rolling{.steady = false}; }) == "friction.rolling.kind");
+    CHECK(refused([](ContactProblem& p) { p.motion = Rolling{.steady = false}; }) == "friction.rolling.kind");
     CHECK(refused([](ContactProblem& p) { p.previous.pressure = Values(64, 1.0); }) == "previous");
 }
 
 TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]") {
     ContactProblem problem = cattaneo_problem(40);
-    problem.ics.load_shape = LoadShape::bilinear;
-    const IcTable pair = half_space_pair(problem.grid, problem.bodies.upper, LoadShape::bilinear);
+    Ics tents;
+    tents.load_shape = LoadShape::bilinear;
+    problem.bodies = Bodies::of(problem.bodies.materials(), tents);
+    const IcTable pair = half_space_pair(problem.grid, problem.bodies.upper.material, LoadShape::bilinear);
     Observer observer;
 
     const ContactSolution solution = solve_contact(problem, make_influence(problem, pair), observer);
 
-    const reference::Hertz hertz = reference::hertz(problem.bodies, 50, *problem.approach);
+    const reference::Hertz hertz = reference::hertz(problem.bodies.materials(), 50, *problem.approach);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fn, WithinRel(hertz.Fn, 2e-3));
     CHECK_THAT(solution.pmax, WithinRel(hertz.pmax, 5e-3));
     CHECK_THAT(solution.Fx, WithinRel(-3.2216, 3e-3));  // the limit h -> 0 with constant elements
+}
+
+TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") {
+    ContactProblem problem = cattaneo_problem(12);
+    const Grid& grid = problem.grid;
+    const auto solved_with = [&](const Motion& motion, const RigidSlip& slip) {
+        problem.motion = motion;
+        problem.rigid_slip = slip;
+        return solve_half_spaces(problem);
+    };
+    SECTION("all of a shift") {
+        const auto moved = solved_with(Shift{.x = 0.006, .y = -0.002}, {});
+        const auto slipped = solved_with(Shift{}, {Values(grid.size(), 0.006), Values(grid.size(), -0.002)});
+        CHECK(slipped.traction_x == moved.traction_x);
+        CHECK(slipped.slip_y == moved.slip_y);
+    }
+    SECTION("of rolling over the distance rolled, and beside creepages") {
+        RigidSlip spin{Values(grid.size()), Values(grid.size())};
+        for (int iy = 0; iy < grid.ny; ++iy)
+            for (int ix = 0; ix < grid.nx; ++ix) {
+                spin.x[at(grid, ix, iy)] = -2e-3 * grid.y(iy);
+                spin.y[at(grid, ix, iy)] = 2e-3 * grid.x(ix);
+            }
+        const auto moved = solved_with(Rolling{.xi = 3e-3, .phi = 2e-3, .dq = 0.1}, {});
+        const auto slipped = solved_with(Rolling{.xi = 3e-3, .dq = 0.1}, spin);
+        REQUIRE(slipped.converged());
+        CHECK_THAT(slipped.Fx, WithinRel(moved.Fx, 1e-6));
+        CHECK_THAT(slipped.Fy, WithinRel(moved.Fy, 1e-6));
+        CHECK_THAT(*slipped.frictional_power, WithinRel(*moved.frictional_power, 1e-6));
+    }
+    SECTION("the motion that a force takes is found beside it") {
+        const auto moved = solved_with(Shift{.Fx = -3}, {});
+        const auto slipped = solved_with(Shift{.Fx = -3}, {Values(grid.size(), 0.002), Values(grid.size())});
+        const double found = std::get<Shift>(*moved.motion).x;
+        CHECK_THAT(slipped.Fx, WithinRel(-3.0, 1e-5));
+        CHECK_THAT(std::get<Shift>(*slipped.motion).x, WithinRel(found - 0.002, 1e-3));
+    }
+    SECTION("of a field that no motion makes, the friction law holds") {
+        const RigidSlip field{random_values(grid.size(), 3, -0.004, 0.006), random_values(grid.size(), 4, -0.004, 0.004)};
+        for (const Motion& motion : {Motion{Shift{.x = 0.001}}, Motion{Rolling{.xi = 1e-3}}}) {
+            const auto solution = solved_with(motion, field);
+            REQUIRE(solution.converged());
+            CHECK(contact_faults(problem, solution, {}, 1e-4) == "");
+        }
+    }
+    SECTION("what does not fit is refused by name") {
+        problem.rigid_slip = {Values(3), Values(grid.size())};
+        CHECK_THROWS_AS(solve_half_spaces(problem), InvalidArgument);
+        problem.rigid_slip = {Values(grid.size()), {}};
+        CHECK_THROWS_AS(solve_half_spaces(problem), InvalidArgument);
+    }
 }

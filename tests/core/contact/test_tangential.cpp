@@ -42,12 +42,12 @@ struct ShiftCase {
     }
 };
 
-struct Counts {
+struct Division {
     int adhesion = 0, slip = 0;
 };
 
 // Coulomb's law element by element, with displacements from dense sums. `accuracy`: of slip and traction.
-Counts check_friction_law(const ShiftCase& shift, const TangentialSolution& solution, double accuracy) {
+Division check_friction_law(const ShiftCase& shift, const TangentialSolution& solution, double accuracy) {
     REQUIRE(solution.evidence.converged);
     const int nx = shift.grid.nx, ny = shift.grid.ny;
     const auto &px = solution.traction_x, &py = solution.traction_y;
@@ -55,7 +55,7 @@ Counts check_friction_law(const ShiftCase& shift, const TangentialSolution& solu
     const Values sx = sum(sum(A(Axis::x, Axis::x, px), A(Axis::x, Axis::y, py)), shift.rigid_x);
     const Values sy = sum(sum(A(Axis::y, Axis::x, px), A(Axis::y, Axis::y, py)), shift.rigid_y);
     const double unit = std::max(largest(shift.rigid_x), largest(shift.rigid_y)) * accuracy;
-    Counts counts;
+    Division counts;
     for (std::size_t i = 0; i < px.size(); ++i) {
         const double p = std::hypot(px[i], py[i]), g = shift.bound[i];
         CAPTURE(i, p, g, sx[i], sy[i]);
@@ -117,7 +117,7 @@ TEST_CASE("friction law holds for rigid slip that differs by element", "[tangent
         shift.rigid_y = random_values(shift.bound.size(), seed + 10, -0.002, 0.002);
         shift.bound = random_values(shift.bound.size(), seed + 20, 0, 3);
     }
-    const Counts counts = check_friction_law(shift, shift.solve(), law_accuracy);
+    const Division counts = check_friction_law(shift, shift.solve(), law_accuracy);
     CHECK(counts.adhesion > 0);
     CHECK(counts.slip > 0);
 }

@@ -20,7 +20,8 @@ ContactProblem rolling_sphere(const Rolling& rolling) {
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
     problem.tangential_settings.tolerance = 1e-8;
-    problem.friction = Friction{{0.3}, {}, rolling};
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = rolling;
     return problem;
 }
 
@@ -50,10 +51,10 @@ TEST_CASE("the first transient step from rest is a shift", "[rolling]") {
     const Rolling rolling = transient(0.004, 0.001, 0, 1);
     ContactProblem problem = rolling_sphere(rolling);
     const ContactSolution step = solve_half_spaces(problem);
-    problem.friction->motion = Shift{.x = rolling.dq * rolling.xi, .y = rolling.dq * rolling.eta};
+    problem.motion = Shift{.x = rolling.dq * rolling.xi, .y = rolling.dq * rolling.eta};
     const ContactSolution shift = solve_half_spaces(problem);
 
-    CHECK(step.slip_elements > 0);
+    CHECK(step.elements.slip > 0);
     CHECK(step.traction_x == shift.traction_x);
     CHECK(step.traction_y == shift.traction_y);
 }
@@ -71,6 +72,6 @@ TEST_CASE("in full slip friction loses the creepage times its whole force", "[ro
     rolling.steady = true;
     rolling.velocity = 7;
     const ContactSolution solution = solve_half_spaces(rolling_sphere(rolling));
-    CHECK(solution.adhesion_elements == 0);
+    CHECK(solution.elements.adhesion == 0);
     CHECK_THAT(*solution.frictional_power, WithinRel(7 * 0.3 * solution.Fn, 1e-2));
 }

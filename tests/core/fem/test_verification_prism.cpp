@@ -100,7 +100,7 @@ TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper'
           "[fem][prism][verification]") {
     const ContactProblem problem = test::cattaneo_problem(160);
     IcSpec spec = paper_spec("paper-mesh2-test2", 128);
-    spec.material = problem.bodies.upper;
+    spec.material = problem.bodies.upper.material;
     spec.dx = spec.dy = problem.grid.dx;
     spec.nx = spec.ny = 160;
     spec.fem.L_over_h = 128 / spec.dx;

@@ -49,11 +49,13 @@ std::string field_refused(const std::function<void(IcSpec&)>& change) {
 ContactProblem rolling_cylinder() {
     ContactProblem problem;
     problem.grid = Grid::centred(20, 1, 0.1, 7);
-    problem.bodies = {steel, steel};
-    problem.ics.line_contact = LineContactSpec{datum};
+    Ics ics;
+    ics.line_contact = LineContactSpec{datum};
+    problem.bodies = Bodies::of({steel, steel}, ics);
     problem.gap = Paraboloid{100, std::numeric_limits<double>::infinity()};
     problem.Fn = 1000;
-    problem.friction = Friction{{0.3}, {}, Rolling{.xi = 1e-3}};
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = Rolling{.xi = 1e-3};
     return problem;
 }
 
@@ -145,11 +147,11 @@ TEST_CASE("a problem that changes along y is no line contact", "[line]") {
     CHECK(field_refused_of([](ContactProblem& p) { p.grid = Grid::centred(20, 3, 0.1, 7); }) == "grid.ny");
     CHECK(field_refused_of([](ContactProblem& p) { p.gap = Paraboloid{100, 100}; }) == "gap.paraboloid.Ry");
     CHECK(field_refused_of([](ContactProblem& p) { p.gap = SemiAxes{1, 1}; }) == "gap.semi_axes.b");
-    CHECK(field_refused_of([](ContactProblem& p) { p.friction->motion = Rolling{.phi = 1e-4}; }) ==
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.phi = 1e-4}; }) ==
           "friction.rolling.phi");
-    CHECK(field_refused_of([](ContactProblem& p) { p.friction->motion = Rolling{.chi = 0.1}; }) ==
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.chi = 0.1}; }) ==
           "friction.rolling.chi");
-    CHECK(field_refused_of([](ContactProblem& p) { p.friction->motion = Rolling{.chi = std::numbers::pi}; }).empty());
-    CHECK(field_refused_of([](ContactProblem& p) { p.friction->motion = Shift{.rotation = 1}; }) ==
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.chi = std::numbers::pi}; }).empty());
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Shift{.rotation = 1}; }) ==
           "friction.rotation");
 }

@@ -15,13 +15,13 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-const BodyPair different{{3, 0.4}, {1, 0.1}};
+const MaterialPair different{{3, 0.4}, {1, 0.1}};
 constexpr std::array tangential_axes = {Axis::x, Axis::y};
 
 // Coefficient [i,j] of a pair as a function of the place.
 using Exact = std::function<double(Axis, Axis, double, double)>;
 
-Exact half_spaces(const BodyPair& bodies, LoadShape load_shape, double dx, double dy) {
+Exact half_spaces(const MaterialPair& bodies, LoadShape load_shape, double dx, double dy) {
     return [=](Axis i, Axis j, double x, double y) {
         const auto of = [&](const Material& body) {
             return load_shape == LoadShape::bilinear ? half_space_tent_coefficient(i, j, x, y, dx, dy, body)
@@ -33,7 +33,7 @@ Exact half_spaces(const BodyPair& bodies, LoadShape load_shape, double dx, doubl
 }
 
 // Like a layer of thickness d: the half-spaces less nine tenths of point loads at twice that depth.
-Exact layer(const BodyPair& bodies, double dx, double dy, double d) {
+Exact layer(const MaterialPair& bodies, double dx, double dy, double d) {
     const Exact whole = half_spaces(bodies, LoadShape::constant, dx, dy);
     return [=](Axis i, Axis j, double x, double y) {
         const double r = std::hypot(x, y, 2 * d), xi = i == Axis::x ? x : y, xj = j == Axis::x ? x : y;
@@ -76,7 +76,7 @@ TEST_CASE("closed form between element centres is that of each point", "[shifted
                                 Steps{-2, 1}, Steps{1, 0.25}, Steps{150.5, -3});
     const auto load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     const double aspect = GENERATE(1.0, 0.05, 12.0);
-    const auto bodies = GENERATE(different, BodyPair{{2, 0.3}, {2, 0.3}}, BodyPair{Material::rigid(), {5, 0.25}});
+    const auto bodies = GENERATE(different, MaterialPair{{2, 0.3}, {2, 0.3}}, MaterialPair{Material::rigid(), {5, 0.25}});
     CAPTURE(steps.x, steps.y, int(load_shape), aspect);
     const Grid grid = Grid::centred(6, 4, 0.3, 0.3 / aspect);
     const double shift_x = steps.x * grid.dx, shift_y = steps.y * grid.dy;

@@ -158,17 +158,17 @@ TEST_CASE("the modulus of the caller wins over that of the comments", "[exchange
 
 TEST_CASE("a table that went through the text solves to the same forces", "[exchange]") {
     const ContactProblem problem = cattaneo_problem(20);
-    const GivenIcs ics{half_space_pair(problem.grid, problem.bodies.upper), problem.grid.dx, problem.grid.dy};
+    const GivenIcs ics{half_space_pair(problem.grid, problem.bodies.upper.material), problem.grid.dx, problem.grid.dy};
     const GivenIcs read = from_contact_text(to_contact_text(ics, 200), std::nullopt);
     Observer observer;
     const auto expected = solve_contact(problem, make_influence(problem, ics.table), observer);
     ContactProblem given = problem;
     given.bodies = {};
-    given.given_ics = read;
+    given.bodies.pair = read;
     const auto solution = solve_contact(given, make_influence(given, read.table), observer);
     CHECK_THAT(solution.Fn, WithinRel(expected.Fn, 1e-12));
     CHECK_THAT(solution.Fx, WithinRel(expected.Fx, 1e-12));
-    CHECK(solution.slip_elements == expected.slip_elements);
+    CHECK(solution.elements.slip == expected.elements.slip);
 }
 
 TEST_CASE("texts of others are read: words, comments, Fortran's numbers, ends of line", "[exchange]") {

@@ -152,38 +152,45 @@ TEST_CASE("Cropping keeps the offsets it keeps") {
 }
 
 TEST_CASE("Quasi-identical bodies are those with equal (1 - 2 nu)/G") {
-    CHECK(BodyPair{{200, 0.42}, {200, 0.42}}.quasi_identical());
-    CHECK(BodyPair{{1, 0.5}, {9, 0.5}}.quasi_identical());
-    CHECK(BodyPair{{2, 0.0}, {1, 0.25}}.quasi_identical());
-    CHECK_FALSE(BodyPair{{82000, 0.28}, {200, 0.28}}.quasi_identical());
+    CHECK(MaterialPair{{200, 0.42}, {200, 0.42}}.quasi_identical());
+    CHECK(MaterialPair{{1, 0.5}, {9, 0.5}}.quasi_identical());
+    CHECK(MaterialPair{{2, 0.0}, {1, 0.25}}.quasi_identical());
+    CHECK_FALSE(MaterialPair{{82000, 0.28}, {200, 0.28}}.quasi_identical());
 }
 
 TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem&) {}).empty());
     CHECK(refused_problem([](ContactProblem& p) { p.grid.dx = -1; }) == "grid.dx");
     CHECK(refused_problem([](ContactProblem& p) { p.grid.x0 = no_number; }) == "grid.x0");
-    CHECK(refused_problem([](ContactProblem& p) { p.bodies.lower.nu = 0.6; }) == "bodies.lower.nu");
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies.lower.material.nu = 0.6; }) == "bodies.lower.nu");
     CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(3); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(p.grid.size(), infinity); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.approach = no_number; }) == "approach");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{-0.1}, {}, Shift{0, 0}}; }) == "friction.mu");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Shift{no_number, 0}}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{-0.1}}, p.motion = Shift{0, 0}; }) == "friction.mu");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Shift{no_number, 0}; }) ==
           "friction.rigid_shift");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Rolling{.dq = 1e9}}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Rolling{.dq = 1e9}; }) ==
           "friction.rolling.dq");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Rolling{.steps = 0}}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Rolling{.steps = 0}; }) ==
           "friction.rolling.steps");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1}, {}, Shift{.Fx = infinity}}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Shift{.Fx = infinity}; }) ==
           "friction.force");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = Friction{{0.1, 0.2}}; }) == "friction.mu");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1, 0.2}}; }) == "friction.mu");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = -1; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = no_number; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(); }) == "approach");
     CHECK(refused_problem([](ContactProblem& p) { p.Fn = 1; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.gap = SemiAxes{1, 1}; }) == "approach");
     CHECK(refused_problem([](ContactProblem& p) { p.gap = SemiAxes{1, -1}; }) == "gap.semi_axes.b");
-    CHECK(refused_problem([](ContactProblem& p) { p.bodies = {Material::rigid(), Material::rigid()}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies = {{Material::rigid()}, {Material::rigid()}}; }) ==
           "bodies.lower");
+    CHECK(refused_problem([](ContactProblem& p) { p.gap.reset(); }) == "gap");
+    CHECK(refused_problem([](ContactProblem& p) { std::get<Ics>(p.bodies.lower.ics).load_shape = LoadShape::bilinear; }) ==
+          "bodies.lower.ics.load_shape");
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper.ics = GivenIcs{IcTable(1, 1), p.grid.dx, 7}; }) ==
+          "bodies.upper.ics.dy");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction.emplace(), p.rigid_slip.x = {1.0}; }) ==
+          "friction.rigid_slip.x");
     CHECK(refused_problem([](ContactProblem& p) { p.previous.pressure = {1.0}; }) == "previous.pressure");
     CHECK(refused_problem([](ContactProblem& p) { p.normal_settings.tolerance = 0; }) == "settings.normal.tolerance");
     CHECK(refused_problem([](ContactProblem& p) { p.tangential_settings.max_iterations = 0; }) ==
@@ -195,5 +202,15 @@ TEST_CASE("A material is given by its shear modulus or by Young's") {
     constexpr Material steel = Material::from_E(210000, 0.28);
     CHECK(steel == Material{210000 / 2.56, 0.28});
     CHECK(steel.E() == 2 * steel.G * 1.28);
-    CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper = Material::from_E(-1, 0.3); }) == "bodies.upper.G");
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper.material = Material::from_E(-1, 0.3); }) == "bodies.upper.G");
+}
+
+TEST_CASE("What opens a session may leave gap and load to its steps") {
+    ContactProblem opening;
+    opening.grid = Grid::centred(2, 2, 1, 1);
+    opening.bodies = {{1, 0}, {1, 0}};
+    CHECK_NOTHROW(validate_opening(opening));
+    CHECK_THROWS_AS(validate(opening), InvalidArgument);
+    opening.approach = opening.Fn = 1;
+    CHECK_THROWS_AS(validate_opening(opening), InvalidArgument);
 }

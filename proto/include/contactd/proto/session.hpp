@@ -15,17 +15,16 @@
 namespace contactd::proto {
 
 // --- session.open ----------------------------------------------------------------------------------------------------
-/// What the steps of a session have in common.
 struct SessionSpec {
-    /// Gap, load and friction are those of the steps that name none; `previous` is where the first step starts.
-    ContactProblem problem;
-    bool has_gap = true, has_load = true;  ///< false: every step must name one
+    ContactSetup setup;  ///< what all steps have in common
+    /// What holds for the steps that do not say it; `previous` is where the first one starts. Of gap, approach and Fn
+    /// what is absent is named by every step.
+    ContactLoad load{};
     std::optional<double> lease_seconds{};
     bool accept_unconverged = false;  ///< whether steps count that missed a tolerance
 };
 nlohmann::json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays);
-/// `params` has passed its schema. Throws as decode_problem. Where the request names no gap or load, `problem` has one
-/// that contactd::validate takes.
+/// `params` has passed its schema. Throws as decode_problem.
 SessionSpec decode_session_spec(const nlohmann::json& params, const std::vector<std::string>& frames);
 
 /// An open session.
@@ -60,7 +59,9 @@ enum class SolutionField { element_division, pressure, traction_x, traction_y, s
 struct StepInput {
     std::optional<double> approach{}, Fn{};  ///< one at most
     std::optional<Gap> gap{};
-    std::optional<Friction> friction{};   ///< whole: all its fields are sent
+    std::optional<FrictionLaw> friction{};
+    std::optional<Motion> motion{};  ///< whole: all its fields are sent
+    RigidSlip rigid_slip{};          ///< empty: as before
     std::vector<SolutionField> fields{};  ///< wanted back
 };
 nlohmann::json encode_step(const std::string& session, long long step, const StepInput& input, const Grid& grid,
@@ -69,8 +70,8 @@ nlohmann::json encode_step(const std::string& session, long long step, const Ste
 /// Lays what a step says, `params`, which has passed its schema, over `problem`, which is as the session was opened.
 /// `last` is the motion of the step before: the creepage it found for a prescribed force is the estimate now, unless
 /// the step names another. Throws StatusError naming the field.
-void apply_step(const nlohmann::json& params, const std::vector<std::string>& frames, const SessionSpec& spec,
-                const std::optional<Motion>& last, ContactProblem& problem);
+void apply_step(const nlohmann::json& params, const std::vector<std::string>& frames, const std::optional<Motion>& last,
+                ContactProblem& problem);
 
 std::vector<SolutionField> decode_fields(const nlohmann::json& params);
 

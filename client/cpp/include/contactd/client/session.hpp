@@ -1,7 +1,8 @@
 // A session of the daemon: the steps of a simulation, each of which starts where the one before ended.
 //
 //     contactd::proto::SessionSpec spec;
-//     spec.problem = ...;                       // what all steps have in common
+//     spec.setup = ...;                         // what all steps have in common
+//     spec.load.gap = ...;                      // and what holds for those that do not say it
 //     contactd::client::Session session(client, spec);
 //     contactd::proto::StepInput input;
 //     input.approach = 0.02;

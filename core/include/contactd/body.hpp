@@ -1,0 +1,50 @@
+// The two bodies of a contact: what each is made of, and where its influence coefficients come from.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "contactd/given_ics.hpp"
+#include "contactd/ic_spec.hpp"
+#include "contactd/material.hpp"
+
+namespace contactd {
+
+/// By a source that makes them, or a table that the request brings along.
+using Coefficients = std::variant<Ics, GivenIcs>;
+
+struct Body {
+    Material material;   ///< or rigid
+    Coefficients ics{};  ///< of the body alone; of no meaning when it is rigid
+
+    /// A table that the request brings along, or null: a rigid body has none.
+    const GivenIcs* given() const;
+    /// The source of a table, or null where there is none to make.
+    const Ics* computed() const;
+
+    bool operator==(const Body&) const = default;
+};
+
+struct Bodies {
+    Body upper, lower;
+    /// The coefficients of both together (pair_of) instead; upper and lower mean nothing then.
+    std::optional<GivenIcs> pair{};
+
+    MaterialPair materials() const { return {upper.material, lower.material}; }
+    /// Coefficients of both from one source.
+    static Bodies of(const MaterialPair& materials, const Ics& ics = {}) {
+        return {{materials.upper, ics}, {materials.lower, ics}};
+    }
+    /// Whether the request brings coefficients along, of the pair or of a body.
+    bool any_given() const;
+
+    bool operator==(const Bodies&) const = default;
+};
+
+/// What the tables of both bodies are: nothing where they are given, or where the two contradict each other.
+std::optional<LineContactSpec> line_contact_of(const Bodies& bodies);
+
+/// Throws InvalidArgument naming the field as on the wire when they cannot be in contact on `grid`.
+void validate(const Bodies& bodies, const Grid& grid);
+
+}  // namespace contactd

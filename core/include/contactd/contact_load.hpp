@@ -1,0 +1,38 @@
+// What a step brings: where the bodies are, how they move, and where the step starts from.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contactd/friction.hpp"
+#include "contactd/gap.hpp"
+
+namespace contactd {
+
+/// Tractions at the end of the step before, each empty (zero) or of shape [ny, nx] (N/mm^2), on the upper body.
+struct PreviousState {
+    std::vector<double> pressure, traction_x, traction_y;
+
+    bool empty() const { return pressure.empty() && traction_x.empty() && traction_y.empty(); }
+    bool operator==(const PreviousState&) const = default;
+};
+
+struct ContactLoad {
+    std::optional<Gap> gap;  ///< undeformed distance h without the approach
+    /// Either of these two. The approach is delta (mm), the gap before deformation h - delta; with the normal force
+    /// (N, >= 0) prescribed instead it is found.
+    std::optional<double> approach, Fn;
+    Motion motion{};         ///< of no meaning without friction
+    /// Rigid slip of each element beside that of `motion`, where the bodies' surfaces are not those of a plane motion:
+    /// of a shift over the step (mm), of rolling over the distance rolled, as creepages are. Empty, or both of shape
+    /// [ny, nx].
+    RigidSlip rigid_slip{};
+    PreviousState previous;                                      ///< where a shift or a transient step starts
+    std::vector<double> initial_pressure;                        ///< empty, or an estimate, shape [ny, nx]
+    std::vector<double> initial_traction_x, initial_traction_y;  ///< empty, or estimates
+};
+
+/// Throws InvalidArgument ("approach" or "Fn") unless one of the two is prescribed, and only one.
+void require_load(const ContactLoad& load);
+
+}  // namespace contactd

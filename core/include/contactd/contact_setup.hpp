@@ -1,0 +1,37 @@
+// What all steps of a simulation have in common: the set-up of a contact.
+#pragma once
+
+#include <optional>
+
+#include "contactd/body.hpp"
+#include "contactd/friction.hpp"
+#include "contactd/grid.hpp"
+
+namespace contactd {
+
+/// Stop test and bound of one iterative solver.
+struct SolverSettings {
+    double tolerance = 1e-6;  ///< of the paper's stop tests (sections 4.1 and 4.2)
+    int max_iterations = 1000;
+
+    bool operator==(const SolverSettings&) const = default;
+};
+
+/// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. fastsim: Hertzian
+/// contact with Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes.
+enum class Model { full, hertz, fastsim };
+
+struct ContactSetup {
+    Grid grid;
+    Bodies bodies;
+    Model model = Model::full;
+    std::optional<FrictionLaw> friction;         ///< absent: frictionless
+    SolverSettings normal_settings{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
+    SolverSettings tangential_settings;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
+    SolverSettings outer_settings{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
+};
+
+/// Whether its coefficients are those of a line contact.
+bool is_line_contact(const ContactSetup& setup);
+
+}  // namespace contactd

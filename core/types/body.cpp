@@ -1,0 +1,71 @@
+#include "contactd/body.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "contactd/error.hpp"
+
+namespace contactd {
+namespace {
+
+bool takes_incompressible(const Body& body) {
+    const Ics* ics = body.computed();
+    return ics == nullptr || ics->source == IcSource::analytic;
+}
+
+/// One pair of elements carries one traction: what its shape is cannot differ between the bodies.
+void check_agreement(const Bodies& bodies) {
+    const Ics* upper = bodies.upper.computed();
+    const Ics* lower = bodies.lower.computed();
+    if (upper != nullptr && lower != nullptr) {
+        if (upper->load_shape != lower->load_shape)
+            throw InvalidArgument("bodies.lower.ics.load_shape",
+                                  "is " + std::string(name_of(lower->load_shape)) + ", and that of the upper body " +
+                                      std::string(name_of(upper->load_shape)) +
+                                      "; both bodies carry the same tractions, so that it must be the same");
+        if (upper->line_contact != lower->line_contact)
+            throw InvalidArgument("bodies.lower.ics.line_contact",
+                                  "is not that of the upper body; a contact is a line contact of both or of none, with "
+                                  "one datum");
+    }
+    if (bodies.any_given() && line_contact_of(bodies))
+        throw InvalidArgument("bodies.upper.ics.line_contact",
+                              "stands beside a table of the other body; a line contact takes computed coefficients of "
+                              "both bodies, or a table of the pair");
+}
+
+}  // namespace
+
+const GivenIcs* Body::given() const {
+    return material.is_rigid() ? nullptr : std::get_if<GivenIcs>(&ics);
+}
+
+const Ics* Body::computed() const {
+    return material.is_rigid() ? nullptr : std::get_if<Ics>(&ics);
+}
+
+bool Bodies::any_given() const {
+    return pair || upper.given() != nullptr || lower.given() != nullptr;
+}
+
+std::optional<LineContactSpec> line_contact_of(const Bodies& bodies) {
+    if (bodies.pair) return {};
+    for (const Body* body : {&bodies.upper, &bodies.lower})
+        if (const Ics* ics = body->computed(); ics != nullptr && ics->line_contact) return ics->line_contact;
+    return {};
+}
+
+void validate(const Bodies& bodies, const Grid& grid) {
+    if (bodies.pair) return validate(*bodies.pair, grid, "ics");
+    const std::array named{std::pair("bodies.upper", &bodies.upper), std::pair("bodies.lower", &bodies.lower)};
+    for (const auto& [name, body] : named)
+        if (!body->material.is_rigid()) validate(body->material, name, takes_incompressible(*body));
+    if (bodies.upper.material.is_rigid() && bodies.lower.material.is_rigid())
+        throw InvalidArgument("bodies.lower", "is rigid, and bodies.upper too; one of them must be elastic");
+    for (const auto& [name, body] : named)
+        if (const GivenIcs* given = body->given()) validate(*given, grid, std::string(name) + ".ics");
+    check_agreement(bodies);
+}
+
+}  // namespace contactd

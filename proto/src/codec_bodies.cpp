@@ -1,0 +1,101 @@
+// `bodies` and `ics` of a request: the bodies' own coefficients, or a shorthand for both beside them.
+#include "codec_parts.hpp"
+#include "contactd/proto/object.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+bool is_table(const json& ics) {
+    return ics["source"] == "table";
+}
+
+/// The source that stands for both bodies, or null where they have different ones, or tables.
+const Ics* shared_source(const Bodies& bodies) {
+    const Ics* upper = bodies.upper.computed();
+    const Ics* lower = bodies.lower.computed();
+    if (bodies.any_given()) return nullptr;
+    if (upper == nullptr || lower == nullptr) return upper != nullptr ? upper : lower;
+    return *upper == *lower ? upper : nullptr;
+}
+
+json encode_coefficients(const Body& body, ArrayWriter& arrays) {
+    if (const GivenIcs* given = body.given()) return encode_given_ics(*given, arrays);
+    return encode_ics(std::get<Ics>(body.ics));
+}
+
+json encode_body(const Body& body, bool with_ics, ArrayWriter& arrays) {
+    if (body.material.is_rigid()) return {{"rigid", true}};
+    json result = encode_material(body.material);
+    if (with_ics) result["ics"] = encode_coefficients(body, arrays);
+    return result;
+}
+
+Coefficients decode_coefficients(const json& ics, const std::vector<std::string>& frames, const Grid& grid,
+                                 const std::string& field) {
+    if (is_table(ics)) return decode_given_ics(ics, frames, grid, field);
+    return decode_ics(ics);
+}
+
+/// `shorthand` is the source of both bodies, or null.
+Body decode_body(const json& source, const json* shorthand, const std::string& field,
+                 const std::vector<std::string>& frames, const ContactSetup& setup) {
+    Body body;
+    if (source.contains("rigid")) {
+        body.material = Material::rigid();
+        return body;
+    }
+    body.material = decode_material(source);
+    if (setup.model != Model::full) return body;
+    if (source.contains("ics"))
+        body.ics = decode_coefficients(source["ics"], frames, setup.grid, field + ".ics");
+    else if (shorthand != nullptr)
+        body.ics = decode_ics(*shorthand);
+    else
+        throw invalid_field(field + ".ics",
+                            "is missing, and so is ics, which says it for both bodies; one of them must say where the "
+                            "coefficients come from");
+    return body;
+}
+
+bool brings_ics(const json& bodies) {
+    for (const char* body : {"upper", "lower"})
+        if (bodies.contains(body) && bodies[body].contains("ics")) return true;
+    return false;
+}
+
+}  // namespace
+
+void encode_bodies(const ContactSetup& setup, json& params, ArrayWriter& arrays) {
+    const Bodies& bodies = setup.bodies;
+    const bool full = setup.model == Model::full;
+    if (full && bodies.pair) {
+        params["ics"] = encode_given_ics(*bodies.pair, arrays);
+        return;
+    }
+    const Ics* both = shared_source(bodies);
+    const bool apart = full && both == nullptr;
+    params["bodies"] = object({{"upper", encode_body(bodies.upper, apart, arrays)}});
+    if (apart || bodies.lower.material != bodies.upper.material)
+        params["bodies"]["lower"] = encode_body(bodies.lower, apart, arrays);
+    if (full && both != nullptr) params["ics"] = encode_ics(*both);
+}
+
+void decode_bodies(const json& params, const std::vector<std::string>& frames, ContactSetup& setup) {
+    const json* ics = params.contains("ics") ? &params["ics"] : nullptr;
+    if (setup.model == Model::full && ics != nullptr && is_table(*ics)) {
+        if (params.contains("bodies") && brings_ics(params["bodies"]))
+            throw invalid_field("ics.table",
+                                "is of the pair of bodies, and a body has ics of its own; give one or the other");
+        setup.bodies.pair = decode_given_ics(*ics, frames, setup.grid, "ics");
+        return;
+    }
+    const json& bodies = params["bodies"];
+    setup.bodies.upper = decode_body(bodies["upper"], ics, "bodies.upper", frames, setup);
+    setup.bodies.lower = bodies.contains("lower") ? decode_body(bodies["lower"], ics, "bodies.lower", frames, setup)
+                                                  : setup.bodies.upper;
+}
+
+}  // namespace contactd::proto
