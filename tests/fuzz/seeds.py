@@ -171,20 +171,6 @@ def arrays() -> Iterator[bytes]:
     yield bytes([0, 0]) + message(array(1, 0), b"")
 
 
-def contact_texts() -> Iterator[bytes]:
-    header = "1 1 % tables\n0 312\n1 0\n2 2 0.5 0.25\n"
-    lines = [header]
-    for offset in (-1, 0, 1):
-        lines.append(f"% offset {offset}, times G = 2\n% ix x ...\n")
-        for ix in range(2):
-            odd = 0.1 * ix * offset
-            row = [1 / (1 + ix + abs(offset)), 0, 0, 0, 0.5, odd, 0, odd, 0.5]
-            lines.append(f"{ix} {ix * 0.5} " + " ".join(f"{value:.17e}".replace("e", "D") for value in row) + "\n")
-    text = "".join(lines)
-    yield b"\0" + text.encode()
-    yield b"\1" + text.replace("1 1 % tables", "a file by somebody else").replace("D", "E").replace("\n", "\r\n").encode()
-
-
 def configurations() -> Iterator[bytes]:
     for path in sorted((ROOT / "configs").glob("*.json")):
         if path.name != "schema.json":
@@ -215,8 +201,8 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "json.dict").write_text(dictionary())
     kinds = {
-        "request": requests, "session": sessions, "reply": replies, "array": arrays, "contact_text": contact_texts,
-        "config": configurations, "ic_file": ic_files, "ic_content": ic_contents,
+        "request": requests, "session": sessions, "reply": replies, "array": arrays, "config": configurations,
+        "ic_file": ic_files, "ic_content": ic_contents,
     }  # fmt: skip
     for target, inputs in kinds.items():
         (folder / target).mkdir(exist_ok=True)

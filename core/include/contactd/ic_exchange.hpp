@@ -2,9 +2,7 @@
 // Vollebregt, user guide, digit C3 = 9) reads numerical influence coefficients.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "contactd/given_ics.hpp"
@@ -27,19 +25,11 @@ double combined_modulus(const MaterialPair& bodies);
 ///     mx my dx dy          extent and element sizes
 /// and for each y offset -my+1..my-1 two comment lines and mx lines `ix x Czz Czx Czy Cxz Cxx Cxy Cyz Cyx Cyy`, Cij = G
 /// times displacement i for load j, in 17 significant digits (read back and divided by G it is the coefficient to
-/// rounding). Signs are as in pair_of, which are CONTACT's.
+/// rounding). Signs are as in pair_of, which are CONTACT's. The Python client reads it (contactd.load_table).
 std::string to_contact_text(const GivenIcs& ics, double G);
 
 /// About how long to_contact_text will be (bytes), before anything of its size is made.
 double contact_text_size(int nx, int ny);
-
-/// Reads such a text, whoever wrote it: behind what a header line must hold, and behind a %, anything may stand; the
-/// first line may consist of words; numbers may have Fortran's D exponents. `G` is needed unless the comments tell it,
-/// as ours do. Both signs of the y offset are listed but only the part that has the symmetry of IcTable is kept: what
-/// else the text holds must be below `tolerance` times the largest of xx, yy and zz at the origin.
-/// The header must agree with the coordinates of the rows (to half their last digit) and with our own comments.
-/// Throws InvalidArgument whose field is the line, e.g. "line 12".
-GivenIcs from_contact_text(std::string_view text, std::optional<double> G, double tolerance = 1e-6);
 
 /// SHA-256 (hex) of a table that was given, of its extent and its element sizes.
 std::string ic_key(const GivenIcs& ics);

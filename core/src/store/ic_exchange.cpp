@@ -1,14 +1,31 @@
-// Writing tables for others. Reading CONTACT's text is in contact_text_reader.cpp.
+// Writing tables for others.
 #include "contactd/ic_exchange.hpp"
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 
-#include "contact_text.hpp"
 #include "sha256.hpp"
 
 namespace contactd {
 namespace {
+
+/// Order of the coordinate directions in CONTACT's text: 3, 1, 2 for z (normal), x, y.
+constexpr int order_zxy = 312;
+
+struct Column {
+    Axis displacement;
+    Axis load;
+};
+constexpr std::array<Column, 9> columns{{{Axis::z, Axis::z},
+                                         {Axis::z, Axis::x},
+                                         {Axis::z, Axis::y},
+                                         {Axis::x, Axis::z},
+                                         {Axis::x, Axis::x},
+                                         {Axis::x, Axis::y},
+                                         {Axis::y, Axis::z},
+                                         {Axis::y, Axis::x},
+                                         {Axis::y, Axis::y}}};
 
 template <class... Values>
 void append(std::string& text, const char* format, Values... values) {
@@ -33,18 +50,16 @@ std::string to_contact_text(const GivenIcs& ics, double G) {
     const IcTable& table = ics.table;
     std::string text;
     text.reserve(static_cast<std::size_t>(contact_text_size(table.nx, table.ny)));
-    append(text, "%d %d\n%d %d\n%d %d\n", 1, 1, 0, contact_text::order_zxy, 1, 0);
+    append(text, "%d %d\n%d %d\n%d %d\n", 1, 1, 0, order_zxy, 1, 0);
     append(text, "%d %d %.17g %.17g\n", table.nx, table.ny, ics.dx, ics.dy);
     for (int l = 1 - table.ny; l < table.ny; ++l) {
-        append(text, "%% %s%d%s%.9g; sums over both bodies, %s%.17g\n", contact_text::offset_mark, l,
-               contact_text::y_mark, l * ics.dy, contact_text::modulus_mark, G);
+        append(text, "%% offset iy = %d, y = %.9g; sums over both bodies, times G = %.17g\n", l, l * ics.dy, G);
         text += "%  ix                       x";
-        for (const auto& [i, j] : contact_text::columns)
-            append(text, "%22s%c%c", "C", name_of(i).front(), name_of(j).front());
+        for (const auto& [i, j] : columns) append(text, "%22s%c%c", "C", name_of(i).front(), name_of(j).front());
         text += '\n';
         for (int k = 0; k < table.nx; ++k) {
             append(text, "%5d %23.16e", k, k * ics.dx);
-            for (const auto& [i, j] : contact_text::columns) append(text, " %23.16e", G * table.at(i, j, k, l));
+            for (const auto& [i, j] : columns) append(text, " %23.16e", G * table.at(i, j, k, l));
             text += '\n';
         }
     }

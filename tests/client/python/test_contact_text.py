@@ -157,6 +157,19 @@ def test_coordinates_of_few_digits_are_those_of_the_header(tmp_path, rounded):
     np.testing.assert_allclose(TableIcs.from_contact_text(write(tmp_path, lines)).array, pair().array, rtol=3e-16)
 
 
+def test_three_digit_exponents_without_a_letter_are_read(tmp_path):
+    lines = TableIcs(made_up(nx=1, ny=1), DX, DY, 320).to_contact_text().split("\n")[:-1]
+    lines[6] = "0 0.0 1.5 1.0-120 0 0 2.5+000 0 0 0 .5D+1"
+    read = TableIcs.from_contact_text(write(tmp_path, lines), G=1)
+    assert [read[name][0, 0] for name in ("zz", "xx", "yy")] == [1.5, 2.5, 5]
+
+
+@pytest.mark.parametrize("G", [1, 256])
+def test_a_modulus_that_is_a_power_of_two_costs_no_bit(tmp_path, G):
+    save_table(tmp_path / "table.txt", TableIcs(made_up(), DX, DY, G))
+    np.testing.assert_array_equal(load_table(tmp_path / "table.txt").array, made_up())
+
+
 def test_opposite_offsets_may_differ_as_much_as_one_allows(tmp_path):
     lines = pair().to_contact_text().split("\n")[:-1]
     words = lines[line_of(2, -1)].split()
@@ -190,3 +203,23 @@ def test_a_text_that_does_not_tell_its_modulus(tmp_path):
         load_table(path)
     with pytest.raises(ValueError, match="G is -1; it must be positive"):
         load_table(path, G=-1)
+
+
+def test_damaged_texts_are_read_or_refused(tmp_path):
+    whole, random = pair().to_contact_text(), np.random.default_rng(20240229)
+    letters, refused = "0123456789.eED+-% ,\n\r\t*\xff", 0
+    path = tmp_path / "table.txt"
+    for _ in range(500):
+        text = whole
+        for _ in range(random.integers(1, 4)):
+            at = int(random.integers(len(text) if random.integers(2) else 40))
+            if random.integers(2):
+                text = text[:at] + text[at + int(random.integers(1, 31)) :]
+            else:
+                text = text[:at] + letters[random.integers(len(letters))] + text[at:]
+        path.write_text(text, encoding="latin-1")
+        try:
+            assert load_table(path).array.shape[:2] == (3, 3)
+        except TableFileError:
+            refused += 1
+    assert refused > 200
