@@ -263,7 +263,7 @@ void Service::server_info(const CallPtr& call) {
                      {"disk_hits", counters_.disk_hits.load()},
                      {"closed_form", counters_.closed_form.load()},
                      {"tables_set_aside", counters_.tables_set_aside.load()}}},
-                   {"cache", {{"tables", cache.tables}, {"bytes", cache.bytes}, {"budget_bytes", cache.budget_bytes}}},
+                   {"cache", {{"tables", cache.entries}, {"bytes", cache.bytes}, {"budget_bytes", cache.budget_bytes}}},
                    {"queue",
                     {{"solves_waiting", workers_.waiting()},
                      {"solves_running", workers_.running()},

@@ -81,7 +81,7 @@ MetricFamilies Service::metrics(bool look_at_store) {
                  gauge("contactd_session_bytes", "Memory of sessions and their saved states, about.",
                        number(sessions_.bytes())),
                  gauge("contactd_cache_entries", "What is kept in memory: tables, and transformed pairs of tables.",
-                       "cache", {{"tables", number(tables.tables)}, {"influences", number(operators.operators)}}),
+                       "cache", {{"tables", number(tables.entries)}, {"influences", number(operators.entries)}}),
                  gauge("contactd_cache_bytes", "Memory of the caches.", "cache",
                        {{"tables", number(tables.bytes)}, {"influences", number(operators.bytes)}}),
                  gauge("contactd_cache_budget_bytes", "Memory that the caches may take.", "cache",

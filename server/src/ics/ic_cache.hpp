@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <vector>
 
 #include "contactd/ic_store.hpp"
+#include "least_recently_used.hpp"
 
 namespace contactd::server {
 
@@ -16,33 +14,20 @@ class IcCache {
    public:
     using Record = std::shared_ptr<const IcRecord>;
 
-    explicit IcCache(std::size_t budget_bytes) : budget_(budget_bytes) {}
+    explicit IcCache(std::size_t budget_bytes) : records_(budget_bytes) {}
 
     /// A table with this key that covers the extent, or null.
     Record find(const std::string& key, int nx, int ny);
     /// Keeps the record when it fits the budget, all tables of a family counted; tables that it covers go.
     void insert(const std::string& key, Record record);
 
-    void remove(const std::string& key);
+    void remove(const std::string& key) { records_.remove(key); }
 
-    struct Usage {
-        std::size_t tables = 0;
-        std::size_t bytes = 0;
-        std::size_t budget_bytes = 0;
-    };
-    Usage usage() const;
+    using Usage = LeastRecentlyUsed<Record>::Usage;
+    Usage usage() const { return records_.usage(); }
 
    private:
-    struct Entry {
-        std::string key;
-        Record record;
-        std::size_t bytes;
-    };
-
-    const std::size_t budget_;
-    mutable std::mutex mutex_;
-    std::list<Entry> entries_;  // most recently used first; few enough to search through
-    std::size_t bytes_ = 0;
+    LeastRecentlyUsed<Record> records_;
 };
 
 }  // namespace contactd::server

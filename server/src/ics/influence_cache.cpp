@@ -1,43 +1,13 @@
 #include "influence_cache.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace contactd::server {
 
-bool InfluenceCache::find(const std::string& key, ContactInfluence& found) {
-    const std::scoped_lock lock(mutex_);
-    const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.key == key; });
-    if (entry == entries_.end()) return false;
-    entries_.splice(entries_.begin(), entries_, entry);
-    found = entry->influence;
-    return true;
-}
-
 ContactInfluence InfluenceCache::of(const std::string& key, const Make& make) {
-    ContactInfluence influence;
-    if (find(key, influence)) return influence;
-    influence = make();  // not under the lock; two solves may make the same, and the later one is kept
-    const std::size_t bytes = influence.bytes();
-    if (bytes > budget_) return influence;
-    const std::scoped_lock lock(mutex_);
-    std::erase_if(entries_, [&](const Entry& entry) {
-        if (entry.key != key) return false;
-        bytes_ -= entry.bytes;
-        return true;
-    });
-    while (bytes_ + bytes > budget_) {
-        bytes_ -= entries_.back().bytes;
-        entries_.pop_back();
-    }
-    entries_.push_front({key, influence, bytes});
-    bytes_ += bytes;
+    const auto any = [](const ContactInfluence&) { return true; };
+    if (auto found = influences_.find(key, any)) return *std::move(found);
+    ContactInfluence influence = make();  // two solves may make the same, and the later one is kept
+    influences_.insert(key, influence, influence.bytes(), any);
     return influence;
-}
-
-InfluenceCache::Usage InfluenceCache::usage() const {
-    const std::scoped_lock lock(mutex_);
-    return {entries_.size(), bytes_, budget_};
 }
 
 std::string influence_key(const ContactProblem& problem, const std::string& upper_key, const std::string& lower_key) {

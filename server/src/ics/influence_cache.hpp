@@ -3,44 +3,28 @@
 
 #include <cstddef>
 #include <functional>
-#include <list>
-#include <memory>
-#include <mutex>
 #include <string>
 
 #include "contactd/contact.hpp"
 #include "contactd/solve_contact.hpp"
+#include "least_recently_used.hpp"
 
 namespace contactd::server {
 
 /// The least recently used go first when the budget is full. Thread-safe; operators are shared between solves.
 class InfluenceCache {
    public:
-    explicit InfluenceCache(std::size_t budget_bytes) : budget_(budget_bytes) {}
+    explicit InfluenceCache(std::size_t budget_bytes) : influences_(budget_bytes) {}
 
     using Make = std::function<ContactInfluence()>;
     /// The operators that `key` stands for, from memory or made by `make`; what is larger than the budget is not kept.
     ContactInfluence of(const std::string& key, const Make& make);
 
-    struct Usage {
-        std::size_t operators = 0;
-        std::size_t bytes = 0;
-        std::size_t budget_bytes = 0;
-    };
-    Usage usage() const;
+    using Usage = LeastRecentlyUsed<ContactInfluence>::Usage;
+    Usage usage() const { return influences_.usage(); }
 
    private:
-    struct Entry {
-        std::string key;
-        ContactInfluence influence;
-        std::size_t bytes;
-    };
-    bool find(const std::string& key, ContactInfluence& found);
-
-    const std::size_t budget_;
-    mutable std::mutex mutex_;
-    std::list<Entry> entries_;  // most recently used first
-    std::size_t bytes_ = 0;
+    LeastRecentlyUsed<ContactInfluence> influences_;
 };
 
 /// Says everything that the operators of a problem depend on; `keys` are those of the bodies' tables, without material

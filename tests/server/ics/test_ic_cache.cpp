@@ -34,7 +34,7 @@ TEST_CASE("A larger table takes the place of the one it covers") {
     cache.insert("a", record_of(4, 3));
     cache.insert("a", record_of(8, 8));
 
-    CHECK(cache.usage().tables == 1);
+    CHECK(cache.usage().entries == 1);
     CHECK(cache.usage().bytes == bytes_of(8, 8));
 }
 
