@@ -9,7 +9,7 @@
 #include "contactd/half_space.hpp"
 #include "contactd/ic_family.hpp"
 #include "contactd/version.hpp"
-#include "ic_flight.hpp"
+#include "request_in_flight.hpp"
 
 namespace contactd::server {
 
@@ -71,66 +71,67 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         return answer(caller, key, std::move(record), "closed_form");
     }
     bool opened = false;
-    const FlightPtr flight = join_or_open(spec, key, caller, opened);
-    if (opened) look_up(flight);
+    const RequestPtr request = join_or_open(spec, key, caller, opened);
+    if (opened) look_up(request);
 }
 
 void IcService::answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin) {
     caller.done({std::move(record), key, origin});
 }
 
-IcService::FlightPtr IcService::join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller,
-                                             bool& opened) {
+IcService::RequestPtr IcService::join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller,
+                                              bool& opened) {
     const std::scoped_lock lock(mutex_);
     const auto serving =
-        std::find_if(flights_.begin(), flights_.end(), [&](const FlightPtr& f) { return f->serves(key, spec); });
-    if (serving != flights_.end()) {
-        Flight& flight = **serving;
-        if (flight.job) caller.progress(*flight.job, flight.job->progress());
-        flight.callers.push_back(std::move(caller));
+        std::find_if(in_flight_.begin(), in_flight_.end(), [&](const RequestPtr& r) { return r->serves(key, spec); });
+    if (serving != in_flight_.end()) {
+        RequestInFlight& request = **serving;
+        if (request.job) caller.progress(*request.job, request.job->progress());
+        request.callers.push_back(std::move(caller));
         ++counters_.builds_joined;
         return *serving;
     }
-    auto flight = std::make_shared<Flight>(Flight{dimensionless(spec), key, nullptr, {}});
-    flight->callers.push_back(std::move(caller));
-    flights_.push_back(flight);
+    auto request = std::make_shared<RequestInFlight>(RequestInFlight{dimensionless(spec), key, nullptr, {}});
+    request->callers.push_back(std::move(caller));
+    in_flight_.push_back(request);
     opened = true;
-    return flight;
+    return request;
 }
 
-void IcService::look_up(const FlightPtr& flight) {
-    // A flight that landed between our look into the cache and opening this one has left its table in the cache.
-    if (auto record = cache_.find(flight->key, flight->spec.nx, flight->spec.ny)) {
+void IcService::look_up(const RequestPtr& request) {
+    // A request that was completed between our look into the cache and opening this one has left its table in the
+    // cache.
+    if (auto record = cache_.find(request->key, request->spec.nx, request->spec.ny)) {
         ++counters_.memory_hits;
-        keeper_.note_use(flight->key, *record);
-        return land(flight, std::move(record), "memory");
+        keeper_.note_use(request->key, *record);
+        return complete(request, std::move(record), "memory");
     }
-    if (auto record = keeper_.find(flight->spec)) {
+    if (auto record = keeper_.find(request->spec)) {
         ++counters_.disk_hits;
-        return land(flight, std::make_shared<const IcRecord>(std::move(*record)), "disk");
+        return complete(request, std::make_shared<const IcRecord>(std::move(*record)), "disk");
     }
-    if (const auto refusal = quarantine_.refusal(flight->key, flight->spec)) return crash(flight, *refusal);
-    if (!queue_build(flight)) crash(flight, stop_status_);
+    if (const auto refusal = quarantine_.refusal(request->key, request->spec)) return fail(request, *refusal);
+    if (!queue_build(request)) fail(request, stop_status_);
 }
 
-std::vector<IcCaller> IcService::close(const FlightPtr& flight) {
+std::vector<IcCaller> IcService::close(const RequestPtr& request) {
     const std::scoped_lock lock(mutex_);
-    std::erase(flights_, flight);
-    if (flight->job) flight->job->end();
-    return std::exchange(flight->callers, {});
+    std::erase(in_flight_, request);
+    if (request->job) request->job->end();
+    return std::exchange(request->callers, {});
 }
 
-void IcService::land(const FlightPtr& flight, IcCache::Record record, const char* origin) {
-    cache_.insert(flight->key, record);  // first, so that who comes now finds it there
-    for (const IcCaller& caller : close(flight)) answer(caller, flight->key, record, origin);
+void IcService::complete(const RequestPtr& request, IcCache::Record record, const char* origin) {
+    cache_.insert(request->key, record);  // first, so that who comes now finds it there
+    for (const IcCaller& caller : close(request)) answer(caller, request->key, record, origin);
 }
 
-void IcService::crash(const FlightPtr& flight, const Status& status) {
-    for (const IcCaller& caller : close(flight)) caller.failed(status);
+void IcService::fail(const RequestPtr& request, const Status& status) {
+    for (const IcCaller& caller : close(request)) caller.failed(status);
 }
 
-int IcService::callers_of(const std::weak_ptr<Flight>& flight) {
-    const FlightPtr known = flight.lock();
+int IcService::callers_of(const std::weak_ptr<RequestInFlight>& request) {
+    const RequestPtr known = request.lock();
     if (!known) return 0;
     const std::scoped_lock lock(mutex_);
     return static_cast<int>(std::count_if(known->callers.begin(), known->callers.end(),
@@ -141,11 +142,11 @@ void IcService::drop_abandoned() {
     std::vector<IcCaller> gone;
     {
         const std::scoped_lock lock(mutex_);
-        for (const FlightPtr& flight : flights_) {
-            const auto first = std::stable_partition(flight->callers.begin(), flight->callers.end(),
+        for (const RequestPtr& request : in_flight_) {
+            const auto first = std::stable_partition(request->callers.begin(), request->callers.end(),
                                                      [](const IcCaller& caller) { return !caller.has_gone(); });
-            std::move(first, flight->callers.end(), std::back_inserter(gone));
-            flight->callers.erase(first, flight->callers.end());
+            std::move(first, request->callers.end(), std::back_inserter(gone));
+            request->callers.erase(first, request->callers.end());
         }
     }
     const Status status = failure(StatusCode::cancelled, proto::reason::request_cancelled, "Nobody waits any more.");
@@ -155,7 +156,7 @@ void IcService::drop_abandoned() {
 std::vector<std::string> IcService::keys_in_flight() {
     const std::scoped_lock lock(mutex_);
     std::vector<std::string> keys;
-    for (const FlightPtr& flight : flights_) keys.push_back(flight->key);
+    for (const RequestPtr& request : in_flight_) keys.push_back(request->key);
     return keys;
 }
 
@@ -166,17 +167,17 @@ IcService::Forgotten IcService::forget(const std::string& key) {
 }
 
 void IcService::stop(const Status& status) {
-    std::vector<FlightPtr> flights;
+    std::vector<RequestPtr> in_flight;
     {
         const std::scoped_lock lock(mutex_);
         stopping_ = true;
         stop_status_ = status;
-        flights = flights_;
+        in_flight = in_flight_;
     }
-    for (const FlightPtr& flight : flights)
-        if (flight->job) flight->job->cancel();  // answers those who wait for a queued build, so not under the lock
+    for (const RequestPtr& request : in_flight)
+        if (request->job) request->job->cancel();  // answers those who wait for a queued build, so not under the lock
     builders_.stop();
-    for (const FlightPtr& flight : flights) crash(flight, status);
+    for (const RequestPtr& request : in_flight) fail(request, status);
 }
 
 }  // namespace contactd::server

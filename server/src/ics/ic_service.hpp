@@ -81,24 +81,24 @@ class IcService {
     int builds_running() const { return builders_.running(); }
 
    private:
-    struct Flight;
-    using FlightPtr = std::shared_ptr<Flight>;
+    struct RequestInFlight;
+    using RequestPtr = std::shared_ptr<RequestInFlight>;
 
     void answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin);
-    FlightPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
-    void look_up(const FlightPtr& flight);
-    bool queue_build(const FlightPtr& flight);
-    void build(const FlightPtr& flight);
-    void wait_for_turn(const FlightPtr& flight, TableLock& lock);
-    IcCache::Record run_build(const FlightPtr& flight, const TableLock& lock);
-    void report(const FlightPtr& flight, const JobProgress& progress);
+    RequestPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
+    void look_up(const RequestPtr& request);
+    bool queue_build(const RequestPtr& request);
+    void build(const RequestPtr& request);
+    void wait_for_turn(const RequestPtr& request, TableLock& lock);
+    IcCache::Record run_build(const RequestPtr& request, const TableLock& lock);
+    void report(const RequestPtr& request, const JobProgress& progress);
     std::vector<std::string> keys_in_flight();
-    int callers_of(const std::weak_ptr<Flight>& flight);
-    void cancel_queued(const FlightPtr& flight);
-    void land(const FlightPtr& flight, IcCache::Record record, const char* origin);
-    void crash(const FlightPtr& flight, const proto::Status& status);
-    std::vector<IcCaller> close(const FlightPtr& flight);
-    void fail_build(const FlightPtr& flight, const proto::Status& status);
+    int callers_of(const std::weak_ptr<RequestInFlight>& request);
+    void cancel_queued(const RequestPtr& request);
+    void complete(const RequestPtr& request, IcCache::Record record, const char* origin);
+    void fail(const RequestPtr& request, const proto::Status& status);
+    std::vector<IcCaller> close(const RequestPtr& request);
+    void fail_build(const RequestPtr& request, const proto::Status& status);
     proto::Status cancelled_status();
 
     const Settings settings_;
@@ -108,7 +108,7 @@ class IcService {
     IcCache cache_;
     BuildQuarantine quarantine_;
     std::mutex mutex_;
-    std::vector<FlightPtr> flights_;  // looking up, queued or building
+    std::vector<RequestPtr> in_flight_;  // looking up, queued or building
     bool stopping_ = false;
     proto::Status stop_status_;
     WorkerPool builders_;  // last: its threads use everything above

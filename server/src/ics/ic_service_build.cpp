@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "contactd/error.hpp"
-#include "ic_flight.hpp"
+#include "request_in_flight.hpp"
 #include "store_folder.hpp"
 
 namespace contactd::server {
@@ -65,21 +65,21 @@ std::string summary(const IcEvidence& evidence) {
 
 }  // namespace
 
-bool IcService::queue_build(const FlightPtr& flight) {
+bool IcService::queue_build(const RequestPtr& request) {
     const std::scoped_lock lock(mutex_);
     if (stopping_) return false;
-    const std::weak_ptr waiting(flight);
-    flight->job = jobs_.create(
+    const std::weak_ptr waiting(request);
+    request->job = jobs_.create(
         "build",
         [this, waiting] {
-            if (const FlightPtr known = waiting.lock()) cancel_queued(known);
+            if (const RequestPtr known = waiting.lock()) cancel_queued(known);
         },
         [this, waiting] { return callers_of(waiting); });
-    for (const IcCaller& caller : flight->callers) caller.progress(*flight->job, flight->job->progress());
+    for (const IcCaller& caller : request->callers) caller.progress(*request->job, request->job->progress());
     // A build goes on for the cache when its callers have gone.
-    Turn turn = flight->callers.empty() ? Turn{} : flight->callers.front().turn;
+    Turn turn = request->callers.empty() ? Turn{} : request->callers.front().turn;
     turn.abandoned = nullptr;
-    builders_.post(std::move(turn), [this, flight] { build(flight); });
+    builders_.post(std::move(turn), [this, request] { build(request); });
     return true;
 }
 
@@ -89,55 +89,55 @@ Status IcService::cancelled_status() {
                      : failure(StatusCode::cancelled, proto::reason::job_cancelled, "The build was cancelled.");
 }
 
-void IcService::cancel_queued(const FlightPtr& flight) {
-    if (flight->job->running()) return;  // the builder thread notices by itself
+void IcService::cancel_queued(const RequestPtr& request) {
+    if (request->job->running()) return;  // the builder thread notices by itself
     ++counters_.builds_cancelled;
-    crash(flight, cancelled_status());
+    fail(request, cancelled_status());
 }
 
-void IcService::build(const FlightPtr& flight) {
-    Job& job = *flight->job;
+void IcService::build(const RequestPtr& request) {
+    Job& job = *request->job;
     if (job.cancelled()) return;  // while it was queued; its callers know
     const BuildClock clock(counters_, keeper_.store().folder());
     try {
         job.set_running();
-        TableLock lock(keeper_.store().lock_of(flight->key));
-        wait_for_turn(flight, lock);
+        TableLock lock(keeper_.store().lock_of(request->key));
+        wait_for_turn(request, lock);
         // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
-        if (auto found = keeper_.find(flight->spec)) {
+        if (auto found = keeper_.find(request->spec)) {
             ++counters_.disk_hits;
-            return land(flight, std::make_shared<const IcRecord>(std::move(*found)), "disk");
+            return complete(request, std::make_shared<const IcRecord>(std::move(*found)), "disk");
         }
         ++counters_.builds_started;
-        spdlog::info("{} starts: key {} extent {} x {}", job.name, flight->key, flight->spec.nx, flight->spec.ny);
-        auto record = run_build(flight, lock);
-        quarantine_.note_success(flight->key, flight->spec);
+        spdlog::info("{} starts: key {} extent {} x {}", job.name, request->key, request->spec.nx, request->spec.ny);
+        auto record = run_build(request, lock);
+        quarantine_.note_success(request->key, request->spec);
         ++counters_.builds_finished;
         spdlog::info("{} finished after {:.2f} s: {}", job.name, clock.seconds(), summary(record->evidence));
-        land(flight, std::move(record), "built");
+        complete(request, std::move(record), "built");
     } catch (const Cancelled&) {
         ++counters_.builds_cancelled;
         spdlog::info("{} cancelled", job.name);
-        crash(flight, cancelled_status());
+        fail(request, cancelled_status());
     } catch (const BuilderUnusable& error) {
-        fail_build(flight, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
+        fail_build(request, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
     } catch (const BuilderOutOfMemory& error) {
         Status status = failure(StatusCode::resource_exhausted, proto::reason::build_out_of_memory, error.what());
         if (error.field().empty())
-            quarantine_.note_failure(flight->key, flight->spec, status);
+            quarantine_.note_failure(request->key, request->spec, status);
         else  // known before anything was built, and as quickly the next time
             status.violations.push_back({error.field(), error.what()});
-        fail_build(flight, status);
+        fail_build(request, status);
     } catch (const std::exception& error) {
         const Status status = failure(StatusCode::internal, proto::reason::build_failed, error.what());
-        quarantine_.note_failure(flight->key, flight->spec, status);
-        fail_build(flight, status);
+        quarantine_.note_failure(request->key, request->spec, status);
+        fail_build(request, status);
     }
 }
 
 /// Waits while somebody else builds a table with this key. Where locks do not work, and when the
 /// holder gives no sign of life any more, the build goes on without: at worst it is done twice.
-void IcService::wait_for_turn(const FlightPtr& flight, TableLock& lock) {
+void IcService::wait_for_turn(const RequestPtr& request, TableLock& lock) {
     constexpr auto interval = std::chrono::milliseconds(100);
     const auto stall = settings_.command.stall;
     const auto patience = (stall.count() > 0 ? stall : default_patience) + lock_sign_delay;
@@ -145,8 +145,8 @@ void IcService::wait_for_turn(const FlightPtr& flight, TableLock& lock) {
     auto changed = std::chrono::steady_clock::now();
     for (bool waited = false;; waited = true) {
         if (lock.try_lock() != TableLock::State::busy) return;
-        if (!waited) report(flight, {"waiting", 0, 0, 0});
-        if (flight->job->cancelled()) throw Cancelled("The build was cancelled.");
+        if (!waited) report(request, {"waiting", 0, 0, 0});
+        if (request->job->cancelled()) throw Cancelled("The build was cancelled.");
         std::this_thread::sleep_for(interval);
         const auto now = std::chrono::steady_clock::now();
         if (const auto latest = lock.sign(); latest != sign) {
@@ -154,14 +154,14 @@ void IcService::wait_for_turn(const FlightPtr& flight, TableLock& lock) {
             changed = now;
         }
         if (now - changed < patience) continue;
-        spdlog::warn("{} does not wait any longer for whoever holds {}", flight->job->name,
-                     keeper_.store().lock_of(flight->key).string());
+        spdlog::warn("{} does not wait any longer for whoever holds {}", request->job->name,
+                     keeper_.store().lock_of(request->key).string());
         return;
     }
 }
 
-IcCache::Record IcService::run_build(const FlightPtr& flight, const TableLock& lock) {
-    const auto output = keeper_.store().path_of(flight->spec);
+IcCache::Record IcService::run_build(const RequestPtr& request, const TableLock& lock) {
+    const auto output = keeper_.store().path_of(request->spec);
     auto next_sign = std::chrono::steady_clock::now();
     const auto give_sign = [&] {
         if (std::chrono::steady_clock::now() < next_sign) return;
@@ -170,24 +170,24 @@ IcCache::Record IcService::run_build(const FlightPtr& flight, const TableLock& l
     };
     keeper_.store().problem();  // makes a folder that was removed
     const BuiltTable built = run_builder(
-        settings_.command, flight->spec, output, *flight->job,
-        [&](const JobProgress& progress) { report(flight, progress); }, give_sign);
+        settings_.command, request->spec, output, *request->job,
+        [&](const JobProgress& progress) { report(request, progress); }, give_sign);
     if (!built.bytes.empty()) return keeper_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);
     auto record = std::make_shared<const IcRecord>(read_ic_file(output));
-    keeper_.note_stored(flight->spec, keys_in_flight());
+    keeper_.note_stored(request->spec, keys_in_flight());
     return record;
 }
 
-void IcService::report(const FlightPtr& flight, const JobProgress& progress) {
-    flight->job->set_progress(progress);
+void IcService::report(const RequestPtr& request, const JobProgress& progress) {
+    request->job->set_progress(progress);
     const std::scoped_lock lock(mutex_);
-    for (const IcCaller& caller : flight->callers) caller.progress(*flight->job, progress);
+    for (const IcCaller& caller : request->callers) caller.progress(*request->job, progress);
 }
 
-void IcService::fail_build(const FlightPtr& flight, const Status& status) {
+void IcService::fail_build(const RequestPtr& request, const Status& status) {
     ++counters_.builds_failed;
-    spdlog::error("{} failed: {}", flight->job->name, status.message);
-    crash(flight, status);
+    spdlog::error("{} failed: {}", request->job->name, status.message);
+    fail(request, status);
 }
 
 }  // namespace contactd::server

@@ -9,7 +9,7 @@
 
 namespace contactd::server {
 
-struct IcService::Flight {
+struct IcService::RequestInFlight {
     IcSpec spec;  // dimensionless
     std::string key;
     std::shared_ptr<Job> job;  // null until it is known that a build is needed
