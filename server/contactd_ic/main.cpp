@@ -24,13 +24,12 @@
 #include <iostream>
 #include <sstream>
 
+#include "contactd/closed_form_record.hpp"
 #include "contactd/fem/ic_builder.hpp"
-#include "contactd/half_space.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
-#include "contactd/version.hpp"
 #include "exit_code.hpp"
 #include "guard.hpp"
 #include "memory.hpp"
@@ -132,11 +131,7 @@ void check_output(const fs::path& path) {
 
 IcRecord make_record(const Context& context, const IcSpec& spec) {
     if (spec.source == IcSource::fem) return fem::build_ic_table(spec, context.progress, context.max_memory);
-    IcRecord record;
-    record.spec = dimensionless(spec);
-    record.table = half_space_table(record.spec);
-    record.evidence.source = "analytic";
-    record.evidence.version = "contactd " + version();
+    IcRecord record = closed_form_record(spec);
     record.evidence.processes = context.runtime.processes();
     return record;
 }

@@ -5,27 +5,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "contactd/closed_form_record.hpp"
 #include "contactd/error.hpp"
-#include "contactd/half_space.hpp"
 #include "contactd/ic_family.hpp"
-#include "contactd/version.hpp"
 #include "request_in_flight.hpp"
 
 namespace contactd::server {
 
 using proto::Status;
 using proto::StatusCode;
-
-namespace {
-
-IcRecord closed_form(const IcSpec& dimensionless_spec) {
-    IcRecord record{dimensionless_spec, half_space_table(dimensionless_spec), {}, {}};
-    record.evidence.source = name_of(IcSource::analytic);
-    record.evidence.version = "contactd " + version();
-    return record;
-}
-
-}  // namespace
 
 void validate_body(const IcSpec& spec, const std::string& name) {
     try {
@@ -65,7 +53,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         return answer(caller, key, std::move(record), "memory");
     }
     if (spec.source == IcSource::analytic) {
-        auto record = std::make_shared<const IcRecord>(closed_form(dimensionless(spec)));
+        auto record = std::make_shared<const IcRecord>(closed_form_record(spec));
         cache_.insert(key, record);
         ++counters_.closed_form;
         return answer(caller, key, std::move(record), "closed_form");
