@@ -31,13 +31,17 @@ std::string path_of(const Reference& reference) {
 
 }  // namespace
 
+json without_file_notes(json document) {
+    for (const char* note : {"$schema", "x-order", "x-summary", "x-errors"}) document.erase(note);
+    return document;
+}
+
 json inlined(const json& schema, const Documents& documents) {
     if (!schema.is_structured()) return schema;
     json result = schema;
     if (schema.is_object() && schema.contains("$ref")) {
         const Reference reference = parsed(schema["$ref"].get<std::string>());
-        result = documents.at(reference.document).at(json::json_pointer(reference.pointer));
-        result.erase("$schema");
+        result = without_file_notes(documents.at(reference.document).at(json::json_pointer(reference.pointer)));
         for (const auto& beside : schema.items())
             if (beside.key() != "$ref") result[beside.key()] = beside.value();
     }

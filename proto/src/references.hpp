@@ -13,6 +13,10 @@ namespace contactd::proto {
 /// The files of proto/schema by their names without ".json".
 using Documents = std::map<std::string, nlohmann::json, std::less<>>;
 
+/// The schema of a file without what belongs to the file only: "$schema", and of a method "x-order", its place among
+/// all methods, "x-summary", a sentence, and "x-errors", the status codes it may answer besides those of every method.
+nlohmann::json without_file_notes(nlohmann::json document);
+
 /// `schema` with every reference replaced by what it refers to; what stands beside the reference (description, default)
 /// wins over what is said there.
 nlohmann::json inlined(const nlohmann::json& schema, const Documents& documents);

@@ -45,11 +45,27 @@ Registry compile_all() {
     return registry;
 }
 
+const Registry& registry() {
+    static const Registry schemas = compile_all();
+    return schemas;
+}
+
 const CompiledSchema& compiled(std::string_view name) {
-    static const Registry registry = compile_all();
-    const auto at = registry.find(name);
-    if (at == registry.end()) throw std::out_of_range("There is no schema " + std::string(name) + ".");
+    const auto at = registry().find(name);
+    if (at == registry().end()) throw std::out_of_range("There is no schema " + std::string(name) + ".");
     return at->second;
+}
+
+/// By the places that the schemas of their parameters give them.
+std::vector<std::string> methods_in_order() {
+    constexpr std::string_view suffix = ".params";
+    std::map<int, std::string> methods;
+    for (const auto& [name, entry] : registry())
+        if (name.ends_with(suffix))
+            methods.emplace(entry.document.at("x-order").get<int>(), name.substr(0, name.size() - suffix.size()));
+    std::vector<std::string> names;
+    for (const auto& [place, name] : methods) names.push_back(name);
+    return names;
 }
 
 bool conforms(const CompiledSchema& schema, const json& document, valijson::ValidationResults* results) {
@@ -82,13 +98,7 @@ std::vector<Violation> violations(const CompiledSchema& rules, const json& docum
 }  // namespace
 
 const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{
-        "server.info",     "server.health",  "server.describe",    "server.metrics",
-        "health.watch",    "ic.get",         "ic.export",          "ic.list",
-        "ic.delete",       "contact.solve",  "contact.solve_many", "contact.subsurface",
-        "session.open",    "session.step",   "session.info",       "session.save",
-        "session.restore", "session.forget", "session.close",      "session.list",
-        "job.list",        "job.cancel",     "request.cancel"};
+    static const std::vector<std::string> names = methods_in_order();
     return names;
 }
 

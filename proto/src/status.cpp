@@ -1,6 +1,8 @@
 #include "contactd/proto/status.hpp"
 
+#include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "contactd/proto/object.hpp"
@@ -62,6 +64,12 @@ std::vector<int> versions_from(const nlohmann::json& details) {
 std::string_view name_of(StatusCode code) {
     const auto index = static_cast<std::size_t>(code);
     return index < names.size() ? names[index] : names[2];
+}
+
+StatusCode code_named(std::string_view name) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) throw std::out_of_range("There is no status " + std::string(name) + ".");
+    return static_cast<StatusCode>(at - names.begin());
 }
 
 nlohmann::json to_json(const Status& status) {

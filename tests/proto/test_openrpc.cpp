@@ -44,6 +44,26 @@ TEST_CASE("Parameters are listed one by one, the required ones first", "[openrpc
                                                "previous", "settings"});
 }
 
+TEST_CASE("Notes of a schema's file are used, not shown", "[openrpc]") {
+    for (const json& method : openrpc()["methods"])
+        CHECK(method["summary"] == schema(method["name"].get<std::string>() + ".params")["x-summary"]);
+    CHECK(openrpc()["methods"][0]["name"] == "server.info");
+    CHECK(openrpc().dump().find("\"x-") == std::string::npos);
+}
+
+TEST_CASE("Errors are those of every method and those that the schema names", "[openrpc]") {
+    const auto errors_of = [](const std::string& name) {
+        std::vector<std::string> errors;
+        for (const json& method : openrpc()["methods"])
+            if (method["name"] == name)
+                for (const json& error : method["errors"]) errors.push_back(error["message"]);
+        return errors;
+    };
+    CHECK(errors_of("server.info") == std::vector<std::string>{"INVALID_ARGUMENT", "UNAVAILABLE", "INTERNAL"});
+    CHECK(errors_of("job.cancel") ==
+          std::vector<std::string>{"INVALID_ARGUMENT", "UNAVAILABLE", "INTERNAL", "NOT_FOUND"});
+}
+
 TEST_CASE("Every reference of the document can be followed", "[openrpc]") {
     int references = 0;
     const std::function<void(const json&)> visit = [&](const json& node) {

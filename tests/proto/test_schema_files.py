@@ -36,6 +36,14 @@ def test_is_a_draft_7_schema(name: str) -> None:
     assert DOCUMENTS[name]["description"]
 
 
+def test_every_method_says_what_it_does_and_how_it_may_fail() -> None:
+    methods = {name: document for name, document in DOCUMENTS.items() if name.endswith(".params.json")}
+    for name, document in methods.items():
+        assert document["x-summary"].endswith("."), name
+        assert isinstance(document["x-errors"], list), name
+    assert len({document["x-order"] for document in methods.values()}) == len(methods), "two methods have one place"
+
+
 def examples() -> Iterator[tuple[str, object]]:
     """What each schema, and each part of definitions.json, shows of itself."""
     for name, document in DOCUMENTS.items():

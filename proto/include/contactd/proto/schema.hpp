@@ -12,7 +12,7 @@
 
 namespace contactd::proto {
 
-/// Every method of the wire, in the order of docs/protocol.md.
+/// Every method of the wire, which is every file proto/schema/<method>.params.json, in the order of docs/protocol.md.
 const std::vector<std::string>& method_names();
 
 /// The schema kept as proto/schema/<name>.json, e.g. "ic.get.params", "envelope". Throws std::out_of_range.

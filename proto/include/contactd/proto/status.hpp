@@ -32,6 +32,8 @@ enum class StatusCode {
     unauthenticated = 16
 };
 std::string_view name_of(StatusCode code);  ///< "INVALID_ARGUMENT", ...
+/// The code with that name. Throws std::out_of_range.
+StatusCode code_named(std::string_view name);
 
 /// Upper-case words a program can rely on; docs/protocol.md lists what each means.
 namespace reason {
