@@ -92,7 +92,7 @@ std::string Endpoint::address() const {
 
 void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload) {
     SocketLock lock(socket_mutex_);
-    service_.set_serving();
+    service_.parts().health.set_listening();
     notifier.ready("Serving at " + address());
     auto told = Clock::now();
     while (Clock::now() < end_ && !(is_draining() && is_idle())) {
@@ -108,7 +108,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         receive();
         deliver();  // what has been answered at once
         end_overdue();
-        service_.sessions().expire(Clock::now());
+        service_.parts().sessions.expire(Clock::now());
         unfinished_.enforce(Clock::now());
         read_monitor();
         drop_gone();
@@ -134,9 +134,9 @@ bool Endpoint::wait(SocketLock& lock, int signal_fd, long milliseconds) {
 }
 
 void Endpoint::note_levels() {
-    Counters& counters = service_.counters();
+    Counters& counters = service_.parts().counters;
     counters.outbox_bytes = static_cast<long long>(outbox_.bytes());
-    counters.open_requests = static_cast<long long>(service_.open_calls().count());
+    counters.open_requests = static_cast<long long>(service_.parts().open_calls.count());
 }
 
 void Endpoint::handle_signal(int signal, const Notifier& notifier, const std::function<void()>& reload) {
@@ -184,7 +184,7 @@ bool Endpoint::receive() {
 
 void Endpoint::accept(Route route, std::string envelope, std::vector<std::string> frames) {
     const auto received = Clock::now();
-    ++service_.counters().requests;
+    ++service_.parts().counters.requests;
     if (!admit(route, envelope.size() <= small_envelope ? envelope : "", received)) return;
     if (envelope.size() <= small_envelope || parser_ended_)
         return parse_now(route, envelope, std::move(frames), received, {});
@@ -192,7 +192,7 @@ void Endpoint::accept(Route route, std::string envelope, std::vector<std::string
     try {
         std::size_t bytes = envelope.size();
         for (const auto& frame : frames) bytes += frame.size();
-        OpenCalls::Admission admission = service_.open_calls().admit(route, bytes);
+        OpenCalls::Admission admission = service_.parts().open_calls.admit(route, bytes);
         Turn turn{.client = route.identity, .user = route.user};
         parser_.post(std::move(turn), [this, received, route = std::move(route), envelope = std::move(envelope),
                                        frames = std::move(frames), admission = std::move(admission)]() mutable {
@@ -219,10 +219,11 @@ void Endpoint::parse_now(const Route& route, const std::string& envelope, std::v
 
 void Endpoint::open_call(const Route& route, proto::Request request, Clock::time_point received,
                          OpenCalls::Admission admission) {
-    OpenCalls& open = service_.open_calls();
-    const bool counts = service_.counts(request.method);
+    OpenCalls& open = service_.parts().open_calls;
+    const Method* method = service_.method(request.method);
+    const bool counts = method && method->counts;
     if (counts && admission.number == 0) admission = open.admit(route, request.bytes);
-    const auto priority = request.priority.value_or(service_.priority_of(request.method));
+    const auto priority = request.priority.value_or(method ? method->priority : proto::Priority::normal);
     auto call = std::make_shared<Call>(route, std::move(request), received, priority, config_.limits,
                                        [this, admission](Answer answer) {
                                            if (!answer.is_progress) answer.number = admission.number;
@@ -256,7 +257,7 @@ bool Endpoint::admit(const Route& route, std::string_view envelope, Clock::time_
 
 /// What has happened to connections.
 void Endpoint::read_monitor() {
-    monitor_.read(service_.counters().connections, unfinished_, clients_);
+    monitor_.read(service_.parts().counters.connections, unfinished_, clients_);
 }
 
 /// Ends the requests of clients that have gone: nobody would hear the answers.
@@ -265,7 +266,7 @@ void Endpoint::drop_gone() {
         StatusCode::cancelled, "The client has gone.", std::string(proto::reason::client_gone), {}, 0};
     const std::vector<std::string> clients = clients_.take_gone();
     for (const std::string& client : clients) {
-        for (const auto& [number, entry] : service_.open_calls().of(client)) {
+        for (const auto& [number, entry] : service_.parts().open_calls.of(client)) {
             if (entry.call && entry.call->outlives_client()) continue;
             if (entry.call) {
                 entry.call->fail(gone);
@@ -276,15 +277,15 @@ void Endpoint::drop_gone() {
             mailbox_.put(std::move(answer));
         }
     }
-    if (!clients.empty()) service_.drop_abandoned();
+    if (!clients.empty()) service_.parts().drop_abandoned();
 }
 
 /// Reads the allowed keys again, and ends the requests of those who are not allowed any more.
 void Endpoint::reload_keys() {
     access_.reload();
-    for (const auto& [route, call] : service_.open_calls().all())
+    for (const auto& [route, call] : service_.parts().open_calls.all())
         if (call && !access_.knows(route.user)) call->fail(key_revoked());
-    service_.drop_abandoned();
+    service_.parts().drop_abandoned();
 }
 
 // --- out -------------------------------------------------------------------------------------------------------------
@@ -306,10 +307,10 @@ void Endpoint::post(Answer answer) {
 std::optional<RequestLine> Endpoint::send(Answer answer) {
     std::optional<RequestLine> line;
     if (!answer.is_progress) {
-        if (answer.status != "OK") ++service_.counters().requests_failed;
-        service_.request_metrics().record(answer);
+        if (answer.status != "OK") ++service_.parts().counters.requests_failed;
+        service_.parts().request_metrics.record(answer);
         sent_ = Clock::now();
-        service_.open_calls().close(answer.number);
+        service_.parts().open_calls.close(answer.number);
         line = line_of(answer);
     }
     outbox_.send(std::move(answer));
@@ -325,14 +326,14 @@ void Endpoint::deliver() {
 }
 
 void Endpoint::end_overdue() {
-    const std::vector<CallPtr> overdue = service_.open_calls().overdue(Clock::now());
+    const std::vector<CallPtr> overdue = service_.parts().open_calls.overdue(Clock::now());
     for (const CallPtr& call : overdue) call->check_deadline();
-    if (!overdue.empty()) service_.drop_abandoned();
+    if (!overdue.empty()) service_.parts().drop_abandoned();
 }
 
 long Endpoint::poll_milliseconds() {
     const auto next = std::min(
-        {service_.open_calls().next_deadline(), service_.sessions().next_expiry(), unfinished_.next_look(), end_});
+        {service_.parts().open_calls.next_deadline(), service_.parts().sessions.next_expiry(), unfinished_.next_look(), end_});
     long wait = -1;
     if (next != Clock::time_point::max())
         wait =
@@ -345,7 +346,7 @@ long Endpoint::poll_milliseconds() {
 
 bool Endpoint::is_idle() {
     deliver();  // what was answered since the last look
-    return service_.open_calls().count() == 0 && mailbox_.empty() && outbox_.empty();
+    return service_.parts().open_calls.count() == 0 && mailbox_.empty() && outbox_.empty();
 }
 
 void Endpoint::begin_drain(const Notifier& notifier) {
@@ -354,12 +355,12 @@ void Endpoint::begin_drain(const Notifier& notifier) {
     service_.begin_drain();
     notifier.stopping("Finishing what was accepted",
                       time + std::chrono::ceil<std::chrono::seconds>(2 * linger) + stop_time);
-    if (const auto open = service_.open_calls().count())
+    if (const auto open = service_.parts().open_calls.count())
         spdlog::info("up to {} s for {} open requests", time.count(), open);
 }
 
 void Endpoint::stop() {
-    for (const auto& [route, call] : service_.open_calls().take_all()) {
+    for (const auto& [route, call] : service_.parts().open_calls.take_all()) {
         if (call)
             call->fail(Service::stop_status());
         else

@@ -21,6 +21,7 @@
 #include "config/endpoint_rules.hpp"
 #include "contactd/version.hpp"
 #include "endpoint.hpp"
+#include "methods/collect_metrics.hpp"
 #include "operation/about.hpp"
 #include "operation/http_listener.hpp"
 #include "operation/log.hpp"
@@ -45,11 +46,11 @@ int signal_descriptor() {
     return ::signalfd(-1, &signals, SFD_CLOEXEC);
 }
 
-std::unique_ptr<HttpListener> listen_to_http(const Config& config, Service& service) {
+std::unique_ptr<HttpListener> listen_to_http(const Config& config, const DaemonParts& parts) {
     if (config.http.address.empty()) return nullptr;
     auto http = std::make_unique<HttpListener>(
-        config.http.address, HttpListener::Pages{[&service] { return to_prometheus(service.metrics(true)); },
-                                                 [&service] { return service.not_ready(); }});
+        config.http.address, HttpListener::Pages{[&parts] { return to_prometheus(collect_metrics(parts, true)); },
+                                                 [&parts] { return parts.health.not_ready(); }});
     spdlog::info("metrics at http://{}/metrics", http->address());
     return http;
 }
@@ -59,7 +60,7 @@ int serve(const Config& config) {
     Log log(config);
     const Notifier notifier;
     Service service(config);
-    const auto http = listen_to_http(config, service);
+    const auto http = listen_to_http(config, service.parts());
     Endpoint endpoint(config, service);
     if (!is_local(endpoint.address()) && config.security.curve.secret_key_file.empty())
         spdlog::warn("{} can be reached from other machines, and whoever reaches it can use it", endpoint.address());

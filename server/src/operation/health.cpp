@@ -37,4 +37,10 @@ void Health::watch(const CallPtr& call) {
     if (!call->answered()) watchers_.push_back(call);
 }
 
+std::string Health::not_ready() const {
+    if (state() == HealthState::stopping) return "The daemon is ending.";
+    if (!listening_) return "The daemon is starting.";
+    return {};  // without its store, too, it answers: from memory and with what it builds
+}
+
 }  // namespace contactd::server

@@ -1,6 +1,7 @@
 // The state of the daemon, and who watches it.
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -21,10 +22,16 @@ class Health {
     /// Sends the state now and with each change; answers once the daemon stops.
     void watch(const CallPtr& call);
 
+    /// From now on requests are heard.
+    void set_listening() { listening_ = true; }
+    /// Why requests should not be sent here at present, a sentence; empty when all is well.
+    std::string not_ready() const;
+
    private:
     mutable std::mutex mutex_;
     HealthState state_ = HealthState::serving;
     std::vector<CallPtr> watchers_;
+    std::atomic<bool> listening_ = false;
 };
 
 }  // namespace contactd::server

@@ -25,11 +25,12 @@ json to_json(const BuildQuarantine::Entry& entry) {
 
 }  // namespace
 
-void answer_ic_list(const CallPtr& call, IcService& ics) {
+void list_tables(const CallPtr& call, const DaemonParts& parts) {
+    proto::check_frames_used(call->request.params, call->request.frames);
     const json& params = call->request.params;
     const std::string after = params.value("after", "");
     const auto limit = params.value("limit", std::size_t(1000));
-    const std::vector<StoredTable> tables = ics.store().list();
+    const std::vector<StoredTable> tables = parts.ics.store().list();
     json result{{"tables", json::array()}, {"count", tables.size()}, {"bytes", 0}, {"quarantined", json::array()}};
     std::uintmax_t bytes = 0;
     std::string last;
@@ -44,13 +45,14 @@ void answer_ic_list(const CallPtr& call, IcService& ics) {
         last = name_of(table);
     }
     result["bytes"] = bytes;
-    for (const BuildQuarantine::Entry& entry : ics.quarantined()) result["quarantined"].push_back(to_json(entry));
+    for (const BuildQuarantine::Entry& entry : parts.ics.quarantined()) result["quarantined"].push_back(to_json(entry));
     call->succeed(result);
 }
 
-void answer_ic_delete(const CallPtr& call, IcService& ics) {
+void delete_tables(const CallPtr& call, const DaemonParts& parts) {
+    proto::check_frames_used(call->request.params, call->request.frames);
     const std::string key = call->request.params.at("key");
-    const IcService::Forgotten forgotten = ics.forget(key);
+    const IcService::Forgotten forgotten = parts.ics.forget(key);
     if (forgotten.tables == 0 && !forgotten.failures)
         throw proto::StatusError(
             proto::StatusCode::not_found, proto::reason::ic_unknown,

@@ -1,10 +1,10 @@
-// Everything the daemon counts and measures, in one list.
+#include "collect_metrics.hpp"
+
 #include <prometheus/metric_family.h>
 
 #include "contactd/version.hpp"
 #include "ics/store_folder.hpp"
 #include "operation/about.hpp"
-#include "service.hpp"
 
 namespace contactd::server {
 namespace {
@@ -58,28 +58,28 @@ void append(MetricFamilies& all, MetricFamilies more) {
 
 }  // namespace
 
-MetricFamilies Service::metrics(bool look_at_store) {
-    if (look_at_store) count_store(counters_, config_.store.folder);
+MetricFamilies collect_metrics(const DaemonParts& parts, bool look_at_store) {
+    if (look_at_store) count_store(parts.counters, parts.config.store.folder);
     MetricFamilies all{build_info()};
-    append(all, request_metrics_.collect());
-    append(all, counted(counters_));
-    const IcCache::Usage tables = ics_.cache_usage();
-    const InfluenceCache::Usage operators = influences_.usage();
+    append(all, parts.request_metrics.collect());
+    append(all, counted(parts.counters));
+    const IcCache::Usage tables = parts.ics.cache_usage();
+    const InfluenceCache::Usage operators = parts.influences.usage();
     const bool store_usable =
-        ics_.store_problem().empty() && (!look_at_store || store_problem(config_.store.folder).empty());
-    append(all, {gauge("contactd_ready", "1 when requests are taken.", not_ready().empty() ? 1 : 0),
+        parts.ics.store_problem().empty() && (!look_at_store || store_problem(parts.config.store.folder).empty());
+    append(all, {gauge("contactd_ready", "1 when requests are taken.", parts.health.not_ready().empty() ? 1 : 0),
                  gauge("contactd_store_usable", "1 when the store's folder can be read and written to.",
                        store_usable ? 1 : 0),
                  gauge("contactd_uptime_seconds", "Time since the start.",
-                       std::chrono::duration<double>(Call::Clock::now() - started_).count()),
-                 gauge("contactd_workers", "Threads that solve.", number(config_.workers)),
-                 gauge("contactd_workers_busy", "Threads that solve at present.", number(workers_.running())),
+                       std::chrono::duration<double>(Call::Clock::now() - parts.started).count()),
+                 gauge("contactd_workers", "Threads that solve.", number(parts.config.workers)),
+                 gauge("contactd_workers_busy", "Threads that solve at present.", number(parts.workers.running())),
                  gauge("contactd_queue_length", "Work that waits for a thread.", "queue",
-                       {{"solves", number(workers_.waiting())}, {"builds", number(ics_.builds_waiting())}}),
-                 gauge("contactd_builds_running", "Builders that run at present.", number(ics_.builds_running())),
-                 gauge("contactd_sessions", "Open sessions.", number(sessions_.all().size())),
+                       {{"solves", number(parts.workers.waiting())}, {"builds", number(parts.ics.builds_waiting())}}),
+                 gauge("contactd_builds_running", "Builders that run at present.", number(parts.ics.builds_running())),
+                 gauge("contactd_sessions", "Open sessions.", number(parts.sessions.all().size())),
                  gauge("contactd_session_bytes", "Memory of sessions and their saved states, about.",
-                       number(sessions_.bytes())),
+                       number(parts.sessions.bytes())),
                  gauge("contactd_cache_entries", "What is kept in memory: tables, and transformed pairs of tables.",
                        "cache", {{"tables", number(tables.entries)}, {"influences", number(operators.entries)}}),
                  gauge("contactd_cache_bytes", "Memory of the caches.", "cache",
@@ -88,16 +88,6 @@ MetricFamilies Service::metrics(bool look_at_store) {
                        {{"tables", number(tables.budget_bytes)}, {"influences", number(operators.budget_bytes)}})});
     append(all, process_metrics());
     return all;
-}
-
-std::string Service::not_ready() const {
-    if (stopping_) return "The daemon is ending.";
-    if (!serving_) return "The daemon is starting.";
-    return {};  // without its store, too, it answers: from memory and with what it builds
-}
-
-void Service::server_metrics(const CallPtr& call) {
-    call->succeed(to_json(metrics(false)));
 }
 
 }  // namespace contactd::server

@@ -6,7 +6,8 @@
 
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
-#include "ic_pair.hpp"
+#include "ics/ic_pair.hpp"
+#include "request_limits.hpp"
 
 namespace contactd::server {
 namespace {
@@ -64,7 +65,9 @@ void check_size(const IcSpec& spec, std::size_t most_bytes) {
 
 }  // namespace
 
-void start_export(const CallPtr& call, IcService& ics, WorkerPool& workers, std::size_t most_bytes) {
+void export_table(const CallPtr& call, const DaemonParts& parts) {
+    proto::check_frames_used(call->request.params, call->request.frames);
+    check_grid_limit(call->request.params, parts.config.max_grid_elements);
     const proto::IcExport wanted = proto::decode_ic_export(call->request.params);
     auto work = std::make_shared<Export>();
     work->call = call;
@@ -73,10 +76,10 @@ void start_export(const CallPtr& call, IcService& ics, WorkerPool& workers, std:
     if (wanted.lower) work->specs[1].material = *wanted.lower;
     validate_body(work->specs[0], "material");
     validate_body(work->specs[1], "lower");
-    if (wanted.format == FileFormat::contact) check_size(wanted.spec, most_bytes);
+    if (wanted.format == FileFormat::contact) check_size(wanted.spec, parts.config.limits.max_frame_bytes);
     fetch_pair(
-        call, ics, {work->specs[0], work->specs[1]},
-        [work, &workers](const IcAnswers& answers) {
+        call, parts.ics, {work->specs[0], work->specs[1]},
+        [work, &workers = parts.workers](const IcAnswers& answers) {
             work->answers = answers;
             workers.post(turn_of(work->call), [work] { answer(work); });
         },

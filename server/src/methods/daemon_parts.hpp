@@ -1,0 +1,41 @@
+// What the methods work with.
+#pragma once
+
+#include "config/config.hpp"
+#include "ics/ic_service.hpp"
+#include "ics/influence_cache.hpp"
+#include "jobs/call.hpp"
+#include "jobs/job.hpp"
+#include "jobs/worker_pool.hpp"
+#include "operation/counters.hpp"
+#include "operation/health.hpp"
+#include "operation/metrics.hpp"
+#include "sessions/session_table.hpp"
+#include "solves/solve_task.hpp"
+#include "wire/open_calls.hpp"
+
+namespace contactd::server {
+
+/// The parts of the daemon, which Service owns.
+struct DaemonParts {
+    const Config& config;
+    OpenCalls& open_calls;
+    Counters& counters;
+    RequestMetrics& request_metrics;
+    Health& health;
+    JobTable& jobs;
+    IcService& ics;
+    InfluenceCache& influences;
+    SessionTable& sessions;
+    WorkerPool& workers;
+    const Call::Clock::time_point started = Call::Clock::now();
+
+    SolveTools solve_tools() const { return {ics, workers, influences, jobs, counters}; }
+    /// Lets go of work that waits for calls which have been answered.
+    void drop_abandoned() const {
+        workers.drop_abandoned();
+        ics.drop_abandoned();
+    }
+};
+
+}  // namespace contactd::server

@@ -1,0 +1,53 @@
+// ic.*: tables of influence coefficients.
+#include <algorithm>
+#include <cmath>
+
+#include "all_methods.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/ic_part.hpp"
+#include "ic_export.hpp"
+#include "ic_list.hpp"
+#include "request_limits.hpp"
+
+namespace contactd::server {
+
+using nlohmann::json;
+using proto::Status;
+
+namespace {
+
+void get_table(const CallPtr& call, const DaemonParts& parts) {
+    proto::check_frames_used(call->request.params, call->request.frames);
+    check_grid_limit(call->request.params, parts.config.max_grid_elements);
+    const IcSpec spec = proto::decode_ic_spec(call->request.params);
+    validate(spec);
+    const proto::IcPart part = proto::decode_ic_part(call->request.params, spec.ny);
+    if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
+    const auto done = [call, spec, part](const IcAnswer& answer) {
+        guarded(call, [&] {
+            proto::ArrayWriter arrays(call->request.arrays);
+            const IcTable table = table_of(answer, spec);
+            if (!std::all_of(table.values.begin(), table.values.end(), [](double v) { return std::isfinite(v); }))
+                throw proto::invalid_field("material.G",
+                                           "and grid.dx make coefficients that are beyond a double's range");
+            const json result = proto::encode_ic_part_reply(
+                {answer.key, answer.origin, spec, table, answer.record->evidence}, part, arrays);
+            call->succeed(result, arrays.take_frames());
+        });
+    };
+    parts.ics.request(spec,
+                      {done, [call](const Status& status) { call->fail(status); },
+                       [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); },
+                       turn_of(call)});
+}
+
+}  // namespace
+
+void add_ic_methods(MethodTable& methods) {
+    methods.add({.name = "ic.get", .handle = get_table});
+    methods.add({.name = "ic.export", .handle = export_table});
+    methods.add({.name = "ic.list", .handle = list_tables});
+    methods.add({.name = "ic.delete", .handle = delete_tables});
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,68 @@
+// job.* and request.cancel: work that waits and runs, and its end.
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "all_methods.hpp"
+
+namespace contactd::server {
+
+using nlohmann::json;
+using proto::StatusCode;
+using proto::StatusError;
+
+namespace {
+
+void list_jobs(const CallPtr& call, const DaemonParts& parts) {
+    json jobs = json::array();
+    for (const auto& job : parts.jobs.all()) {
+        const JobProgress progress = job->progress();
+        json entry = {{"job", job->name},
+                      {"kind", job->kind},
+                      {"state", job->running() ? "running" : "queued"},
+                      {"stage", progress.stage},
+                      {"fraction", progress.fraction},
+                      {"callers", job->callers()},
+                      {"seconds", std::chrono::duration<double>(Call::Clock::now() - job->created).count()}};
+        if (progress.seconds_left) entry["seconds_left"] = *progress.seconds_left;
+        jobs.push_back(std::move(entry));
+    }
+    call->succeed({{"jobs", std::move(jobs)}});
+}
+
+void cancel_job(const CallPtr& call, const DaemonParts& parts) {
+    const std::string name = call->request.params.at("job");
+    const auto job = parts.jobs.find(name);
+    if (!job)
+        throw StatusError(StatusCode::not_found, proto::reason::job_unknown,
+                          "There is no job " + json(name).dump() + "; job.list names those that wait or run.");
+    job->cancel();
+    parts.drop_abandoned();
+    call->succeed({{"job", name}});
+}
+
+void cancel_request(const CallPtr& call, const DaemonParts& parts) {
+    const std::string id = call->request.params.at("id");
+    const auto open = parts.open_calls.find(call->client(), id);
+    if (open.empty())
+        throw StatusError(StatusCode::not_found, proto::reason::request_unknown,
+                          "No request of this client with the id " + json(id).dump() + " waits for an answer.");
+    for (const CallPtr& cancelled : open)
+        cancelled->fail({StatusCode::cancelled,
+                         "The request was cancelled by its client.",
+                         std::string(proto::reason::request_cancelled),
+                         {},
+                         0});
+    parts.drop_abandoned();
+    call->succeed({{"id", id}});
+}
+
+}  // namespace
+
+void add_job_methods(MethodTable& methods) {
+    methods.add({.name = "job.list", .is_quick = true, .handle = list_jobs});
+    methods.add({.name = "job.cancel", .is_quick = true, .handle = cancel_job});
+    methods.add({.name = "request.cancel", .is_quick = true, .handle = cancel_request});
+}
+
+}  // namespace contactd::server

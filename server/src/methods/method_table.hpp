@@ -1,0 +1,34 @@
+// The methods of the daemon: what each is called, how it is run, and what it does.
+#pragma once
+
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "contactd/proto/message.hpp"
+#include "daemon_parts.hpp"
+
+namespace contactd::server {
+
+struct Method {
+    std::string_view name;                               ///< as on the wire
+    bool is_quick = false;                               ///< runs in the I/O thread, all others in a worker
+    bool counts = !is_quick;                             ///< among the requests that wait for an answer
+    proto::Priority priority = proto::Priority::normal;  ///< of requests that name none
+    const char* job = nullptr;                           ///< what job.list calls it, where it is listed
+    /// Answers the call now or later, or throws what becomes the answer. The parameters have passed their schema.
+    void (*handle)(const CallPtr& call, const DaemonParts& parts);
+};
+
+class MethodTable {
+   public:
+    void add(const Method& method) { methods_.emplace(method.name, method); }
+    /// Null when there is no such method.
+    const Method* find(std::string_view name) const;
+    std::vector<std::string> names() const;
+
+   private:
+    std::map<std::string_view, Method> methods_;
+};
+
+}  // namespace contactd::server

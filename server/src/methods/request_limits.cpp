@@ -1,0 +1,84 @@
+#include "request_limits.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "config/config.hpp"
+#include "contactd/proto/codec.hpp"
+
+namespace contactd::server {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* grid_limit = " (limits.max_grid_elements)";
+
+/// `field` is where `params` stand. Throws where one side alone has more elements than a grid may.
+long long elements_of(const json& params, std::size_t most, const std::string& field = "") {
+    long long elements = 1;
+    for (const char* side : {"nx", "ny"}) {
+        const auto count = params.at("grid").at(side).get<long long>();
+        if (count > static_cast<long long>(most))
+            throw proto::invalid_field(
+                field + "grid." + side,
+                "is " + std::to_string(count) + "; nx times ny is at most " + std::to_string(most) + grid_limit,
+                proto::reason::limit_exceeded);
+        elements *= count;  // each at most 4e6
+    }
+    return elements;
+}
+
+/// Of what has passed check_grid_limit.
+std::size_t elements_in(const json& params) {
+    return static_cast<std::size_t>(elements_of(params, max_grid_elements));
+}
+
+/// Bytes of the arrays in a result of contact.solve: element division, pressure, tractions and, with friction, slip.
+std::size_t result_bytes(const json& params) {
+    const std::size_t per_element = params.contains("friction") ? 1 + 5 * sizeof(double) : 1 + 3 * sizeof(double);
+    return per_element * elements_in(params);
+}
+
+}  // namespace
+
+void check_grid_limit(const json& params, std::size_t most) {
+    const long long elements = elements_of(params, most);
+    if (elements > static_cast<long long>(most))
+        throw proto::invalid_field("grid.nx",
+                                   "times ny is " + std::to_string(elements) + " elements; at most " +
+                                       std::to_string(most) + " are allowed" + grid_limit,
+                                   proto::reason::limit_exceeded);
+}
+
+void check_grid_limits(const json& problems, std::size_t most) {
+    long long elements = 0;  // at most 1000 times 1.6e13
+    for (std::size_t n = 0; n < problems.size(); ++n)
+        elements += elements_of(problems[n], most, "problems[" + std::to_string(n) + "].");
+    if (elements > static_cast<long long>(most))
+        throw proto::invalid_field("problems",
+                                   "have " + std::to_string(elements) + " elements together; at most " +
+                                       std::to_string(most) + " are allowed" + grid_limit,
+                                   proto::reason::limit_exceeded);
+}
+
+void check_answer_fits(const std::vector<const json*>& problems, proto::ArrayEncoding arrays,
+                       const proto::Limits& limits) {
+    if (arrays == proto::ArrayEncoding::list) return;
+    std::size_t total = 0, largest = 0;
+    for (const json* problem : problems) {
+        total += result_bytes(*problem);
+        largest = std::max(largest, elements_in(*problem) * sizeof(double));
+    }
+    const auto refuse = [](std::size_t is, const char* what, std::size_t limit, const char* name) {
+        throw proto::invalid_field("grid.nx",
+                                   "and ny make an answer with " + std::to_string(is) + " bytes " + what +
+                                       "; at most " + std::to_string(limit) + " are allowed (limits." + name +
+                                       "): take larger elements, or fewer problems at once",
+                                   proto::reason::answer_too_large);
+    };
+    if (largest > limits.max_frame_bytes) refuse(largest, "in one frame", limits.max_frame_bytes, "max_frame_bytes");
+    if (total > limits.max_message_bytes) refuse(total, "of arrays", limits.max_message_bytes, "max_message_bytes");
+}
+
+}  // namespace contactd::server

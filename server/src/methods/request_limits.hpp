@@ -1,0 +1,23 @@
+// Limits that a request has to keep to before anything of its size is made. `params` have passed their schema.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "contactd/proto/message.hpp"
+
+namespace contactd::server {
+
+/// Throws StatusError (LIMIT_EXCEEDED) when params.grid has more than `most` elements.
+void check_grid_limit(const nlohmann::json& params, std::size_t most);
+/// The same of the grids of all problems together.
+void check_grid_limits(const nlohmann::json& problems, std::size_t most);
+
+/// Throws StatusError (ANSWER_TOO_LARGE) when the solutions of `problems`, which keep to the limit of grids, could not
+/// be sent in one message: what could not be sent need not be solved. Lists have no size that is known before; they are
+/// checked when they go.
+void check_answer_fits(const std::vector<const nlohmann::json*>& problems, proto::ArrayEncoding arrays,
+                       const proto::Limits& limits);
+
+}  // namespace contactd::server

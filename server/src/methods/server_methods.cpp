@@ -1,0 +1,88 @@
+// server.* and health.watch: what the daemon says of itself.
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "all_methods.hpp"
+#include "collect_metrics.hpp"
+#include "contactd/proto/schema.hpp"
+#include "contactd/version.hpp"
+#include "ics/builder_programs.hpp"
+#include "operation/about.hpp"
+
+namespace contactd::server {
+
+using nlohmann::json;
+
+namespace {
+
+void info(const CallPtr& call, const DaemonParts& parts) {
+    json limits = proto::to_json(parts.config.limits);
+    limits["max_grid_elements"] = parts.config.max_grid_elements;
+    limits["max_queue"] = parts.config.max_queue;
+    limits["max_queue_per_client"] = parts.config.max_queue_per_client;
+    limits["max_queue_bytes"] = parts.config.max_queue_bytes;
+    limits["max_sessions"] = parts.config.sessions.max_sessions;
+    limits["max_session_bytes"] = parts.config.sessions.max_bytes;
+    limits["max_session_states"] = parts.config.sessions.max_states;
+    limits["max_lease_seconds"] = parts.config.sessions.max_lease_seconds;
+    const Counters& counters = parts.counters;
+    const IcCache::Usage cache = parts.ics.cache_usage();
+    call->succeed({{"version", version()},
+                   {"commit", commit()},
+                   {"protocol", proto::protocol_version},
+                   {"protocol_versions", proto::protocol_versions},
+                   {"libraries", all_library_versions()},
+                   {"limits", limits},
+                   {"counters",
+                    {{"requests", counters.requests.load()},
+                     {"requests_failed", counters.requests_failed.load()},
+                     {"solves", counters.solves.load()},
+                     {"builds_started", counters.builds_started.load()},
+                     {"builds_finished", counters.builds_finished.load()},
+                     {"builds_failed", counters.builds_failed.load()},
+                     {"builds_cancelled", counters.builds_cancelled.load()},
+                     {"builds_joined", counters.builds_joined.load()},
+                     {"memory_hits", counters.memory_hits.load()},
+                     {"disk_hits", counters.disk_hits.load()},
+                     {"closed_form", counters.closed_form.load()},
+                     {"tables_set_aside", counters.tables_set_aside.load()}}},
+                   {"cache", {{"tables", cache.entries}, {"bytes", cache.bytes}, {"budget_bytes", cache.budget_bytes}}},
+                   {"queue",
+                    {{"solves_waiting", parts.workers.waiting()},
+                     {"solves_running", parts.workers.running()},
+                     {"builds_waiting", parts.ics.builds_waiting()},
+                     {"builds_running", parts.ics.builds_running()}}},
+                   {"uptime_seconds", std::chrono::duration<double>(Call::Clock::now() - parts.started).count()}});
+}
+
+void health(const CallPtr& call, const DaemonParts& parts) {
+    json warnings = json::array();
+    if (std::string problem = parts.ics.store_problem(); !problem.empty()) warnings.push_back(std::move(problem));
+    for (std::string& problem : building_problems(parts.config)) warnings.push_back(std::move(problem));
+    call->succeed({{"state", name_of(parts.health.state())}, {"warnings", std::move(warnings)}});
+}
+
+void describe(const CallPtr& call, const DaemonParts&) {
+    call->succeed(proto::openrpc());
+}
+
+void metrics(const CallPtr& call, const DaemonParts& parts) {
+    call->succeed(to_json(collect_metrics(parts, false)));
+}
+
+void watch(const CallPtr& call, const DaemonParts& parts) {
+    parts.health.watch(call);
+}
+
+}  // namespace
+
+void add_server_methods(MethodTable& methods) {
+    methods.add({.name = "server.info", .is_quick = true, .handle = info});
+    methods.add({.name = "server.health", .is_quick = true, .handle = health});
+    methods.add({.name = "server.describe", .is_quick = true, .handle = describe});
+    methods.add({.name = "server.metrics", .is_quick = true, .handle = metrics});
+    methods.add({.name = "health.watch", .is_quick = true, .counts = true, .handle = watch});
+}
+
+}  // namespace contactd::server
