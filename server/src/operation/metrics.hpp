@@ -23,7 +23,7 @@ class RequestMetrics {
    public:
     explicit RequestMetrics(const std::vector<std::string>& methods);
 
-    /// Of the I/O thread alone. Takes about half a microsecond.
+    /// One thread at a time. Takes about half a microsecond.
     void record(const Answer& answer);
     /// From any thread.
     MetricFamilies collect() const { return registry_.Collect(); }

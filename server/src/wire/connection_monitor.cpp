@@ -10,8 +10,9 @@ constexpr const char* channel = "inproc://contactd-connections";
 
 }  // namespace
 
-ConnectionMonitor::ConnectionMonitor(zmq::context_t& context, zmq::socket_t& watched)
-    : watched_(watched), events_(context, zmq::socket_type::pair) {
+ConnectionMonitor::ConnectionMonitor(zmq::context_t& context, zmq::socket_t& watched, std::size_t max_input_bytes,
+                                     Counters::Count& connections)
+    : watched_(watched), events_(context, zmq::socket_type::pair), connections_(connections), input_(max_input_bytes) {
     if (::zmq_socket_monitor(watched_.handle(), channel, ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED) != 0)
         throw zmq::error_t();
     events_.set(zmq::sockopt::linger, 0);
@@ -24,7 +25,7 @@ ConnectionMonitor::~ConnectionMonitor() {
     ::zmq_socket_monitor(watched_.handle(), nullptr, 0);
 }
 
-void ConnectionMonitor::read(Counters::Count& connections, UnfinishedInput& input, ClientConnections& clients) {
+void ConnectionMonitor::read() {
     // Two frames: event (16 bits) and its value (32 bits, here the file descriptor), then an address.
     zmq::message_t frame;
     while (events_.recv(frame, zmq::recv_flags::dontwait)) {
@@ -36,16 +37,22 @@ void ConnectionMonitor::read(Counters::Count& connections, UnfinishedInput& inpu
         }
         while (frame.more() && events_.recv(frame, zmq::recv_flags::none)) continue;
         if (event == ZMQ_EVENT_ACCEPTED) {
-            ++connections;
-            input.note_connection(fd);
-            clients.note_connection(fd);
+            ++connections_;
+            input_.note_connection(fd);
+            clients_.note_connection(fd);
         }
         if (event == ZMQ_EVENT_DISCONNECTED) {
-            if (connections > 0) --connections;
-            input.note_end(fd);
-            clients.note_end(fd);
+            if (connections_ > 0) --connections_;
+            input_.note_end(fd);
+            clients_.note_end(fd);
         }
     }
+}
+
+bool ConnectionMonitor::note_message(int fd, const std::string& client) {
+    input_.note_message(fd);
+    if (!clients_.knows(fd, client)) read();
+    return clients_.note_message(fd, client);
 }
 
 }  // namespace contactd::server

@@ -29,7 +29,8 @@ bool connect_and_leave(int port) {
 TEST_CASE("News of connections that nobody reads keep nothing from ending", "[server]") {
     zmq::context_t context;
     zmq::socket_t router(context, zmq::socket_type::router);
-    ConnectionMonitor monitor(context, router);
+    Counters::Count connections = 0;
+    ConnectionMonitor monitor(context, router, 1 << 20, connections);
     router.bind("tcp://127.0.0.1:*");
     const std::string address = router.get(zmq::sockopt::last_endpoint);
     const int port = std::stoi(address.substr(address.rfind(':') + 1));

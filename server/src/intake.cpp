@@ -1,0 +1,103 @@
+#include "intake.hpp"
+
+#include <memory>
+#include <utility>
+
+namespace contactd::server {
+namespace {
+
+constexpr std::size_t small_envelope = 64 << 10;
+
+std::size_t bytes_of(const Message& message) {
+    std::size_t bytes = message.envelope.size();
+    for (const auto& frame : message.frames) bytes += frame.size();
+    return bytes;
+}
+
+Turn turn_of(const Route& route) {
+    return {.client = route.identity, .user = route.user};
+}
+
+}  // namespace
+
+Intake::Intake(const Config& config, Service& service, AnsweringSocket& socket)
+    : config_(config),
+      service_(service),
+      socket_(socket),
+      open_calls_(service.parts().open_calls),
+      rate_limit_(config.security.per_user.requests_per_second, config.security.per_user.burst) {}
+
+void Intake::take(Message message) {
+    const auto received = Clock::now();
+    const bool is_small = message.envelope.size() <= small_envelope;
+    ++service_.parts().counters.requests;
+    if (!admit(message.route, is_small ? message.envelope : "", received)) return;
+    if (is_small || stopped_) return read(std::move(message), received, {});
+    try {
+        OpenCalls::Admission admission = open_calls_.admit(message.route, bytes_of(message));
+        Turn turn = turn_of(message.route);
+        reader_.post(std::move(turn),
+                     [this, received, message = std::move(message), admission = std::move(admission)]() mutable {
+                         read(std::move(message), received, std::move(admission));
+                     });
+    } catch (const std::exception& error) {
+        socket_.post(refusal(message.route, "", status_of(error)));
+    }
+}
+
+/// False, and answered, when the sender may not ask for anything, or not now. The id of the request is looked for in
+/// `envelope`.
+bool Intake::admit(const Route& route, std::string_view envelope, Clock::time_point received) {
+    const bool revoked = route.user.empty();
+    const auto wait = revoked ? std::chrono::milliseconds{0} : rate_limit_.take(route.user, received);
+    if (!revoked && wait.count() == 0) return true;
+    std::string id;
+    try {
+        if (!envelope.empty()) proto::parse_request(envelope, {}, config_.limits, id);
+    } catch (const std::exception&) {
+        // The id, where there was one, is all that was wanted.
+    }
+    socket_.post(refusal(route, id, revoked ? key_revoked() : rate_limit_.refusal(wait)));
+    return false;
+}
+
+void Intake::read(Message message, Clock::time_point received, OpenCalls::Admission admission) {
+    const CallNumber number = admission.number;
+    std::string id;
+    try {
+        open(message.route, proto::parse_request(message.envelope, std::move(message.frames), config_.limits, id),
+             received, std::move(admission));
+    } catch (const std::exception& error) {
+        Answer answer = refusal(message.route, id, status_of(error));
+        answer.number = number;
+        socket_.post(std::move(answer));
+    }
+}
+
+void Intake::open(const Route& route, proto::Request request, Clock::time_point received,
+                  OpenCalls::Admission admission) {
+    const Method* method = service_.method(request.method);
+    const bool counts = method && method->counts;
+    if (counts && admission.number == 0) admission = open_calls_.admit(route, request.bytes);
+    const auto priority = request.priority.value_or(method ? method->priority : proto::Priority::normal);
+    auto call = std::make_shared<Call>(route, std::move(request), received, priority, config_.limits,
+                                       [&socket = socket_, admission](Answer answer) {
+                                           if (!answer.is_progress) answer.number = admission.number;
+                                           socket.post(std::move(answer));
+                                       });
+    if (admission.number != 0 && !open_calls_.attach(admission.number, call)) return;  // answered while it was read
+    if (call->request.method == "request.cancel" && open_calls_.has_unread(route.identity)) {
+        // Perhaps it is the unread one that is meant: not before that has been read.
+        return reader_.post(turn_of(route), [this, call] { service_.handle(call); });
+    }
+    const bool has_deadline = call->request.timeout_ms > 0;
+    service_.handle(std::move(call));
+    if (counts && has_deadline && !socket_.is_owner()) socket_.wake();  // its wait must know of it
+}
+
+void Intake::stop() {
+    reader_.stop();
+    stopped_ = true;
+}
+
+}  // namespace contactd::server
