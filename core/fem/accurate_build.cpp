@@ -99,8 +99,8 @@ IcRecord build_level(MPI_Comm comm, const IcSpec& spec, const Level& level, cons
     const auto case_of = [](ElasticityProblem& of, Axis load) { return of.load_case(load); };
     IcRecord record = solve_and_sample(problem, case_of, progress);
     if (spec.load_shape == LoadShape::bilinear)
-        record.table = cropped(near_load_from_far(record.table), spec.nx, spec.ny);
-    compare_with_half_space(spec, record.table, record.evidence);
+        record.tables = cropped(near_load_from_far(record.table()), spec.nx, spec.ny);
+    compare_with_half_space(spec, record.table(), record.evidence);
     record.evidence.mesh = mesh_spec.fem;
     record.spec = spec;
     record.spec.fem = mesh_spec.fem;

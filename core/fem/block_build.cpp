@@ -90,7 +90,8 @@ IcRecord corrected(MPI_Comm comm, const IcSpec& spec, int order, int intervals, 
     const auto case_of = [](ElasticityProblem& of, Axis load) { return of.correction_case(load); };
     IcRecord record = solve_and_sample(problem, case_of, progress);
     const IcTable half_space = closed_form(spec);
-    for (std::size_t i = 0; i < record.table.values.size(); ++i) record.table.values[i] += half_space.values[i];
+    std::vector<double>& values = record.table().values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += half_space.values[i];
     return record;
 }
 
@@ -109,7 +110,7 @@ IcRecord build_block(MPI_Comm comm, const IcSpec& spec, const ProgressPart& prog
         const ProgressPart now = rest.part(0, share);
         const IcRecord lower = corrected(comm, spec, level.order - 1, level.intervals, now.part(0, lower_share));
         IcRecord record = corrected(comm, spec, level.order, level.intervals, now.part(lower_share, 1 - lower_share));
-        compare_tables(spec, lower.table, record.table, record.evidence);
+        compare_tables(spec, lower.table(), record.table(), record.evidence);
         scale_errors(record.evidence, error_over_difference);
         record.evidence.errors_estimated = true;
         error = largest_error(record.evidence);

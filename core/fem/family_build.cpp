@@ -72,14 +72,16 @@ IcEvidence combined(const std::vector<const IcRecord*>& records) {
 }
 
 IcRecord family_of(const IcSpec& spec, const std::vector<const IcRecord*>& records) {
-    IcRecord result{spec, records.front()->table, combined(records), {}};
+    IcFamily family;
+    IcRecord result{spec, {}, combined(records)};
     result.spec.fem = records.back()->spec.fem;
     for (const IcRecord* record : records) {
-        result.family.push_back(record->table);
+        family.tables.push_back(record->table());
         result.evidence.family_nu.push_back(record->spec.material.nu);
     }
     if (spec.accuracy == 0) result.evidence.warnings = table_warnings(spec, result.evidence);
-    result.evidence.interpolation_error = interpolation_error(spec, result.family);
+    result.evidence.interpolation_error = interpolation_error(spec, family.tables);
+    result.tables = std::move(family);
     return result;
 }
 
@@ -110,7 +112,7 @@ IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_o
             records.push_back(&built.at(place));
         }
         IcRecord result = family_of(spec, records);
-        errors = interpolation_errors(spec, result.family);
+        errors = interpolation_errors(spec, std::get<IcFamily>(result.tables).tables);
         allowed = allowed_errors(spec, records);
         if (errors[0] > allowed[0] || errors[1] > allowed[1]) continue;
         finish_evidence(result.evidence, start, comm);

@@ -107,7 +107,7 @@ std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case
 }
 
 IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress) {
-    IcRecord record{problem.spec(), {}, {}, {}};
+    IcRecord record{problem.spec()};
     IcEvidence& evidence = record.evidence;
     const auto solutions = solve_loads(problem, case_of, progress.part(0, 1 - sampling_share), evidence);
 
@@ -116,7 +116,7 @@ IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, con
     std::vector<SolvedCase> cases;
     for (const Solution& one : solutions) cases.push_back({one.load, one.load, &one.displacements});
     if (cases.size() == 2) cases.push_back({Axis::x, Axis::y, &solutions[1].displacements});
-    record.table = sample_table(problem, record.spec, cases);
+    record.tables = sample_table(problem, record.spec, cases);
 
     evidence.source = name_of(IcSource::fem);
     evidence.version = fem_version();
@@ -168,7 +168,7 @@ IcRecord build_on_problem(ElasticityProblem& problem, const ProgressPart& progre
     const IcSpec& spec = problem.spec();
     const auto case_of = [](ElasticityProblem& of, Axis load) { return of.load_case(load); };
     IcRecord record = solve_and_sample(problem, case_of, progress);
-    if (spec.body == BodyShape::half_space) compare_with_half_space(spec, record.table, record.evidence);
+    if (spec.body == BodyShape::half_space) compare_with_half_space(spec, record.table(), record.evidence);
     record.evidence.warnings = table_warnings(spec, record.evidence);
     finish_evidence(record.evidence, start, problem.space().GetComm());
     progress.report("sampling", 1);

@@ -20,7 +20,7 @@ IcTable scaled(const IcTable& table, double factor) {
     return result;
 }
 
-IcTable cropped(const IcTable& table, int nx, int ny) {
+IcTable cropped(const IcTable& table, int nx, int ny, double factor) {
     if (nx > table.nx || ny > table.ny)
         throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " x " + std::to_string(ny) +
                                           "; the table holds " + std::to_string(table.nx) + " x " +
@@ -31,25 +31,25 @@ IcTable cropped(const IcTable& table, int nx, int ny) {
             for (int l = 0; l < ny; ++l) {
                 const auto from =
                     table.values.begin() + static_cast<std::ptrdiff_t>(table.index(Axis(i), Axis(j), 0, l));
-                std::copy_n(from, nx,
-                            result.values.begin() + static_cast<std::ptrdiff_t>(result.index(Axis(i), Axis(j), 0, l)));
+                const auto to =
+                    result.values.begin() + static_cast<std::ptrdiff_t>(result.index(Axis(i), Axis(j), 0, l));
+                std::transform(from, from + nx, to, [factor](double value) { return value * factor; });
             }
     return result;
 }
 
-IcTable pair_of(const IcTable& upper, const IcTable& lower) {
+IcTable pair_of(IcTable upper, const IcTable& lower) {
     if (upper.nx != lower.nx || upper.ny != lower.ny)
         throw InvalidArgument("lower", "has another extent than upper; the tables of a pair must have the same");
-    IcTable result(upper.nx, upper.ny);
-    const std::size_t n = result.component_size();
+    const std::size_t n = upper.component_size();
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             const double sign = ((i == 2) != (j == 2)) ? -1 : 1;
             const std::size_t first = (3 * i + j) * n;
             for (std::size_t at = first; at < first + n; ++at)
-                result.values[at] = lower.values[at] + sign * upper.values[at];
+                upper.values[at] = lower.values[at] + sign * upper.values[at];
         }
-    return result;
+    return upper;
 }
 
 }  // namespace contactd

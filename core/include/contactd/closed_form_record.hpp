@@ -1,8 +1,7 @@
 // Tables of half-spaces in closed form, as the store and the daemon hold tables.
 #pragma once
 
-#include "contactd/ic_spec.hpp"
-#include "contactd/ic_store.hpp"
+#include "contactd/ic_record.hpp"
 
 namespace contactd {
 

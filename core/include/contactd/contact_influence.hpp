@@ -20,6 +20,6 @@ struct ContactInfluence {
 };
 
 /// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none.
-ContactInfluence make_influence(const ContactProblem& problem, const IcTable& pair);
+ContactInfluence make_influence(const ContactProblem& problem, IcTable pair);
 
 }  // namespace contactd

@@ -6,7 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "contactd/ic_store.hpp"
+#include "contactd/ic_spec.hpp"
+#include "contactd/ic_table.hpp"
 
 namespace contactd {
 
@@ -18,10 +19,6 @@ std::vector<double> family_points(int n);
 /// those of nu's half, which nu rounded to twelve digits decides, as in keys. Throws InvalidArgument: "material.nu"
 /// outside, "family" when it is no such family.
 IcTable interpolated(const std::vector<IcTable>& family, double nu);
-
-/// The table of a record for `nu`: its only one, or for a family (spec.any_nu) the interpolated one. Throws StoreError
-/// when the family was computed at other points than family_points().
-IcTable table_for(const IcRecord& record, double nu);
 
 /// What interpolation adds to the error of the tables themselves, estimated by the last two Chebyshev coefficients: of
 /// xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.

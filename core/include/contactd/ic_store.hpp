@@ -13,19 +13,10 @@
 #include <vector>
 
 #include "contactd/error.hpp"
+#include "contactd/ic_record.hpp"
 #include "contactd/ic_spec.hpp"
-#include "contactd/ic_table.hpp"
 
 namespace contactd {
-
-/// A table with what it is and how it was made.
-struct IcRecord {
-    IcSpec spec;  ///< dimensionless, its extent that of the table
-    IcTable table;
-    IcEvidence evidence;
-    /// When spec.any_nu: one table for each of evidence.family_nu; `table` then is the first of them.
-    std::vector<IcTable> family;
-};
 
 /// SHA-256 (hex) of the canonical JSON text of the dimensionless spec without its extent: equal for every shear
 /// modulus, every element size and every extent.

@@ -84,12 +84,12 @@ struct IcEvidence {
 /// Every value times `factor`: A of G and dx from the dimensionless table with factor = dx/G.
 IcTable scaled(const IcTable& table, double factor);
 
-/// The part with offsets 0..nx-1 x 0..ny-1. Throws InvalidArgument when the table is smaller.
-IcTable cropped(const IcTable& table, int nx, int ny);
+/// The part with offsets 0..nx-1 x 0..ny-1, times `factor`. Throws InvalidArgument when the table is smaller.
+IcTable cropped(const IcTable& table, int nx, int ny, double factor = 1);
 
 /// Coefficients of the difference of displacements of the two bodies for equal and opposite tractions: sums xx, yy, zz,
 /// xy, yx and subtracts xz, zx, yz, zy (upper from lower: a pressure is positive, a load along z pulls). Throws
 /// InvalidArgument when the extents differ.
-IcTable pair_of(const IcTable& upper, const IcTable& lower);
+IcTable pair_of(IcTable upper, const IcTable& lower);
 
 }  // namespace contactd

@@ -1,6 +1,7 @@
 #include "contactd/contact_influence.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "contactd/convolution.hpp"
 #include "contactd/shifted_operator.hpp"
@@ -24,22 +25,28 @@ bool have_closed_form(const Bodies& bodies) {
     return true;
 }
 
+ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, double x, double y) {
+    const std::optional<HalfSpaces> nearest = nearest_half_spaces(problem.bodies);
+    const ShiftedTable ahead = have_closed_form(problem.bodies) ? shifted_half_spaces(*nearest, problem.grid, x, y)
+                                                                : shifted_table(pair, nearest, problem.grid, x, y);
+    return change_over_step(pair, ahead);
+}
+
 }  // namespace
 
 std::size_t ContactInfluence::bytes() const {
     return (here ? here->bytes() : 0) + (change ? change->bytes() : 0);
 }
 
-ContactInfluence make_influence(const ContactProblem& problem, const IcTable& pair) {
+ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {
     const Grid& grid = problem.grid;
     ContactInfluence influence;
-    influence.here = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
-    const auto [x, y] = step_of(problem);
-    if (x == 0 && y == 0) return influence;
-    const std::optional<HalfSpaces> nearest = nearest_half_spaces(problem.bodies);
-    const ShiftedTable ahead = have_closed_form(problem.bodies) ? shifted_half_spaces(*nearest, grid, x, y)
-                                                               : shifted_table(pair, nearest, grid, x, y);
-    influence.change = std::make_shared<const ShiftedOperator>(change_over_step(pair, ahead));
+    if (const auto [x, y] = step_of(problem); x != 0 || y != 0)
+        influence.change = std::make_shared<const ShiftedOperator>(change_of(problem, pair, x, y));
+    if (pair.nx == grid.nx && pair.ny == grid.ny)
+        influence.here = std::make_shared<const ConvolutionOperator>(std::move(pair));
+    else
+        influence.here = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
     return influence;
 }
 

@@ -8,7 +8,7 @@ namespace contactd {
 IcRecord closed_form_record(const IcSpec& spec) {
     IcRecord record;
     record.spec = dimensionless(spec);
-    record.table = half_space_table(record.spec);
+    record.tables = half_space_table(record.spec);
     record.evidence.source = name_of(IcSource::analytic);
     record.evidence.version = "contactd " + version();
     return record;

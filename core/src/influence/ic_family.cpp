@@ -167,21 +167,6 @@ IcTable interpolated(const std::vector<IcTable>& family, double given_nu) {
     return weighted_sum(tables, interpolation_weights(half_of(upper), tables.size(), nu));
 }
 
-IcTable table_for(const IcRecord& record, double nu) {
-    if (!record.spec.any_nu) return record.table;
-    const std::vector<double>& stored = record.evidence.family_nu;
-    bool known = stored.size() >= 4 && stored.size() % 2 == 0 && stored.size() == record.family.size();
-    if (known) {
-        const std::vector<double> points = family_points(static_cast<int>(stored.size() / 2));
-        for (std::size_t j = 0; j < points.size(); ++j) known = known && std::abs(stored[j] - points[j]) < 1e-9;
-    }
-    if (!known)
-        throw StoreError(
-            "The stored family holds tables at other Poisson's ratios than those this version "
-            "interpolates between; remove it from the store and build it again.");
-    return interpolated(record.family, nu);
-}
-
 double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family) {
     return std::ranges::max(interpolation_errors(spec, family));
 }

@@ -118,8 +118,8 @@ std::vector<unsigned char> to_hdf5(const IcRecord& record) {
         put(file, "contactd_format", static_cast<long long>(format_version));
         write_spec(file.createGroup("spec"), record.spec);
         write_evidence(file.createGroup("evidence"), record.evidence);
-        write_table(file, record.table, !is_dimensionless(record.spec));
-        if (!record.family.empty()) write_family(file, record.family);
+        write_table(file, record.table(), !is_dimensionless(record.spec));
+        if (const auto* family = std::get_if<IcFamily>(&record.tables)) write_family(file, family->tables);
         file.flush(H5F_SCOPE_GLOBAL);
         const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
         std::vector<unsigned char> image(size > 0 ? static_cast<std::size_t>(size) : 0);
@@ -146,11 +146,14 @@ IcRecord from_hdf5(std::span<const unsigned char> image) {
                                std::to_string(format_version) + ".");
         IcRecord record;
         record.spec = read_spec(file.openGroup("spec"));
-        record.table = read_table(file);
-        record.spec.nx = record.table.nx;
-        record.spec.ny = record.table.ny;
+        IcTable table = read_table(file);
+        record.spec.nx = table.nx;
+        record.spec.ny = table.ny;
         record.evidence = read_evidence(file.openGroup("evidence"));
-        if (record.spec.any_nu) record.family = read_family(file, record.evidence.family_nu.size(), record.table);
+        if (record.spec.any_nu)
+            record.tables = IcFamily{read_family(file, record.evidence.family_nu.size(), table)};
+        else
+            record.tables = std::move(table);
         return record;
     } catch (const H5::Exception& error) {
         throw DamagedTable("HDF5 cannot read the table: " + error.getDetailMsg() + ".");

@@ -95,7 +95,7 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec) const {
         try {
             IcRecord record = read_ic_file(stored.path);
             if (ic_key(record.spec) != key || record.spec.dx != 1 || record.spec.material.G != 1 ||
-                record.table.nx != stored.nx || record.table.ny != stored.ny)
+                extent_of(record.tables) != IcExtent{stored.nx, stored.ny})
                 throw DamagedTable(stored.path.string() + " does not hold the table its name promises.");
             note_use(stored.path, time_of_use());
             return record;

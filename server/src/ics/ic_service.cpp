@@ -26,11 +26,6 @@ void validate_body(const IcSpec& spec, const std::string& name) {
     }
 }
 
-IcTable table_of(const IcAnswer& answer, const IcSpec& request) {
-    const IcTable table = table_for(*answer.record, request.material.nu);
-    return scaled(cropped(table, request.nx, request.ny), request.dx / request.material.G);
-}
-
 IcService::IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters)
     : settings_(std::move(settings)),
       keeper_(std::move(store), {settings_.disk_budget_bytes, settings_.memory_budget_bytes}),

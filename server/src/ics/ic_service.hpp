@@ -30,9 +30,6 @@ struct IcAnswer {
 /// As contactd::validate, but what is wrong with the material is wrong with the body that `name` names on the wire.
 void validate_body(const IcSpec& spec, const std::string& name);
 
-/// The table of `request`, in its own units (mm^3/N): of a family that for its Poisson's ratio, cropped to its extent.
-IcTable table_of(const IcAnswer& answer, const IcSpec& request);
-
 /// Who asked. Called from any thread, `done` or `failed` exactly once.
 struct IcCaller {
     std::function<void(const IcAnswer&)> done;

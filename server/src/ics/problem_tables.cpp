@@ -16,7 +16,7 @@ std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
 IcTable body_table(const ContactSetup& setup, const Body& body, const IcAnswer& answer) {
     const Grid& grid = setup.grid;
     if (const GivenIcs* given = body.given()) return cropped(given->table, grid.nx, grid.ny);
-    if (const auto spec = spec_of(setup, body)) return table_of(answer, *spec);
+    if (const auto spec = spec_of(setup, body)) return table_for(*answer.record, *spec);
     return IcTable(grid.nx, grid.ny);
 }
 

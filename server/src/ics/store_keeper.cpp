@@ -12,12 +12,6 @@ constexpr auto attempt_interval = std::chrono::seconds(2);
 
 }  // namespace
 
-std::size_t bytes_of(const IcRecord& record) {
-    std::size_t values = record.table.values.size();
-    for (const IcTable& table : record.family) values += table.values.size();
-    return values * sizeof(double);
-}
-
 StoreKeeper::StoreKeeper(IcStore store, const Budgets& budgets) : store_(std::move(store)), budgets_(budgets) {
     if (const int swept = store_.sweep()) spdlog::warn("swept {} left-over files from the store", swept);
     store_.settle_times();
@@ -34,7 +28,9 @@ std::optional<IcRecord> StoreKeeper::find(const IcSpec& spec) {
 }
 
 void StoreKeeper::note_use(const std::string& key, const IcRecord& record) {
-    if (record.spec.source == IcSource::fem) uses_.note(store_.path_of(key, record.table.nx, record.table.ny));
+    if (record.spec.source != IcSource::fem) return;
+    const auto [nx, ny] = extent_of(record.tables);
+    uses_.note(store_.path_of(key, nx, ny));
 }
 
 void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>& kept) {
@@ -55,11 +51,11 @@ StoreKeeper::Record StoreKeeper::keep_unsaved(IcRecord record, const std::string
     IcRecord answered = record;
     answered.evidence.warnings.push_back("This table could not be stored and is in the daemon's memory only. " + why);
     const std::scoped_lock lock(mutex_);
-    unsaved_bytes_ += bytes_of(record);
+    unsaved_bytes_ += bytes_of(record.tables);
     unsaved_.push_back(std::make_shared<const IcRecord>(std::move(record)));
     while (unsaved_bytes_ > budgets_.unsaved_bytes && !unsaved_.empty()) {
         spdlog::warn("store: too many tables wait for the disk; the oldest will not be stored");
-        unsaved_bytes_ -= bytes_of(*unsaved_.front());
+        unsaved_bytes_ -= bytes_of(unsaved_.front()->tables);
         unsaved_.pop_front();
     }
     return std::make_shared<const IcRecord>(std::move(answered));
@@ -97,7 +93,7 @@ std::vector<StoreKeeper::Record> StoreKeeper::recover() {
         spdlog::info("store: {} can be used again, {} tables were stored late", store_.folder().string(), saved.size());
     }
     const std::scoped_lock lock(mutex_);
-    for (const Record& record : waiting) unsaved_bytes_ += bytes_of(*record);
+    for (const Record& record : waiting) unsaved_bytes_ += bytes_of(record->tables);
     unsaved_.splice(unsaved_.begin(), waiting);
     return saved;
 }
@@ -107,7 +103,7 @@ int StoreKeeper::remove(const std::string& key) {
     const std::scoped_lock lock(mutex_);
     std::erase_if(unsaved_, [&](const Record& record) {
         if (ic_key(record->spec) != key) return false;
-        unsaved_bytes_ -= bytes_of(*record);
+        unsaved_bytes_ -= bytes_of(record->tables);
         ++removed;
         return true;
     });

@@ -61,7 +61,4 @@ class StoreKeeper {
     std::size_t unsaved_bytes_ = 0;
 };
 
-/// Memory that the numbers of a record need.
-std::size_t bytes_of(const IcRecord& record);
-
 }  // namespace contactd::server

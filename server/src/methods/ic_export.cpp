@@ -28,7 +28,8 @@ proto::IcUse use_of(const IcAnswer& answer) {
 }
 
 void answer_with_ic_file(const Export& work) {
-    IcRecord record{work.specs[0], table_of(work.answers[0], work.specs[0]), work.answers[0].record->evidence, {}};
+    const IcRecord& held = *work.answers[0].record;
+    IcRecord record{work.specs[0], table_for(held, work.specs[0]), held.evidence};
     record.spec.any_nu = false;  // what leaves is one table of the family
     proto::ArrayWriter arrays(work.call->request.arrays);
     const nlohmann::json result = proto::encode_hdf5_reply(to_ic_file(record), use_of(work.answers[0]), arrays);
@@ -37,7 +38,7 @@ void answer_with_ic_file(const Export& work) {
 
 void answer_with_contact_text(const Export& work) {
     const auto& [upper, lower] = work.specs;
-    const GivenIcs pair{pair_of(table_of(work.answers[0], upper), table_of(work.answers[1], lower)), upper.dx,
+    const GivenIcs pair{pair_of(table_for(*work.answers[0].record, upper), table_for(*work.answers[1].record, lower)), upper.dx,
                         upper.dy};
     work.call->succeed(
         proto::encode_contact_text_reply(to_contact_text(pair, combined_modulus({upper.material, lower.material})),

@@ -26,7 +26,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     const auto done = [call, spec, part](const IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
-            const IcTable table = table_of(answer, spec);
+            const IcTable table = table_for(*answer.record, spec);
             if (!std::all_of(table.values.begin(), table.values.end(), [](double v) { return std::isfinite(v); }))
                 throw proto::invalid_field("material.G",
                                            "and grid.dx make coefficients that are beyond a double's range");

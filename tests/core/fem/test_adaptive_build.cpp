@@ -197,10 +197,10 @@ TEST_CASE("A refined block, clamped, is the block of Mesh1", "[fem][adaptive]") 
     spec.nx = spec.ny = 3;
     const IcRecord adaptive = build(spec);
     spec.fem.mesh = MeshKind::hex;
-    const IcTable hex = build(spec).table;
+    const IcTable hex = build(spec).table();
     CHECK(!adaptive.evidence.error_zz);
     for (std::size_t i = 0; i < hex.values.size(); ++i)
-        CHECK_THAT(adaptive.table.values[i], WithinAbs(hex.values[i], 1e-3));
+        CHECK_THAT(adaptive.table().values[i], WithinAbs(hex.values[i], 1e-3));
 }
 
 TEST_CASE("The estimate falls from step to step and is shown", "[fem][adaptive]") {
@@ -240,5 +240,5 @@ TEST_CASE("What describes Mesh1 does not change an adaptive table", "[fem][adapt
     spec.fem.t1_over_hs = 0.001;
     const IcRecord other = build(spec);
     CHECK(plain.spec == other.spec);
-    CHECK(plain.table.values == other.table.values);
+    CHECK(plain.table().values == other.table().values);
 }

@@ -60,7 +60,7 @@ TEST_CASE("The bilinear load has the reference errors", "[fem][far][verification
     for (int l = 1; l < spec.ny; ++l)
         for (int k = 1; k < spec.nx; ++k) {
             const double exact = half_space_tent_coefficient(Axis::x, Axis::y, k, l, 1, 1, {1, 0.28});
-            xy = std::max(xy, std::abs(record.table(Axis::x, Axis::y, k, l) / exact - 1));
+            xy = std::max(xy, std::abs(record.table()(Axis::x, Axis::y, k, l) / exact - 1));
         }
     CHECK_THAT(xy, WithinRel(4.4e-3, 0.05));
 }
@@ -76,7 +76,7 @@ TEST_CASE("Both solvers find the same coefficients", "[fem][solvers]") {
     const IcRecord iterative = build(spec);
     CHECK(direct.evidence.solver == "direct");
     CHECK(iterative.evidence.solver == "amg_pcg");
-    CHECK(largest_difference(direct.table, iterative.table) < 1e-9);
+    CHECK(largest_difference(direct.table(), iterative.table()) < 1e-9);
 }
 
 TEST_CASE("Stopping by the update reports it beside the true residual", "[fem][solvers]") {

@@ -63,9 +63,9 @@ TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][ver
     IcSpec spec = paper_spec("paper-mesh2-test2", 512);
     Observer observer;
     spec.fem.solver = Solver::direct;
-    const IcTable direct = fem::build_ic_table(spec, observer).table;
+    const IcTable direct = fem::build_ic_table(spec, observer).table();
     spec.fem.solver = Solver::amg_pcg;
-    const IcTable iterated = fem::build_ic_table(spec, observer).table;
+    const IcTable iterated = fem::build_ic_table(spec, observer).table();
     const double scale = direct(Axis::z, Axis::z, 0, 0);
     for (const Axis i : {Axis::x, Axis::y, Axis::z})
         for (const Axis j : {Axis::x, Axis::y, Axis::z})
@@ -108,7 +108,7 @@ TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper'
     spec.fem.far_boundary = FarBoundary::half_space;
     spec.fem.solver = Solver::direct;
     Observer observer;
-    IcTable body = fem::build_ic_table(spec, observer).table;
+    IcTable body = fem::build_ic_table(spec, observer).table();
     for (double& value : body.values) value *= spec.dx / spec.material.G;
     const ContactSolution solution = solve_contact(problem, make_influence(problem, pair_of(body, body)), observer);
     REQUIRE(solution.converged());

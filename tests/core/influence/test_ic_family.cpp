@@ -7,8 +7,10 @@
 #include <functional>
 #include <limits>
 
+#include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_family.hpp"
+#include "contactd/ic_record.hpp"
 #include "half_space_cases.hpp"
 
 using namespace contactd;
@@ -166,14 +168,18 @@ TEST_CASE("the origin of components that are zero there does not count", "[ic_fa
 TEST_CASE("a record answers for its own Poisson's ratio or for any of its family", "[ic_family]") {
     IcRecord record;
     record.spec = analytic({1, 0.3}, 1, 0.5, 3, 2);
-    record.table = half_space_table(record.spec);
-    CHECK(table_for(record, 0.3).values == record.table.values);
+    record.tables = half_space_table(record.spec);
+    CHECK(table_for(record, record.spec).values == record.table().values);
 
     record.spec.any_nu = true;
-    record.family = family_with(5, Axis::z, Axis::z, 1, 1, [](double nu) { return 1 + nu * nu; });
+    record.tables = IcFamily{family_with(5, Axis::z, Axis::z, 1, 1, [](double nu) { return 1 + nu * nu; })};
     record.evidence.family_nu = family_points(5);
-    CHECK_THAT(table_for(record, 0.4)(Axis::z, Axis::z, 1, 1), WithinRel(1.16, 1e-14));
+    IcSpec request = record.spec;
+    request.material = {4, 0.4};
+    CHECK_THAT(table_for(record, request)(Axis::z, Axis::z, 1, 1), WithinRel(1.16 / 4, 1e-14));
+    request.nx = 2;
+    CHECK(table_for(record, request).nx == 2);
 
     record.evidence.family_nu[1] += 0.01;
-    CHECK_THROWS_AS(table_for(record, 0.4), StoreError);
+    CHECK_THROWS_AS(table_for(record, request), StoreError);
 }

@@ -22,8 +22,8 @@ inline IcSpec fem_spec(int nx, int ny) {
 }
 
 inline IcRecord record_of(const IcSpec& spec) {
-    IcRecord record{dimensionless(spec), IcTable(spec.nx, spec.ny), {}, {}};
-    for (std::size_t n = 0; n < record.table.values.size(); ++n) record.table.values[n] = 1.0 / (1.0 + double(n));
+    IcRecord record{dimensionless(spec), IcTable(spec.nx, spec.ny), {}};
+    for (std::size_t n = 0; n < record.table().values.size(); ++n) record.table().values[n] = 1.0 / (1.0 + double(n));
     record.evidence.source = "fem";
     record.evidence.version = "test";
     record.evidence.elements = 1840;

@@ -103,15 +103,15 @@ TEST_CASE("a file that leaves the store has dimensions", "[exchange]") {
     spec.dy = 0.4;
     spec.nx = 3;
     spec.ny = 2;
-    const IcRecord record{spec, half_space_table(spec), {}, {}};
+    const IcRecord record{spec, half_space_table(spec), {}};
     const auto bytes = to_ic_file(record);
-    const auto path = std::filesystem::temp_directory_path() / ("contactd-exported-" + ic_key({record.table, 1, 1}));
+    const auto path = std::filesystem::temp_directory_path() / ("contactd-exported-" + ic_key({record.table(), 1, 1}));
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     const IcRecord read = read_ic_file(path);
     std::filesystem::remove(path);
     CHECK(read.spec == spec);
-    CHECK(read.table.values == record.table.values);
+    CHECK(read.table().values == record.table().values);
 }
 
 TEST_CASE("the key of a given table tells tables apart", "[exchange]") {

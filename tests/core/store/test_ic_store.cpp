@@ -82,12 +82,12 @@ TEST_CASE("A larger table serves a smaller extent, the smallest that covers it i
     write_ic_file(store.path_of(fem_spec(40, 40)), record_of(fem_spec(40, 40)));
     write_ic_file(store.path_of(fem_spec(10, 12)), record_of(fem_spec(10, 12)));
 
-    CHECK(store.find(fem_spec(9, 9))->table.nx == 10);
-    CHECK(store.find(fem_spec(11, 9))->table.nx == 40);
+    CHECK(store.find(fem_spec(9, 9))->table().nx == 10);
+    CHECK(store.find(fem_spec(11, 9))->table().nx == 40);
     CHECK_FALSE(store.find(fem_spec(41, 1)).has_value());
 
     store.remove_covered_by(fem_spec(40, 40));
-    CHECK(store.find(fem_spec(9, 9))->table.nx == 40);
+    CHECK(store.find(fem_spec(9, 9))->table().nx == 40);
     CHECK(files_in(folder.path()) == 1);
 }
 

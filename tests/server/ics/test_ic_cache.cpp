@@ -9,7 +9,7 @@ namespace {
 
 IcCache::Record record_of(int nx, int ny) {
     IcRecord record;
-    record.table = IcTable(nx, ny);
+    record.tables = IcTable(nx, ny);
     return std::make_shared<const IcRecord>(std::move(record));
 }
 
@@ -61,15 +61,14 @@ TEST_CASE("A table larger than the budget is not kept and pushes nothing out") {
 }
 
 TEST_CASE("The tables of a family count") {
-    IcRecord family;
-    family.table = IcTable(4, 4);
-    family.family.assign(3, IcTable(4, 4));
+    const auto family_of = [](std::size_t size) {
+        return std::make_shared<const IcRecord>(IcRecord{{}, IcFamily{std::vector<IcTable>(size, IcTable(4, 4))}, {}});
+    };
     IcCache cache(4 * bytes_of(4, 4));
 
-    cache.insert("a", std::make_shared<const IcRecord>(family));
+    cache.insert("a", family_of(4));
     CHECK(cache.usage().bytes == 4 * bytes_of(4, 4));
 
-    family.family.emplace_back(4, 4);
-    cache.insert("b", std::make_shared<const IcRecord>(family));
+    cache.insert("b", family_of(5));
     CHECK_FALSE(cache.find("b", 1, 1));
 }

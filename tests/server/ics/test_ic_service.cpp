@@ -36,16 +36,17 @@ IcSpec fem_spec(int nx = 3, int ny = 3) {
 IcRecord family_record() {
     IcSpec spec = fem_spec();
     spec.any_nu = true;
-    IcRecord record{dimensionless(spec), {}, {}, {}};
+    IcRecord record{dimensionless(spec)};
+    IcFamily family;
     record.evidence.family_nu = family_points(3);
     for (const double nu : record.evidence.family_nu) {
         IcSpec one = record.spec;
         one.source = IcSource::analytic;
         one.any_nu = false;
         one.material.nu = nu;
-        record.family.push_back(half_space_table(one));
+        family.tables.push_back(half_space_table(one));
     }
-    record.table = record.family.front();
+    record.tables = std::move(family);
     return record;
 }
 
@@ -70,7 +71,7 @@ class Bench {
                                           IcStore(folder / "store", [](const std::string&) {}), jobs, counters);
         // A table for scripts that succeed.
         IcSpec spec = dimensionless(fem_spec());
-        write_ic_file(folder / "good.h5", IcRecord{spec, IcTable(spec.nx, spec.ny), {}, {}});
+        write_ic_file(folder / "good.h5", IcRecord{spec, IcTable(spec.nx, spec.ny)});
         write_ic_file(folder / "family.h5", family_record());
     }
     ~Bench() {
@@ -250,7 +251,7 @@ TEST_CASE("One build of a family serves every Poisson's ratio, every shear modul
     const Outcome outcome = bench.ask(spec).get();
     CHECK(outcome.origin == "memory");
 
-    const IcTable table = table_of(outcome.answer, spec);
+    const IcTable table = table_for(*outcome.answer.record, spec);
     IcSpec exact = spec;
     exact.source = IcSource::analytic;
     exact.any_nu = false;

@@ -1,0 +1,73 @@
+#include "contactd/ic_record.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "contactd/ic_family.hpp"
+
+namespace contactd {
+namespace {
+
+const IcTable& first(const IcTable& table) {
+    return table;
+}
+
+const IcTable& first(const IcFamily& family) {
+    return family.tables.front();
+}
+
+std::size_t values_of(const IcTable& table) {
+    return table.values.size();
+}
+
+std::size_t values_of(const IcFamily& family) {
+    std::size_t values = 0;
+    for (const IcTable& table : family.tables) values += table.values.size();
+    return values;
+}
+
+IcTable part_of(const IcTable& table, const IcRecord&, const IcSpec& request, double factor) {
+    return cropped(table, request.nx, request.ny, factor);
+}
+
+IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& request, double factor) {
+    const std::vector<double>& stored = record.evidence.family_nu;
+    bool known = stored.size() >= 4 && stored.size() % 2 == 0 && stored.size() == family.tables.size();
+    if (known) {
+        const std::vector<double> points = family_points(static_cast<int>(stored.size() / 2));
+        for (std::size_t j = 0; j < points.size(); ++j) known = known && std::abs(stored[j] - points[j]) < 1e-9;
+    }
+    if (!known)
+        throw StoreError(
+            "The stored family holds tables at other Poisson's ratios than those this version "
+            "interpolates between; remove it from the store and build it again.");
+    return cropped(interpolated(family.tables, request.material.nu), request.nx, request.ny, factor);
+}
+
+}  // namespace
+
+const IcTable& IcRecord::table() const {
+    return std::visit([](const auto& kind) -> const IcTable& { return first(kind); }, tables);
+}
+
+IcTable& IcRecord::table() {
+    return const_cast<IcTable&>(std::as_const(*this).table());
+}
+
+IcExtent extent_of(const IcTables& tables) {
+    const IcTable& table = std::visit([](const auto& kind) -> const IcTable& { return first(kind); }, tables);
+    return {table.nx, table.ny};
+}
+
+std::size_t bytes_of(const IcTables& tables) {
+    return sizeof(double) * std::visit([](const auto& kind) { return values_of(kind); }, tables);
+}
+
+IcTable table_for(const IcRecord& record, const IcSpec& request) {
+    const double factor = request.dx / request.material.G;
+    return std::visit([&](const auto& kind) { return part_of(kind, record, request, factor); }, record.tables);
+}
+
+}  // namespace contactd
