@@ -36,7 +36,7 @@ constexpr std::array<Level, 13> levels{{{2, 1.5},
                                         {6, 1.8},
                                         {6, 1.5}}};
 
-/// Up to which Poisson's ratio a level was measured to do for offsets up to 40 x 40 (docs/ic-tables.md): low orders
+/// Up to which Poisson's ratio a level was measured to do for offsets up to 40 x 40 (docs/findings.md): low orders
 /// lock as nu nears 1/2.
 struct Start {
     double largest_nu;
