@@ -8,8 +8,8 @@
 namespace contactd::fem {
 
 /// Collective. `spec` is dimensionless, body block, with accuracy > 0, for one Poisson's ratio. The errors of the
-/// evidence are estimated: half the difference to the table of the next lower order. Throws NotConverged when no mesh
-/// at hand reaches the accuracy.
+/// evidence are estimated: a third of the difference to the table of the next lower order. Throws NotConverged when
+/// no mesh at hand reaches the accuracy.
 IcRecord build_block(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
 
 /// A mesh that is tried: order of its elements, and their number along each axis.

@@ -149,7 +149,7 @@ class IcEvidence:
         seconds: Time spent (s) on "assembly", "setup", "solve" and "total".
         load_cases: The solves, by direction of the load.
         errors: Of its components, where known.
-        errors_estimated: Of a block, by the difference to the next lower order.
+        errors_estimated: Of a block, by a third of the difference to the next lower order.
         warnings: Sentences, e.g. that the mesh is outside of the ranges the paper recommends.
         solver: "amg_pcg" or "direct".
         mesh: What was chosen for an accuracy; not of a block.
