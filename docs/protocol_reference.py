@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -40,27 +41,29 @@ class Reference:
         sections += ["## Messages\n"]
         sections += [self.message(name) for name in ("envelope", "progress", "reply")]
         sections += ["## Parts\n\nWhat several messages have in common.\n"]
-        sections += [f"### {name}\n\n{schema['description']}\n\n{self.table(schema)}" for name, schema in self.parts.items()]
+        sections += [
+            f"### {name}\n\n{_paragraph(schema['description'])}\n{self.table(schema)}" for name, schema in self.parts.items()
+        ]
         return "\n".join(sections)
 
     def method(self, method: Schema) -> str:
         name = method["name"]
         params, result = self.schemas[f"{name}.params"], self.schemas[f"{name}.result"]
-        lines = [f"### `{name}`\n", method["summary"] + "\n"]
+        lines = [f"### `{name}`\n", _paragraph(method["summary"])]
         lines += [_indented(example) for example in params["examples"] if example]
         if params["properties"]:
             lines.append(self.table(params))
-        lines.append(f"Result: {result['description']}\n")
+        lines.append(_paragraph(f"Result: {result['description']}"))
         lines += [_indented(example) for example in result["examples"] if len(json.dumps(example)) < 2000]
         lines.append(self.table(result))
         errors = [error["message"] for error in method["errors"]]
-        lines.append(f"Errors: {', '.join(errors)}.\n")
+        lines.append(_paragraph(f"Errors: {', '.join(errors)}."))
         return "\n".join(lines)
 
     def message(self, name: str) -> str:
         schema = self.schemas[name]
         examples = "\n".join(_indented(example) for example in schema["examples"])
-        return f"### {name}\n\n{schema['description']}\n\n{examples}\n{self.table(schema)}"
+        return f"### {name}\n\n{_paragraph(schema['description'])}\n{examples}\n{self.table(schema)}"
 
     def table(self, schema: Schema) -> str:
         rows = [
@@ -148,6 +151,11 @@ def _cell(text: str) -> str:
 
 def _anchor(name: str) -> str:
     return name.lower()
+
+
+def _paragraph(text: str) -> str:
+    """In lines of at most 110 characters."""
+    return textwrap.fill(text, 110, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
 def _indented(example: Any) -> str:
