@@ -1,0 +1,93 @@
+"""The pages can be read as text, their links lead somewhere, and they are complete. Needs no daemon and no build."""
+
+import json
+import re
+from itertools import chain
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+CHANGELOG = ROOT / "CHANGELOG.md"  # an entry is a sentence is a line
+WRITTEN = sorted(chain(*(ROOT.glob(pattern) for pattern in ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md"))))
+COMPUTED = sorted((ROOT / "docs" / "paper").glob("*.md"))  # by ./dev paper
+LINE_LENGTH = 120  # lines are shorter
+FOLDERS = ("bench", "client", "configs", "core", "packaging", "proto", "server", "tests")
+SOURCES = ("*.cpp", "*.hpp", "*.py", "*.json", "*.in", "*.txt", "*.service")
+
+
+def named(pages):
+    return [pytest.param(page, id=str(page.relative_to(ROOT))) for page in pages]
+
+
+def prose(page):
+    """Number and text of the lines that are neither code nor a row of a table."""
+    fenced = False
+    for number, line in enumerate(page.read_text().splitlines(), 1):
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+        elif not (fenced or line.startswith(("    ", "|"))):
+            yield number, line
+
+
+def anchors(page):
+    """Of the headings, as the web shows them: lower case, hyphens for spaces, no other signs."""
+    headings = [line.lstrip("#").strip().lower() for _, line in prose(page) if line.startswith("#")]
+    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings}
+
+
+def links(page):
+    """File and anchor of those that stay within the repository, in tables too."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    for target in re.findall(r"\]\(([^()\s]+)\)", text):
+        if not re.match(r"\w+:", target):
+            path, _, anchor = target.partition("#")
+            yield (page.parent / path if path else page), anchor
+
+
+@pytest.mark.parametrize("page", named(page for page in WRITTEN if page != CHANGELOG))
+def test_lines_are_short(page):
+    lines = [(number, line) for number, line in prose(page) if "://" not in line]
+    assert lines
+    assert not [(number, len(line)) for number, line in lines if len(line) >= LINE_LENGTH]
+
+
+@pytest.mark.parametrize("page", named(WRITTEN + COMPUTED))
+def test_links_lead_to_a_file_and_its_heading(page):
+    for target, anchor in links(page):
+        assert target.exists(), f"{target} is not there"
+        assert not anchor or anchor in anchors(target), f"{target.name} has no heading #{anchor}"
+
+
+def test_every_page_is_on_a_road_of_the_readme():
+    linked = {target.resolve() for target, _ in links(ROOT / "README.md")}
+    assert {*WRITTEN, *COMPUTED} - linked <= {ROOT / "README.md", ROOT / "tests" / "README.md"}
+
+
+def test_pages_that_sources_name_exist():
+    files = list(chain(*((ROOT / folder).rglob(pattern) for folder in FOLDERS for pattern in SOURCES)))
+    assert len(files) > 400
+    for file in files:
+        for name in re.findall(r"\bdocs/[\w/-]+\.md\b", file.read_text()):
+            assert (ROOT / name).exists(), f"{file.relative_to(ROOT)} names {name}"
+
+
+def fields(schema, path=""):
+    """Path and default of every field of a configuration."""
+    for name, field in schema.get("properties", {}).items():
+        if "properties" in field:
+            yield from fields(field, f"{path}{name}.")
+        else:
+            yield path + name, field["default"]
+
+
+def test_the_configuration_page_has_every_field_and_its_default():
+    page = (ROOT / "docs" / "configuration.md").read_text()
+    rows = dict(re.findall(r"^\| `([a-z_]\w*(?:\.\w+)*)` \| ([^|]*) \|", page, re.MULTILINE))
+    defaults = dict(fields(json.loads((ROOT / "configs" / "schema.json").read_text())))
+    assert rows.keys() == defaults.keys()
+    del defaults["builds.environment"]  # a long list, of which the page has the beginning
+    for name, default in defaults.items():
+        shown = rows[name].partition(":")[0] if default in ("", 0) else rows[name]
+        word = default if isinstance(default, str) and default else json.dumps(default)
+        assert shown.strip("`") == word, name
