@@ -32,7 +32,7 @@ BLOCK = FemIcs(accuracy=1e-1, body="block", L_over_h=30)
 
 
 def table_of(client, material, ics):
-    return TableIcs.of_body(client.ic_table(material, GRID, ics))
+    return TableIcs.of_body(client.get_ic(material, GRID, ics))
 
 
 @pytest.mark.parametrize("body", ["upper", "lower"])
@@ -52,7 +52,7 @@ def test_a_given_table_stands_for_the_body_it_was_made_of(shared, body):
 
 
 def test_tables_of_both_bodies_are_their_pair(shared):
-    upper, lower = (shared.ic_table(material, GRID) for material in (STEEL, SOFT))
+    upper, lower = (shared.get_ic(material, GRID) for material in (STEEL, SOFT))
     each = shared.solve(PROBLEM.replace(upper_ics=TableIcs.of_body(upper), lower_ics=TableIcs.of_body(lower)))
     pair = shared.solve(PROBLEM.replace(ics=TableIcs.from_table(upper, lower)))
     np.testing.assert_allclose(each.pressure, pair.pressure, rtol=1e-9, atol=1e-9 * pair.pmax)
