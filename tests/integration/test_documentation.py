@@ -17,7 +17,8 @@ import zmq.auth
 from contactd import Client, Unauthenticated
 from support.daemons import BIN, eventually
 
-DOCS = Path(__file__).parents[2] / "docs"
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
 
 
 def run_examples(guide: str, client: Any) -> dict[str, Any]:
@@ -28,6 +29,18 @@ def run_examples(guide: str, client: Any) -> dict[str, Any]:
     for example in examples:
         exec(compile(example, f"docs/{guide}: {example.splitlines()[0]}", "exec"), names)
     return names
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("page", ["README.md", "client/python/README.md"])
+def test_the_first_call_of_a_readme(shared_daemon, page):
+    (example,) = re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(), re.MULTILINE | re.DOTALL)
+    here = example.replace("tcp://127.0.0.1:5555", shared_daemon.endpoint)
+    assert here != example
+    names: dict[str, Any] = {}
+    exec(compile(here, page, "exec"), names)
+    assert names["solution"].converged
+    assert 0 < -names["solution"].Fx < 0.4 * names["solution"].Fn
 
 
 @pytest.mark.time_limit(300)
