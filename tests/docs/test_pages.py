@@ -72,6 +72,17 @@ def test_pages_that_sources_name_exist():
             assert (ROOT / name).exists(), f"{file.relative_to(ROOT)} names {name}"
 
 
+def test_the_page_of_the_cpp_client_states_the_problem_of_its_example():
+    folder = ROOT / "client" / "cpp"
+
+    def statements(path):
+        return [line.split("//")[0].strip() for line in path.read_text().splitlines() if re.match(r" +(problem|shift)\.", line)]
+
+    shown = statements(folder / "README.md")
+    assert len(shown) > 5
+    assert shown == statements(folder / "example" / "cattaneo.cpp")
+
+
 def fields(schema, path=""):
     """Path and default of every field of a configuration."""
     for name, field in schema.get("properties", {}).items():
