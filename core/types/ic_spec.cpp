@@ -1,12 +1,12 @@
 #include "contactd/ic_spec.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
-#include <utility>
+#include <type_traits>
 
 #include "contactd/error.hpp"
+#include "contactd/fem_fields.hpp"
 #include "contactd/grid.hpp"
 #include "number_text.hpp"
 
@@ -16,75 +16,29 @@ namespace {
 constexpr long long max_elements = 200'000;    // some millions of unknowns: what one machine can hold
 constexpr double largest_accuracy_aspect = 8;  // where the choice of meshes was tested with a margin
 
-template <class Enum, std::size_t count>
-using Names = std::array<std::pair<Enum, std::string_view>, count>;
-
-constexpr Names<BodyShape, 2> body_shapes{{{BodyShape::half_space, "half_space"}, {BodyShape::block, "block"}}};
-constexpr Names<LoadShape, 2> load_shapes{{{LoadShape::constant, "constant"}, {LoadShape::bilinear, "bilinear"}}};
-constexpr Names<IcSource, 2> ic_sources{{{IcSource::analytic, "analytic"}, {IcSource::fem, "fem"}}};
-constexpr Names<MeshKind, 3> mesh_kinds{
-    {{MeshKind::hex, "hex"}, {MeshKind::prism, "prism"}, {MeshKind::adaptive, "adaptive"}}};
-constexpr Names<FarBoundary, 2> far_boundaries{
-    {{FarBoundary::clamped, "clamped"}, {FarBoundary::half_space, "half_space"}}};
-constexpr Names<Sampling, 3> samplings{
-    {{Sampling::fem, "fem"}, {Sampling::linear, "linear"}, {Sampling::linear_nodes, "linear_nodes"}}};
-constexpr Names<Solver, 3> solvers{
-    {{Solver::automatic, "auto"}, {Solver::amg_pcg, "amg_pcg"}, {Solver::direct, "direct"}}};
-constexpr Names<StopTest, 2> stop_tests{{{StopTest::residual, "residual"}, {StopTest::update, "update"}}};
-constexpr Names<Diagonal, 2> diagonals{{{Diagonal::outward, "outward"}, {Diagonal::across, "across"}}};
-
-std::string_view find_name(const auto& names, auto value) {
-    for (const auto& [known, name] : names)
-        if (known == value) return name;
-    throw InvalidArgument("ics", "holds a value without a name");
-}
-
-bool find_value(const auto& names, std::string_view wanted, auto& value) {
-    for (const auto& [known, name] : names)
-        if (name == wanted) {
-            value = known;
-            return true;
-        }
-    return false;
-}
-
-bool is_whole(double value) {
-    return std::abs(value - std::round(value)) < 1e-9 * std::max(1.0, std::abs(value));
-}
-
 void require(bool holds, const char* field, double value, const char* rule) {
     if (!holds) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + rule);
 }
 
+[[noreturn]] void refuse(const char* name, double value, const char* rule) {
+    throw InvalidArgument(std::string("ics.") + name, "is " + number_text(value) + "; it must " + rule);
+}
+
 void validate(const FemSpec& fem, LoadShape load) {
-    require(fem.order >= 1 && fem.order <= 6, "ics.order", fem.order, "be 1 to 6");
-    require(std::isfinite(fem.h_over_hs) && fem.h_over_hs >= 2 && is_whole(fem.h_over_hs / 2), "ics.h_over_hs",
-            fem.h_over_hs, "be an even integer, so that the load's edge lies on element faces");
-    if (load == LoadShape::constant)
-        require(std::isfinite(fem.l_over_h) && fem.l_over_h >= 0.5, "ics.l_over_h", fem.l_over_h,
-                "be at least 0.5, so that the cube holds the load");
-    else
-        require(std::isfinite(fem.l_over_h) && fem.l_over_h >= 1, "ics.l_over_h", fem.l_over_h,
-                "be at least 1, so that the cube holds the bilinear load");
-    const double m = fem.l_over_h * fem.h_over_hs;
-    require(is_whole(m), "ics.l_over_h", fem.l_over_h,
-            "make l_over_h * h_over_hs an integer, so that the load's edge lies on element faces");
-    require(m <= 1000, "ics.l_over_h", fem.l_over_h, "keep l_over_h * h_over_hs, the elements per edge, below 1000");
-    require(fem.f >= 1 && fem.f <= 10, "ics.f", fem.f, "lie in [1, 10]");
-    require(fem.t1_over_hs == 0 || (fem.t1_over_hs >= 1e-3 && fem.t1_over_hs <= 1e3), "ics.t1_over_hs", fem.t1_over_hs,
-            "lie in [0.001, 1000], or be 0 for f");
-    require(std::isfinite(fem.L_over_h) && fem.L_over_h > fem.l_over_h && fem.L_over_h <= 1e9, "ics.L_over_h",
-            fem.L_over_h, "be larger than l_over_h and at most 1e9");
-    require(fem.max_dofs >= 1000 && fem.max_dofs <= 5'000'000, "ics.max_dofs", static_cast<double>(fem.max_dofs),
-            "lie in [1000, 5000000]");
-    require(fem.tolerance >= 1e-13 && fem.tolerance < 1, "ics.tolerance", fem.tolerance, "lie in [1e-13, 1)");
-    require(fem.max_iterations >= 1, "ics.max_iterations", fem.max_iterations, "be at least 1");
+    for_each_fem_field([&]<class Value>(const FemField<Value>& field) {
+        if constexpr (!HasWords<Value>) {
+            const std::optional<double> value = fem.*field.member;
+            if (!value) return;
+            const bool inside = *value >= field.range.least && *value <= field.range.largest;
+            if (field.range.rule && !inside) refuse(field.name, *value, field.range.rule);
+            const char* broken = field.broken_rule ? field.broken_rule(fem, load) : nullptr;
+            if (broken) refuse(field.name, *value, broken);
+        }
+    });
     if (fem.solver == Solver::direct && fem.mesh == MeshKind::adaptive)
         throw InvalidArgument("ics.solver",
                               "is direct, which does not go with the hanging nodes of mesh adaptive; "
                               "take amg_pcg, or auto");
-    if (const auto& threshold = fem.strength_threshold)
-        require(*threshold >= 0 && *threshold < 1, "ics.strength_threshold", *threshold, "lie in [0, 1)");
 }
 
 // Rows of elements have no end in a line contact, so that dy says nothing of their shape.
@@ -138,62 +92,6 @@ double largest_nu(int order) {
 }
 
 }  // namespace
-
-std::string_view name_of(BodyShape value) {
-    return find_name(body_shapes, value);
-}
-std::string_view name_of(LoadShape value) {
-    return find_name(load_shapes, value);
-}
-std::string_view name_of(IcSource value) {
-    return find_name(ic_sources, value);
-}
-std::string_view name_of(MeshKind value) {
-    return find_name(mesh_kinds, value);
-}
-std::string_view name_of(FarBoundary value) {
-    return find_name(far_boundaries, value);
-}
-std::string_view name_of(Sampling value) {
-    return find_name(samplings, value);
-}
-std::string_view name_of(Solver value) {
-    return find_name(solvers, value);
-}
-std::string_view name_of(StopTest value) {
-    return find_name(stop_tests, value);
-}
-std::string_view name_of(Diagonal value) {
-    return find_name(diagonals, value);
-}
-
-bool from_name(std::string_view name, BodyShape& value) {
-    return find_value(body_shapes, name, value);
-}
-bool from_name(std::string_view name, LoadShape& value) {
-    return find_value(load_shapes, name, value);
-}
-bool from_name(std::string_view name, IcSource& value) {
-    return find_value(ic_sources, name, value);
-}
-bool from_name(std::string_view name, MeshKind& value) {
-    return find_value(mesh_kinds, name, value);
-}
-bool from_name(std::string_view name, FarBoundary& value) {
-    return find_value(far_boundaries, name, value);
-}
-bool from_name(std::string_view name, Sampling& value) {
-    return find_value(samplings, name, value);
-}
-bool from_name(std::string_view name, Solver& value) {
-    return find_value(solvers, name, value);
-}
-bool from_name(std::string_view name, StopTest& value) {
-    return find_value(stop_tests, name, value);
-}
-bool from_name(std::string_view name, Diagonal& value) {
-    return find_value(diagonals, name, value);
-}
 
 std::optional<FemSpec> fem_preset(std::string_view name) {
     FemSpec fem;
@@ -319,23 +217,14 @@ IcSpec dimensionless(const IcSpec& spec) {
         fem.L_over_h = spec.body == BodyShape::block ? rounded(spec.fem.L_over_h) : 0;
         return result;
     }
-    for (double FemSpec::* ratio : {&FemSpec::l_over_h, &FemSpec::h_over_hs, &FemSpec::f, &FemSpec::t1_over_hs,
-                                    &FemSpec::L_over_h, &FemSpec::tolerance})
-        fem.*ratio = rounded(fem.*ratio);
+    for_each_fem_field([&]<class Value>(const FemField<Value>& field) {
+        Value& value = fem.*field.member;
+        if constexpr (std::is_same_v<Value, double>) value = rounded(value);
+        if constexpr (std::is_same_v<Value, std::optional<double>>)
+            if (value) value = rounded(*value);
+        if (field.matters && !field.matters(fem)) value = FemSpec{}.*field.member;
+    });
     if (fem.t1_over_hs == fem.f) fem.t1_over_hs = 0;
-    if (fem.strength_threshold) fem.strength_threshold = rounded(*fem.strength_threshold);
-    if (fem.solver == Solver::direct) {
-        fem.stop_test = FemSpec{}.stop_test;
-        fem.strength_threshold.reset();
-    }
-    if (fem.mesh != MeshKind::prism) fem.diagonal = FemSpec{}.diagonal;
-    if (fem.mesh == MeshKind::adaptive) {
-        // It starts from a mesh of its own, of which only the size is given.
-        for (double FemSpec::* ratio : {&FemSpec::l_over_h, &FemSpec::h_over_hs, &FemSpec::f, &FemSpec::t1_over_hs})
-            fem.*ratio = FemSpec{}.*ratio;
-    } else {
-        fem.max_dofs = FemSpec{}.max_dofs;
-    }
     return result;
 }
 

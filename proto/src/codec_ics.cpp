@@ -1,8 +1,10 @@
 // `ics` of a request, and the mesh that evidence speaks of.
-#include <algorithm>
-#include <array>
+#include <optional>
+#include <string_view>
+#include <type_traits>
 
 #include "codec_parts.hpp"
+#include "contactd/fem_fields.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -14,11 +16,12 @@ constexpr double default_accuracy = 1e-3;
 
 /// Whether the request names a mesh or a solver. The size of a block belongs to the body.
 bool names_a_mesh(const json& ics, BodyShape body) {
-    constexpr std::array others{"source", "body", "load_shape", "line_contact", "accuracy", "any_nu"};
-    return std::any_of(ics.items().begin(), ics.items().end(), [&](const auto& member) {
-        if (member.key() == "L_over_h") return body == BodyShape::half_space;
-        return std::find(others.begin(), others.end(), member.key()) == others.end();
+    bool found = ics.contains("preset");
+    for_each_fem_field([&](const auto& field) {
+        const bool of_body = body == BodyShape::block && field.name == std::string_view("L_over_h");
+        found = found || (ics.contains(field.name) && !of_body);
     });
+    return found;
 }
 
 FemSpec named_mesh(const json& ics, BodyShape body) {
@@ -33,48 +36,42 @@ FemSpec named_mesh(const json& ics, BodyShape body) {
     return fem;
 }
 
+template <class Value>
+void write_field(json& at, const char* name, const Value& value) {
+    if constexpr (HasWords<Value>)
+        at[name] = name_of(value);
+    else if constexpr (std::is_integral_v<Value>)
+        at[name] = value;
+    else
+        at[name] = finite(value, name);
+}
+void write_field(json& at, const char* name, const std::optional<double>& value) {
+    if (value) write_field(at, name, *value);
+}
+
+template <class Value>
+void read_field(const json& source, Value& value) {
+    if constexpr (HasWords<Value>)
+        read_name(source, value);
+    else
+        value = source.get<Value>();
+}
+void read_field(const json& source, std::optional<double>& value) {
+    value = source.get<double>();
+}
+
 }  // namespace
 
 json encode_fem(const FemSpec& fem) {
-    json result{{"mesh", name_of(fem.mesh)},
-                {"order", fem.order},
-                {"l_over_h", finite(fem.l_over_h, "l_over_h")},
-                {"h_over_hs", finite(fem.h_over_hs, "h_over_hs")},
-                {"f", finite(fem.f, "f")},
-                {"t1_over_hs", finite(fem.t1_over_hs, "t1_over_hs")},
-                {"L_over_h", finite(fem.L_over_h, "L_over_h")},
-                {"diagonal", name_of(fem.diagonal)},
-                {"max_dofs", fem.max_dofs},
-                {"far_boundary", name_of(fem.far_boundary)},
-                {"sampling", name_of(fem.sampling)},
-                {"solver", name_of(fem.solver)},
-                {"stop_test", name_of(fem.stop_test)},
-                {"tolerance", finite(fem.tolerance, "tolerance")},
-                {"max_iterations", fem.max_iterations}};
-    if (fem.strength_threshold) result["strength_threshold"] = finite(*fem.strength_threshold, "strength_threshold");
+    json result;
+    for_each_fem_field([&](const auto& field) { write_field(result, field.name, fem.*field.member); });
     return result;
 }
 
 void decode_fem(const json& source, FemSpec& fem) {
-    const auto read = [&](const char* name, auto& value) {
-        if (source.contains(name)) read_name(source[name], value);
-    };
-    read("mesh", fem.mesh);
-    read("diagonal", fem.diagonal);
-    read("far_boundary", fem.far_boundary);
-    read("sampling", fem.sampling);
-    read("solver", fem.solver);
-    read("stop_test", fem.stop_test);
-    fem.order = source.value("order", fem.order);
-    fem.l_over_h = source.value("l_over_h", fem.l_over_h);
-    fem.h_over_hs = source.value("h_over_hs", fem.h_over_hs);
-    fem.f = source.value("f", fem.f);
-    fem.t1_over_hs = source.value("t1_over_hs", fem.t1_over_hs);
-    fem.L_over_h = source.value("L_over_h", fem.L_over_h);
-    fem.max_dofs = source.value("max_dofs", fem.max_dofs);
-    fem.tolerance = source.value("tolerance", fem.tolerance);
-    fem.max_iterations = source.value("max_iterations", fem.max_iterations);
-    if (source.contains("strength_threshold")) fem.strength_threshold = source["strength_threshold"].get<double>();
+    for_each_fem_field([&](const auto& field) {
+        if (source.contains(field.name)) read_field(source[field.name], fem.*field.member);
+    });
 }
 
 json encode_ics(const Ics& ics) {

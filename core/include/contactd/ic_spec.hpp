@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contactd/enum_words.hpp"
 #include "contactd/material.hpp"
 
 namespace contactd {
@@ -35,31 +36,29 @@ enum class StopTest { residual, update };
 /// nearest to the origin to the farthest one, `across` joins the other two.
 enum class Diagonal { outward, across };
 
-/// The words for these on the wire and in files: "constant", "analytic", "hex", "clamped", "linear", ...
-std::string_view name_of(BodyShape value);
-std::string_view name_of(LoadShape value);
-std::string_view name_of(IcSource value);
-std::string_view name_of(MeshKind value);
-std::string_view name_of(FarBoundary value);
-std::string_view name_of(Sampling value);
-std::string_view name_of(Solver value);
-std::string_view name_of(StopTest value);
-std::string_view name_of(Diagonal value);
-
-/// The reverse: sets `value` and returns true, or returns false when no value has that name.
-bool from_name(std::string_view name, BodyShape& value);
-bool from_name(std::string_view name, LoadShape& value);
-bool from_name(std::string_view name, IcSource& value);
-bool from_name(std::string_view name, MeshKind& value);
-bool from_name(std::string_view name, FarBoundary& value);
-bool from_name(std::string_view name, Sampling& value);
-bool from_name(std::string_view name, Solver& value);
-bool from_name(std::string_view name, StopTest& value);
-bool from_name(std::string_view name, Diagonal& value);
+/// What name_of and from_name call these, on the wire and in files.
+template <>
+inline constexpr auto enum_words<BodyShape> = std::to_array<std::string_view>({"half_space", "block"});
+template <>
+inline constexpr auto enum_words<LoadShape> = std::to_array<std::string_view>({"constant", "bilinear"});
+template <>
+inline constexpr auto enum_words<IcSource> = std::to_array<std::string_view>({"analytic", "fem"});
+template <>
+inline constexpr auto enum_words<MeshKind> = std::to_array<std::string_view>({"hex", "prism", "adaptive"});
+template <>
+inline constexpr auto enum_words<FarBoundary> = std::to_array<std::string_view>({"clamped", "half_space"});
+template <>
+inline constexpr auto enum_words<Sampling> = std::to_array<std::string_view>({"fem", "linear", "linear_nodes"});
+template <>
+inline constexpr auto enum_words<Solver> = std::to_array<std::string_view>({"auto", "amg_pcg", "direct"});
+template <>
+inline constexpr auto enum_words<StopTest> = std::to_array<std::string_view>({"residual", "update"});
+template <>
+inline constexpr auto enum_words<Diagonal> = std::to_array<std::string_view>({"outward", "across"});
 
 /// Mesh and solver of a finite-element table. Lengths are ratios to the element size: along x and y the loaded cube
 /// is (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy). Mesh adaptive starts from a mesh of its
-/// own: cube and layers mean nothing to it.
+/// own: cube and layers mean nothing to it. Their names and rules are in fem_fields.hpp.
 struct FemSpec {
     MeshKind mesh = MeshKind::hex;
     int order = 2;          ///< polynomial order of the displacement, 1 to 6

@@ -57,6 +57,13 @@ void put(H5::H5Object& at, const char* name, const std::vector<std::string>& val
     at.createAttribute(name, text_type(), one_axis(values.size())).write(text_type(), pointers.data());
 }
 
+void put(H5::H5Object& at, const char* name, int value) {
+    put(at, name, static_cast<long long>(value));
+}
+void put(H5::H5Object& at, const char* name, const std::optional<double>& value) {
+    if (value) put(at, name, *value);
+}
+
 double number(const H5::H5Object& at, const char* name) {
     double value = 0;
     one_value(at, name).read(H5::PredType::NATIVE_DOUBLE, &value);
@@ -95,6 +102,19 @@ std::vector<std::string> texts(const H5::H5Object& at, const char* name) {
     for (char* const pointer : pointers) values.emplace_back(pointer ? pointer : "");
     H5::DataSet::vlenReclaim(pointers.data(), text_type(), list.getSpace());
     return values;
+}
+
+void get(const H5::H5Object& at, const char* name, double& value) {
+    value = number(at, name);
+}
+void get(const H5::H5Object& at, const char* name, int& value) {
+    value = integer(at, name);
+}
+void get(const H5::H5Object& at, const char* name, long long& value) {
+    value = long_integer(at, name);
+}
+void get(const H5::H5Object& at, const char* name, std::optional<double>& value) {
+    if (at.attrExists(name)) value = number(at, name);
 }
 
 }  // namespace contactd

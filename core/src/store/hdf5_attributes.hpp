@@ -3,6 +3,7 @@
 
 #include <H5Cpp.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,11 +28,29 @@ std::vector<double> numbers(const H5::H5Object& at, const char* name);
 std::vector<std::string> texts(const H5::H5Object& at, const char* name);
 
 /// The enumerator whose name stands there. Throws DamagedTable when none has it.
-template <class Enum>
+template <HasWords Enum>
 Enum named(const H5::H5Object& at, const char* name) {
     Enum value{};
     if (!from_name(text(at, name), value)) throw DamagedTable(std::string(name) + " of the file is not known.");
     return value;
 }
+
+/// Fields of other types, written as one of those above; of a number that may be left out no attribute means none.
+template <HasWords Enum>
+void put(H5::H5Object& at, const char* name, Enum value) {
+    put(at, name, name_of(value));
+}
+void put(H5::H5Object& at, const char* name, int value);
+void put(H5::H5Object& at, const char* name, const std::optional<double>& value);
+
+/// Sets `value` to what stands there.
+template <HasWords Enum>
+void get(const H5::H5Object& at, const char* name, Enum& value) {
+    value = named<Enum>(at, name);
+}
+void get(const H5::H5Object& at, const char* name, double& value);
+void get(const H5::H5Object& at, const char* name, int& value);
+void get(const H5::H5Object& at, const char* name, long long& value);
+void get(const H5::H5Object& at, const char* name, std::optional<double>& value);
 
 }  // namespace contactd

@@ -1,0 +1,37 @@
+// Enumerators and the words for them, on the wire and in files: one list an enum.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "contactd/error.hpp"
+
+namespace contactd {
+
+/// The words of an enum whose enumerators count from zero, in their order. An enum has words when this is specialised.
+template <class Enum>
+inline constexpr std::array<std::string_view, 0> enum_words{};
+
+template <class Enum>
+concept HasWords = !enum_words<Enum>.empty();
+
+template <HasWords Enum>
+std::string_view name_of(Enum value) {
+    const auto at = static_cast<std::size_t>(value);
+    if (at >= enum_words<Enum>.size()) throw Error("A value of an enum has no word.");
+    return enum_words<Enum>[at];
+}
+
+/// The reverse: sets `value` and returns true, or returns false when no enumerator has that word.
+template <HasWords Enum>
+bool from_name(std::string_view name, Enum& value) {
+    for (std::size_t at = 0; at < enum_words<Enum>.size(); ++at)
+        if (enum_words<Enum>[at] == name) {
+            value = static_cast<Enum>(at);
+            return true;
+        }
+    return false;
+}
+
+}  // namespace contactd

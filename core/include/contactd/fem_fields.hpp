@@ -1,0 +1,124 @@
+// The fields of a FemSpec, named here and nowhere else: the wire, files, keys and checks visit this list.
+#pragma once
+
+#include <limits>
+#include <tuple>
+
+#include "contactd/ic_spec.hpp"
+
+namespace contactd {
+
+/// What a number must do, and `rule` in words: "be 1 to 6".
+struct FemRange {
+    double least = -std::numeric_limits<double>::infinity();
+    double largest = std::numeric_limits<double>::infinity();
+    const char* rule = nullptr;
+};
+
+/// A field. A new one is optional, and left out of messages, files and keys while it is not set, so that tables that
+/// were made before keep their keys and can be read.
+template <class Value>
+struct FemField {
+    const char* name;         ///< on the wire, below `ics`; in files; in keys
+    Value FemSpec::* member;  ///< a number, an enum with words, or a number that may be left out
+    FemRange range{};
+    /// Of what is more than a range: the rule that is broken, null when none is. One that binds two fields stands at
+    /// one of them.
+    const char* (*broken_rule)(const FemSpec& fem, LoadShape load) = nullptr;
+    /// Whether a table with this mesh and solver depends on the field; null: always.
+    bool (*matters)(const FemSpec& fem) = nullptr;
+    /// False of what ends a build or has no effect on its numbers.
+    bool in_key = true;
+};
+
+namespace fem_rules {
+
+constexpr double below_one = 1 - 0x1p-53;
+
+const char* l_over_h(const FemSpec& fem, LoadShape load);
+const char* h_over_hs(const FemSpec& fem, LoadShape load);
+const char* t1_over_hs(const FemSpec& fem, LoadShape load);
+const char* L_over_h(const FemSpec& fem, LoadShape load);
+
+constexpr bool is_prism(const FemSpec& fem) {
+    return fem.mesh == MeshKind::prism;
+}
+constexpr bool is_adaptive(const FemSpec& fem) {
+    return fem.mesh == MeshKind::adaptive;
+}
+/// An adaptive mesh starts from a mesh of its own, of which only the size is given.
+constexpr bool has_layers(const FemSpec& fem) {
+    return !is_adaptive(fem);
+}
+constexpr bool may_iterate(const FemSpec& fem) {
+    return fem.solver != Solver::direct;
+}
+
+}  // namespace fem_rules
+
+/// In the order of the struct, which is that of the attributes in files.
+inline constexpr std::tuple fem_fields{
+    FemField<MeshKind>{.name = "mesh", .member = &FemSpec::mesh},
+    FemField<int>{.name = "order", .member = &FemSpec::order, .range = {1, 6, "be 1 to 6"}},
+    FemField<double>{
+        .name = "l_over_h",
+        .member = &FemSpec::l_over_h,
+        .broken_rule = fem_rules::l_over_h,
+        .matters = fem_rules::has_layers,
+    },
+    FemField<double>{
+        .name = "h_over_hs",
+        .member = &FemSpec::h_over_hs,
+        .broken_rule = fem_rules::h_over_hs,
+        .matters = fem_rules::has_layers,
+    },
+    FemField<double>{
+        .name = "f",
+        .member = &FemSpec::f,
+        .range = {1, 10, "lie in [1, 10]"},
+        .matters = fem_rules::has_layers,
+    },
+    FemField<double>{
+        .name = "t1_over_hs",
+        .member = &FemSpec::t1_over_hs,
+        .broken_rule = fem_rules::t1_over_hs,
+        .matters = fem_rules::has_layers,
+    },
+    FemField<double>{.name = "L_over_h", .member = &FemSpec::L_over_h, .broken_rule = fem_rules::L_over_h},
+    FemField<Diagonal>{.name = "diagonal", .member = &FemSpec::diagonal, .matters = fem_rules::is_prism},
+    FemField<long long>{
+        .name = "max_dofs",
+        .member = &FemSpec::max_dofs,
+        .range = {1000, 5'000'000, "lie in [1000, 5000000]"},
+        .matters = fem_rules::is_adaptive,
+    },
+    FemField<FarBoundary>{.name = "far_boundary", .member = &FemSpec::far_boundary},
+    FemField<Sampling>{.name = "sampling", .member = &FemSpec::sampling},
+    FemField<Solver>{.name = "solver", .member = &FemSpec::solver},
+    FemField<StopTest>{.name = "stop_test", .member = &FemSpec::stop_test, .matters = fem_rules::may_iterate},
+    FemField<double>{
+        .name = "tolerance",
+        .member = &FemSpec::tolerance,
+        .range = {1e-13, fem_rules::below_one, "lie in [1e-13, 1)"},
+    },
+    FemField<int>{
+        .name = "max_iterations",
+        .member = &FemSpec::max_iterations,
+        .range = {.least = 1, .rule = "be at least 1"},
+        .in_key = false,
+    },
+    FemField<std::optional<double>>{
+        .name = "strength_threshold",
+        .member = &FemSpec::strength_threshold,
+        .range = {0, fem_rules::below_one, "lie in [0, 1)"},
+        .matters = fem_rules::may_iterate,
+    },
+};
+
+/// Calls `visit` with each field in turn.
+template <class Visit>
+void for_each_fem_field(Visit visit) {
+    std::apply([&](const auto&... field) { (visit(field), ...); }, fem_fields);
+}
+
+}  // namespace contactd
