@@ -1,0 +1,161 @@
+"""The arrows between folders: every #include goes along those of arrows.txt."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+LIST = Path(__file__).with_name("arrows.txt")
+TARGETS = ("core", "proto", "client/cpp", "server")
+#: Where #include "..." is looked for, beside the folder of the file itself.
+PLACES = ("core/include", "core/src", "core/types", "proto/include", "proto/src", "client/cpp/include", "client/cpp/src", "server/src", "server/contactd_ic")  # fmt: skip
+PUBLIC = "core/include/contactd/"
+
+
+@dataclass
+class Arrows:
+    """What arrows.txt says."""
+
+    direct: dict[str, list[str]] = field(default_factory=dict)  # folder: those behind its arrow
+    headers: dict[str, str] = field(default_factory=dict)  # public header without a source: its folder
+    libraries: dict[str, list[str]] = field(default_factory=dict)  # how an #include begins: folders that may have it
+    debts: set[tuple[str, str]] = field(default_factory=set)  # file, and what it should not include
+
+    @classmethod
+    def read(cls, text: str) -> Arrows:
+        arrows = cls()
+        for line in filter(None, (line.partition("#")[0].strip() for line in text.splitlines())):
+            match re.split(r" (->|is in|only in|still includes) ?", line, maxsplit=1):
+                case [folder, "->", others]:
+                    assert folder not in arrows.direct, f"{folder} has two lines"
+                    arrows.direct[folder] = others.split()
+                case [header, "is in", folder]:
+                    arrows.headers[header] = folder
+                case [library, "only in", folders]:
+                    arrows.libraries[library] = folders.split()
+                case [file, "still includes", other]:
+                    arrows.debts.add((file, other))
+                case _:
+                    raise ValueError(f"{LIST.name} has the line {line!r}")
+        return arrows
+
+    def folder_of(self, file: str) -> str | None:
+        if file.startswith(PUBLIC):
+            file = f"{self.headers[file]}/header" if file in self.headers else source_of(file)
+        return next((str(above) for above in PurePosixPath(file).parents if str(above) in self.direct), None)
+
+    def reach(self, folder: str) -> set[str]:
+        """The folders that arrows lead to from this one, and itself. Raises when they lead back to it."""
+        reached, open_ends = {folder}, list(self.direct[folder])
+        while open_ends:
+            end = open_ends.pop()
+            below = [other for other in self.direct if f"{other}/".startswith(f"{end}/")]
+            assert below, f"an arrow leads to {end}, which has no line"
+            assert folder not in below, f"arrows lead from {folder} back to it"
+            open_ends += [other for known in set(below) - reached for other in self.direct[known]]
+            reached.update(below)
+        return reached
+
+
+def source_of(header: str) -> str:
+    """The source with the name of a public header; "" when there is none."""
+    name = Path(header).with_suffix(".cpp").name
+    found = [path for folder in ("core/types", "core/src", "core/fem") for path in (ROOT / folder).rglob(name)]
+    return found[0].relative_to(ROOT).as_posix() if len(found) == 1 else ""
+
+
+def sources() -> list[str]:
+    return sorted(path.relative_to(ROOT).as_posix() for target in TARGETS for path in (ROOT / target).rglob("*.[ch]pp"))
+
+
+def includes(file: str, opening: str, closing: str) -> list[str]:
+    return re.findall(rf"^\s*#\s*include {opening}([^{closing}]+){closing}", (ROOT / file).read_text(), re.MULTILINE)
+
+
+def own_includes(file: str) -> Iterator[str]:
+    """Files of ours that `file` includes."""
+    for name in includes(file, '"', '"'):
+        places = [(ROOT / file).parent, *(ROOT / place for place in PLACES)]
+        if found := next((place / name for place in places if (place / name).is_file()), None):
+            yield found.resolve().relative_to(ROOT).as_posix()
+
+
+def against(arrows: Arrows) -> dict[tuple[str, str], str]:
+    """Includes, as pairs of files, that go along no arrow, and what is wrong with them."""
+    wrong = {}
+    for file in sources():
+        start = arrows.folder_of(file)
+        assert start, f"{file} lies in no folder of {LIST.name}"
+        allowed = arrows.reach(start)
+        for other in own_includes(file):
+            if (end := arrows.folder_of(other)) not in allowed:
+                wrong[file, other] = f"{file} includes {other}: no arrow leads from {start} to {end}"
+    return wrong
+
+
+def outside(arrows: Arrows) -> list[str]:
+    """Includes of libraries where they do not belong."""
+    return [
+        f"{file} includes <{name}>, which is for {' and '.join(folders)} only"
+        for file in sources()
+        for name in includes(file, "<", ">")
+        for library, folders in arrows.libraries.items()
+        if f"<{name}>".startswith(library) and not any(file.startswith(f"{folder}/") for folder in folders)
+    ]
+
+
+@pytest.fixture
+def arrows() -> Arrows:
+    return Arrows.read(LIST.read_text())
+
+
+def test_every_include_goes_along_an_arrow(arrows: Arrows) -> None:
+    assert len(sources()) > 300
+    wrong = against(arrows)
+    assert [sentence for pair, sentence in wrong.items() if pair not in arrows.debts] == []
+    assert arrows.debts - wrong.keys() == set(), "paid: take these lines out of arrows.txt"
+
+
+def test_libraries_are_included_where_they_belong_only(arrows: Arrows) -> None:
+    assert outside(arrows) == []
+
+
+def test_every_folder_of_the_list_exists_and_no_arrow_leads_back(arrows: Arrows) -> None:
+    for folder in arrows.direct:
+        assert (ROOT / folder).is_dir(), folder
+        arrows.reach(folder)
+    assert all((ROOT / header).is_file() and not source_of(header) for header in arrows.headers)
+
+
+def test_the_page_about_the_architecture_names_every_folder(arrows: Arrows) -> None:
+    page = (ROOT / "docs" / "architecture.md").read_text()
+    unnamed = [folder for folder in arrows.direct if not re.search(rf"[`/]{PurePosixPath(folder).name}[`/]", page)]
+    assert unnamed == []
+
+
+def test_a_reversed_arrow_is_found(arrows: Arrows) -> None:
+    arrows.direct["core/src/operators"].append("core/src/contact")
+    arrows.direct["core/src/contact"].remove("core/src/operators")
+    wrong = " ".join(against(arrows).values())
+    assert "no arrow leads from core/src/contact to core/src/operators" in wrong
+
+
+def test_a_library_in_another_folder_is_found(arrows: Arrows) -> None:
+    arrows.libraries["<mfem.hpp>"] = ["core/src"]
+    assert all("core/fem" in line and "<mfem.hpp>" in line for line in outside(arrows))
+    assert outside(arrows)
+
+
+@pytest.mark.parametrize(
+    "text", ["a", "a -> b", "a -> a", "a -> b\nb -> a", "a -> b\nb -> c\nc -> a\nd ->", "a ->\na ->"]
+)
+def test_a_list_that_makes_no_sense_is_refused(text: str) -> None:
+    with pytest.raises((AssertionError, ValueError)):
+        arrows = Arrows.read(text)
+        for folder in arrows.direct:
+            arrows.reach(folder)
