@@ -16,8 +16,10 @@ from __future__ import annotations
 
 import argparse
 import collections
+import signal
 import sys
 import tempfile
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -97,13 +99,18 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--seed", type=int, default=1, help="of all cases (default 1)")
     parser.add_argument("--kind", choices=KINDS, action="append", help="only cases of this kind; may be repeated")
     options = parser.parse_args(arguments)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     start = time.monotonic()
     chosen = [case for case in cases(options.count, options.seed) if not options.kind or case.kind in options.kind]
     with tempfile.TemporaryDirectory(prefix="equality-") as name, ThreadPoolExecutor(2) as threads:
         folder = Path(name)
-        both = [threads.submit(run, bin_ / "contactd", folder / name, chosen)
+        stop = threading.Event()
+        both = [threads.submit(run, bin_ / "contactd", folder / name, chosen, stop)
                 for name, bin_ in (("before", options.before), ("after", options.after))]  # fmt: skip
-        before, after = (one.result() for one in both)
+        try:
+            before, after = (one.result() for one in both)
+        finally:
+            stop.set()  # when one failed, or who waits for them was interrupted, the other daemon ends too
         print_summary(before, after)
         found = compare(before.played, after.played)
         print_differences("the same requests", found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import collections
+import threading
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -32,9 +33,12 @@ class Run:
     statuses: collections.Counter[str]
 
 
-def run(program: Path, folder: Path, cases: list[Case]) -> Run:
-    """All cases, one request at a time, at a daemon of its own whose store is in `folder`."""
-    with LocalDaemon(program, folder=folder, config=CONFIG) as daemon, connected(daemon.endpoint) as connection:
+def run(program: Path, folder: Path, cases: list[Case], stop: threading.Event | None = None) -> Run:
+    """All cases, one request at a time, at a daemon of its own whose store is in `folder`; InterruptedError on `stop`."""
+    with (
+        LocalDaemon(program, folder=folder, config=CONFIG) as daemon,
+        connected(daemon.endpoint, stop or threading.Event()) as connection,
+    ):
         played = [play(connection, case) for case in cases]
         counters = connection.ask(Request("server.info", {})).result["counters"]
     statuses = collections.Counter(str(answer["status.name"]) for one in played for answer in one.answers)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -11,7 +13,7 @@ from typing import Any
 import numpy as np
 import zmq
 
-PATIENCE_MS = 300_000
+PATIENCE_SECONDS = 300
 Json = Any
 
 
@@ -72,25 +74,32 @@ class Answer:
 
 
 class Connection:
-    def __init__(self, socket: zmq.Socket[bytes]) -> None:
+    """Asks one daemon, until `stop` is set from another thread: then what waits for an answer raises InterruptedError."""
+
+    def __init__(self, socket: zmq.Socket[bytes], stop: threading.Event) -> None:
         self._socket = socket
+        self._stop = stop
 
     def ask(self, request: Request | Raw, name: str = "request") -> Answer:
         self._socket.send_multipart(request.parts(name))
+        deadline = time.monotonic() + PATIENCE_SECONDS
         while True:
-            if not self._socket.poll(PATIENCE_MS):
-                raise TimeoutError(f"no answer to {request.method} within {PATIENCE_MS / 1000:g} s")
+            while not self._socket.poll(200):
+                if self._stop.is_set():
+                    raise InterruptedError
+                if time.monotonic() > deadline:
+                    raise TimeoutError(f"no answer to {request.method} within {PATIENCE_SECONDS} s")
             text, *frames = self._socket.recv_multipart()
             if b'"progress"' not in text or "progress" not in json.loads(text):
                 return Answer(text, frames)
 
 
 @contextmanager
-def connected(endpoint: str) -> Iterator[Connection]:
+def connected(endpoint: str, stop: threading.Event) -> Iterator[Connection]:
     with zmq.Context() as context, context.socket(zmq.DEALER) as socket:
         socket.linger = 0
         socket.connect(endpoint)
-        yield Connection(socket)
+        yield Connection(socket, stop)
 
 
 def _packed(node: Json, frames: list[bytes] | None) -> Json:
