@@ -1,9 +1,9 @@
 """The same 300 random cases at the daemons of two commits; their answers must have the same bytes.
 
-    git worktree add ../before COMMIT && (cd ../before && ./dev build)
+    git worktree add build/before COMMIT && (cd build/before && ./dev build)
     ./dev build
     ./dev shell env PYTHONPATH=client/python:tests python3 -m equality \\
-        --before ../before/build/development/bin --after build/development/bin
+        --before build/before/build/development/bin --after build/development/bin
 
 Both folders hold contactd and contactd-ic of one preset: another compiler setting rounds differently. A case is a contact
 problem of some kind, a session, a table or a bad request, and consists of one or more requests, made by a generator with
@@ -97,7 +97,9 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--after", type=Path, required=True, help="folder with those of the later one")
     parser.add_argument("--count", type=int, default=300, help="number of cases (default 300)")
     parser.add_argument("--seed", type=int, default=1, help="of all cases (default 1)")
-    parser.add_argument("--kind", choices=KINDS, action="append", help="only cases of this kind; may be repeated")
+    parser.add_argument(
+        "--kind", choices=KINDS, action="append", metavar="KIND", help="only cases of this kind; may be repeated"
+    )
     options = parser.parse_args(arguments)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     start = time.monotonic()
