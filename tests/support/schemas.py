@@ -32,6 +32,10 @@ def method_names() -> list[str]:
     return sorted(path.name.removesuffix(".params.json") for path in FOLDER.glob("*.params.json"))
 
 
+def parameters(method: str) -> list[str]:
+    return sorted(_registry()[f"{method}.params.json"].contents["properties"])
+
+
 def check(name: str, message: Any) -> None:
     """Fails with every place where `message` is not as proto/schema/<name>.json says."""
     errors = [f"{error.json_path}: {error.message[:200]}" for error in _validator(name).iter_errors(message)]
