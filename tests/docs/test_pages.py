@@ -33,7 +33,7 @@ def prose(page):
 def anchors(page):
     """Of the headings, as the web shows them: lower case, hyphens for spaces, no other signs."""
     headings = [line.lstrip("#").strip().lower() for _, line in prose(page) if line.startswith("#")]
-    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings}
+    return [re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings]
 
 
 def links(page):
@@ -57,6 +57,11 @@ def test_links_lead_to_a_file_and_its_heading(page):
     for target, anchor in links(page):
         assert target.exists(), f"{target} is not there"
         assert not anchor or anchor in anchors(target), f"{target.name} has no heading #{anchor}"
+
+
+@pytest.mark.parametrize("page", named(WRITTEN))
+def test_no_two_headings_have_the_same_anchor(page):
+    assert len(anchors(page)) == len(set(anchors(page)))
 
 
 def test_every_page_is_on_a_road_of_the_readme():
