@@ -33,7 +33,7 @@ def test_friction_and_problem_have_every_option_and_no_other():
     assert names(KineticFriction) == set(FRICTION["kinetic"]["properties"])
     assert names(Rolling) == set(ROLLING)
     assert names(Shift) | names(Rolling) == set(MOTION)
-    other_names = {"upper", "lower", "normal", "tangential", "outer"}
+    other_names = {"upper", "lower", "upper_ics", "lower_ics", "normal", "tangential", "outer"}
     assert names(ContactProblem) - other_names == set(PROBLEM) - {"bodies", "settings"}
 
 
@@ -87,7 +87,7 @@ def test_what_is_no_pair_goes_out_for_the_daemon_to_refuse():
 
 
 def test_friction_needs_a_motion():
-    with pytest.raises(TypeError, match="rigid_shift, force or rolling"):
+    with pytest.raises(TypeError, match="rigid_shift, force, rolling or rigid_slip"):
         Friction(mu=0.4)
 
 
