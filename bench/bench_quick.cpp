@@ -5,13 +5,13 @@
 #include <ctime>
 #include <vector>
 
-#include "contactd/cattaneo_mindlin.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/fastsim.hpp"
+#include "closed_forms/cattaneo_mindlin.hpp"
+#include "operators/convolution.hpp"
+#include "closed_forms/fastsim.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/kalker_coefficients.hpp"
-#include "contactd/vermeulen_johnson.hpp"
+#include "closed_forms/hertz.hpp"
+#include "closed_forms/kalker_coefficients.hpp"
+#include "closed_forms/vermeulen_johnson.hpp"
 
 namespace {
 

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "contactd/contact.hpp"
-#include "contactd/convolution.hpp"
+#include "operators/convolution.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/normal.hpp"
-#include "contactd/rolling.hpp"
-#include "contactd/shifted_operator.hpp"
-#include "contactd/tangential.hpp"
+#include "closed_forms/hertz.hpp"
+#include "contact/normal/normal.hpp"
+#include "contact/rolling/rolling.hpp"
+#include "operators/shifted_operator.hpp"
+#include "contact/tangential/tangential.hpp"
 
 namespace contactd::bench {
 

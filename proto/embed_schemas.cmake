@@ -9,7 +9,7 @@ foreach(path IN LISTS files)
   string(APPEND entries "    {\"${name}\", R\"schema(${text})schema\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made from proto/schema; do not edit.
-#include \"schema_texts.hpp\"
+#include \"schema/schema_texts.hpp\"
 
 namespace contactd::proto {
 

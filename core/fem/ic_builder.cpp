@@ -1,12 +1,12 @@
 #include "contactd/fem/ic_builder.hpp"
 
-#include "accurate_build.hpp"
-#include "adaptive_build.hpp"
-#include "build_size.hpp"
+#include "build/accurate_build.hpp"
+#include "build/adaptive_build.hpp"
+#include "system/build_size.hpp"
 #include "contactd/error.hpp"
-#include "family_build.hpp"
-#include "first_process.hpp"
-#include "mesh_build.hpp"
+#include "build/family_build.hpp"
+#include "build/first_process.hpp"
+#include "build/mesh_build.hpp"
 
 namespace contactd::fem {
 namespace {

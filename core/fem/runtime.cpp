@@ -10,7 +10,7 @@
 
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/version.hpp"
-#include "first_process.hpp"
+#include "build/first_process.hpp"
 
 // Present when OpenBLAS or an OpenMP runtime is behind MFEM and hypre.
 extern "C" {

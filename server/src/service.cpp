@@ -6,8 +6,8 @@
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
-#include "ics/builder_programs.hpp"
-#include "ics/store_folder.hpp"
+#include "ics/build/builder_programs.hpp"
+#include "ics/store/store_folder.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/all_methods.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "contact/contact_cases.hpp"
-#include "contactd/reference.hpp"
+#include "closed_forms/reference.hpp"
 #include "contactd/solve_contact.hpp"
 
 using namespace contactd;

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "contact/contact_cases.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/normal.hpp"
+#include "operators/convolution.hpp"
+#include "closed_forms/hertz.hpp"
+#include "contact/normal/normal.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

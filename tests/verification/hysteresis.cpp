@@ -5,7 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include "contact/contact_cases.hpp"
-#include "contactd/reference.hpp"
+#include "closed_forms/reference.hpp"
 #include "contactd/solve_contact.hpp"
 
 using namespace contactd;

@@ -6,8 +6,8 @@
 #include <ctime>
 
 #include "contact/random_problems.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/normal.hpp"
+#include "operators/convolution.hpp"
+#include "contact/normal/normal.hpp"
 
 int main(int count_of_arguments, char** arguments) {
     using namespace contactd;

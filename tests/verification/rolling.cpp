@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "contact/rolling_cases.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/normal.hpp"
-#include "contactd/reference.hpp"
+#include "closed_forms/hertz.hpp"
+#include "contact/normal/normal.hpp"
+#include "closed_forms/reference.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -19,6 +19,9 @@ struct ContactInfluence {
     std::size_t bytes() const;  ///< about what they take in memory
 };
 
+/// About what the operators for that many elements take, with that of rolling, which a step may ask for.
+std::size_t influence_bytes(std::size_t elements);
+
 /// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none.
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair);
 

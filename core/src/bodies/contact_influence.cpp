@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "contactd/convolution.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "operators/convolution.hpp"
+#include "operators/shifted_operator.hpp"
 
 namespace contactd {
 namespace {
@@ -36,6 +36,10 @@ ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, doubl
 
 std::size_t ContactInfluence::bytes() const {
     return (here ? here->bytes() : 0) + (change ? change->bytes() : 0);
+}
+
+std::size_t influence_bytes(std::size_t elements) {
+    return elements * (ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element);
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {

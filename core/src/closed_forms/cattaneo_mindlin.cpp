@@ -1,8 +1,8 @@
-#include "contactd/cattaneo_mindlin.hpp"
+#include "cattaneo_mindlin.hpp"
 
 #include <cmath>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "ellipse_compliance.hpp"
 #include "ellipse_difference.hpp"
 

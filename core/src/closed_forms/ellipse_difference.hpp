@@ -1,7 +1,7 @@
 // Tractions of both closed-form theories: Hertz-like over the ellipse, less Hertz-like over a similar, smaller one.
 #pragma once
 
-#include "contactd/elliptic_contact.hpp"
+#include "elliptic_contact.hpp"
 #include "force_search.hpp"
 #include "rolling_frame.hpp"
 

@@ -1,4 +1,4 @@
-#include "contactd/elliptic_contact.hpp"
+#include "elliptic_contact.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,12 +1,12 @@
-#include "contactd/fastsim.hpp"
+#include "fastsim.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "../../types/number_text.hpp"
-#include "contactd/kalker_coefficients.hpp"
+#include "types/number_text.hpp"
+#include "kalker_coefficients.hpp"
 #include "fastsim_slice.hpp"
 #include "force_search.hpp"
 #include "rolling_frame.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "contactd/fastsim.hpp"
+#include "fastsim.hpp"
 
 namespace contactd {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 
 namespace contactd {

@@ -1,10 +1,10 @@
-#include "contactd/hertz.hpp"
+#include "hertz.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 
 namespace contactd {

@@ -1,11 +1,11 @@
-#include "contactd/kalker_coefficients.hpp"
+#include "kalker_coefficients.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "kalker_table.hpp"
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "contactd/cattaneo_mindlin.hpp"
-#include "contactd/elliptic_contact.hpp"
+#include "cattaneo_mindlin.hpp"
+#include "elliptic_contact.hpp"
 #include "contactd/error.hpp"
-#include "contactd/fastsim.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/vermeulen_johnson.hpp"
+#include "fastsim.hpp"
+#include "hertz.hpp"
+#include "vermeulen_johnson.hpp"
 
 namespace contactd {
 namespace {

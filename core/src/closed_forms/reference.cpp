@@ -1,11 +1,11 @@
-#include "contactd/reference.hpp"
+#include "reference.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "contactd/elliptic_contact.hpp"
-#include "contactd/kalker_coefficients.hpp"
+#include "elliptic_contact.hpp"
+#include "kalker_coefficients.hpp"
 
 namespace contactd::reference {
 

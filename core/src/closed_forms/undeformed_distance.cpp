@@ -1,6 +1,6 @@
-#include "contactd/undeformed_distance.hpp"
+#include "undeformed_distance.hpp"
 
-#include "contactd/hertz.hpp"
+#include "hertz.hpp"
 
 namespace contactd {
 

@@ -1,8 +1,8 @@
-#include "contactd/vermeulen_johnson.hpp"
+#include "vermeulen_johnson.hpp"
 
 #include <cmath>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "ellipse_compliance.hpp"
 #include "ellipse_difference.hpp"
 

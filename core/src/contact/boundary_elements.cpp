@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "contactd/friction_law.hpp"
-#include "contactd/normal.hpp"
-#include "contactd/undeformed_distance.hpp"
-#include "solver_support.hpp"
+#include "contact/tangential/friction_law.hpp"
+#include "contact/normal/normal.hpp"
+#include "closed_forms/undeformed_distance.hpp"
+#include "contact/support/solver_support.hpp"
 #include "tangential_step.hpp"
 
 namespace contactd {

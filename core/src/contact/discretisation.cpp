@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <span>
 
-#include "../../types/number_text.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/undeformed_distance.hpp"
+#include "types/number_text.hpp"
+#include "closed_forms/hertz.hpp"
+#include "closed_forms/undeformed_distance.hpp"
 
 namespace contactd {
 namespace {

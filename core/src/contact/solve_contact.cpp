@@ -5,12 +5,12 @@
 #include <string>
 #include <variant>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "boundary_elements.hpp"
 #include "closed_forms/quick_models.hpp"
 #include "contactd/error.hpp"
-#include "contactd/normal.hpp"
-#include "contactd/rolling.hpp"
+#include "contact/normal/normal.hpp"
+#include "contact/rolling/rolling.hpp"
 #include "discretisation.hpp"
 
 namespace contactd {

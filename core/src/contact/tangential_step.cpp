@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "contactd/slip.hpp"
+#include "contact/tangential/slip.hpp"
 
 namespace contactd {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contactd/ic_table.hpp"
-#include "contactd/shifted_table.hpp"
+#include "shifted_table.hpp"
 #include "kernel_integrals.hpp"
 
 namespace contactd {

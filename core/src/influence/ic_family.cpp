@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 

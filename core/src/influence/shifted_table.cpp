@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "half_space_model.hpp"
 #include "shifted_half_space.hpp"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "contactd/ic_table.hpp"
-#include "contactd/shifted_table.hpp"
+#include "influence/shifted_table.hpp"
 
 namespace contactd {
 

@@ -1,4 +1,4 @@
-#include "contactd/convolution.hpp"
+#include "convolution.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "contactd/shifted_operator.hpp"
+#include "shifted_operator.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include "../../types/number_text.hpp"
+#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/gauss_rules.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "../../types/number_text.hpp"
-#include "contact/solver_support.hpp"
+#include "types/number_text.hpp"
+#include "contact/support/solver_support.hpp"
 #include "contactd/error.hpp"
 #include "subsurface_direct.hpp"
 

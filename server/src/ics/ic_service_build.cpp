@@ -9,7 +9,7 @@
 
 #include "contactd/error.hpp"
 #include "request_in_flight.hpp"
-#include "store_folder.hpp"
+#include "ics/store/store_folder.hpp"
 
 namespace contactd::server {
 

@@ -8,7 +8,7 @@
 #include "contactd/proto/codec.hpp"
 #include "contactd/solve_contact.hpp"
 #include "ic_pair.hpp"
-#include "influence_cache.hpp"
+#include "ics/cache/influence_cache.hpp"
 
 namespace contactd::server {
 

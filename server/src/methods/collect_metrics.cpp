@@ -3,7 +3,7 @@
 #include <prometheus/metric_family.h>
 
 #include "contactd/version.hpp"
-#include "ics/store_folder.hpp"
+#include "ics/store/store_folder.hpp"
 #include "operation/about.hpp"
 
 namespace contactd::server {

@@ -3,7 +3,7 @@
 
 #include "config/config.hpp"
 #include "ics/ic_service.hpp"
-#include "ics/influence_cache.hpp"
+#include "ics/cache/influence_cache.hpp"
 #include "jobs/call.hpp"
 #include "jobs/job.hpp"
 #include "jobs/worker_pool.hpp"

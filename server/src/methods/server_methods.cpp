@@ -7,7 +7,7 @@
 #include "collect_metrics.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
-#include "ics/builder_programs.hpp"
+#include "ics/build/builder_programs.hpp"
 #include "operation/about.hpp"
 
 namespace contactd::server {

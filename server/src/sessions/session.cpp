@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "contactd/convolution.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "contactd/contact_influence.hpp"
 
 namespace contactd::server {
 
@@ -14,9 +13,6 @@ namespace {
 
 // Beside the operators: gap, friction and tractions of the problem, as opened and as solved, and the state.
 constexpr std::size_t bytes_per_element_problem = 300, bytes_per_element_state = 128, bytes_beside = 8192;
-// With the operator of rolling, which a step may ask for.
-constexpr std::size_t bytes_per_element_operators =
-    ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element;
 constexpr std::size_t bytes_per_element_table = 2 * 9 * sizeof(double);
 
 StatusError state_unknown() {
@@ -28,9 +24,9 @@ StatusError state_unknown() {
 
 std::size_t session_bytes(const ContactSetup& setup) {
     std::size_t per_element = bytes_per_element_problem + bytes_per_element_state;
-    if (setup.model == Model::full) per_element += bytes_per_element_operators;
     if (setup.bodies.any_given()) per_element += bytes_per_element_table;
-    return bytes_beside + setup.grid.size() * per_element;
+    const std::size_t operators = setup.model == Model::full ? influence_bytes(setup.grid.size()) : 0;
+    return bytes_beside + setup.grid.size() * per_element + operators;
 }
 
 StatusError session_unknown() {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contactd/reference.hpp"
+#include "closed_forms/reference.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

@@ -8,11 +8,11 @@
 #include <numeric>
 #include <variant>
 
-#include "contactd/cattaneo_mindlin.hpp"
+#include "closed_forms/cattaneo_mindlin.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/reference.hpp"
-#include "contactd/vermeulen_johnson.hpp"
+#include "closed_forms/reference.hpp"
+#include "closed_forms/vermeulen_johnson.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "contactd/error.hpp"
-#include "contactd/fastsim.hpp"
-#include "contactd/reference.hpp"
+#include "closed_forms/fastsim.hpp"
+#include "closed_forms/reference.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "contactd/error.hpp"
-#include "contactd/hertz.hpp"
+#include "closed_forms/hertz.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinRel;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "contactd/error.hpp"
-#include "contactd/kalker_coefficients.hpp"
+#include "closed_forms/kalker_coefficients.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinRel;

@@ -10,7 +10,7 @@
 #include "contactd/half_space.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/solve_contact.hpp"
-#include "contactd/undeformed_distance.hpp"
+#include "closed_forms/undeformed_distance.hpp"
 
 namespace contactd::test {
 

@@ -9,7 +9,7 @@
 
 #include "contact_cases.hpp"
 #include "contactd/influence_operator.hpp"
-#include "contactd/shifted_table.hpp"
+#include "influence/shifted_table.hpp"
 #include "contactd/step_operator.hpp"
 
 namespace contactd::test {

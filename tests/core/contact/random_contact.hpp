@@ -2,7 +2,7 @@
 // from outside: bodies that may differ or be rigid, shifts and rolling, histories, forces, slip laws.
 #pragma once
 
-#include "contactd/friction_law.hpp"
+#include "contact/tangential/friction_law.hpp"
 #include "random_problems.hpp"
 
 namespace contactd::test {

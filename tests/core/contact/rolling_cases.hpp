@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/rolling.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "operators/convolution.hpp"
+#include "contact/rolling/rolling.hpp"
+#include "operators/shifted_operator.hpp"
 
 namespace contactd::test {
 

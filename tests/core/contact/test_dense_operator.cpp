@@ -5,8 +5,8 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <string>
 
-#include "contactd/normal.hpp"
-#include "contactd/tangential.hpp"
+#include "contact/normal/normal.hpp"
+#include "contact/tangential/tangential.hpp"
 #include "dense_operator.hpp"
 
 using namespace contactd;

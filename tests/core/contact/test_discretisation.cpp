@@ -8,8 +8,8 @@
 
 #include "contact_cases.hpp"
 #include "contactd/error.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/rolling.hpp"
+#include "closed_forms/hertz.hpp"
+#include "contact/rolling/rolling.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "contact_cases.hpp"
-#include "contactd/friction_law.hpp"
+#include "contact/tangential/friction_law.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

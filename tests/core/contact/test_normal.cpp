@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/normal.hpp"
+#include "operators/convolution.hpp"
+#include "contact/normal/normal.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

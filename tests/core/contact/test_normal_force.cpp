@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
+#include "operators/convolution.hpp"
 #include "contactd/error.hpp"
-#include "contactd/hertz.hpp"
-#include "contactd/normal.hpp"
+#include "closed_forms/hertz.hpp"
+#include "contact/normal/normal.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

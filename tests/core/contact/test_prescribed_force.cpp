@@ -3,7 +3,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "contactd/prescribed_force.hpp"
+#include "contact/tangential/prescribed_force.hpp"
 #include "random_friction.hpp"
 
 using namespace contactd;

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
+#include "operators/convolution.hpp"
 #include "contactd/error.hpp"
-#include "contactd/friction_law.hpp"
-#include "contactd/reference.hpp"
+#include "contact/tangential/friction_law.hpp"
+#include "closed_forms/reference.hpp"
 #include "contactd/solve_contact.hpp"
 #include "random_contact.hpp"
 

@@ -3,8 +3,8 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include "contact_cases.hpp"
-#include "contactd/convolution.hpp"
-#include "contactd/tangential.hpp"
+#include "operators/convolution.hpp"
+#include "contact/tangential/tangential.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

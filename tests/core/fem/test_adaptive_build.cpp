@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "adaptive_build.hpp"
+#include "build/adaptive_build.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
-#include "error_estimate.hpp"
+#include "build/error_estimate.hpp"
 #include "fem_specs.hpp"
 
 using namespace contactd;

@@ -3,7 +3,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include "build_size.hpp"
+#include "system/build_size.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
 #include "fem_specs.hpp"

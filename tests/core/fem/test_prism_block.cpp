@@ -7,7 +7,7 @@
 #include <set>
 
 #include "fem_specs.hpp"
-#include "prism_block.hpp"
+#include "mesh/prism_block.hpp"
 
 using namespace contactd;
 using namespace contactd::fem;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "fem_specs.hpp"
-#include "shells.hpp"
+#include "mesh/shells.hpp"
 
 using namespace contactd;
 using namespace contactd::fem;

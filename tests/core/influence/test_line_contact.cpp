@@ -11,7 +11,7 @@
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_store.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "operators/shifted_operator.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinAbs;

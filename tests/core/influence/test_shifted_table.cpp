@@ -6,7 +6,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "operators/shifted_operator.hpp"
 #include "half_space_cases.hpp"
 
 using namespace contactd;

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "contact/contact_cases.hpp"
-#include "contactd/convolution.hpp"
+#include "operators/convolution.hpp"
 #include "contactd/error.hpp"
 
 using namespace contactd;

@@ -3,9 +3,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <random>
 
-#include "contactd/convolution.hpp"
+#include "operators/convolution.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/shifted_operator.hpp"
+#include "operators/shifted_operator.hpp"
 #include "influence/half_space_cases.hpp"
 
 using namespace contactd;

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "../../../core/src/store/sha256.hpp"
-#include "../../../core/src/store/writer.hpp"
+#include "store/sha256.hpp"
+#include "store/writer.hpp"
 #include "contactd/table_lock.hpp"
 #include "ic_records.hpp"
 

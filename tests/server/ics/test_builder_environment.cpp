@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "ics/builder_environment.hpp"
+#include "ics/build/builder_environment.hpp"
 
 using contactd::server::passed_on;
 

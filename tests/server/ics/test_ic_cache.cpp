@@ -1,6 +1,6 @@
 #include <catch2/catch_test_macros.hpp>
 
-#include "ics/ic_cache.hpp"
+#include "ics/cache/ic_cache.hpp"
 
 using namespace contactd;
 using namespace contactd::server;

@@ -1,6 +1,6 @@
 #include <catch2/catch_test_macros.hpp>
 
-#include "ics/least_recently_used.hpp"
+#include "ics/cache/least_recently_used.hpp"
 
 using contactd::server::LeastRecentlyUsed;
 

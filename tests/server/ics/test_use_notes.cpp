@@ -5,7 +5,7 @@
 #include <optional>
 #include <thread>
 
-#include "ics/use_notes.hpp"
+#include "ics/store/use_notes.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace contactd;

@@ -1,0 +1,67 @@
+// One table on one mesh for one Poisson's ratio.
+#pragma once
+
+#include "collective_observer.hpp"
+#include "contactd/ic_store.hpp"
+#include "system/linear_system.hpp"
+
+namespace contactd::fem {
+
+/// Of a stretch (s): what it took so far, what the step that begins is expected to take, and the stretch from now on,
+/// where that can be told.
+struct StepTimes {
+    double before, step;
+    std::optional<double> left;
+};
+
+/// A stretch of a build's progress.
+struct ProgressPart {
+    CollectiveObserver* observer;
+    double first = 0, share = 1;
+
+    /// `step`: expected time (s) until the next report.
+    void report(const char* stage, double fraction, int iteration = 0, double residual = 0, double step = 0) const {
+        const double now = first + share * fraction;
+        observer->report({stage, now, iteration, residual, step, now});
+    }
+    /// A step that reports nothing until `fraction` has become `until`.
+    void begin(const char* stage, double fraction, double until, const StepTimes& times) const {
+        std::optional<double> left = times.left;
+        if (left && share > 0) *left += (1 - first - share) / share * (times.before + *left);
+        observer->report({stage, first + share * fraction, 0, 0, times.step, first + share * until, left});
+    }
+    ProgressPart part(double from, double length) const { return {observer, first + share * from, share * length}; }
+};
+
+/// What a load prescribes.
+using CaseOf = std::function<LoadCase(ElasticityProblem& problem, Axis load)>;
+
+/// Displacements under one load, in true degrees of freedom.
+struct Solution {
+    Axis load;
+    mfem::Vector displacements;
+};
+
+/// Collective. Assembles the system of `problem` and solves `case_of` each load; of the evidence it fills the load
+/// cases and their times. Throws NotConverged when a load case misses its tolerance.
+std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress,
+                                  IcEvidence& evidence);
+
+/// Collective. The same, and reads the table off; the evidence lacks errors, warnings and the total time.
+IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress);
+
+/// What a user of a table on a given mesh should know: what the paper advises against, and errors beyond 1 %.
+std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& evidence);
+
+/// Collective. Sets the total time since `start`, and all times to those of the slowest process, so that every process
+/// returns the same record.
+void finish_evidence(IcEvidence& evidence, double start, MPI_Comm comm);
+
+/// Collective. `spec` is dimensionless, its mesh given (accuracy 0), and no family. The record carries its evidence,
+/// with errors where there is a closed form. Throws NotConverged when a load case misses its tolerance.
+IcRecord build_on_mesh(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
+
+/// The same on the mesh of `problem`; the total time counts from `start`.
+IcRecord build_on_problem(ElasticityProblem& problem, const ProgressPart& progress, double start);
+
+}  // namespace contactd::fem

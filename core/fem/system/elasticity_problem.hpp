@@ -1,0 +1,65 @@
+// Linear elasticity of the quarter block under a unit traction, div sigma(u) = 0, for the three load directions: the
+// finite-element space, and what each load prescribes. The systems of equations are made elsewhere (linear_system.hpp).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <mfem.hpp>
+
+#include "mesh/block_mesh.hpp"
+#include "contactd/ic_table.hpp"
+
+namespace contactd::fem {
+
+/// What a load direction prescribes, in true degrees of freedom.
+struct LoadCase {
+    mfem::Array<int> essential;  ///< where displacements are given, ascending
+    mfem::Vector given;          ///< these displacements, zero elsewhere
+    mfem::Vector forces;         ///< of the unit traction
+};
+
+/// Vector H1 elements on the quarter block, the dofs of a node side by side (byVDIM), distributed in slices from the
+/// origin outwards.
+class ElasticityProblem {
+   public:
+    /// Collective. `spec` must be dimensionless, its mesh given. Throws InvalidArgument when there are more processes
+    /// than elements.
+    ElasticityProblem(MPI_Comm comm, const IcSpec& spec) : ElasticityProblem(comm, spec, make_block_mesh(spec)) {}
+    ElasticityProblem(MPI_Comm comm, const IcSpec& spec, BlockMesh block);
+
+    /// Collective. Table 1 of the paper for a load along `load`: symmetry conditions, the far boundary's displacements,
+    /// and the unit traction (of the load's shape) on the quarter of the load.
+    LoadCase load_case(Axis load);
+
+    /// Collective. What turns the half-space into the block, for the same load: no traction, and on the far faces the
+    /// half-space's displacements taken back.
+    LoadCase correction_case(Axis load);
+
+    const IcSpec& spec() const { return spec_; }
+    mfem::ParFiniteElementSpace& space() { return *space_; }
+    long long elements() const { return elements_; }
+    long long dofs() const { return space_->GlobalTrueVSize(); }
+    int processes() const { return processes_; }
+
+    /// Where the surface point (-X, -Y, 0) is, its element numbered on this process; -1 when another process has it.
+    ElementPoint locate(double X, double Y) const;
+
+   private:
+    LoadCase empty_case(Axis load);
+    std::vector<int> owners() const;  ///< process of each element
+    mfem::Array<int> essential_dofs(Axis load, const std::vector<BoundaryPart>& parts);
+    void give_far_displacements(Axis load, LoadCase& result);
+
+    MPI_Comm comm_;
+    int rank_ = 0, processes_ = 1;
+    IcSpec spec_;
+    long long elements_ = 0;
+    std::function<ElementPoint(double, double)> locate_;
+    std::vector<int> local_number_;  ///< of each element of the whole mesh, -1 elsewhere
+    std::unique_ptr<mfem::ParMesh> mesh_;
+    mfem::H1_FECollection collection_;
+    std::unique_ptr<mfem::ParFiniteElementSpace> space_;
+};
+
+}  // namespace contactd::fem

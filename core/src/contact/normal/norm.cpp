@@ -1,0 +1,313 @@
+#include "norm.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lanes.hpp"
+#include "contact/support/solver_support.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr int patience = 8;  // changes of the set that do not lower f
+constexpr double rounding = 1e-14;
+// Violations larger than this part of the defect change the set; smaller ones wait until conjugate gradients, which
+// start again with every change, have brought the defect down.
+constexpr double weighty = 0.1;
+// Part of the set that may change before the weights of the sum are found anew: any weights keep the sum, good ones
+// save iterations.
+constexpr double outdated = 0.2;
+
+// Moves p to the nearest point of p >= 0, sum(p) = sum (Michelot 1986).
+void project_on_simplex(std::vector<double>& p, double sum) {
+    double shift = -std::numeric_limits<double>::infinity();
+    for (std::size_t before = 0, count = p.size(); count != before;) {
+        before = count;
+        double total = 0;
+        count = 0;
+        for (const double value : p) {
+            if (!(value > shift)) continue;
+            total += value;
+            ++count;
+        }
+        shift = (total - sum) / static_cast<double>(count);
+    }
+    for (double& value : p) value = std::max(value - shift, 0.0);
+}
+
+double largest(const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+Norm::Norm(const InfluenceOperator& influence, const NormProblem& problem, const SolverSettings& settings,
+           Observer& observer)
+    : influence_(influence),
+      problem_(problem),
+      h_(problem.distance),
+      settings_(settings),
+      observer_(observer),
+      n_(problem.distance.size()),
+      self_(largest(influence.diagonal(Axis::z))) {
+    for (Values* values : {&p_, &u_, &r_, &z_, &v_, &q_, &best_p_, &best_u_}) values->resize(n_);
+    in_contact_.resize(n_);
+    if (problem.pressure_sum) weight_.resize(n_);
+}
+
+double Norm::start(std::span<const double> estimate, bool set_is_good) {
+    const auto positive = [](double p) { return p > 0; };
+    const bool nothing = std::none_of(estimate.begin(), estimate.end(), positive);
+    set_is_good_ = set_is_good && !nothing;
+    if (problem_.pressure_sum) {
+        for (std::size_t i = 0; i < n_; ++i) p_[i] = nothing ? 1 : std::max(estimate[i], 0.0);
+        scale_to_sum(p_, u_);
+        influence_.normal(p_, u_);
+    } else if (!nothing) {
+        take_multiple_of(estimate);
+    }
+    for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = p_[i] > 0;
+    if (problem_.pressure_sum) weigh_sum();
+    watch();
+    find_approach();
+    check_ = advance(0);
+    return check_.reference > 0 ? check_.error() : std::numeric_limits<double>::infinity();
+}
+
+SolverEvidence Norm::solve() {
+    SolverEvidence evidence;
+    bool exhausted = false;  // no way down on this set
+    for (int iteration = 0;; ++iteration) {
+        observer_.throw_if_cancelled();
+        const Check check = check_;
+        report(iteration, check.residual());
+        evidence.iterations = iteration;
+        evidence.residual = check.residual();
+        evidence.converged = good_enough(check, iteration);
+        if (evidence.converged || iteration == settings_.max_iterations) break;
+        const bool change_all = exhausted || check.residual() <= settings_.tolerance;
+        const bool changed = !(iteration == 0 && set_is_good_) && change_set(check, change_all);
+        if (exhausted && !changed) break;
+        const double alpha = choose_step();
+        exhausted = alpha == 0;
+        check_ = advance(alpha);
+    }
+    if (!evidence.converged) {
+        clip();
+        evidence.residual = advance(0).residual();
+    }
+    return evidence;
+}
+
+bool Norm::good_enough(const Check& check, int iteration) const {
+    if (problem_.estimate_only && iteration > 0 && check.error() <= settings_.tolerance) return true;
+    return check.residual() <= settings_.tolerance && check.right_set();
+}
+
+bool Norm::overlaps(std::size_t i) const {
+    return gap(i) < -rounding * (std::abs(u_[i]) + std::abs(h_[i]) + std::abs(approach_));
+}
+
+// The multiple of the estimate with the lowest f; zero when f rises along it.
+void Norm::take_multiple_of(std::span<const double> estimate) {
+    const double unit = *std::max_element(estimate.begin(), estimate.end());
+    for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(estimate[i] / unit, 0.0);
+    influence_.normal(p_, u_);
+    const double energy = dot(p_, u_), work = -dot(p_, h_);
+    const double factor = energy > 0 && work > 0 ? work / energy : 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+        p_[i] *= factor;
+        u_[i] *= factor;
+    }
+}
+
+void Norm::scale_to_sum(Values& p, Values& u) const {
+    double sum = 0;
+    for (const double value : p) sum += value;
+    const double factor = *problem_.pressure_sum / sum;
+    for (double& value : p) value *= factor;
+    for (double& value : u) value *= factor;
+}
+
+// The mean over the set makes the defect least.
+void Norm::find_approach() {
+    if (!problem_.pressure_sum) return;
+    const double *in = in_contact_.data(), *u = u_.data(), *h = h_.data();
+    const auto [sum, count] = sums<2>(n_, [=]<class T>(T, std::size_t i) {
+        const T inside = load<T>(in + i);
+        return std::array<T, 2>{inside * (load<T>(u + i) + load<T>(h + i)), inside};
+    });
+    approach_ = sum / count;
+}
+
+// Goes `alpha` along the direction and looks at the contact conditions there, in one pass; zero: only looks.
+Norm::Check Norm::advance(double alpha) {
+    const double *in = in_contact_.data(), *h = h_.data(), *v = v_.data(), *q = q_.data();
+    double *p = p_.data(), *u = u_.data(), *r = r_.data();
+    const double approach = approach_, approach_size = std::abs(approach_);
+    const auto [defect, reference, suction, overlap] = sums<4>(n_, [=]<class T>(T, std::size_t i) {
+        const T p_i = load<T>(p + i) + alpha * load<T>(v + i), u_i = load<T>(u + i) + alpha * load<T>(q + i);
+        const T in_i = load<T>(in + i), h_i = load<T>(h + i);
+        const T distance = h_i - approach, gap = u_i + distance, r_i = -in_i * gap;
+        store<T>(p_i, p + i);
+        store<T>(u_i, u + i);
+        store<T>(r_i, r + i);
+        const T reference_i = in_i * distance, suction_i = negative_part(p_i);
+        const T margin = rounding * (magnitude(u_i) + magnitude(h_i) + approach_size);
+        const T overlap_i = (1 - in_i) * negative_part(T(gap + margin));
+        return std::array<T, 4>{r_i * r_i, reference_i * reference_i, suction_i * suction_i, overlap_i * overlap_i};
+    });
+    return {defect, reference, suction * self_ * self_, overlap};
+}
+
+void Norm::report(int iteration, double residual) {
+    if (iteration == 0) first_residual_ = residual;
+    if (iteration % 4 != 0) return;
+    observer_.on_progress(
+        {"normal", log_fraction(first_residual_, residual, settings_.tolerance), iteration, residual});
+}
+
+double Norm::f() const {
+    const double *p = p_.data(), *u = u_.data(), *h = h_.data();
+    return sums<1>(n_, [=]<class T>(T, std::size_t i) {
+        return std::array<T, 1>{load<T>(p + i) * (0.5 * load<T>(u + i) + load<T>(h + i))};
+    })[0];
+}
+
+// Keeps the pressures of the lowest f. Removing pressures may raise f for a while; when it does so too often in a row,
+// a step that cannot raise f starts again from the best; returns false then.
+bool Norm::watch() {
+    double value = f();
+    bool keeps = true;
+    if (value < best_f_) {
+        failures_ = 0;
+    } else if (++failures_ > patience) {
+        failures_ = 0;
+        projected_gradient_step();
+        value = f();
+        keeps = false;
+    } else {
+        return true;
+    }
+    best_p_ = p_;
+    best_u_ = u_;
+    best_f_ = value;
+    return keeps;
+}
+
+// Takes negative pressures out of the set.
+void Norm::clip() {
+    for (std::size_t i = 0; i < n_; ++i) {
+        if (p_[i] > 0) continue;
+        p_[i] = 0;
+        changed_elements_ += in_contact_[i];
+        in_contact_[i] = 0;
+    }
+    if (problem_.pressure_sum) scale_to_sum(p_, u_);
+    influence_.normal(p_, u_);
+    find_approach();
+}
+
+bool Norm::change_set(Check check, bool change_all) {
+    const auto matters = [&](double violation) {
+        return violation > 0 && (change_all || violation > weighty * weighty * check.defect);
+    };
+    bool changed = false;
+    if (matters(check.suction)) {
+        clip();
+        check = advance(0);
+        changed = true;
+    }
+    if (check.suction == 0 && (changed || matters(check.overlap)) && !watch()) {
+        check = advance(0);
+        changed = true;
+    }
+    if (matters(check.overlap)) {
+        for (std::size_t i = 0; i < n_; ++i) {
+            if (in_contact_[i] > 0 || !overlaps(i)) continue;
+            in_contact_[i] = 1;
+            r_[i] = -gap(i);
+            ++changed_elements_;
+        }
+        changed = true;
+    }
+    if (!changed) return false;
+    steps_ = 0;
+    const double size = dot(in_contact_, in_contact_);
+    if (problem_.pressure_sum && changed_elements_ > outdated * size) weigh_sum();
+    if (problem_.pressure_sum) {
+        find_approach();
+        advance(0);
+    }
+    return true;
+}
+
+// From the best pressures, with a step no longer than 1/||A||: f cannot rise.
+void Norm::projected_gradient_step() {
+    if (norm_of_A_ == 0) {
+        std::fill(p_.begin(), p_.end(), 1.0);
+        influence_.normal(p_, q_);
+        norm_of_A_ = *std::max_element(q_.begin(), q_.end());
+    }
+    for (std::size_t i = 0; i < n_; ++i) p_[i] = best_p_[i] - (best_u_[i] + h_[i]) / norm_of_A_;
+    if (problem_.pressure_sum) project_on_simplex(p_, *problem_.pressure_sum);
+    for (std::size_t i = 0; i < n_; ++i) {
+        p_[i] = std::max(p_[i], 0.0);
+        changed_elements_ += std::abs(in_contact_[i] - (p_[i] > 0));
+        in_contact_[i] = p_[i] > 0;
+    }
+    influence_.normal(p_, u_);
+    find_approach();
+    steps_ = 0;
+}
+
+// Where the sum is prescribed, the directions leave it: with E the projection that subtracts a multiple of the weights,
+// E A^-1 E' takes the place of A^-1.
+void Norm::weigh_sum() {
+    influence_.precondition(Axis::z, in_contact_, weight_);
+    for (double& weight : weight_) weight = std::max(weight, 0.0);
+    changed_elements_ = 0;
+}
+
+void Norm::keep_sum_of_residual() {
+    const double weights = dot(in_contact_, weight_);
+    const double mean = weights > 0 ? dot(weight_, r_) / weights : 0;
+    for (std::size_t i = 0; i < n_; ++i) r_[i] -= mean * in_contact_[i];
+}
+
+void Norm::keep_sum_of_direction() {
+    const double weights = dot(in_contact_, weight_);
+    const double mean = weights > 0 ? dot(in_contact_, z_) / weights : 0;
+    for (std::size_t i = 0; i < n_; ++i) z_[i] -= mean * weight_[i];
+}
+
+// The direction of conjugate gradients on the set and the way to go along it; zero when rounding or an indefinite table
+// leaves no way down. The approach follows.
+double Norm::choose_step() {
+    if (problem_.pressure_sum) keep_sum_of_residual();
+    influence_.precondition(Axis::z, r_, z_);
+    if (problem_.pressure_sum) keep_sum_of_direction();
+    const double *in = in_contact_.data(), *z = z_.data(), *q = q_.data(), *r = r_.data();
+    double* v = v_.data();
+    double beta = 0;
+    if (steps_ > 0) {
+        const auto product = sums<1>(n_, [=]<class T>(T, std::size_t i) {
+            return std::array<T, 1>{load<T>(in + i) * load<T>(z + i) * load<T>(q + i)};
+        });
+        beta = -product[0] / curvature_;
+    }
+    for (std::size_t i = 0; i < n_; ++i) v[i] = in[i] * z[i] + beta * v[i];
+    influence_.normal(v_, q_);
+    const auto [curvature, slope, rise, count] = sums<4>(n_, [=]<class T>(T, std::size_t i) {
+        const T v_i = load<T>(v + i), q_i = load<T>(q + i), in_i = load<T>(in + i);
+        return std::array<T, 4>{v_i * q_i, load<T>(r + i) * v_i, in_i * q_i, in_i};
+    });
+    curvature_ = curvature;
+    steps_ = curvature > 0 && slope > 0 ? steps_ + 1 : 0;
+    if (steps_ == 0) return 0;
+    if (problem_.pressure_sum) approach_ += slope / curvature * (rise / count);
+    return slope / curvature;
+}
+
+}  // namespace contactd

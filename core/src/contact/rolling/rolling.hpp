@@ -1,0 +1,57 @@
+// Rolling contact: tractions under Coulomb friction while particles travel through a given contact area (Kalker 1990,
+// chapter 5). A step in time is a shift problem (tangential.hpp); here is the steady state.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contactd/friction.hpp"
+#include "contactd/grid.hpp"
+#include "contactd/influence_operator.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/step_operator.hpp"
+#include "contact/tangential/tangential.hpp"
+
+namespace contactd {
+
+/// What rolling solvers know of the bodies: the particle that is now at x was at x + step one step ago.
+struct RollingBodies {
+    const InfluenceOperator& influence;  ///< A on the grid
+    const StepOperator& change;          ///< C on the grid, for the step
+    const Grid& grid;
+    double step_x = 0, step_y = 0;  ///< dq (cos chi, sin chi) (mm), not both zero
+};
+
+/// dq (xi - phi y, eta + phi x) of the creepages and spin of `rolling`, spin_offset dq ahead of the element centres.
+RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq);
+/// (x - rotation y, y + rotation x) at the element centres.
+RigidSlip rigid_slip(const Grid& grid, const Shift& shift);
+
+struct RollingSolution : TangentialSolution {
+    std::vector<double> slip_x, slip_y;  ///< over the step (mm), 0 outside contact; over dq, the relative slip
+};
+
+/// The steady state, p_previous = p: s = w + C p, found directly. Converged means that the division stands, |p| <= g
+/// everywhere and |p| = g in slip hold exactly, and
+/// evidence.residual <= tolerance, the larger of
+/// - the violation of the friction law, |s| in adhesion, |s x p|/g and s . p/g > 0 in slip, as a root mean square over
+///   the contact relative to that of w, and
+/// - the estimated error of the tractions, the violation times an approximate inverse of the law's Jacobian, relative
+///   to the tractions.
+/// When the direct iteration does not get there, the transient marches on from what it found, and it tries again;
+/// evidence.iterations counts those of the direct kind. Errors as of solve_tangential; also throws InvalidArgument for
+/// a step or grid that does not fit.
+RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<const double> bound,
+                                     std::span<const double> rigid_x, std::span<const double> rigid_y,
+                                     const SolverSettings& settings, std::span<const double> initial_x,
+                                     std::span<const double> initial_y, Observer& observer);
+
+/// Resultants of tractions on the upper body.
+struct TangentialForces {
+    double Fx = 0, Fy = 0;  ///< (N)
+    double Mz = 0;          ///< sum (x py - y px) dx dy, about the origin of the grid's coordinates (N mm)
+};
+TangentialForces tangential_forces(const Grid& grid, std::span<const double> traction_x,
+                                   std::span<const double> traction_y);
+
+}  // namespace contactd

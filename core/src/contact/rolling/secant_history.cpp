@@ -1,0 +1,108 @@
+#include "secant_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/support/traction_loops.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr double dependent = 1e-12;  // squared distance from the others, relative, at which a step adds nothing
+
+}  // namespace
+
+SecantHistory::SecantHistory(std::size_t m, std::size_t capacity)
+    : m_(m),
+      capacity_(capacity + 1),
+      values_(std::make_unique_for_overwrite<double[]>(capacity_ * parts * 2 * m)),
+      products_(capacity_ * capacity_),
+      factor_(capacity_ * capacity_),
+      right_(capacity_),
+      scale_(capacity_) {
+    used_.reserve(capacity_);
+}
+
+void SecantHistory::accept() {
+    if (size_ + 1 < capacity_)
+        ++size_;
+    else
+        first_ = (first_ + 1) % capacity_;
+}
+
+void SecantHistory::update_products(std::size_t j) {
+    for (std::size_t i = 0; i <= j; ++i) {
+        const double value = dot_product(2 * m_, view(slot(i), image_part).x, view(slot(j), image_part).x);
+        product(slot(i), slot(j)) = value;
+        product(slot(j), slot(i)) = value;
+    }
+}
+
+double SecantHistory::product_with(std::size_t slot_index, const Field& r) {
+    const FieldView image = view(slot_index, image_part);
+    if (knows_newest_) return dot_product(m_, image.x, r.x.data()) + dot_product(m_, image.y, r.y.data());
+    const std::size_t newest_slot = slot(size_ - 1);
+    const FieldView newest = view(newest_slot, image_part);
+    const TwoProducts x = dot_products(m_, image.x, newest.x, r.x.data()),
+                      y = dot_products(m_, image.y, newest.y, r.y.data());
+    product(slot_index, newest_slot) = x.b + y.b;
+    product(newest_slot, slot_index) = x.b + y.b;
+    return x.c + y.c;
+}
+
+// Normal equations by Cholesky, newest step first so that old ones are dropped where steps depend on each other. What
+// rounding costs in them the next iteration repairs.
+void SecantHistory::minimise(Field& r, Field& d) {
+    std::fill(d.x.begin(), d.x.end(), 0.0);
+    std::fill(d.y.begin(), d.y.end(), 0.0);
+    used_.clear();
+    for (std::size_t age = 0; age < size_; ++age) {
+        const std::size_t j = slot(size_ - 1 - age);
+        const double with_r = product_with(j, r), length_squared = product(j, j);
+        if (!(length_squared > 0)) continue;
+        const std::size_t row = used_.size();
+        double* factors = &factor_[row * capacity_];
+        scale_[row] = 1 / std::sqrt(length_squared);
+        double pivot = 1;
+        for (std::size_t i = 0; i < row; ++i) {
+            double value = product(j, used_[i]) * scale_[row] * scale_[i];
+            for (std::size_t k = 0; k < i; ++k) value -= factors[k] * factor_[i * capacity_ + k];
+            factors[i] = value / factor_[i * capacity_ + i];
+            pivot -= factors[i] * factors[i];
+        }
+        if (pivot < dependent) continue;
+        factors[row] = std::sqrt(pivot);
+        double value = with_r * scale_[row];
+        for (std::size_t k = 0; k < row; ++k) value -= factors[k] * right_[k];
+        right_[row] = value / factors[row];
+        used_.push_back(j);
+    }
+    for (std::size_t row = used_.size(); row-- > 0;) {
+        for (std::size_t below = row + 1; below < used_.size(); ++below)
+            right_[row] -= factor_[below * capacity_ + row] * right_[below];
+        right_[row] /= factor_[row * capacity_ + row];
+    }
+    knows_newest_ = true;
+    for (std::size_t row = 0; row < used_.size(); ++row) right_[row] *= scale_[row];
+    add(image_part, -1, r);
+    add(step_part, 1, d);
+}
+
+// to += sign sum right_j part_j, four at a time: what is added to is read and written less often.
+void SecantHistory::add(Part part, double sign, Field& to) const {
+    for (std::size_t first = 0; first < used_.size(); first += 4) {
+        FourArrays x{}, y{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t row = std::min(first + k, used_.size() - 1);
+            const FieldView values = view(used_[row], part);
+            x.factors[k] = first + k < used_.size() ? sign * right_[row] : 0;
+            y.factors[k] = x.factors[k];
+            x.values[k] = values.x;
+            y.values[k] = values.y;
+        }
+        add_four(m_, x, to.x.data());
+        add_four(m_, y, to.y.data());
+    }
+}
+
+}  // namespace contactd

@@ -1,0 +1,105 @@
+// TangCG (Zhao, Vollebregt, Oosterlee 2014; paper section 4.2), the iteration itself.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "contact/support/contact_elements.hpp"
+#include "tangential.hpp"
+
+namespace contactd {
+
+// Nonlinear conjugate gradients: both components of the traction are free in adhesion, its direction in slip.
+// The solution is the minimum of f(p) = p'Ap/2 + w'p over |p| <= g where A is symmetric; f guards the search.
+class TangCg {
+   public:
+    TangCg(const InfluenceOperator& influence, const Contact& contact, const SolverSettings& settings,
+           Observer& observer);
+
+    // Starts from an estimate of the tractions and returns its error, relative.
+    double start(const Field& estimate);
+    // An estimate for a finer grid need not have a division that stands, nor a slip distance without drift.
+    TangentialSolution solve(bool as_estimate = false);
+
+   private:
+    void set_tractions(const Field& estimate);
+    double size(std::size_t e) const { return std::sqrt(p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e]); }
+    double work(std::size_t e) const { return s_.x[e] * p_.x[e] + s_.y[e] * p_.y[e]; }
+
+    // Scales the traction to its bound and returns the square of the change. Where there is none, it opposes the rigid
+    // slip; without that either, the element stays in adhesion.
+    double let_slip(std::size_t e);
+    void apply(const Field& in, Field& out);
+    // s = A p + w
+    void update_slip_distance();
+    double f() const { return 0.5 * (inner(p_, s_) + inner(p_, w_)); }
+    double relative_to_traction(double change_squared) const;
+
+    // Residual, normals and the term D = -(s . n)/g of the turning direction at the present tractions, and from them
+    // the preconditioned residual z ~ (A + D)^-1 r, which estimates the error: where A rules by the operator's own
+    // preconditioner, scaled on both sides so that it stays symmetric and positive, where D rules by the diagonal, in
+    // between by their mean.
+    void linearise();
+
+    // One step; returns the relative change of the tractions.
+    double step();
+    // Returns (r, v).
+    double choose_direction();
+    // p += alpha v, in slip scaled back to the bound; the slip distance follows to first order.
+    double move(double alpha);
+
+    // Adhesion elements beyond the bound slip at once: they spoil the search. Slip elements are let adhere only when
+    // the tractions have had some steps to settle, since rough ones would release far too many.
+    void update_division(double update);
+    // Slip along the traction, by more than rounding.
+    bool is_pushed_back(std::size_t e) const { return slips_[e] && work(e) > noise_ * g_[e]; }
+    bool any_pushed_back() const;
+    std::size_t hold_pushed_back();
+    // Computes the slip distance anew when scaling has changed the tractions by more than the iteration has left to do.
+    void refresh_if_stale(double update);
+
+    // Keeps the tractions of the lowest f. When f has not fallen for several checks, a step that cannot raise it starts
+    // again from them, and checks come more often. The slack grows each time: tables with errors are not quite
+    // symmetric, and for them the solution is not quite the minimum.
+    void watch();
+    void keep_best();
+    // The step is no longer than 1/||A||: A_xy is at most half of A_xx, and the row sums of these bound the rest.
+    void projected_gradient_step();
+
+    void report(int iteration, double figure);
+    void bring_to_bound(std::size_t e);
+    void finish(TangentialSolution& result);
+
+    const InfluenceOperator& influence_;
+    const Contact& contact_;
+    const std::vector<double>& g_;
+    const Field& w_;
+    const SolverSettings& settings_;
+    Observer& observer_;
+    const std::size_t m_;
+    const std::vector<double> self_;  // of each element in contact, A's diagonal
+    std::vector<double> to_self_;     // the reciprocals
+    double squared_bound_ = 0;                                    // sum of g^2
+    double noise_ = 0;                                            // of a slip distance
+    Field p_, s_, r_, z_, v_, q_, jv_;                            // q = A v, jv = J v with J the reduced Jacobian
+    Field normal_, full_in_, full_out_;                           // p/g in slip, 0 in adhesion
+    std::vector<double> turning_, scale_, diagonal_, inverse_g_;  // D, and the preconditioner's factors for A and D
+    std::vector<char> slips_;
+    Field best_p_, best_s_;
+    double best_f_ = std::numeric_limits<double>::infinity();
+    double slack_ = 1e-12;
+    double error_ = 0;      // of the tractions, estimated, relative
+    double drift_ = 0;      // change of the tractions that the slip distance does not know of, relative
+    bool stands_ = true;    // the division did not change
+    bool released_ = true;  // ... and slip elements were asked too
+    double curvature_ = 0;
+    double first_figure_ = 0;
+    int failures_ = 0;
+    int steps_ = 0;               // in conjugate directions
+    int steps_since_change_ = 0;  // of the division, or since slip elements were asked
+    int steps_since_refresh_ = 0;
+    int steps_per_refresh_ = 8;  // at most
+};
+
+}  // namespace contactd

@@ -1,0 +1,36 @@
+// Products with a table that is Toeplitz in both directions and has no parity, by FFTs.
+#pragma once
+
+#include <memory>
+
+#include "influence/shifted_table.hpp"
+#include "contactd/step_operator.hpp"
+
+namespace contactd {
+
+/// Of a ShiftedTable, as ConvolutionOperator of an IcTable: with that of change_over_step what a step changes.
+class ShiftedOperator final : public StepOperator {
+   public:
+    explicit ShiftedOperator(ShiftedTable table);
+    ~ShiftedOperator() override;
+    ShiftedOperator(ShiftedOperator&&) noexcept;
+    ShiftedOperator& operator=(ShiftedOperator&&) noexcept;
+
+    std::size_t size() const override;
+    void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                    std::span<double> uy) const override;
+    /// See coupling_tolerance; relative to xx.
+    bool coupled() const override;
+    void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
+    std::size_t bytes() const override { return size() * bytes_per_element; }
+    static constexpr std::size_t bytes_per_element = 500;  ///< table, symbols, coarser grids, and some boxes; about
+
+    std::shared_ptr<const StepOperator> on(const ElementBox& box) const override;
+    const StepOperator* coarser() const override;
+
+   private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace contactd
