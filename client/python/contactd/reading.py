@@ -23,7 +23,12 @@ T = TypeVar("T")
 
 @functools.cache
 def _hints(kind: Any) -> dict[str, Any]:
-    return get_type_hints(kind)
+    """The types of the fields; what a generic base leaves open is as the class says."""
+    hints = get_type_hints(kind)
+    for base in getattr(kind, "__orig_bases__", ()):
+        meant = dict(zip(getattr(get_origin(base), "__parameters__", ()), get_args(base), strict=False))
+        hints = {name: meant.get(hint, hint) for name, hint in hints.items()}
+    return hints
 
 
 def read(kind: type[T], value: Any, path: str = "result") -> T:
@@ -35,7 +40,9 @@ def read(kind: type[T], value: Any, path: str = "result") -> T:
         if field.name in value:
             arguments[field.name] = _convert(hints[field.name], value[field.name], f"{path}.{field.name}")
         elif field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING:
-            raise ProtocolError(f"The answer's {path} lacks {field.name}.")
+            if type(None) not in get_args(hints[field.name]):
+                raise ProtocolError(f"The answer's {path} lacks {field.name}.")
+            arguments[field.name] = None
     return kind(**arguments)
 
 

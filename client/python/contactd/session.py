@@ -15,84 +15,32 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolError, TimeoutExpired
-from .friction import Force, Friction, Motion, RollingKind, coefficient_param, slip_param
+from .friction import Force, Friction, RollingKind, coefficient_param, slip_param
 from .problem import Array, Grid, Paraboloid, SemiAxes, check_field_types, check_type, gap_params, opening_params
 from .reading import read
-from .showing import Rows, Shown
-from .solution import Areas, Counts, Discretisation, Forces, IcUse, Progress, SolverEvidence, WithForces
+from .showing import Rows, Shown, with_inherited_attributes
+from .solution import IcUse, Progress, Solution
 
 if TYPE_CHECKING:
     from .client import Client
 
-__all__ = ["Field", "SavedState", "Session", "SessionSummary", "StepEvidence", "StepSolution"]
+__all__ = ["Field", "SavedState", "Session", "SessionSummary", "StepSolution"]
 
 Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
 ProgressCallback = Callable[[Progress], None]
 
 
-@dataclass(frozen=True)
-class StepEvidence:
-    """How the solvers of a step ended, as in ContactEvidence.
-
-    Attributes:
-        normal: NORM, which finds the pressures.
-        tangential: TangCG or steady rolling; None without friction.
-        outer: The loop that bodies that differ and kinetic friction need.
-        force: The search for the motion of a prescribed force.
-        discretisation: What the size of the elements costs; of model "full", where there is contact.
-    """
-
-    normal: SolverEvidence
-    tangential: SolverEvidence | None = None
-    outer: SolverEvidence | None = None
-    force: SolverEvidence | None = None
-    discretisation: Discretisation | None = None
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class StepSolution(WithForces):
-    """The solution of a step. Its fields are those of ContactSolution; arrays are None unless `fields` named them.
+@with_inherited_attributes
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class StepSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
+    """The solution of a step. Arrays are None unless `fields` named them; `converged` is False only in a session that
+    accepts it.
 
     Attributes:
         step: Number of the step.
-        approach: delta (mm), prescribed or found.
-        forces: Total force on the upper body; also as Fn, Fx, Fy (N) and Mz (N mm) of the solution.
-        pmax: Largest pressure (N/mm^2).
-        area: Areas (mm^2) of contact, adhesion and slip.
-        elements: Numbers of elements in contact, adhesion and slip.
-        converged: False only in a session that accepts it.
-        evidence: How the solvers ended.
-        warnings: Sentences, as of ContactSolution.
-        frictional_work: Of a shift (N mm).
-        frictional_power: Of rolling (N mm/s).
-        motion: As asked for, with what a prescribed force made of it.
-        element_division: Shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
-        pressure: Shape [ny, nx] (N/mm^2), >= 0.
-        traction_x: Shape [ny, nx], on the upper body (N/mm^2).
-        traction_y: Shape [ny, nx], on the upper body (N/mm^2).
-        slip_x: Shape [ny, nx], of the upper body over the lower: of a shift the distance over the step (mm), of rolling
-            per distance rolled.
-        slip_y: The same along y.
     """
 
     step: int
-    approach: float
-    forces: Forces
-    pmax: float
-    area: Areas
-    elements: Counts
-    converged: bool
-    evidence: StepEvidence
-    warnings: tuple[str, ...] = ()
-    frictional_work: float | None = None
-    frictional_power: float | None = None
-    motion: Motion | None = None
-    element_division: npt.NDArray[np.uint8] | None = None
-    pressure: Array | None = None
-    traction_x: Array | None = None
-    traction_y: Array | None = None
-    slip_x: Array | None = None
-    slip_y: Array | None = None
 
     def _title(self) -> str:
         return f"StepSolution {self.step}"

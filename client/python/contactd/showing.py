@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import html
+import inspect
 from collections.abc import Sequence
+from typing import TypeVar
 
-__all__ = ["Rows", "Shown", "number"]
+__all__ = ["Rows", "Shown", "number", "with_inherited_attributes"]
 
 Rows = list[tuple[str, object]]
+Kind = TypeVar("Kind", bound=type)
 
 
 def number(value: object) -> str:
@@ -39,3 +42,15 @@ class Shown:
         rows += [("warning", remark) for remark in self._remarks()]
         cells = (f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
         return f"<table><caption>{html.escape(self._title())}</caption>{''.join(cells)}</table>"
+
+
+def with_inherited_attributes(kind: Kind) -> Kind:
+    """Adds to what help() says of a class the attributes of its base, which are told there only."""
+    own, inherited = kind.__doc__, kind.__mro__[1].__doc__
+    if own is None or inherited is None:  # python -OO
+        return kind
+    own, heading = inspect.cleandoc(own), "Attributes:"
+    if heading not in own:
+        own = f"{own}\n\n{heading}"
+    kind.__doc__ = own + inspect.cleandoc(inherited).partition(heading)[2]
+    return kind

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Generic, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from .friction import Motion
 from .problem import Array, FemIcs, Grid, Ics, Material
-from .showing import Rows, Shown, number
+from .showing import Rows, Shown, number, with_inherited_attributes
 
 __all__ = [
     "Areas",
@@ -34,6 +35,7 @@ __all__ = [
     "Progress",
     "QuarantinedIc",
     "ServerInfo",
+    "Solution",
     "SolverEvidence",
     "StoredIc",
 ]
@@ -305,7 +307,8 @@ class ContactEvidence:
     """How a contact problem was solved; `tangential` is None without friction, `outer` and `force` where they did not run.
 
     `ics` has "upper" and "lower" (not of a rigid body), or "pair" when the problem brought its coefficients along
-    (TableIcs). It is empty for models other than "full".
+    (TableIcs). It is empty for models other than "full", and of a step, whose coefficients are those of its session
+    (Session.ics).
 
     Attributes:
         normal: NORM, which finds the pressures.
@@ -319,7 +322,7 @@ class ContactEvidence:
     """
 
     normal: SolverEvidence
-    ics: Mapping[str, IcUse]
+    ics: Mapping[str, IcUse] = field(default_factory=dict)
     tangential: SolverEvidence | None = None
     outer: SolverEvidence | None = None
     force: SolverEvidence | None = None
@@ -375,16 +378,54 @@ class Forces:
     Mz: float
 
 
-class WithForces(Shown):
-    """What has forces, with short names for them."""
+# What the arrays of a solution are: of a step each may be left out.
+Floats = TypeVar("Floats", bound="Array | None")
+Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
 
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Solution(Shown, Generic[Floats, Bytes]):
+    """What is answered of one contact. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
+
+    Attributes:
+        approach: delta (mm), prescribed or found.
+        forces: Total force on the upper body; also as Fn, Fx, Fy (N) and Mz (N mm) of the solution.
+        pmax: Largest pressure (N/mm^2).
+        area: Areas (mm^2) of contact, adhesion and slip.
+        elements: Numbers of elements in contact, adhesion and slip.
+        element_division: Shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
+        pressure: Shape [ny, nx] (N/mm^2), >= 0.
+        traction_x: Along x on the upper body, shape [ny, nx] (N/mm^2).
+        traction_y: Along y on the upper body, shape [ny, nx] (N/mm^2).
+        converged: Whether every solver reached its tolerance.
+        evidence: How the solvers ended, and where the coefficients came from.
+        warnings: Sentences, e.g. that the contact touches the border of the potential contact area, or that elements or
+            dq are too large for it.
+        slip_x: Along x, slip of the upper body over the lower, zero outside contact: of a shift the distance over the
+            step (mm), of rolling the relative slip, per distance rolled. None without friction, like all that follow.
+        slip_y: The same along y.
+        frictional_work: Of a shift: what friction dissipates in the step (N mm).
+        frictional_power: Of rolling: what friction dissipates (N mm/s).
+        motion: As asked for, with what a prescribed force made of it.
+    """
+
+    approach: float
     forces: Forces
     pmax: float
-    approach: float
+    area: Areas
     elements: Counts
+    element_division: Bytes
+    pressure: Floats
+    traction_x: Floats
+    traction_y: Floats
     converged: bool
-    warnings: tuple[str, ...]
-    motion: Motion | None
+    evidence: ContactEvidence
+    warnings: tuple[str, ...] = ()
+    slip_x: Array | None = None
+    slip_y: Array | None = None
+    frictional_work: float | None = None
+    frictional_power: float | None = None
+    motion: Motion | None = None
 
     def _rows(self) -> Rows:
         division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"
@@ -418,52 +459,14 @@ class WithForces(Shown):
         return self.forces.Mz
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class ContactSolution(WithForces):
+@with_inherited_attributes
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class ContactSolution(Solution[Array, npt.NDArray[np.uint8]]):
     """The solution of a ContactProblem. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
     A solve that did not converge is a solution too: ask `converged`. Read `warnings`. A solution may be `previous` or
     `initial` of the next problem.
-
-    Attributes:
-        approach: delta (mm), prescribed or found.
-        forces: Total force on the upper body; also as Fn, Fx, Fy (N) and Mz (N mm) of the solution.
-        pmax: Largest pressure (N/mm^2).
-        area: Areas (mm^2) of contact, adhesion and slip.
-        elements: Numbers of elements in contact, adhesion and slip.
-        element_division: Shape [ny, nx]: 0 exterior, 1 adhesion, 2 slip.
-        pressure: Shape [ny, nx] (N/mm^2), >= 0.
-        traction_x: Along x on the upper body, shape [ny, nx] (N/mm^2).
-        traction_y: Along y on the upper body, shape [ny, nx] (N/mm^2).
-        converged: Whether every solver reached its tolerance.
-        evidence: How the solvers ended, and where the coefficients came from.
-        warnings: Sentences, e.g. that the contact touches the border of the potential contact area, or that elements or
-            dq are too large for it.
-        slip_x: Along x, slip of the upper body over the lower, zero outside contact: of a shift the distance over the
-            step (mm), of rolling the relative slip, per distance rolled. None without friction, like all that follow.
-        slip_y: The same along y.
-        frictional_work: Of a shift: what friction dissipates in the step (N mm).
-        frictional_power: Of rolling: what friction dissipates (N mm/s).
-        motion: As asked for, with what a prescribed force made of it.
     """
-
-    approach: float
-    forces: Forces
-    pmax: float
-    area: Areas
-    elements: Counts
-    element_division: npt.NDArray[np.uint8]
-    pressure: Array
-    traction_x: Array
-    traction_y: Array
-    converged: bool
-    evidence: ContactEvidence
-    warnings: tuple[str, ...] = ()
-    slip_x: Array | None = None
-    slip_y: Array | None = None
-    frictional_work: float | None = None
-    frictional_power: float | None = None
-    motion: Motion | None = None
 
     def _title(self) -> str:
         ny, nx = self.pressure.shape

@@ -1,8 +1,24 @@
 """What the client makes of the options of sessions."""
 
+from dataclasses import fields
+
 import pytest
 
-from contactd import Client, ContactProblem, Friction, Grid, Material, Paraboloid, Rolling, Session
+from contactd import (
+    Client,
+    ContactProblem,
+    ContactSolution,
+    Friction,
+    Grid,
+    Material,
+    Paraboloid,
+    ProtocolError,
+    Rolling,
+    Session,
+    StepSolution,
+)
+from contactd.reading import read
+from contactd.solution import Solution
 from support.fake_server import FakeServer
 
 GRID, STEEL = Grid(3, 2, 1, 1), Material(82000, 0.28)
@@ -87,3 +103,13 @@ def test_a_session_shows_where_it_is_and_not_its_key(fake):
         f"<Session 012345... of {client.endpoint}: last step 7, grid 3 x 2 elements of 1 x 1, lease 60 s>"
     )
     assert NAME not in text + session._repr_html_()
+
+
+def test_a_step_has_the_fields_of_a_solution_and_its_number(fake):
+    _, client = fake
+    solution = client.session(grid=GRID, upper=STEEL).step(Fn=9)
+    assert isinstance(solution, Solution)
+    assert {field.name for field in fields(StepSolution)} == {field.name for field in fields(ContactSolution)} | {"step"}
+    assert (solution.step, solution.Fn, solution.pressure, solution.element_division) == (1, 9, None, None)
+    with pytest.raises(ProtocolError, match=r"result lacks (element_division|pressure)"):
+        read(ContactSolution, STEP)
