@@ -53,7 +53,7 @@ struct Sizes {
     Frames request, reply;
 };
 
-Sizes sizes_of(const ContactProblem& problem, const proto::SolveReply& reply) {
+Sizes sizes_of(const ContactProblem& problem, const SolveReply& reply) {
     proto::ArrayWriter sent(proto::ArrayEncoding::frame), received(proto::ArrayEncoding::frame);
     const std::string request = proto::dump(proto::encode_problem(problem, sent));
     const std::string result = proto::dump(proto::encode_solve_reply(reply, problem.grid, received));
@@ -137,7 +137,7 @@ json measure(const std::string& endpoint, const ContactProblem& problem, int rou
     client::Client client(endpoint);
     const ContactInfluence influence = influence_of(problem);
     Observer observer;
-    const proto::SolveReply first = client.solve(problem);
+    const SolveReply first = client.solve(problem);
     Sizes sizes = sizes_of(problem, first);
     const std::string echo_endpoint = endpoint.starts_with("ipc") ? "ipc://*" : "tcp://127.0.0.1:*";
     Echo echo(echo_endpoint, sizes.request, sizes.reply);

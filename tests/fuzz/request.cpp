@@ -11,7 +11,7 @@ using namespace contactd::proto;
 namespace {
 
 constexpr std::size_t max_elements = 10'000;  // larger grids only cost time
-constexpr Limits limits{1u << 16, 64, 1u << 18, 20'000};
+constexpr MessageLimits limits{1u << 16, 64, 1u << 18, 20'000};
 
 void check_problem(const ContactProblem& problem) {
     validate(problem);

@@ -5,9 +5,9 @@
 
 namespace wire {
 
-inline contactd::proto::SolveReply solve_reply() {
+inline contactd::SolveReply solve_reply() {
     using namespace contactd;
-    proto::SolveReply reply;
+    SolveReply reply;
     ContactSolution& solution = reply.solution;
     solution.approach = 0.02;
     solution.Fn = 9.195402;
@@ -34,10 +34,10 @@ inline contactd::proto::SolveReply solve_reply() {
     solution.warnings = {"1 contact element lies at the border of the potential contact area."};
     solution.normal = {12, 3e-7, true, 0.01};
     solution.tangential = SolverEvidence{40, 2e-3, false, 0.02};
-    reply.upper = {"closed_form", "abc", {}};
-    reply.upper->evidence.source = "analytic";
-    reply.lower = reply.upper;
-    reply.lower->key = "def";
+    reply.ics.upper = {"closed_form", "abc", {}};
+    reply.ics.upper->evidence.source = "analytic";
+    reply.ics.lower = reply.ics.upper;
+    reply.ics.lower->key = "def";
     return reply;
 }
 

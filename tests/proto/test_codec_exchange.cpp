@@ -163,15 +163,15 @@ TEST_CASE("The answer says that coefficients were given", "[codec]") {
     reply.solution.element_division.assign(6, ElementState::slip);
     reply.solution.pressure.assign(6, 1);
     reply.solution.traction_x = reply.solution.traction_y = reply.solution.pressure;
-    reply.pair = IcUse{"given", "abc", {}};
-    reply.pair->evidence.source = "table";
+    reply.ics.pair = IcUse{"given", "abc", {}};
+    reply.ics.pair->evidence.source = "table";
     ArrayWriter arrays(ArrayEncoding::frame);
     const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
     CHECK(violations_of("contact.solve.result", result).empty());
     const SolveReply read = decode_solve_reply(result, arrays.take_frames());
-    REQUIRE(read.pair);
-    CHECK(read.pair->origin == "given");
-    CHECK(read.pair->key == "abc");
+    REQUIRE(read.ics.pair);
+    CHECK(read.ics.pair->origin == "given");
+    CHECK(read.ics.pair->key == "abc");
     json both = result;
     both["evidence"]["ics"]["upper"] = both["evidence"]["ics"]["pair"];
     CHECK_FALSE(violations_of("contact.solve.result", both).empty());
@@ -189,6 +189,20 @@ TEST_CASE("An export is asked for like a table, with a format and perhaps a seco
     const IcExport text = decode_ic_export(params);
     CHECK(text.format == FileFormat::contact);
     CHECK(text.lower == Material{1, 0.1});
+}
+
+TEST_CASE("What a client asks an export for arrives", "[codec]") {
+    const IcSpec spec = decode_ic_spec(wire::ic_params());
+    for (const IcExport& wanted :
+         {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
+        const json params = encode_ic_export(wanted);
+        CAPTURE(params.dump());
+        CHECK_NOTHROW(check_params("ic.export", params));
+        const IcExport read = decode_ic_export(params);
+        CHECK(read.spec == wanted.spec);
+        CHECK(read.lower == wanted.lower);
+        CHECK(read.format == wanted.format);
+    }
 }
 
 TEST_CASE("A bad export is named with what would be right", "[codec]") {

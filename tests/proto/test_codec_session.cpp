@@ -197,6 +197,18 @@ TEST_CASE("An answer holds the arrays that were asked for") {
     CHECK(reply.solution.normal.iterations == 4);
 }
 
+TEST_CASE("An opened session arrives as it was told") {
+    SessionReply told{"name", 60, 3, {}};
+    told.ics.upper = IcUse{"closed_form", std::string(64, 'a'), {}};
+    const SessionReply read = decode_session_reply(encode_session_reply(told));
+
+    CHECK(read.session == "name");
+    CHECK(read.lease_seconds == 60);
+    CHECK(read.bytes == 3);
+    REQUIRE(read.ics.upper);
+    CHECK(read.ics.upper->origin == "closed_form");
+}
+
 TEST_CASE("Where a session is arrives as it was told") {
     SessionInfo told;
     told.step = 7;
@@ -204,6 +216,8 @@ TEST_CASE("Where a session is arrives as it was told") {
     told.states = 2;
     told.bytes = 3;
     told.grid = Grid{2, 1, 0.5, 1, -1, 4};
+    told.ics.lower = IcUse{"memory", std::string(64, 'a'), {}};
+    told.ics.lower->evidence.source = "analytic";
     for (const std::optional<bool> rolls : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
         told.rolls = rolls;
         const json result = encode_session_info(told);
@@ -216,6 +230,9 @@ TEST_CASE("Where a session is arrives as it was told") {
         CHECK(info.states == 2);
         CHECK(info.bytes == 3);
         CHECK(info.grid == told.grid);
+        REQUIRE(info.ics.lower);
+        CHECK(info.ics.lower->key == told.ics.lower->key);
+        CHECK_FALSE(info.ics.upper);
         CHECK(info.rolls == rolls);
     }
 }

@@ -66,9 +66,9 @@ TEST_CASE("A solution comes back exactly", "[codec]") {
     CHECK(read.solution.tangential.has_value() == friction);
     CHECK(read.solution.converged() == !friction);
     CHECK(result["converged"] == !friction);
-    CHECK(read.upper->origin == "closed_form");
-    CHECK(read.lower->key == "def");
-    CHECK_FALSE(read.pair);
+    CHECK(read.ics.upper->origin == "closed_form");
+    CHECK(read.ics.lower->key == "def");
+    CHECK_FALSE(read.ics.pair);
 }
 
 TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
@@ -150,16 +150,16 @@ TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that w
         reply.solution.force = SolverEvidence{6, 1e-8, true, 0.5};
     }
     SECTION("a rigid body has no coefficients") {
-        reply.upper.reset();
+        reply.ics.upper.reset();
     }
     SECTION("a quick model uses none") {
-        reply.upper.reset();
-        reply.lower.reset();
+        reply.ics.upper.reset();
+        reply.ics.lower.reset();
     }
     SECTION("of a pair") {
-        reply.pair = reply.upper;
-        reply.upper.reset();
-        reply.lower.reset();
+        reply.ics.pair = reply.ics.upper;
+        reply.ics.upper.reset();
+        reply.ics.lower.reset();
     }
     ArrayWriter arrays(ArrayEncoding::list);
     const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
@@ -168,7 +168,7 @@ TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that w
     const SolveReply read = decode_solve_reply(result, {});
     CHECK(read.solution.outer.has_value() == reply.solution.outer.has_value());
     CHECK(read.solution.force.has_value() == reply.solution.force.has_value());
-    CHECK(read.upper.has_value() == reply.upper.has_value());
-    CHECK(read.lower.has_value() == reply.lower.has_value());
-    CHECK(read.pair.has_value() == reply.pair.has_value());
+    CHECK(read.ics.upper.has_value() == reply.ics.upper.has_value());
+    CHECK(read.ics.lower.has_value() == reply.ics.lower.has_value());
+    CHECK(read.ics.pair.has_value() == reply.ics.pair.has_value());
 }

@@ -14,8 +14,8 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-Limits frames_of(std::size_t bytes) {
-    Limits limits;
+MessageLimits frames_of(std::size_t bytes) {
+    MessageLimits limits;
     limits.max_frame_bytes = bytes;
     return limits;
 }

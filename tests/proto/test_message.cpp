@@ -7,6 +7,7 @@
 #include "contactd/proto/message.hpp"
 #include "wire.hpp"
 
+using namespace contactd;
 using namespace contactd::proto;
 using Catch::Matchers::ContainsSubstring;
 using nlohmann::json;
@@ -20,7 +21,7 @@ struct Refusal {
     std::string field() const { return status.violations.empty() ? "" : status.violations[0].field; }
 };
 
-Refusal refusal_of(const std::string& text, std::vector<std::string> frames = {}, const Limits& limits = {}) {
+Refusal refusal_of(const std::string& text, std::vector<std::string> frames = {}, const MessageLimits& limits = {}) {
     std::string id = "left over";
     const auto status = wire::status_thrown_by([&] { parse_request(text, std::move(frames), limits, id); });
     REQUIRE(status);
@@ -225,7 +226,8 @@ TEST_CASE("An id of 128 characters is the longest", "[message]") {
 }
 
 TEST_CASE("Messages beyond the limits are refused", "[message]") {
-    const Limits limits{.max_frame_bytes = 100, .max_frames = 3, .max_message_bytes = 200, .max_array_elements = 5};
+    const MessageLimits limits{
+        .max_frame_bytes = 100, .max_frames = 3, .max_message_bytes = 200, .max_array_elements = 5};
     const std::string text = R"({"contactd": 1, "id": "7f", "method": "server.info"})";
     const std::string large(100, 'x');
     const auto reason_of = [&](std::vector<std::string> frames) {

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
         std::printf("normal: %d iterations, residual %.1e; tangential: %d iterations, residual %.1e\n",
                     solution.normal.iterations, solution.normal.residual, solution.tangential->iterations,
                     solution.tangential->residual);
-        std::printf("coefficients: %s\n", reply.upper->evidence.version.c_str());
+        std::printf("coefficients: %s\n", reply.ics.upper->evidence.version.c_str());
         return solution.converged() ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

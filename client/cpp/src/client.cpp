@@ -4,15 +4,16 @@
 #include <utility>
 
 #include "client_impl.hpp"
+#include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 
 namespace contactd::client {
 
 namespace {
 
-proto::Limits limits_of(const json& info) {
+MessageLimits limits_of(const json& info) {
     const json& limits = info["limits"];
-    proto::Limits read;
+    MessageLimits read;
     read.max_frame_bytes = limits["max_frame_bytes"].get<std::size_t>();
     read.max_message_bytes = limits["max_message_bytes"].get<std::size_t>();
     return read;
@@ -20,8 +21,8 @@ proto::Limits limits_of(const json& info) {
 
 /// A table that does not fit one message, put together from parts that do.
 template <class Ask>
-proto::IcReply in_pieces(const IcSpec& spec, const json& params, const proto::Limits& limits, const Ask& ask) {
-    proto::IcReply whole;
+IcReply in_pieces(const IcSpec& spec, const json& params, const MessageLimits& limits, const Ask& ask) {
+    IcReply whole;
     whole.table = IcTable(spec.nx, spec.ny);
     for (const proto::IcPart& part : proto::parts_within(limits, spec.nx, spec.ny)) {
         json asked = params;
@@ -62,7 +63,7 @@ json Client::describe(const CallOptions& options) {
     return impl_->quick("server.describe", options);
 }
 
-proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
+IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
     validate(spec);
     const json params = proto::encode_ic_spec(spec);
     const auto ask = [&](json asked) {
@@ -80,7 +81,7 @@ proto::IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
 
 namespace {
 
-void check_size(const proto::SolveReply& reply, const ContactProblem& problem) {
+void check_size(const SolveReply& reply, const ContactProblem& problem) {
     if (reply.solution.pressure.size() != problem.grid.size())
         throw ProtocolError("The daemon's answer has " + std::to_string(reply.solution.pressure.size()) +
                             " pressures; the grid has " + std::to_string(problem.grid.size()) + " elements.");
@@ -99,21 +100,20 @@ void validate_each(std::span<const ContactProblem> problems) {
 
 }  // namespace
 
-proto::SolveReply Client::solve(const ContactProblem& problem, const CallOptions& options) {
+SolveReply Client::solve(const ContactProblem& problem, const CallOptions& options) {
     validate(problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_problem(problem, arrays);
     const Reply reply =
         impl_->call("contact.solve", std::move(params), arrays.take_frames(), options, wait_of(problem));
     return decoded([&] {
-        proto::SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
+        SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
         check_size(result, problem);
         return result;
     });
 }
 
-std::vector<proto::ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> problems,
-                                                     const CallOptions& options) {
+std::vector<ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> problems, const CallOptions& options) {
     validate_each(problems);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
     json params = proto::encode_problems(problems, arrays);
@@ -122,19 +122,19 @@ std::vector<proto::ReplyOrStatus> Client::solve_many(std::span<const ContactProb
     const Reply reply = impl_->call("contact.solve_many", std::move(params), arrays.take_frames(), options,
                                     builds ? Wait::for_build : Wait::for_answer);
     return decoded([&] {
-        std::vector<proto::ReplyOrStatus> results = proto::decode_solve_replies(reply.result, reply.frames);
+        std::vector<ReplyOrStatus> results = proto::decode_solve_replies(reply.result, reply.frames);
         if (results.size() != problems.size())
             throw ProtocolError("The daemon's answer has " + std::to_string(results.size()) + " solutions; " +
                                 std::to_string(problems.size()) + " problems were sent.");
         for (std::size_t i = 0; i < results.size(); ++i)
-            if (const auto* solved = std::get_if<proto::SolveReply>(&results[i])) check_size(*solved, problems[i]);
+            if (const auto* solved = std::get_if<SolveReply>(&results[i])) check_size(*solved, problems[i]);
         return results;
     });
 }
 
 namespace {
 
-void check_arrays(const proto::SubsurfaceRequest& request) {
+void check_arrays(const SubsurfaceRequest& request) {
     const auto check = [&](const std::vector<double>& values, const char* field) {
         if (values.size() != request.grid.size())
             throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
@@ -147,14 +147,14 @@ void check_arrays(const proto::SubsurfaceRequest& request) {
 
 }  // namespace
 
-proto::SubsurfaceReply Client::subsurface(const proto::SubsurfaceRequest& request, const CallOptions& options) {
+SubsurfaceReply Client::subsurface(const SubsurfaceRequest& request, const CallOptions& options) {
     validate(request.grid, "grid");
     check_arrays(request);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_subsurface_request(request, arrays);
     const Reply reply = impl_->call("contact.subsurface", std::move(params), arrays.take_frames(), options);
     return decoded([&] {
-        proto::SubsurfaceReply result = proto::decode_subsurface_reply(reply.result, reply.frames);
+        SubsurfaceReply result = proto::decode_subsurface_reply(reply.result, reply.frames);
         if (result.shape != request.shape())
             throw ProtocolError("The daemon's answer has the shape " + json(result.shape).dump() + "; " +
                                 json(request.shape()).dump() + " was asked for.");

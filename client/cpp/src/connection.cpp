@@ -46,7 +46,7 @@ void check_limit(const char* what, std::size_t is, std::size_t limit) {
     throw proto::StatusError(std::move(status));
 }
 
-void check_limits(const std::string& envelope, const std::vector<std::string>& frames, const proto::Limits& limits) {
+void check_limits(const std::string& envelope, const std::vector<std::string>& frames, const MessageLimits& limits) {
     check_limit("the number of frames", frames.size() + 1, limits.max_frames);
     std::size_t total = envelope.size();
     std::size_t largest = envelope.size();
@@ -85,7 +85,7 @@ json call_envelope(const std::string& id, const std::string& method, json params
 
 }  // namespace
 
-Connection::Connection(std::string endpoint, milliseconds connect_timeout, proto::Limits limits,
+Connection::Connection(std::string endpoint, milliseconds connect_timeout, MessageLimits limits,
                        std::optional<CurveKeys> keys)
     : endpoint_(std::move(endpoint)),
       connect_timeout_(connect_timeout),

@@ -31,7 +31,7 @@ using ProgressHandler = std::function<void(const nlohmann::json&)>;
 class Connection {
    public:
     /// Throws ConnectionError.
-    Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, proto::Limits limits,
+    Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, MessageLimits limits,
                std::optional<CurveKeys> keys);
     ~Connection();
     Connection(const Connection&) = delete;
@@ -72,7 +72,7 @@ class Connection {
 
     std::string endpoint_;
     std::chrono::milliseconds connect_timeout_;
-    proto::Limits limits_;
+    MessageLimits limits_;
     std::string id_prefix_;
     std::uint64_t calls_ = 0;
     int made_ = 0;  // sockets so far

@@ -38,7 +38,7 @@ Session::Session(Client& client, Grid grid, std::string name, double lease_secon
       open_(!name_.empty()),
       process_(::getpid()) {}
 
-Session::Session(Client& client, proto::SessionSpec spec, const CallOptions& options)
+Session::Session(Client& client, SessionSpec spec, const CallOptions& options)
     : Session(client, spec.setup.grid, {}, 0, 0) {
     validate_opening({spec.setup, spec.load});
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
@@ -52,11 +52,11 @@ Session::Session(Client& client, proto::SessionSpec spec, const CallOptions& opt
 }
 
 Session::Session(Client& client, const ContactProblem& problem, const CallOptions& options)
-    : Session(client, proto::SessionSpec{problem, problem}, options) {}
+    : Session(client, SessionSpec{problem, problem}, options) {}
 
 Session Session::join(Client& client, const std::string& name, const CallOptions& options) {
     const json result = client.impl_->quick("session.info", options, {{"session", name}});
-    const proto::SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
+    const SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
     return Session(client, info.grid, name, info.lease_seconds, info.step);
 }
 
@@ -88,14 +88,14 @@ json Session::ask(const char* method, const CallOptions& options, json more) {
     return client_.impl_->quick(method, options, std::move(more));
 }
 
-proto::StepReply Session::step(const proto::StepInput& input, const CallOptions& options) {
+StepReply Session::step(const StepInput& input, const CallOptions& options) {
     check_process();
     const OneAtATime turn(user_, in_use);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     const json params = proto::encode_step(name_, step_ + 1, input, grid_, arrays);
     const std::vector<std::string> frames = arrays.take_frames();
     const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options); });
-    proto::StepReply step = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, grid_); });
+    StepReply step = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, grid_); });
     step_ = step.step;
     return step;
 }

@@ -4,43 +4,17 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "contactd/grid.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/subsurface_stress.hpp"
 
 namespace contactd {
-
-enum class ContactBody { upper, lower };
-
-/// Each body has a frame of its own, in which it is z <= 0 and its outward normal is +z: x and y are those of the grid,
-/// -z is the distance from the surface into the body. The frame of the lower body is that of the contact problem, that
-/// of the upper one its mirror image: turned into the frame of the problem, xz and yz of the upper body change sign.
-///
-/// Tractions that act on the surface of a body, in its frame, each of shape [ny, nx] (N/mm^2); empty means zero.
-struct SurfaceTractions {
-    std::vector<double> x, y, z;
-};
 
 /// From the results of a contact problem: pressure (> 0 in compression) and the tractions on the upper body.
 SurfaceTractions tractions_on(ContactBody body, std::span<const double> pressure, std::span<const double> traction_x,
                               std::span<const double> traction_y);
-
-/// At the points asked for, in their order (N/mm^2); tension is positive.
-struct SubsurfaceStress {
-    std::vector<double> xx, yy, zz, xy, xz, yz;
-    std::vector<double> von_mises;
-    std::size_t largest = 0;  ///< the point with the largest von Mises stress; the first one of equals
-};
-
-/// The points (x[ix], y[iy], z[iz]) in any order, with index (iz*ny + iy)*nx + ix: results have shape [nz, ny, nx].
-struct StressBlock {
-    std::vector<double> x, y, z;  ///< (mm), z <= 0
-
-    std::size_t size() const { return x.size() * y.size() * z.size(); }
-};
 
 /// `nu` is the body's Poisson's ratio; its shear modulus does not matter. Absolute accuracy 1e-11 of the largest
 /// traction. On the surface the values are the limits from below: at an edge of an element, where tractions jump, their

@@ -10,6 +10,7 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t table_axes = 4;
+constexpr Words<FileFormat, 2> formats{{{"hdf5", FileFormat::hdf5}, {"contact", FileFormat::contact}}};
 
 std::string text_of(const Shape& shape) {
     return json(shape).dump();
@@ -44,12 +45,19 @@ GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& fr
     return ics;
 }
 
+json encode_ic_export(const IcExport& wanted) {
+    json params = encode_ic_spec(wanted.spec);
+    params["format"] = word_for(formats, wanted.format);
+    if (wanted.lower) params["lower"] = encode_material(*wanted.lower);
+    return params;
+}
+
 IcExport decode_ic_export(const json& params) {
     IcExport wanted;
     wanted.spec = decode_ic_spec(params);
     if (wanted.spec.line_contact)
         throw invalid_field("ics.line_contact", "is nothing that these files can say; ic.get answers such a table");
-    wanted.format = params["format"] == "hdf5" ? FileFormat::hdf5 : FileFormat::contact;
+    wanted.format = meaning_of(params["format"], formats);
     if (params.contains("lower")) wanted.lower = decode_material(params["lower"]);
     return wanted;
 }
@@ -62,6 +70,13 @@ json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse
     return {{"format", "contact"},
             {"text", std::move(text)},
             {"ics", {{"upper", encode_use(upper)}, {"lower", encode_use(lower)}}}};
+}
+
+std::string decode_ic_file(const json& result, const std::vector<std::string>& frames) {
+    if (result.contains("text")) return result["text"].get<std::string>();
+    const std::vector<unsigned char> bytes =
+        read_byte_array(result["file"], frames, claimed_shape(result["file"], 1), "file");
+    return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace contactd::proto

@@ -31,7 +31,7 @@ std::size_t referred_elements(const json& node) {
 }
 
 /// One frame of a small message may stand for the arrays of every problem: what these take is limited, too.
-void check_referred_elements(const json& problems, const Limits& limits) {
+void check_referred_elements(const json& problems, const MessageLimits& limits) {
     std::size_t elements = 0;
     for (const json& problem : problems) elements += referred_elements(problem);
     if (elements > limits.max_array_elements)
@@ -75,7 +75,7 @@ json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arra
 }
 
 std::vector<ProblemOrStatus> decode_problems(const json& params, const std::vector<std::string>& frames,
-                                             const Limits& limits) {
+                                             const MessageLimits& limits) {
     check_referred_elements(params["problems"], limits);
     std::vector<ProblemOrStatus> problems;
     for (const json& problem : params["problems"]) problems.push_back(decode_one(problem, frames));

@@ -113,9 +113,9 @@ nlohmann::json encode_division(const ContactSolution& solution, const Grid& grid
 std::vector<ElementState> decode_division(const nlohmann::json& result, const std::vector<std::string>& frames,
                                           const std::vector<std::size_t>& shape);
 
-/// `evidence.ics` of a result.
-nlohmann::json encode_uses(const std::optional<IcUse>& upper, const std::optional<IcUse>& lower,
-                           const std::optional<IcUse>& pair);
+/// `ics` of a result.
+nlohmann::json encode_uses(const IcUses& uses);
+IcUses decode_uses(const nlohmann::json& json);
 
 /// Motion as it stands in a result.
 nlohmann::json encode_motion(const Motion& motion);

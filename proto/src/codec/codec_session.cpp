@@ -87,17 +87,18 @@ json encode_session_reply(const SessionReply& reply) {
     return {{"session", reply.session},
             {"lease_seconds", reply.lease_seconds},
             {"step", 0},
-            {"ics", encode_uses(reply.upper, reply.lower, reply.pair)},
+            {"ics", encode_uses(reply.ics)},
             {"bytes", reply.bytes}};
 }
 
+SessionReply decode_session_reply(const json& result) {
+    return {result["session"].get<std::string>(), result["lease_seconds"].get<double>(),
+            result["bytes"].get<std::size_t>(), decode_uses(result["ics"])};
+}
+
 json encode_session_info(const SessionInfo& info) {
-    json result{{"step", info.step},
-                {"lease_seconds", info.lease_seconds},
-                {"states", info.states},
-                {"bytes", info.bytes},
-                {"grid", encode_grid(info.grid)},
-                {"ics", encode_uses(info.upper, info.lower, info.pair)}};
+    json result{{"step", info.step},   {"lease_seconds", info.lease_seconds}, {"states", info.states},
+                {"bytes", info.bytes}, {"grid", encode_grid(info.grid)},      {"ics", encode_uses(info.ics)}};
     if (info.rolls) result["motion"] = *info.rolls ? "rolling" : "shift";
     return result;
 }
@@ -109,6 +110,7 @@ SessionInfo decode_session_info(const json& result) {
     info.states = result["states"].get<std::size_t>();
     info.bytes = result["bytes"].get<std::size_t>();
     info.grid = decode_grid(result["grid"]);
+    info.ics = decode_uses(result["ics"]);
     if (result.contains("motion")) info.rolls = result["motion"] == "rolling";
     return info;
 }
@@ -146,8 +148,7 @@ void apply_step(const json& params, const std::vector<std::string>& frames, cons
     else if (!problem.gap)
         throw invalid_field("gap", "is missing; session.open named none, so every step must");
     if (params.contains("friction")) apply_friction(params, frames, problem);
-    if (last && problem.friction)
-        take_estimates(params.value("friction", json::object()), *last, problem.motion);
+    if (last && problem.friction) take_estimates(params.value("friction", json::object()), *last, problem.motion);
 }
 
 std::vector<SolutionField> decode_fields(const json& params) {

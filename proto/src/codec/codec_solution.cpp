@@ -42,11 +42,10 @@ IcUse decode_use(const json& source) {
     return {source["origin"].get<std::string>(), source["key"].get<std::string>(), decode_evidence(source["evidence"])};
 }
 
-template <class Reply>
-void decode_uses(const json& uses, Reply& reply) {
-    for (const auto& [name, use] :
-         {std::pair("upper", &reply.upper), std::pair("lower", &reply.lower), std::pair("pair", &reply.pair)})
-        if (uses.contains(name)) *use = decode_use(uses[name]);
+/// Uses may be const.
+template <class Uses>
+auto parts_of(Uses& uses) {
+    return std::array{std::pair("upper", &uses.upper), std::pair("lower", &uses.lower), std::pair("pair", &uses.pair)};
 }
 
 /// The parts of a solution that may be left out, with their names; Solution may be const.
@@ -135,11 +134,17 @@ json encode_use(const IcUse& use) {
     return object({{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}});
 }
 
-json encode_uses(const std::optional<IcUse>& upper, const std::optional<IcUse>& lower,
-                 const std::optional<IcUse>& pair) {
-    json uses = json::object();
-    for (const auto& [name, use] : {std::pair("upper", &upper), std::pair("lower", &lower), std::pair("pair", &pair)})
-        if (*use) uses[name] = encode_use(**use);
+json encode_uses(const IcUses& uses) {
+    json result = json::object();
+    for (const auto& [name, use] : parts_of(uses))
+        if (*use) result[name] = encode_use(**use);
+    return result;
+}
+
+IcUses decode_uses(const json& source) {
+    IcUses uses;
+    for (const auto& [name, use] : parts_of(uses))
+        if (source.contains(name)) *use = decode_use(source[name]);
     return uses;
 }
 
@@ -186,7 +191,7 @@ json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& 
     const ContactSolution& solution = reply.solution;
     json result = encode_summary(solution, grid);
     result["evidence"] = encode_solvers(solution);
-    result["evidence"]["ics"] = encode_uses(reply.upper, reply.lower, reply.pair);
+    result["evidence"]["ics"] = encode_uses(reply.ics);
     const auto add = [&](const char* name, const std::vector<double>& values) {
         result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
     };
@@ -215,7 +220,7 @@ SolveReply decode_solve_reply(const json& result, const std::vector<std::string>
     if (result.contains("slip_y")) solution.slip_y = array("slip_y");
     solution.element_division = decode_division(result, frames, shape);
     decode_solvers(result["evidence"], solution);
-    decode_uses(result["evidence"]["ics"], reply);
+    reply.ics = decode_uses(result["evidence"]["ics"]);
     return reply;
 }
 

@@ -41,7 +41,7 @@ json write(const Values& values, const Shape& shape, ArrayWriter& arrays) {
 }
 
 /// Results are limited before anything the size of one is made; `points` may be too many for an integer.
-void check_number(double points, const char* field, const Limits& limits) {
+void check_number(double points, const char* field, const MessageLimits& limits) {
     const std::size_t most = std::min(limits.max_array_elements / arrays_of_result, longest_axis);
     if (points > static_cast<double>(most))
         throw invalid_field(field,
@@ -52,7 +52,7 @@ void check_number(double points, const char* field, const Limits& limits) {
                             reason::limit_exceeded);
 }
 
-StressPoints decode_points(const json& source, const std::vector<std::string>& frames, const Limits& limits) {
+StressPoints decode_points(const json& source, const std::vector<std::string>& frames, const MessageLimits& limits) {
     const Shape shape = claimed_shape(source, 2);
     if (shape.size() != 2 || shape[1] != 3)
         throw invalid_field("points", "has shape " + json(shape).dump() + "; it must be [n,3]", reason::array_invalid);
@@ -63,7 +63,7 @@ StressPoints decode_points(const json& source, const std::vector<std::string>& f
     return points;
 }
 
-StressBlock decode_block(const json& source, const std::vector<std::string>& frames, const Limits& limits) {
+StressBlock decode_block(const json& source, const std::vector<std::string>& frames, const MessageLimits& limits) {
     StressBlock block;
     double points = 1;
     for (const auto& [name, values] : axes_of(block)) {
@@ -93,33 +93,19 @@ void check_is_half_space(const Ics& ics) {
 }
 
 LargestStress decode_largest(const json& source) {
-    return {source["von_mises"].get<double>(),
-            {source["x"].get<double>(), source["y"].get<double>(), source["z"].get<double>()}};
+    return {source["von_mises"].get<double>(), source["x"].get<double>(), source["y"].get<double>(),
+            source["z"].get<double>()};
 }
 
 json encode_largest(const LargestStress& largest) {
-    const auto& [x, y, z] = largest.point;
     return {{"von_mises", finite(largest.von_mises, "The largest von Mises stress")},
-            {"x", x},
-            {"y", y},
-            {"z", z},
+            {"x", largest.x},
+            {"y", largest.y},
+            {"z", largest.z},
             {"depth", largest.depth()}};
 }
 
 }  // namespace
-
-std::vector<std::size_t> SubsurfaceRequest::shape() const {
-    if (const auto* block = std::get_if<StressBlock>(&points))
-        return {block->z.size(), block->y.size(), block->x.size()};
-    return {std::get<StressPoints>(points).size()};
-}
-
-std::array<double, 3> SubsurfaceRequest::point(std::size_t index) const {
-    const auto* block = std::get_if<StressBlock>(&points);
-    if (!block) return std::get<StressPoints>(points).at(index);
-    const std::size_t nx = block->x.size(), ny = block->y.size();
-    return {block->x.at(index % nx), block->y.at(index / nx % ny), block->z.at(index / nx / ny)};
-}
 
 json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays) {
     json params{{"grid", encode_grid(request.grid)},
@@ -141,7 +127,7 @@ json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& ar
 }
 
 SubsurfaceRequest decode_subsurface_request(const json& params, const std::vector<std::string>& frames,
-                                            const Limits& limits) {
+                                            const MessageLimits& limits) {
     SubsurfaceRequest request;
     request.grid = decode_grid(params["grid"]);
     request.nu = params["nu"].get<double>();

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "contactd/proto/codec.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -18,7 +19,7 @@ constexpr std::array<std::string_view, 9> names{"xx", "xy", "xz", "yx", "yy", "y
 /// For the envelope beside the frame.
 constexpr std::size_t envelope_bytes = 64 << 10;
 
-std::size_t most_numbers(const Limits& limits) {
+std::size_t most_numbers(const MessageLimits& limits) {
     const std::size_t message = limits.max_message_bytes > 2 * envelope_bytes
                                     ? limits.max_message_bytes - envelope_bytes
                                     : limits.max_message_bytes / 2;
@@ -75,7 +76,7 @@ json encode_ic_part(const IcPart& part) {
     return request;
 }
 
-void check_size(const IcPart& part, int nx, const Limits& limits) {
+void check_size(const IcPart& part, int nx, const MessageLimits& limits) {
     const std::size_t most = most_numbers(limits);
     const std::size_t numbers = count(part) * static_cast<std::size_t>(part.rows) * static_cast<std::size_t>(nx);
     if (numbers <= most) return;
@@ -141,7 +142,7 @@ void read_part(const json& result, const std::vector<std::string>& frames, const
     whole.evidence = decode_evidence(result["evidence"]);
 }
 
-std::vector<IcPart> parts_within(const Limits& limits, int nx, int ny) {
+std::vector<IcPart> parts_within(const MessageLimits& limits, int nx, int ny) {
     const std::size_t columns = static_cast<std::size_t>(nx), most = std::max(columns, most_numbers(limits));
     const int together = static_cast<int>(std::min(names.size(), most / columns));
     const int rows = static_cast<int>(most / (columns * static_cast<std::size_t>(together)));

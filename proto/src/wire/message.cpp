@@ -33,7 +33,7 @@ void find_id(const nlohmann::json& envelope, std::string& id_out) {
     if (characters(text) <= max_id_characters) id_out = text;
 }
 
-void check_limits(std::size_t envelope_bytes, const std::vector<std::string>& frames, const Limits& limits) {
+void check_limits(std::size_t envelope_bytes, const std::vector<std::string>& frames, const MessageLimits& limits) {
     if (frames.size() + 1 > limits.max_frames)
         limit_exceeded("The number of frames", frames.size() + 1, limits.max_frames);
     std::size_t bytes = envelope_bytes;
@@ -83,14 +83,14 @@ nlohmann::json member_or_empty(nlohmann::json& envelope, const char* key) {
 
 }  // namespace
 
-nlohmann::json to_json(const Limits& limits) {
+nlohmann::json to_json(const MessageLimits& limits) {
     return {{"max_frame_bytes", limits.max_frame_bytes},
             {"max_frames", limits.max_frames},
             {"max_message_bytes", limits.max_message_bytes},
             {"max_array_elements", limits.max_array_elements}};
 }
 
-Request parse_request(std::string_view text, std::vector<std::string> frames, const Limits& limits,
+Request parse_request(std::string_view text, std::vector<std::string> frames, const MessageLimits& limits,
                       std::string& id_out) {
     id_out.clear();
     if (text.size() > limits.max_frame_bytes)

@@ -1,8 +1,5 @@
 #include "contactd/proto/status.hpp"
 
-#include <algorithm>
-#include <array>
-#include <stdexcept>
 #include <utility>
 
 #include "contactd/proto/object.hpp"
@@ -10,12 +7,7 @@
 namespace contactd::proto {
 namespace {
 
-constexpr std::array<std::string_view, 17> names{
-    "OK",        "CANCELLED",       "UNKNOWN",           "INVALID_ARGUMENT",   "DEADLINE_EXCEEDED",
-    "NOT_FOUND", "ALREADY_EXISTS",  "PERMISSION_DENIED", "RESOURCE_EXHAUSTED", "FAILED_PRECONDITION",
-    "ABORTED",   "OUT_OF_RANGE",    "UNIMPLEMENTED",     "INTERNAL",           "UNAVAILABLE",
-    "DATA_LOSS", "UNAUTHENTICATED",
-};
+constexpr int last_code = static_cast<int>(StatusCode::unauthenticated);
 
 [[noreturn]] void no_status(const std::string& problem) {
     throw StatusError(StatusCode::unknown, reason::unexpected, "The reply's status " + problem + ".");
@@ -61,17 +53,6 @@ std::vector<int> versions_from(const nlohmann::json& details) {
 
 }  // namespace
 
-std::string_view name_of(StatusCode code) {
-    const auto index = static_cast<std::size_t>(code);
-    return index < names.size() ? names[index] : names[2];
-}
-
-StatusCode code_named(std::string_view name) {
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) throw std::out_of_range("There is no status " + std::string(name) + ".");
-    return static_cast<StatusCode>(at - names.begin());
-}
-
 nlohmann::json to_json(const Status& status) {
     nlohmann::json json =
         object({{"code", static_cast<int>(status.code)}, {"name", name_of(status.code)}, {"message", status.message}});
@@ -88,7 +69,7 @@ nlohmann::json to_json(const Status& status) {
 Status status_from_json(const nlohmann::json& json) {
     if (!json.is_object()) no_status("is no object");
     const auto code = json.find("code");
-    if (code == json.end() || !code->is_number_integer() || *code < 0 || *code >= static_cast<int>(names.size()))
+    if (code == json.end() || !code->is_number_integer() || *code < 0 || *code > last_code)
         no_status("has no code from 0 to 16");
     Status status;
     status.code = static_cast<StatusCode>(code->get<int>());
@@ -102,9 +83,6 @@ Status status_from_json(const nlohmann::json& json) {
     }
     return status;
 }
-
-StatusError::StatusError(StatusCode code, std::string_view reason, std::string message)
-    : StatusError(Status{code, std::move(message), std::string(reason), {}, 0}) {}
 
 StatusError invalid_field(std::string field, const std::string& problem, std::string_view why) {
     Status status{StatusCode::invalid_argument, field + " " + problem, std::string(why), {}, 0};

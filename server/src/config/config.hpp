@@ -55,7 +55,7 @@ struct Config {
         int max_failures;
         int quarantine_seconds;
     } builds;
-    proto::Limits limits;
+    MessageLimits limits;
     std::size_t max_grid_elements;
     std::size_t max_queue;
     std::size_t max_inbox_bytes;

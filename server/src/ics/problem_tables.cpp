@@ -27,17 +27,17 @@ void check_tables(const ContactSetup& setup) {
     if (specs[1]) validate_body(*specs[1], "bodies.lower");
 }
 
-proto::IcUse use_of(const GivenIcs& given) {
-    proto::IcUse use{"given", ic_key(given), {}};
+IcUse use_of(const GivenIcs& given) {
+    IcUse use{"given", ic_key(given), {}};
     use.evidence.source = "table";
     use.evidence.version = "contactd " + version();
     return use;
 }
 
-std::optional<proto::IcUse> use_of(const Body& body, const IcAnswer& answer) {
+std::optional<IcUse> use_of(const Body& body, const IcAnswer& answer) {
     if (const GivenIcs* given = body.given()) return use_of(*given);
     if (body.computed() == nullptr) return {};
-    return proto::IcUse{answer.origin, answer.key, answer.record->evidence};
+    return IcUse{answer.origin, answer.key, answer.record->evidence};
 }
 
 }  // namespace

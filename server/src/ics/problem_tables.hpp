@@ -26,10 +26,7 @@ void check_opening(const ContactProblem& problem);
 /// The operators of the pair, from the cache where they can be; none of a quick model.
 ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache);
 
-/// Where the coefficients came from, as a reply says it.
-struct IcUses {
-    std::optional<proto::IcUse> upper{}, lower{}, pair{};
-};
+/// Where the coefficients came from.
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
 
 }  // namespace contactd::server

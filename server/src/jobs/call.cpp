@@ -33,7 +33,7 @@ std::string agent_of(const proto::Request& request) {
 }
 
 /// What the client could not take must not be sent.
-void check_limits(const std::string& text, const std::vector<std::string>& frames, const proto::Limits& limits) {
+void check_limits(const std::string& text, const std::vector<std::string>& frames, const MessageLimits& limits) {
     std::size_t largest = text.size(), total = text.size();
     for (const auto& frame : frames) {
         largest = std::max(largest, frame.size());

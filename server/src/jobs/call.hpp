@@ -49,7 +49,7 @@ class Call {
     using Post = std::function<void(Answer)>;  ///< to the I/O thread
 
     Call(Route route, proto::Request parsed, Clock::time_point received_at, proto::Priority its_priority,
-         const proto::Limits& limits, Post post)
+         const MessageLimits& limits, Post post)
         : request(std::move(parsed)),
           received(received_at),
           priority(its_priority),
@@ -90,7 +90,7 @@ class Call {
     bool finish(const proto::Status& status, std::string text, std::vector<std::string> frames);
 
     const Route route_;
-    const proto::Limits& limits_;
+    const MessageLimits& limits_;
     const Post post_;
     std::atomic<bool> answered_ = false;
     std::atomic<bool> outlives_client_ = false;

@@ -12,8 +12,6 @@
 namespace contactd::server {
 namespace {
 
-using proto::FileFormat;
-
 /// A file on its way: first the tables of both bodies, then the worker.
 struct Export {
     CallPtr call;
@@ -23,7 +21,7 @@ struct Export {
 };
 using ExportPtr = std::shared_ptr<Export>;
 
-proto::IcUse use_of(const IcAnswer& answer) {
+IcUse use_of(const IcAnswer& answer) {
     return {answer.origin, answer.key, answer.record->evidence};
 }
 
@@ -38,8 +36,8 @@ void answer_with_ic_file(const Export& work) {
 
 void answer_with_contact_text(const Export& work) {
     const auto& [upper, lower] = work.specs;
-    const GivenIcs pair{pair_of(table_for(*work.answers[0].record, upper), table_for(*work.answers[1].record, lower)), upper.dx,
-                        upper.dy};
+    const GivenIcs pair{pair_of(table_for(*work.answers[0].record, upper), table_for(*work.answers[1].record, lower)),
+                        upper.dx, upper.dy};
     work.call->succeed(
         proto::encode_contact_text_reply(to_contact_text(pair, combined_modulus({upper.material, lower.material})),
                                          use_of(work.answers[0]), use_of(work.answers[1])));
@@ -69,7 +67,7 @@ void check_size(const IcSpec& spec, std::size_t most_bytes) {
 void export_table(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     check_grid_limit(call->request.params, parts.config.max_grid_elements);
-    const proto::IcExport wanted = proto::decode_ic_export(call->request.params);
+    const IcExport wanted = proto::decode_ic_export(call->request.params);
     auto work = std::make_shared<Export>();
     work->call = call;
     work->format = wanted.format;

@@ -63,7 +63,7 @@ void check_grid_limits(const json& problems, std::size_t most) {
 }
 
 void check_answer_fits(const std::vector<const json*>& problems, proto::ArrayEncoding arrays,
-                       const proto::Limits& limits) {
+                       const MessageLimits& limits) {
     if (arrays == proto::ArrayEncoding::list) return;
     std::size_t total = 0, largest = 0;
     for (const json* problem : problems) {

@@ -18,6 +18,6 @@ void check_grid_limits(const nlohmann::json& problems, std::size_t most);
 /// be sent in one message: what could not be sent need not be solved. Lists have no size that is known before; they are
 /// checked when they go.
 void check_answer_fits(const std::vector<const nlohmann::json*>& problems, proto::ArrayEncoding arrays,
-                       const proto::Limits& limits);
+                       const MessageLimits& limits);
 
 }  // namespace contactd::server

@@ -34,8 +34,7 @@ StatusError session_unknown() {
             "There is no such session: it was closed, or never opened here."};
 }
 
-Session::Session(proto::SessionSpec what, std::chrono::duration<double> lease_time, IcAnswers ics,
-                 ContactInfluence influence)
+Session::Session(SessionSpec what, std::chrono::duration<double> lease_time, IcAnswers ics, ContactInfluence influence)
     : opened{std::move(what.setup), std::move(what.load)},
       accept_unconverged(what.accept_unconverged),
       lease(lease_time),

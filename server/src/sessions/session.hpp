@@ -43,7 +43,7 @@ class Session : public std::enable_shared_from_this<Session> {
     using Clock = std::chrono::steady_clock;
 
     /// `influence` is that of the set-up, made of `ics`.
-    Session(proto::SessionSpec spec, std::chrono::duration<double> lease, IcAnswers ics, ContactInfluence influence);
+    Session(SessionSpec spec, std::chrono::duration<double> lease, IcAnswers ics, ContactInfluence influence);
 
     /// What all steps have in common, and what holds for those that do not say it.
     const ContactProblem opened;

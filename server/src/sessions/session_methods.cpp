@@ -32,17 +32,14 @@ void in_turn(const CallPtr& call, const SolveTools& tools, SessionTable& session
             tools.workers);
 }
 
-void finish_open(const CallPtr& call, proto::SessionSpec spec, std::chrono::duration<double> lease,
-                 const IcAnswers& ics, const SolveTools& tools, SessionTable& sessions) {
+void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<double> lease, const IcAnswers& ics,
+                 const SolveTools& tools, SessionTable& sessions) {
     if (call->answered()) return;
     ContactInfluence influence = influence_of({spec.setup, spec.load}, ics, tools.influences);
-    proto::SessionReply reply;
+    SessionReply reply;
     reply.lease_seconds = lease.count();
     reply.bytes = session_bytes(spec.setup);
-    IcUses uses = uses_of(spec.setup, ics);
-    reply.upper = std::move(uses.upper);
-    reply.lower = std::move(uses.lower);
-    reply.pair = std::move(uses.pair);
+    reply.ics = uses_of(spec.setup, ics);
     reply.session = sessions.add(std::make_shared<Session>(std::move(spec), lease, ics, std::move(influence)));
     // Nobody knows the name of a session whose opening came too late.
     if (!call->succeed(proto::encode_session_reply(reply))) sessions.remove(reply.session);
@@ -51,7 +48,7 @@ void finish_open(const CallPtr& call, proto::SessionSpec spec, std::chrono::dura
 }  // namespace
 
 void open_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions) {
-    proto::SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);
+    SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);
     const auto lease = sessions.lease(spec.lease_seconds);
     check_opening({spec.setup, spec.load});
@@ -75,17 +72,14 @@ void step_session(const CallPtr& call, const SolveTools& tools, SessionTable& se
 void tell_session(const CallPtr& call, const SolveTools& tools, SessionTable& sessions) {
     in_turn(call, tools, sessions, [](Session& session) -> json {
         const ContactProblem& problem = session.opened;
-        proto::SessionInfo info;
+        SessionInfo info;
         info.step = session.state()->step;
         info.lease_seconds = session.lease.count();
         info.states = session.states();
         info.bytes = session.bytes();
         info.grid = problem.grid;
         if (problem.friction) info.rolls = std::holds_alternative<Rolling>(problem.motion);
-        IcUses uses = uses_of(problem, session.ics());
-        info.upper = std::move(uses.upper);
-        info.lower = std::move(uses.lower);
-        info.pair = std::move(uses.pair);
+        info.ics = uses_of(problem, session.ics());
         return proto::encode_session_info(info);
     });
 }

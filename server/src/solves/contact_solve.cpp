@@ -17,7 +17,7 @@ struct Batch {
     std::shared_ptr<Job> job;
     std::vector<proto::ProblemOrStatus> problems;
     std::vector<Grid> grids;
-    std::vector<proto::ReplyOrStatus> replies{problems.size()};
+    std::vector<ReplyOrStatus> replies{problems.size()};
     Reporter reporter{call, job};
     std::atomic<std::size_t> next = 0, finished = 0;
 
@@ -37,7 +37,7 @@ void answer(const BatchPtr& batch) {
 
 void solve_next(const BatchPtr& batch);
 
-void finish(const BatchPtr& batch, std::size_t index, proto::ReplyOrStatus reply) {
+void finish(const BatchPtr& batch, std::size_t index, ReplyOrStatus reply) {
     batch->replies[index] = std::move(reply);
     const std::size_t finished = ++batch->finished;
     batch->reporter.report(
@@ -57,7 +57,7 @@ void solve_next(const BatchPtr& batch) {
         if (batch->job->cancelled() || batch->call->answered()) throw Cancelled("The batch was cancelled.");
         check(problem);
         start(batch->tools, {batch->call, std::move(problem), batch->job, [](const Progress&) {},
-                             [batch, index](const proto::SolveReply& reply) { finish(batch, index, reply); }, failed});
+                             [batch, index](const SolveReply& reply) { finish(batch, index, reply); }, failed});
     } catch (const std::exception& error) {
         failed(status_of(error));
     }
@@ -74,7 +74,7 @@ void start_solve(const CallPtr& call, const SolveTools& tools) {
     const Grid grid = problem.grid;
     start(tools, {call, std::move(problem), job,
                   [reporter](const Progress& progress) { reporter->report(to_job_progress(progress)); },
-                  [call, job, grid](const proto::SolveReply& reply) {
+                  [call, job, grid](const SolveReply& reply) {
                       proto::ArrayWriter arrays(call->request.arrays);
                       const nlohmann::json result = proto::encode_solve_reply(reply, grid, arrays);
                       job->end();
@@ -87,7 +87,7 @@ void start_solve(const CallPtr& call, const SolveTools& tools) {
                   true});
 }
 
-void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const proto::Limits& limits) {
+void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const MessageLimits& limits) {
     std::vector<proto::ProblemOrStatus> problems =
         proto::decode_problems(call->request.params, call->request.frames, limits);
     proto::check_frames_used(call->request.params, call->request.frames);

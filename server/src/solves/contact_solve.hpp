@@ -11,6 +11,6 @@ void start_solve(const CallPtr& call, const SolveTools& tools);
 
 /// Answers `call` when all solves have ended; what cannot be solved fails alone. `threads` of them run at a time, so
 /// that other requests get their turn in between.
-void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const proto::Limits& limits);
+void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const MessageLimits& limits);
 
 }  // namespace contactd::server

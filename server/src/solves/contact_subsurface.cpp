@@ -9,29 +9,30 @@
 namespace contactd::server {
 namespace {
 
-proto::SubsurfaceReply computed(const proto::SubsurfaceRequest& request, Observer& observer) {
+SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
     const SurfaceTractions tractions =
         tractions_on(request.body, request.pressure, request.traction_x, request.traction_y);
-    proto::SubsurfaceReply reply;
+    SubsurfaceReply reply;
     reply.stress = std::visit(
         [&](const auto& points) { return subsurface_stress(request.grid, tractions, request.nu, points, observer); },
         request.points);
     reply.shape = request.shape();
-    reply.largest = {reply.stress.von_mises[reply.stress.largest], request.point(reply.stress.largest)};
+    const auto [x, y, z] = request.point(reply.stress.largest);
+    reply.largest = {reply.stress.von_mises[reply.stress.largest], x, y, z};
     return reply;
 }
 
 }  // namespace
 
-void answer_subsurface(const CallPtr& call, JobTable& jobs, const proto::Limits& limits) {
-    const proto::SubsurfaceRequest request =
+void answer_subsurface(const CallPtr& call, JobTable& jobs, const MessageLimits& limits) {
+    const SubsurfaceRequest request =
         proto::decode_subsurface_request(call->request.params, call->request.frames, limits);
     proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
     const auto job = job_of(call, "subsurface", jobs);
     job->set_running();
     Reporter reporter(call, job);
     JobObserver observer(call, job, [&](const Progress& progress) { reporter.report(to_job_progress(progress)); });
-    const proto::SubsurfaceReply reply = computed(request, observer);
+    const SubsurfaceReply reply = computed(request, observer);
     proto::ArrayWriter arrays(call->request.arrays);
     const nlohmann::json result = proto::encode_subsurface_reply(reply, arrays);
     job->end();

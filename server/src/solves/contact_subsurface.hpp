@@ -8,6 +8,6 @@
 namespace contactd::server {
 
 /// Computes in the calling thread, as a job that can be cancelled, and answers `call`. Throws for a bad request.
-void answer_subsurface(const CallPtr& call, JobTable& jobs, const proto::Limits& limits);
+void answer_subsurface(const CallPtr& call, JobTable& jobs, const MessageLimits& limits);
 
 }  // namespace contactd::server

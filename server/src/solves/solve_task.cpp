@@ -25,13 +25,10 @@ void solve(const SolvePtr& work) {
         JobObserver observer(task.call, task.job, task.progress);
         observer.throw_if_cancelled();
         task.job->set_running();
-        proto::SolveReply reply;
+        SolveReply reply;
         reply.solution = solve_contact(task.problem, influence_of(task.problem, work->ics, work->influences), observer);
         count(work->counters, reply.solution);
-        IcUses uses = uses_of(task.problem, work->ics);
-        reply.upper = std::move(uses.upper);
-        reply.lower = std::move(uses.lower);
-        reply.pair = std::move(uses.pair);
+        reply.ics = uses_of(task.problem, work->ics);
         task.done(reply);
     } catch (const std::exception& error) {
         task.failed(status_of(error));

@@ -30,7 +30,7 @@ struct SolveTask {
     std::shared_ptr<Job> job;  ///< ends the solve by being cancelled
     std::function<void(const Progress&)> progress;
     /// One of them is called, from any thread; what `done` throws goes to `failed`.
-    std::function<void(const proto::SolveReply&)> done;
+    std::function<void(const SolveReply&)> done;
     std::function<void(const proto::Status&)> failed;
     bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
 };

@@ -31,13 +31,13 @@ inline std::vector<double> gap_of(const ContactProblem& problem) {
 }
 
 /// Solves by returning the gap as the pressure.
-inline proto::SolveReply gap_as_pressure(const ContactProblem& read) {
-    proto::SolveReply reply;
+inline SolveReply gap_as_pressure(const ContactProblem& read) {
+    SolveReply reply;
     reply.solution.pressure = reply.solution.traction_x = reply.solution.traction_y = gap_of(read);
     reply.solution.element_division.assign(read.grid.size(), ElementState::slip);
-    reply.upper = {"closed_form", "", {}};
-    reply.upper->evidence.source = "analytic";
-    reply.lower = reply.upper;
+    reply.ics.upper = {"closed_form", "", {}};
+    reply.ics.upper->evidence.source = "analytic";
+    reply.ics.lower = reply.ics.upper;
     return reply;
 }
 
@@ -56,7 +56,7 @@ inline std::vector<Frames> echo_gap(const nlohmann::json& request, const Frames&
 
 /// The same for many; fails those without contact.
 inline std::vector<Frames> echo_gaps(const nlohmann::json& request, const Frames& frames) {
-    std::vector<proto::ReplyOrStatus> replies;
+    std::vector<ReplyOrStatus> replies;
     std::vector<Grid> grids;
     for (const auto& problem : proto::decode_problems(request["params"], frames)) {
         const auto& read = std::get<ContactProblem>(problem);

@@ -41,7 +41,7 @@ TEST_CASE("A problem goes out and its solution comes back", "[client]") {
     const auto reply = client.solve(problem());
 
     CHECK(reply.solution.pressure == fake::gap_of(problem()));
-    CHECK(reply.upper->origin == "closed_form");
+    CHECK(reply.ics.upper->origin == "closed_form");
 }
 
 TEST_CASE("Many problems go out and their outcomes come back in order", "[client]") {
@@ -59,9 +59,9 @@ TEST_CASE("Many problems go out and their outcomes come back in order", "[client
     const auto replies = client.solve_many(problems);
 
     REQUIRE(replies.size() == 3);
-    CHECK(std::get<proto::SolveReply>(replies[0]).solution.pressure == std::vector<double>{1, 2, 3, 4, 5, 6});
+    CHECK(std::get<SolveReply>(replies[0]).solution.pressure == std::vector<double>{1, 2, 3, 4, 5, 6});
     CHECK(std::get<proto::Status>(replies[1]).message == "No.");
-    CHECK(std::get<proto::SolveReply>(replies[2]).solution.pressure.size() == 6);
+    CHECK(std::get<SolveReply>(replies[2]).solution.pressure.size() == 6);
     CHECK(frames_sent == 1);
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("Of many problems the one that cannot be solved is named", "[client]")
 }
 
 TEST_CASE("Stresses are asked for and read", "[client]") {
-    proto::SubsurfaceRequest request;
+    SubsurfaceRequest request;
     request.grid = Grid::centred(2, 1, 0.1, 0.1);
     request.nu = 0.3;
     request.body = ContactBody::upper;
@@ -101,12 +101,13 @@ TEST_CASE("Stresses are asked for and read", "[client]") {
         CHECK(asked["method"] == "contact.subsurface");
         const auto read = proto::decode_subsurface_request(asked["params"], frames);
         CHECK(read.body == ContactBody::upper);
-        proto::SubsurfaceReply reply;
+        SubsurfaceReply reply;
         for (auto* values : {&reply.stress.xx, &reply.stress.yy, &reply.stress.zz, &reply.stress.xy, &reply.stress.xz,
                              &reply.stress.yz, &reply.stress.von_mises})
             *values = std::vector<double>(6, read.pressure[1]);
         reply.shape = shape;
-        reply.largest = {2, read.point(0)};
+        const auto [x, y, z] = read.point(0);
+        reply.largest = {2, x, y, z};
         proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
         return message_of(asked, proto::encode_subsurface_reply(reply, arrays), arrays);
     });
@@ -131,7 +132,7 @@ TEST_CASE("Stresses are asked for and read", "[client]") {
 
 TEST_CASE("A table is asked for and read", "[client]") {
     fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
-        proto::IcReply reply{"key", "built", proto::decode_ic_spec(request["params"]), IcTable(2, 1), {}};
+        IcReply reply{"key", "built", proto::decode_ic_spec(request["params"]), IcTable(2, 1), {}};
         reply.table(Axis::z, Axis::z, 1, 0) = 0.25;
         reply.evidence.source = "fem";
         proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
@@ -156,7 +157,7 @@ TEST_CASE("A table is asked for and read", "[client]") {
         spec.fem.L_over_h = 20;
     }
 
-    const proto::IcReply reply = client.get_ic(spec);
+    const IcReply reply = client.get_ic(spec);
 
     CHECK(reply.spec == spec);
     CHECK(reply.table.at(Axis::z, Axis::z, -1, 0) == 0.25);

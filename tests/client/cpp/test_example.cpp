@@ -74,14 +74,14 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     problems[1].friction = contactd::FrictionLaw{{0.4}};
     problems[1].motion = pulled;
     const auto replies = client.solve_many(problems);
-    CHECK(std::get<contactd::proto::SolveReply>(replies[0]).solution.Fn == Approx(9.2).epsilon(1e-6));
+    CHECK(std::get<contactd::SolveReply>(replies[0]).solution.Fn == Approx(9.2).epsilon(1e-6));
     CHECK(std::get<contactd::proto::Status>(replies[1]).violations[0].field == "friction.force");
 
-    contactd::proto::SubsurfaceRequest inside;
+    contactd::SubsurfaceRequest inside;
     inside.grid = problem.grid;
     inside.nu = 0.42;
     inside.body = contactd::ContactBody::upper;
-    inside.pressure = std::get<contactd::proto::SolveReply>(replies[0]).solution.pressure;
+    inside.pressure = std::get<contactd::SolveReply>(replies[0]).solution.pressure;
     inside.points = contactd::StressBlock{{0.15}, {0.15}, {0, -0.4, -0.8}};
     const auto stresses = client.subsurface(inside);
     CHECK(stresses.shape == std::vector<std::size_t>{3, 1, 1});
@@ -92,7 +92,7 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
 TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]") {
     Daemon daemon;
     contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
-    contactd::proto::SessionSpec spec;
+    contactd::SessionSpec spec;
     spec.setup.grid = contactd::Grid::centred(12, 12, 0.2, 0.2);
     spec.setup.bodies = {{200, 0.42}, {200, 0.42}};
     spec.load.gap = contactd::Paraboloid{50, 50};
@@ -100,9 +100,9 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
     shift.x = 0.004;
     spec.setup.friction = contactd::FrictionLaw{{0.4}};
     spec.load.motion = shift;
-    contactd::proto::StepInput input;
+    contactd::StepInput input;
     input.approach = 0.02;
-    input.fields = {contactd::proto::SolutionField::pressure};
+    input.fields = {contactd::SolutionField::pressure};
     {
         contactd::client::Session session(client, spec);
         const auto first = session.step(input);

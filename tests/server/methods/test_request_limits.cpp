@@ -43,7 +43,7 @@ TEST_CASE("Grids of many problems count together") {
 
 TEST_CASE("Solutions that could not be sent as frames are refused before they are solved") {
     const json problem = grid(10, 10), sliding = {{"grid", problem["grid"]}, {"friction", json::object()}};
-    proto::Limits limits;
+    MessageLimits limits;
     limits.max_frame_bytes = 800;
     limits.max_message_bytes = 2500;
     const auto refusal = [&](const std::vector<const json*>& problems, proto::ArrayEncoding arrays) {

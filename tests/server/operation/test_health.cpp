@@ -7,7 +7,7 @@ using nlohmann::json;
 
 namespace {
 
-const contactd::proto::Limits limits;
+const contactd::MessageLimits limits;
 
 struct Watcher {
     std::vector<json> messages;

@@ -14,7 +14,7 @@ namespace {
 constexpr SessionLimits limits{2, 1'000'000, 2, 300, 3600};
 
 SessionPtr session(std::chrono::duration<double> lease = 300s) {
-    proto::SessionSpec spec;
+    SessionSpec spec;
     spec.setup.grid = Grid{4, 4, 1, 1, 0, 0};
     spec.setup.bodies = {{1, 0}, {1, 0}};
     return std::make_shared<Session>(std::move(spec), lease, IcAnswers{}, ContactInfluence{});

@@ -7,7 +7,7 @@ using contactd::proto::StatusError;
 
 namespace {
 
-const contactd::proto::Limits limits;
+const contactd::MessageLimits limits;
 
 CallPtr call_of(const std::string& client, const std::string& id, int timeout_ms = 0) {
     contactd::proto::Request request;

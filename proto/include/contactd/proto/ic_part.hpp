@@ -7,8 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "contactd/ic_table.hpp"
-#include "contactd/proto/codec.hpp"
+#include "contactd/ic_reply.hpp"
 #include "contactd/proto/message.hpp"
 
 namespace contactd::proto {
@@ -28,7 +27,7 @@ nlohmann::json encode_ic_part(const IcPart& part);
 
 /// Throws StatusError (ANSWER_TOO_LARGE), saying how to ask in pieces, when the part of a table of `nx` columns does
 /// not fit one frame or message.
-void check_size(const IcPart& part, int nx, const Limits& limits);
+void check_size(const IcPart& part, int nx, const MessageLimits& limits);
 
 /// The result of ic.get: the whole table, or [components, rows, nx] or [3, 3, rows, nx] of it.
 nlohmann::json encode_ic_part_reply(const IcReply& reply, const IcPart& part, ArrayWriter& arrays);
@@ -39,6 +38,6 @@ void read_part(const nlohmann::json& result, const std::vector<std::string>& fra
                IcReply& whole);
 
 /// The parts of a table of ny rows of nx that fit `limits`, each as large as may be.
-std::vector<IcPart> parts_within(const Limits& limits, int nx, int ny);
+std::vector<IcPart> parts_within(const MessageLimits& limits, int nx, int ny);
 
 }  // namespace contactd::proto

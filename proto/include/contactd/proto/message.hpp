@@ -13,22 +13,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contactd/message_limits.hpp"
+
 namespace contactd::proto {
 
 inline constexpr int protocol_version = 1;
 /// Those that the daemon serves, oldest first.
 inline constexpr std::array<int, 1> protocol_versions{1};
 
-/// What one message may cost; published by server.info, enforced by server and clients.
-struct Limits {
-    std::size_t max_frame_bytes = 128u << 20;
-    std::size_t max_frames = 8192;  ///< the envelope included
-    std::size_t max_message_bytes = 256u << 20;
-    std::size_t max_array_elements = 16'000'000;
-
-    bool operator==(const Limits&) const = default;
-};
-nlohmann::json to_json(const Limits& limits);
+nlohmann::json to_json(const MessageLimits& limits);
 
 /// Frame 0 is the JSON envelope; `frames[n-1]` holds the bytes of frame n.
 struct Message {
@@ -58,7 +51,7 @@ struct Request {
 /// Parses frame 0 and checks the envelope. Throws StatusError (NOT_JSON, NOT_AN_OBJECT, PROTOCOL_VERSION,
 /// ENVELOPE_INVALID, LIMIT_EXCEEDED); `id_out` receives the id as soon as it is known, so that the error can be
 /// answered.
-Request parse_request(std::string_view envelope, std::vector<std::string> frames, const Limits& limits,
+Request parse_request(std::string_view envelope, std::vector<std::string> frames, const MessageLimits& limits,
                       std::string& id_out);
 
 /// Text of an envelope. Never throws for bad UTF-8 (replaced) and never holds NaN.

@@ -33,7 +33,7 @@ struct ClientOptions {
     std::chrono::milliseconds connect_timeout{5'000};    ///< for somebody to listen at the endpoint
     std::chrono::milliseconds timeout{60'000};           ///< of a call
     std::chrono::milliseconds build_timeout{3'600'000};  ///< of calls that may wait for tables by finite elements
-    proto::Limits limits{};                              ///< checked before a message is sent
+    MessageLimits limits{};                              ///< checked before a message is sent
     /// Files of CURVE keys for an encrypted connection (docs/security.md), or neither: the daemon's public key, and the
     /// secret key of this client, which the daemon has to know.
     std::filesystem::path server_key{}, own_key{};
@@ -97,22 +97,21 @@ class Client {
 
     /// The influence coefficients of one body in mm^3/N. Waits for a build when the daemon has no such table. One that
     /// is too large for a message comes in several, each with the same timeout.
-    proto::IcReply get_ic(const IcSpec& spec, const CallOptions& options = {});
+    IcReply get_ic(const IcSpec& spec, const CallOptions& options = {});
 
     /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).
-    proto::SolveReply solve(const ContactProblem& problem, const CallOptions& options = {});
+    SolveReply solve(const ContactProblem& problem, const CallOptions& options = {});
 
     /// Solves 1 to 1000 contact problems at once, on all workers of the daemon. The answers have the order of the
     /// problems; instead of a solution comes the status of a problem that failed, which does not fail the others.
     /// Arrays that several problems have in common (tables, gaps) are sent once. Throws InvalidArgument naming
     /// problems[i].FIELD for one that cannot be solved as stated.
-    std::vector<proto::ReplyOrStatus> solve_many(std::span<const ContactProblem> problems,
-                                                 const CallOptions& options = {});
+    std::vector<ReplyOrStatus> solve_many(std::span<const ContactProblem> problems, const CallOptions& options = {});
 
     /// Stresses inside a body under the tractions of a solution. The request's points and the stresses are in the frame
     /// of that body: z <= 0 is inside, for the upper one too. Throws InvalidArgument naming an array that does not fit
     /// the grid.
-    proto::SubsurfaceReply subsurface(const proto::SubsurfaceRequest& request, const CallOptions& options = {});
+    SubsurfaceReply subsurface(const SubsurfaceRequest& request, const CallOptions& options = {});
 
     std::vector<Job> jobs(const CallOptions& options = {});
     /// Ends a job; everyone waiting for it gets CANCELLED. Throws StatusError (NOT_FOUND) when there is none.

@@ -1,10 +1,10 @@
 // A session of the daemon: the steps of a simulation, each of which starts where the one before ended.
 //
-//     contactd::proto::SessionSpec spec;
+//     contactd::SessionSpec spec;
 //     spec.setup = ...;                         // what all steps have in common
 //     spec.load.gap = ...;                      // and what holds for those that do not say it
 //     contactd::client::Session session(client, spec);
-//     contactd::proto::StepInput input;
+//     contactd::StepInput input;
 //     input.approach = 0.02;
 //     std::cout << session.step(input).solution.Fn << " N\n";
 #pragma once
@@ -31,7 +31,7 @@ class Session {
    public:
     /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
     /// InvalidArgument too, for a problem that cannot be solved as stated.
-    Session(Client& client, proto::SessionSpec spec, const CallOptions& options = {});
+    Session(Client& client, SessionSpec spec, const CallOptions& options = {});
     /// Opens a session of a problem that says all: gap, load and friction hold for the steps that name none.
     Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
     /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
@@ -45,7 +45,7 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     /// Solves the next step. Arrays of the solution are empty unless `input.fields` names them.
-    proto::StepReply step(const proto::StepInput& input, const CallOptions& options = {});
+    StepReply step(const StepInput& input, const CallOptions& options = {});
 
     /// Keeps where the session is.
     SavedState save(const CallOptions& options = {});

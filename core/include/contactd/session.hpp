@@ -1,0 +1,61 @@
+// Sessions: the numbered steps of a simulation (docs/sessions.md).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/contact.hpp"
+#include "contactd/ic_reply.hpp"
+
+namespace contactd {
+
+/// What a session is opened with.
+struct SessionSpec {
+    ContactSetup setup;  ///< what all steps have in common
+    /// What holds for the steps that do not say it; `previous` is where the first one starts. Of gap, approach and Fn
+    /// what is absent is named by every step.
+    ContactLoad load{};
+    std::optional<double> lease_seconds{};
+    bool accept_unconverged = false;  ///< whether steps count that missed a tolerance
+};
+
+/// An open session.
+struct SessionReply {
+    std::string session;  ///< its name, the key to it
+    double lease_seconds = 0;
+    std::size_t bytes = 0;
+    IcUses ics{};
+};
+
+/// Where a session is, and what all its steps have in common.
+struct SessionInfo {
+    long long step = 0;  ///< number of the last one
+    double lease_seconds = 0;
+    std::size_t states = 0;  ///< saved ones
+    std::size_t bytes = 0;   ///< with those
+    Grid grid;
+    std::optional<bool> rolls{};  ///< or shifts; none without friction
+    IcUses ics{};
+};
+
+/// The arrays that an answer may hold.
+enum class SolutionField { element_division, pressure, traction_x, traction_y, slip_x, slip_y };
+
+/// What a step says; what it leaves out is as the session was opened.
+struct StepInput {
+    std::optional<double> approach{}, Fn{};  ///< one at most
+    std::optional<Gap> gap{};
+    std::optional<FrictionLaw> friction{};
+    std::optional<Motion> motion{};       ///< whole: all its fields are sent
+    RigidSlip rigid_slip{};               ///< empty: as before
+    std::vector<SolutionField> fields{};  ///< wanted back
+};
+
+struct StepReply {
+    long long step = 0;
+    ContactSolution solution;  ///< its arrays are empty unless they were asked for
+};
+
+}  // namespace contactd
