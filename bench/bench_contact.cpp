@@ -11,7 +11,7 @@ using bench::Elliptic;
 ContactProblem on_ellipse(int n, const Motion& motion) {
     ContactProblem problem;
     problem.grid = Grid::centred(n, n, 13.2 / n, 8.8 / n);
-    problem.bodies = {Elliptic::steel, Elliptic::steel};
+    problem.bodies = Bodies::of({Elliptic::steel, Elliptic::steel});
     problem.gap = radii_of_force({6, 4}, (1 - Elliptic::steel.nu) / Elliptic::steel.G, Elliptic::Fn);
     problem.Fn = Elliptic::Fn;
     problem.friction = FrictionLaw{{0.3}};
@@ -42,16 +42,16 @@ SolverEvidence evidence_of(const ContactSolution& solution) {
 
 void run(benchmark::State& state, const ContactProblem& problem) {
     Observer observer;
-    IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper);
+    IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
     if (!(problem.bodies.upper == problem.bodies.lower)) {
         IcSpec spec;
         spec.dx = problem.grid.dx;
         spec.dy = problem.grid.dy;
         spec.nx = problem.grid.nx;
         spec.ny = problem.grid.ny;
-        spec.material = problem.bodies.upper;
+        spec.material = problem.bodies.upper.material;
         const IcTable upper = half_space_table(spec);
-        spec.material = problem.bodies.lower;
+        spec.material = problem.bodies.lower.material;
         pair = pair_of(upper, half_space_table(spec));
     }
     const ContactInfluence influence = make_influence(problem, pair);
@@ -76,7 +76,7 @@ void shift_by_force(benchmark::State& state) {
 
 void shift_of_unlike_bodies(benchmark::State& state) {
     ContactProblem problem = on_ellipse(size_of(state), shift());
-    problem.bodies.lower = {41000, 0.1};
+    problem.bodies.lower.material = {41000, 0.1};
     run(state, problem);
 }
 
@@ -88,7 +88,7 @@ void steady_rolling(benchmark::State& state) {
 void steady_rolling_warm(benchmark::State& state) {
     ContactProblem problem = on_ellipse(size_of(state), rolling());
     Observer observer;
-    const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper);
+    const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
     const ContactSolution last = solve_contact(problem, make_influence(problem, pair), observer);
     problem.initial_pressure = last.pressure;
     problem.initial_traction_x = last.traction_x;

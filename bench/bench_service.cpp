@@ -15,6 +15,7 @@
 
 #include "contactd/client/client.hpp"
 #include "contactd/half_space.hpp"
+#include "contactd/proto/codec.hpp"
 #include "contactd/solve_contact.hpp"
 
 namespace {
@@ -39,7 +40,7 @@ ContactProblem cattaneo(int n, bool friction) {
 
 ContactInfluence influence_of(const ContactProblem& problem) {
     IcSpec spec;
-    spec.material = problem.bodies.upper;
+    spec.material = problem.bodies.upper.material;
     spec.dx = problem.grid.dx;
     spec.dy = problem.grid.dy;
     spec.nx = problem.grid.nx;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "answers.hpp"
 #include "client_impl.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
@@ -10,14 +11,6 @@
 namespace contactd::client {
 
 namespace {
-
-MessageLimits limits_of(const json& info) {
-    const json& limits = info["limits"];
-    MessageLimits read;
-    read.max_frame_bytes = limits["max_frame_bytes"].get<std::size_t>();
-    read.max_message_bytes = limits["max_message_bytes"].get<std::size_t>();
-    return read;
-}
 
 /// A table that does not fit one message, put together from parts that do.
 template <class Ask>
@@ -41,8 +34,8 @@ Client::~Client() = default;
 Client::Client(Client&&) noexcept = default;
 Client& Client::operator=(Client&&) noexcept = default;
 
-json Client::info(const CallOptions& options) {
-    return impl_->quick("server.info", options);
+ServerInfo Client::info(const CallOptions& options) {
+    return impl_->quick("server.info", options).get<ServerInfo>();
 }
 
 std::string Client::health(const CallOptions& options) {
@@ -54,29 +47,57 @@ std::string Client::watch_health(const std::function<void(const std::string&)>& 
     const auto report = [&](const std::string& state) {
         if (std::exchange(last, state) != state) on_state(state);
     };
-    options.on_progress = [&](const ProgressReport& progress) { report(progress.state); };
+    options.on_progress = [&](const Progress& progress) { report(progress.state); };
     report(impl_->quick("health.watch", options)["state"].get<std::string>());
     return last;
 }
 
-json Client::describe(const CallOptions& options) {
-    return impl_->quick("server.describe", options);
+std::string Client::describe(const CallOptions& options) {
+    return impl_->quick("server.describe", options).dump();
+}
+
+std::vector<Metric> Client::metrics(const CallOptions& options) {
+    return impl_->quick("server.metrics", options)["metrics"].get<std::vector<Metric>>();
 }
 
 IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
     validate(spec);
     const json params = proto::encode_ic_spec(spec);
-    const auto ask = [&](json asked) {
-        const Wait wait = spec.source == IcSource::fem ? Wait::for_build : Wait::for_answer;
-        return impl_->call("ic.get", std::move(asked), {}, options, wait);
-    };
+    const auto ask = [&](json asked) { return impl_->call("ic.get", std::move(asked), {}, options, wait_of(spec)); };
     try {
         const Reply reply = ask(params);
         return decoded([&] { return proto::decode_ic_reply(reply.result, reply.frames); });
-    } catch (const proto::StatusError& error) {
-        if (error.status().reason != proto::reason::answer_too_large) throw;
+    } catch (const StatusError& error) {
+        if (error.status().reason != reason::answer_too_large) throw;
     }
-    return in_pieces(spec, params, limits_of(info(options)), ask);
+    return in_pieces(spec, params, info(options).limits, ask);
+}
+
+std::string Client::export_ic(const IcSpec& spec, FileFormat format, const std::optional<Material>& lower,
+                              const CallOptions& options) {
+    validate(spec);
+    const Reply reply =
+        impl_->call("ic.export", proto::encode_ic_export({spec, lower, format}), {}, options, wait_of(spec));
+    return decoded([&] { return proto::decode_ic_file(reply.result, reply.frames); });
+}
+
+std::vector<StoredIc> Client::stored_ics(const CallOptions& options) {
+    std::vector<StoredIc> tables;
+    json page, params = json::object();
+    do {
+        page = impl_->quick("ic.list", options, params);
+        for (const json& table : page["tables"]) tables.push_back(table.get<StoredIc>());
+        params["after"] = page.value("next", "");
+    } while (page.contains("next"));
+    return tables;
+}
+
+std::vector<QuarantinedIc> Client::quarantined_ics(const CallOptions& options) {
+    return impl_->quick("ic.list", options, {{"limit", 1}})["quarantined"].get<std::vector<QuarantinedIc>>();
+}
+
+int Client::delete_ic(const std::string& key, const CallOptions& options) {
+    return impl_->quick("ic.delete", options, {{"key", key}})["tables"].get<int>();
 }
 
 namespace {
@@ -162,16 +183,12 @@ SubsurfaceReply Client::subsurface(const SubsurfaceRequest& request, const CallO
     });
 }
 
+std::vector<SessionSummary> Client::sessions(const CallOptions& options) {
+    return impl_->quick("session.list", options)["sessions"].get<std::vector<SessionSummary>>();
+}
+
 std::vector<Job> Client::jobs(const CallOptions& options) {
-    const json result = impl_->quick("job.list", options);
-    std::vector<Job> jobs;
-    for (const json& job : result["jobs"]) {
-        jobs.push_back({job["job"].get<std::string>(), job["kind"].get<std::string>(), job["state"].get<std::string>(),
-                        job["stage"].get<std::string>(), job["fraction"].get<double>(), job["callers"].get<int>(),
-                        job["seconds"].get<double>()});
-        if (job.contains("seconds_left")) jobs.back().seconds_left = job["seconds_left"].get<double>();
-    }
-    return jobs;
+    return impl_->quick("job.list", options)["jobs"].get<std::vector<Job>>();
 }
 
 void Client::cancel_job(const std::string& job, const CallOptions& options) {

@@ -7,6 +7,7 @@
 
 #include "connection.hpp"
 #include "contactd/client/client.hpp"
+#include "contactd/proto/status.hpp"
 
 namespace contactd::client {
 
@@ -21,6 +22,10 @@ inline Wait wait_of(const ContactSetup& setup) {
     for (const Body* body : {&setup.bodies.upper, &setup.bodies.lower})
         if (const Ics* ics = body->computed(); ics != nullptr && ics->source == IcSource::fem) return Wait::for_build;
     return Wait::for_answer;
+}
+
+inline Wait wait_of(const IcSpec& spec) {
+    return spec.source == IcSource::fem ? Wait::for_build : Wait::for_answer;
 }
 
 class Client::Impl {
@@ -46,11 +51,11 @@ class Client::Impl {
         } catch (const TimeoutError& error) {
             if (!builds) throw;
             throw TimeoutError(error.what() + build_goes_on(build));
-        } catch (const proto::StatusError& error) {
-            if (!builds || error.status().code != proto::StatusCode::deadline_exceeded) throw;
-            proto::Status status = error.status();
+        } catch (const StatusError& error) {
+            if (!builds || error.status().code != StatusCode::deadline_exceeded) throw;
+            Status status = error.status();
             status.message += build_goes_on(build);
-            throw proto::StatusError(std::move(status));
+            throw StatusError(std::move(status));
         }
     }
 
@@ -61,10 +66,10 @@ class Client::Impl {
     const ClientOptions& options() const { return options_; }
 
    private:
-    static ProgressReport report_of(const json& progress) {
-        ProgressReport report{progress.value("job", ""),          progress["stage"].get<std::string>(),
-                              progress["fraction"].get<double>(), progress.value("iteration", 0),
-                              progress.value("residual", 0.0),    progress.value("state", "")};
+    static Progress report_of(const json& progress) {
+        Progress report{progress.value("job", ""),          progress["stage"].get<std::string>(),
+                        progress["fraction"].get<double>(), progress.value("iteration", 0),
+                        progress.value("residual", 0.0),    progress.value("state", "")};
         if (progress.contains("seconds_left")) report.seconds_left = progress["seconds_left"].get<double>();
         return report;
     }
@@ -86,7 +91,7 @@ template <class Decode>
 auto decoded(const Decode& decode) {
     try {
         return decode();
-    } catch (const proto::StatusError& error) {
+    } catch (const StatusError& error) {
         throw ProtocolError(std::string("The daemon's answer cannot be read: ") + error.what() + ".");
     }
 }

@@ -38,12 +38,12 @@ std::string random_prefix() {
 
 void check_limit(const char* what, std::size_t is, std::size_t limit) {
     if (is <= limit) return;
-    proto::Status status;
-    status.code = proto::StatusCode::invalid_argument;
-    status.reason = proto::reason::limit_exceeded;
+    Status status;
+    status.code = StatusCode::invalid_argument;
+    status.reason = reason::limit_exceeded;
     status.message = std::string("The request was not sent: ") + what + " is " + std::to_string(is) + "; at most " +
                      std::to_string(limit) + " are allowed.";
-    throw proto::StatusError(std::move(status));
+    throw StatusError(std::move(status));
 }
 
 void check_limits(const std::string& envelope, const std::vector<std::string>& frames, const MessageLimits& limits) {
@@ -152,7 +152,7 @@ Reply Connection::call(const std::string& method, json params, std::vector<std::
         throw;
     } catch (const ProtocolError&) {
         throw;
-    } catch (const proto::StatusError&) {
+    } catch (const StatusError&) {
         if (stop.stop_requested()) cancel(id);
         throw;
     } catch (...) {  // the time is over, or on_progress has thrown
@@ -168,8 +168,8 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
         const auto patience = stop.stop_possible() ? std::min(deadline, Clock::now() + stop_interval) : deadline;
         std::vector<std::string> message = receive(patience);
         if (message.empty() && stop.stop_requested())
-            throw proto::StatusError(proto::StatusCode::cancelled, proto::reason::request_cancelled,
-                                     "The call of " + method + " was stopped.");
+            throw StatusError(StatusCode::cancelled, reason::request_cancelled,
+                              "The call of " + method + " was stopped.");
         if (message.empty() && Clock::now() < deadline) continue;
         if (message.empty())
             throw TimeoutError("No answer to " + method + " from " + endpoint_ + " within " +
@@ -180,8 +180,8 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
             if (on_progress) on_progress(answer["progress"]);
             continue;
         }
-        const proto::Status status = proto::status_from_json(answer["status"]);
-        if (!status.ok()) throw proto::StatusError(status);
+        const Status status = proto::status_from_json(answer["status"]);
+        if (!status.ok()) throw StatusError(status);
         json result = answer.contains("result") ? std::move(answer["result"]) : json::object();
         check_schema(method + ".result", result);
         message.erase(message.begin());

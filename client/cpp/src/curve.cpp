@@ -14,8 +14,8 @@ namespace {
 constexpr int silent_ends_allowed = 2;
 
 [[noreturn]] void refuse(const std::string& endpoint, const std::string& why) {
-    throw proto::StatusError(proto::StatusCode::unauthenticated, "HANDSHAKE_FAILED",
-                             "No connection to " + endpoint + ": " + why + ".");
+    throw StatusError(StatusCode::unauthenticated, "HANDSHAKE_FAILED",
+                      "No connection to " + endpoint + ": " + why + ".");
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <utility>
 
 #include "client_impl.hpp"
+#include "contactd/proto/session.hpp"
 #include "one_at_a_time.hpp"
 
 namespace contactd::client {
@@ -24,75 +26,78 @@ auto insist(const Ask& ask) {
 
 constexpr const char* in_use =
     "A call of this session runs, in another thread or in whose on_progress this is; a session takes one step at a "
-    "time, "
-    "in order. Open a session, and a client, for each thread.";
+    "time, in order. Open a session, and a client, for each thread.";
 
 }  // namespace
 
-Session::Session(Client& client, Grid grid, std::string name, double lease_seconds, long long step)
-    : client_(client),
-      grid_(grid),
-      name_(std::move(name)),
-      lease_seconds_(lease_seconds),
-      step_(step),
-      open_(!name_.empty()),
-      process_(::getpid()) {}
+class Session::Impl {
+   public:
+    Impl(Client& client, const Grid& grid, SessionReply told, long long step)
+        : client_(client), grid_(grid), told_(std::move(told)), step_(step), process_(::getpid()) {}
 
-Session::Session(Client& client, SessionSpec spec, const CallOptions& options)
-    : Session(client, spec.setup.grid, {}, 0, 0) {
+    static std::unique_ptr<Impl> opened(Client& client, const SessionSpec& spec, const CallOptions& options);
+    static std::unique_ptr<Impl> joined(Client& client, const std::string& name, const CallOptions& options);
+
+    bool has_to_end() const { return open_ && process_ == ::getpid(); }
+    /// Ends it no more.
+    void leave() {
+        check_process();
+        open_ = false;
+    }
+
+    json ask(const char* method, const CallOptions& options, json more = json::object()) {
+        check_process();
+        const OneAtATime turn(user_, in_use);
+        more["session"] = told_.session;
+        return client_.impl_->quick(method, options, std::move(more));
+    }
+
+    StepReply step(const StepInput& input, const CallOptions& options);
+    void go_to(long long step) { step_ = step; }
+
+    const SessionReply& told() const { return told_; }
+    long long step_number() const { return step_; }
+
+   private:
+    void check_process() const {
+        if (process_ == ::getpid()) return;
+        throw ConcurrencyError("This session belongs to process " + std::to_string(process_) + ", from which process " +
+                               std::to_string(::getpid()) +
+                               " was forked; open one of your own, or take it over by Session::join(client, name).");
+    }
+
+    Client& client_;
+    const Grid grid_;
+    const SessionReply told_;
+    long long step_;
+    bool open_ = true;
+    const int process_;
+    std::atomic<int> user_ = 0;
+};
+
+std::unique_ptr<Session::Impl> Session::Impl::opened(Client& client, const SessionSpec& spec,
+                                                     const CallOptions& options) {
     validate_opening({spec.setup, spec.load});
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_session_spec(spec, arrays);
-    const json result =
-        client_.impl_->call("session.open", std::move(params), arrays.take_frames(), options, wait_of(spec.setup))
-            .result;
-    name_ = result["session"].get<std::string>();
-    lease_seconds_ = result["lease_seconds"].get<double>();
-    open_ = true;
+    const Reply reply =
+        client.impl_->call("session.open", std::move(params), arrays.take_frames(), options, wait_of(spec.setup));
+    return std::make_unique<Impl>(client, spec.setup.grid, proto::decode_session_reply(reply.result), 0);
 }
 
-Session::Session(Client& client, const ContactProblem& problem, const CallOptions& options)
-    : Session(client, SessionSpec{problem, problem}, options) {}
-
-Session Session::join(Client& client, const std::string& name, const CallOptions& options) {
+std::unique_ptr<Session::Impl> Session::Impl::joined(Client& client, const std::string& name,
+                                                     const CallOptions& options) {
     const json result = client.impl_->quick("session.info", options, {{"session", name}});
-    const SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
-    return Session(client, info.grid, name, info.lease_seconds, info.step);
+    SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
+    SessionReply told{name, info.lease_seconds, info.bytes, std::move(info.ics)};
+    return std::make_unique<Impl>(client, info.grid, std::move(told), info.step);
 }
 
-Session::~Session() {
-    if (!open_ || process_ != ::getpid()) return;
-    try {
-        close();
-    } catch (const Error&) {  // its lease ends it
-    }
-}
-
-std::string Session::release() {
-    check_process();
-    open_ = false;
-    return name_;
-}
-
-void Session::check_process() const {
-    if (process_ == ::getpid()) return;
-    throw ConcurrencyError("This session belongs to process " + std::to_string(process_) + ", from which process " +
-                           std::to_string(::getpid()) +
-                           " was forked; open one of your own, or take it over by Session::join(client, name).");
-}
-
-json Session::ask(const char* method, const CallOptions& options, json more) {
-    check_process();
-    const OneAtATime turn(user_, in_use);
-    more["session"] = name_;
-    return client_.impl_->quick(method, options, std::move(more));
-}
-
-StepReply Session::step(const StepInput& input, const CallOptions& options) {
+StepReply Session::Impl::step(const StepInput& input, const CallOptions& options) {
     check_process();
     const OneAtATime turn(user_, in_use);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    const json params = proto::encode_step(name_, step_ + 1, input, grid_, arrays);
+    const json params = proto::encode_step(told_.session, step_ + 1, input, grid_, arrays);
     const std::vector<std::string> frames = arrays.take_frames();
     const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options); });
     StepReply step = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, grid_); });
@@ -100,23 +105,72 @@ StepReply Session::step(const StepInput& input, const CallOptions& options) {
     return step;
 }
 
+Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Session::Session(Client& client, const SessionSpec& spec, const CallOptions& options)
+    : Session(Impl::opened(client, spec, options)) {}
+
+Session::Session(Client& client, const ContactProblem& problem, const CallOptions& options)
+    : Session(client, SessionSpec{problem, problem}, options) {}
+
+Session Session::join(Client& client, const std::string& name, const CallOptions& options) {
+    return Session(Impl::joined(client, name, options));
+}
+
+Session::~Session() {
+    if (!impl_->has_to_end()) return;
+    try {
+        close();
+    } catch (const Error&) {  // its lease ends it
+    }
+}
+
+StepReply Session::step(const StepInput& input, const CallOptions& options) {
+    return impl_->step(input, options);
+}
+
 SavedState Session::save(const CallOptions& options) {
-    const json result = ask("session.save", options);
+    const json result = impl_->ask("session.save", options);
     return {result["state"].get<std::string>(), result["step"].get<long long>()};
 }
 
 void Session::restore(const SavedState& state, const CallOptions& options) {
-    step_ = insist([&] { return ask("session.restore", options, {{"state", state.name}}); })["step"].get<long long>();
+    const json result = insist([&] { return impl_->ask("session.restore", options, {{"state", state.name}}); });
+    impl_->go_to(result["step"].get<long long>());
 }
 
 void Session::forget(const SavedState& state, const CallOptions& options) {
-    ask("session.forget", options, {{"state", state.name}});
+    impl_->ask("session.forget", options, {{"state", state.name}});
 }
 
 void Session::close(const CallOptions& options) {
-    check_process();
-    open_ = false;
-    ask("session.close", options);
+    impl_->leave();
+    impl_->ask("session.close", options);
+}
+
+const std::string& Session::name() const {
+    return impl_->told().session;
+}
+
+std::string Session::release() {
+    impl_->leave();
+    return name();
+}
+
+long long Session::step_number() const {
+    return impl_->step_number();
+}
+
+double Session::lease_seconds() const {
+    return impl_->told().lease_seconds;
+}
+
+std::size_t Session::bytes() const {
+    return impl_->told().bytes;
+}
+
+const IcUses& Session::ics() const {
+    return impl_->told().ics;
 }
 
 }  // namespace contactd::client

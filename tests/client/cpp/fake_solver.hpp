@@ -64,7 +64,7 @@ inline std::vector<Frames> echo_gaps(const nlohmann::json& request, const Frames
         if (read.approach > 0)
             replies.emplace_back(gap_as_pressure(read));
         else
-            replies.emplace_back(proto::Status{proto::StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
+            replies.emplace_back(Status{StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
     }
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     return message_of(request, proto::encode_solve_replies(replies, grids, arrays), arrays);

@@ -60,7 +60,7 @@ TEST_CASE("Many problems go out and their outcomes come back in order", "[client
 
     REQUIRE(replies.size() == 3);
     CHECK(std::get<SolveReply>(replies[0]).solution.pressure == std::vector<double>{1, 2, 3, 4, 5, 6});
-    CHECK(std::get<proto::Status>(replies[1]).message == "No.");
+    CHECK(std::get<Status>(replies[1]).message == "No.");
     CHECK(std::get<SolveReply>(replies[2]).solution.pressure.size() == 6);
     CHECK(frames_sent == 1);
 }
@@ -161,4 +161,144 @@ TEST_CASE("A table is asked for and read", "[client]") {
 
     CHECK(reply.spec == spec);
     CHECK(reply.table.at(Axis::z, Axis::z, -1, 0) == 0.25);
+}
+
+TEST_CASE("What the daemon says of itself is read", "[client]") {
+    json answer, params;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        params = request["params"];
+        return {{fake::reply(request, answer)}};
+    });
+    Client client(daemon.endpoint());
+    const auto example = [](const char* name) { return proto::schema(name)["examples"][0]; };
+
+    SECTION("its versions, limits and counters") {
+        answer = example("server.info.result");
+        const ServerInfo info = client.info();
+        CHECK(info.version == answer["version"].get<std::string>());
+        CHECK(info.commit == answer["commit"].get<std::string>());
+        CHECK(info.libraries.at("zeromq") == "4.3.5");
+        CHECK(info.limits.max_frame_bytes == answer["limits"]["max_frame_bytes"]);
+        CHECK(info.limits.max_queue_per_client == answer["limits"]["max_queue_per_client"]);
+        CHECK(info.counters.requests == 7);
+        CHECK(info.counters.memory_hits == 3);
+        CHECK(info.cache.bytes == 1296);
+        CHECK(info.queue.builds_running == 0);
+        CHECK(info.uptime_seconds == answer["uptime_seconds"]);
+    }
+    SECTION("a histogram") {
+        answer = {{"metrics",
+                   {{{"name", "contactd_seconds"},
+                     {"type", "histogram"},
+                     {"help", "How long."},
+                     {"samples",
+                      {{{"labels", {{"method", "ic.get"}}},
+                        {"count", 3},
+                        {"sum", 0.5},
+                        {"buckets", {{{"le", 0.1}, {"count", 2}}, {{"le", 1.0}, {"count", 3}}}}}}}}}}};
+        const std::vector<Metric> metrics = client.metrics();
+        REQUIRE(metrics.size() == 1);
+        CHECK(metrics[0].type == "histogram");
+        REQUIRE(metrics[0].samples.size() == 1);
+        const MetricSample& sample = metrics[0].samples[0];
+        CHECK(sample.labels.at("method") == "ic.get");
+        CHECK(sample.count == 3);
+        CHECK(sample.sum == 0.5);
+        REQUIRE(sample.buckets.size() == 2);
+        CHECK(sample.buckets[0].le == 0.1);
+        CHECK(sample.buckets[0].count == 2);
+    }
+    SECTION("a counter") {
+        answer = example("server.metrics.result");
+        CHECK(client.metrics()[1].samples[0].value == 2);
+    }
+    SECTION("its sessions") {
+        answer = example("session.list.result");
+        const std::vector<SessionSummary> sessions = client.sessions();
+        REQUIRE(sessions.size() == 1);
+        CHECK(sessions[0].age_seconds == 12.5);
+        CHECK(sessions[0].step == 7);
+        CHECK(sessions[0].elements == 1600);
+    }
+    SECTION("its jobs") {
+        answer = example("job.list.result");
+        answer["jobs"].push_back(answer["jobs"][0]);
+        answer["jobs"][1].erase("seconds_left");
+        const std::vector<Job> jobs = client.jobs();
+        REQUIRE(jobs.size() == 2);
+        CHECK(jobs[0].job == "build-3");
+        CHECK(jobs[0].seconds_left == 9.8);
+        CHECK_FALSE(jobs[1].seconds_left);
+    }
+    SECTION("tables in quarantine") {
+        const std::string key(64, 'a');
+        answer = {{"tables", json::array()},
+                  {"count", 0},
+                  {"bytes", 0},
+                  {"quarantined",
+                   {{{"key", key}, {"nx", 4}, {"ny", 3}, {"failures", 2}, {"message", "No."}, {"seconds", 7.5}}}}};
+        const std::vector<QuarantinedIc> quarantined = client.quarantined_ics();
+        REQUIRE(quarantined.size() == 1);
+        CHECK(quarantined[0].key == key);
+        CHECK(quarantined[0].failures == 2);
+        CHECK(quarantined[0].message == "No.");
+    }
+    SECTION("how many tables went") {
+        answer = example("ic.delete.result");
+        CHECK(client.delete_ic(answer["key"]) == 1);
+        CHECK(params == json{{"key", answer["key"]}});
+    }
+}
+
+TEST_CASE("The tables of the store are asked for page by page", "[client]") {
+    const std::string first(64, 'a'), second(64, 'b');
+    std::vector<json> asked;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        asked.push_back(request["params"]);
+        const bool last = asked.size() == 2;
+        json page{{"tables", {{{"key", last ? second : first}, {"nx", 4}, {"ny", 3}, {"bytes", 99}}}},
+                  {"count", 2},
+                  {"bytes", 198},
+                  {"quarantined", json::array()}};
+        if (!last) page["next"] = "a.4x3";
+        return {{fake::reply(request, page)}};
+    });
+
+    const std::vector<StoredIc> tables = Client(daemon.endpoint()).stored_ics();
+
+    REQUIRE(tables.size() == 2);
+    CHECK(tables[0].key == first);
+    CHECK(tables[1].key == second);
+    CHECK(tables[1].nx == 4);
+    CHECK(tables[1].bytes == 99);
+    CHECK(asked == std::vector<json>{json::object(), {{"after", "a.4x3"}}});
+}
+
+TEST_CASE("A table is exported as a file", "[client]") {
+    json params;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        params = request["params"];
+        CHECK(proto::violations_of("ic.export.params", params).empty());
+        IcUse use{"memory", std::string(64, 'a'), {}};
+        use.evidence.source = "analytic";
+        if (params["format"] == "contact")
+            return {{fake::reply(request, proto::encode_contact_text_reply("1 1\n", use, use))}};
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        const std::vector<unsigned char> file{0x89, 'H', 0, 0xff};
+        return message_of(request, proto::encode_hdf5_reply(file, use, arrays), arrays);
+    });
+    Client client(daemon.endpoint());
+    IcSpec spec;
+    spec.material = {82000, 0.28};
+    spec.dx = spec.dy = 0.8;
+    spec.nx = spec.ny = 2;
+
+    SECTION("of the store") {
+        CHECK(client.export_ic(spec) == std::string("\x89H\0\xff", 4));
+        CHECK_FALSE(params.contains("lower"));
+    }
+    SECTION("for the CONTACT program, of two bodies") {
+        CHECK(client.export_ic(spec, FileFormat::contact, Material{200, 0.3}) == "1 1\n");
+        CHECK(params["lower"]["G"] == 200);
+    }
 }

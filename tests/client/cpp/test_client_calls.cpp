@@ -29,9 +29,9 @@ TEST_CASE("Progress is reported in order", "[client]") {
                 {fake::reply(request, healthy)}};
     });
     Client client(daemon.endpoint());
-    std::vector<ProgressReport> reports;
+    std::vector<Progress> reports;
 
-    client.health({.on_progress = [&](const ProgressReport& report) { reports.push_back(report); }});
+    client.health({.on_progress = [&](const Progress& report) { reports.push_back(report); }});
 
     REQUIRE(reports.size() == 2);
     CHECK(reports[0].stage == "assembly");
@@ -42,7 +42,7 @@ TEST_CASE("Progress is reported in order", "[client]") {
 
 TEST_CASE("A status of the daemon is thrown with its details", "[client]") {
     fake::Daemon daemon([](const json& request, const Frames&) -> std::vector<Frames> {
-        proto::Status status{proto::StatusCode::resource_exhausted, "The queue is full.", "QUEUE_FULL", {}, 250};
+        Status status{StatusCode::resource_exhausted, "The queue is full.", "QUEUE_FULL", {}, 250};
         return {{fake::failure(request, proto::to_json(status))}};
     });
     Client client(daemon.endpoint());
@@ -50,8 +50,8 @@ TEST_CASE("A status of the daemon is thrown with its details", "[client]") {
     try {
         client.jobs();
         FAIL("nothing was thrown");
-    } catch (const proto::StatusError& error) {
-        CHECK(error.status().code == proto::StatusCode::resource_exhausted);
+    } catch (const StatusError& error) {
+        CHECK(error.status().code == StatusCode::resource_exhausted);
         CHECK(error.status().reason == "QUEUE_FULL");
         CHECK(error.status().retry_delay_ms == 250);
         CHECK(std::string(error.what()) == "The queue is full.");
@@ -63,7 +63,7 @@ TEST_CASE("An error whose id the daemon could not find is ours", "[client]") {
         return {{fake::failure({{"id", nullptr}}, {{"code", 3}, {"name", "INVALID_ARGUMENT"}, {"message", "No."}})}};
     });
     Client client(daemon.endpoint());
-    CHECK_THROWS_AS(client.health(), proto::StatusError);
+    CHECK_THROWS_AS(client.health(), StatusError);
 }
 
 TEST_CASE("A call ends at its timeout and its late answer is discarded", "[client]") {
@@ -112,7 +112,7 @@ TEST_CASE("A wait for a build that ends says that the build goes on, and as whic
     CHECK_THROWS_MATCHES(client.get_ic(spec, {.timeout = 50ms}), TimeoutError,
                          MessageMatches(ContainsSubstring(advice)));
     refused = true;
-    CHECK_THROWS_MATCHES(client.get_ic(spec), proto::StatusError, MessageMatches(ContainsSubstring(advice)));
+    CHECK_THROWS_MATCHES(client.get_ic(spec), StatusError, MessageMatches(ContainsSubstring(advice)));
 }
 
 TEST_CASE("Nobody listening and bad endpoints are connection errors", "[client]") {
@@ -179,7 +179,7 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
     try {
         client.solve(large);
         FAIL("nothing was thrown");
-    } catch (const proto::StatusError& error) {
+    } catch (const StatusError& error) {
         CHECK(error.status().reason == "LIMIT_EXCEEDED");
     }
     CHECK(requests == 0);
@@ -216,7 +216,7 @@ TEST_CASE("A call whose progress handler throws is cancelled", "[client]") {
     Silent silent;
     silent.with_progress = true;
     Client client(silent.daemon.endpoint());
-    const auto enough = [](const ProgressReport&) { throw std::runtime_error("enough"); };
+    const auto enough = [](const Progress&) { throw std::runtime_error("enough"); };
     CHECK_THROWS_AS(client.health({.on_progress = enough}), std::runtime_error);
     CHECK(silent.cancelled.get_future().get() == silent.asked);
 }
@@ -229,8 +229,8 @@ TEST_CASE("A call is stopped from another thread", "[client]") {
     try {
         client.health({.stop = stop.get_token()});
         FAIL("nothing was thrown");
-    } catch (const proto::StatusError& error) {
-        CHECK(error.status().code == proto::StatusCode::cancelled);
+    } catch (const StatusError& error) {
+        CHECK(error.status().code == StatusCode::cancelled);
     }
     CHECK(silent.cancelled.get_future().get() == silent.asked);
 }

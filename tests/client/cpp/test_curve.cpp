@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using namespace contactd::client;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
-using contactd::proto::StatusError;
+using contactd::StatusError;
 
 namespace {
 

@@ -2,6 +2,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <regex>
 #include <string>
@@ -15,6 +16,7 @@
 
 using namespace std::chrono_literals;
 using Catch::Approx;
+using contactd::client::ServerInfo;
 
 namespace {
 
@@ -49,18 +51,26 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     Daemon daemon;
     contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
 
-    CHECK(client.info()["protocol"] == 1);
-    CHECK(client.describe()["openrpc"].is_string());
+    const ServerInfo info = client.info();
+    CHECK(info.protocol == 1);
+    CHECK(info.protocol_versions == std::vector<int>{1});
+    CHECK(info.libraries.contains("zeromq"));
+    CHECK(info.limits.max_frames == 8192);
+    CHECK(info.limits.max_lease_seconds > 0);
+    CHECK(info.cache.budget_bytes > 0);
+    CHECK(client.describe().starts_with("{"));
     CHECK(client.jobs().empty());
-    CHECK_THROWS_AS(client.cancel_job("build-77"), contactd::proto::StatusError);
+    CHECK(client.sessions().empty());
+    CHECK_THROWS_AS(client.cancel_job("build-77"), contactd::StatusError);
     contactd::IcSpec spec;
     spec.material = {82000, 0.28};
     spec.dx = spec.dy = 0.8;
     spec.nx = 4;
     spec.ny = 3;
-    const auto reply = client.get_ic(spec);
+    const contactd::IcReply reply = client.get_ic(spec);
     CHECK(reply.origin == "closed_form");
     CHECK(reply.spec == spec);
+    CHECK(client.info().counters.closed_form == 1);
     CHECK(reply.table(contactd::Axis::z, contactd::Axis::z, 0, 0) > 0);
 
     contactd::ContactProblem problem;
@@ -75,7 +85,7 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     problems[1].motion = pulled;
     const auto replies = client.solve_many(problems);
     CHECK(std::get<contactd::SolveReply>(replies[0]).solution.Fn == Approx(9.2).epsilon(1e-6));
-    CHECK(std::get<contactd::proto::Status>(replies[1]).violations[0].field == "friction.force");
+    CHECK(std::get<contactd::Status>(replies[1]).violations[0].field == "friction.force");
 
     contactd::SubsurfaceRequest inside;
     inside.grid = problem.grid;
@@ -87,6 +97,42 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     CHECK(stresses.shape == std::vector<std::size_t>{3, 1, 1});
     CHECK(stresses.stress.zz[0] == Approx(-inside.pressure[4 * 8 + 4]).epsilon(1e-9));
     CHECK(stresses.largest.depth() == 0.4);
+}
+
+TEST_CASE("Tables leave the daemon as files, and its store is empty without builds", "[client][daemon]") {
+    Daemon daemon;
+    contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
+    contactd::IcSpec spec;
+    spec.material = {82000, 0.28};
+    spec.dx = spec.dy = 0.8;
+    spec.nx = 4;
+    spec.ny = 3;
+
+    CHECK(client.export_ic(spec).find("HDF") != std::string::npos);
+    const std::string of_two = client.export_ic(spec, contactd::FileFormat::contact, contactd::Material{200, 0.3});
+    CHECK(of_two != client.export_ic(spec, contactd::FileFormat::contact));
+    CHECK(client.stored_ics().empty());
+    CHECK(client.quarantined_ics().empty());
+    CHECK_THROWS_AS(client.delete_ic(std::string(64, 'a')), contactd::client::StatusError);
+}
+
+TEST_CASE("A daemon tells what is measured of it", "[client][daemon]") {
+    Daemon daemon;
+    contactd::client::Client client(daemon.endpoint(), {.connect_timeout = 20s});
+    client.health();
+
+    const std::vector<contactd::client::Metric> metrics = client.metrics();
+
+    const auto named = [&](const std::string& name) {
+        const auto found = std::find_if(metrics.begin(), metrics.end(), [&](const auto& m) { return m.name == name; });
+        REQUIRE(found != metrics.end());
+        return *found;
+    };
+    CHECK(named("contactd_open_requests").type == "gauge");
+    const auto solves = named("contactd_solves_total");
+    REQUIRE(solves.samples.size() == 2);
+    CHECK(solves.samples[0].labels.contains("converged"));
+    CHECK(solves.samples[0].value == 0);
 }
 
 TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]") {
@@ -105,11 +151,15 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
     input.fields = {contactd::SolutionField::pressure};
     {
         contactd::client::Session session(client, spec);
+        CHECK(session.bytes() > 0);
+        CHECK(session.ics().lower->origin != "");
+        REQUIRE(client.sessions().size() == 1);
+        CHECK(client.sessions()[0].elements == 144);
         const auto first = session.step(input);
         const contactd::client::SavedState state = session.save();
         const auto second = session.step(input);
         session.restore(state);
-        CHECK(session.last_step() == 1);
+        CHECK(session.step_number() == 1);
         const auto again = session.step(input);
 
         CHECK(first.solution.pressure.size() == 144);
@@ -117,9 +167,9 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
         CHECK(again.step == 2);
         CHECK(again.solution.Fx == second.solution.Fx);
         session.forget(state);
-        CHECK_THROWS_AS(session.restore(state), contactd::proto::StatusError);
+        CHECK_THROWS_AS(session.restore(state), contactd::StatusError);
         session.close();
-        CHECK_THROWS_AS(session.step(input), contactd::proto::StatusError);
+        CHECK_THROWS_AS(session.step(input), contactd::StatusError);
     }
     std::string name;
     {
@@ -129,10 +179,10 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
     }
     contactd::client::Client elsewhere(daemon.endpoint());
     auto joined = contactd::client::Session::join(elsewhere, name);
-    CHECK(joined.last_step() == 1);
+    CHECK(joined.step_number() == 1);
     CHECK(joined.step(input).solution.pressure.size() == 144);
     joined.close();
-    CHECK_THROWS_AS(contactd::client::Session::join(elsewhere, name), contactd::proto::StatusError);
+    CHECK_THROWS_AS(contactd::client::Session::join(elsewhere, name), contactd::StatusError);
     const contactd::client::Session other(client, spec);
     CHECK(other.lease_seconds() == 300);
 }

@@ -132,8 +132,8 @@ TEST_CASE("A call in on_progress of the same client is refused", "[client]") {
     Client client(daemon.endpoint()), other(daemon.endpoint());
     std::string nested;
 
-    CHECK_THROWS_AS(client.health({.on_progress = [&](const ProgressReport&) { client.health(); }}), ConcurrencyError);
-    client.health({.on_progress = [&](const ProgressReport&) { nested = other.health(); }});
+    CHECK_THROWS_AS(client.health({.on_progress = [&](const Progress&) { client.health(); }}), ConcurrencyError);
+    client.health({.on_progress = [&](const Progress&) { nested = other.health(); }});
 
     CHECK(nested == "serving");
 }
@@ -173,7 +173,7 @@ TEST_CASE("A session tells its name, and is joined by it where it is", "[client]
     CHECK(requests.size() == 1);
     {
         Session joined = Session::join(client, name);
-        CHECK(joined.last_step() == 7);
+        CHECK(joined.step_number() == 7);
         CHECK(joined.lease_seconds() == 60);
         CHECK(joined.name() == name);
     }

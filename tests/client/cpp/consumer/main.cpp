@@ -2,6 +2,11 @@
 #include <chrono>
 
 #include <contactd/client/client.hpp>
+#include <contactd/client/session.hpp>
+
+#ifdef NLOHMANN_JSON_VERSION_MAJOR
+#error "The client's headers bring nlohmann-json along, of which its users need to know nothing."
+#endif
 
 int main() {
     contactd::client::ClientOptions options;

@@ -18,14 +18,13 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "contactd/client/errors.hpp"
+#include "contactd/client/server_info.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/ic_reply.hpp"
 #include "contactd/ic_spec.hpp"
-#include "contactd/proto/codec.hpp"
-#include "contactd/proto/message.hpp"
-#include "contactd/proto/status.hpp"
+#include "contactd/solve_reply.hpp"
+#include "contactd/subsurface_stress.hpp"
 
 namespace contactd::client {
 
@@ -40,7 +39,7 @@ struct ClientOptions {
 };
 
 /// How far the work of a call is.
-struct ProgressReport {
+struct Progress {
     std::string job;                       ///< for cancel_job; empty when the daemon names none
     std::string stage;                     ///< "pcg", "normal", ...
     double fraction = 0;                   ///< of the whole work, 0..1, an estimate
@@ -55,28 +54,16 @@ struct CallOptions {
     /// second later, should no answer come.
     std::optional<std::chrono::milliseconds> timeout{};
     /// Called in the calling thread while the call waits. An exception it throws ends the call.
-    std::function<void(const ProgressReport&)> on_progress{};
+    std::function<void(const Progress&)> on_progress{};
     /// Ends the call with StatusError (CANCELLED) soon after a stop is requested, from any thread. The daemon is told,
     /// as it is when a call times out or on_progress throws; a build goes on for its cache.
     std::stop_token stop{};
 };
 
-/// Work that waits or runs in the daemon.
-struct Job {
-    std::string job;                       ///< its name
-    std::string kind;                      ///< "build", "solve", "subsurface" or "step"
-    std::string state;                     ///< "queued" or "running"
-    std::string stage;                     ///< empty while queued
-    double fraction = 0;                   ///< 0..1, an estimate
-    int callers = 0;                       ///< requests that wait for it
-    double seconds = 0;                    ///< since it was queued
-    std::optional<double> seconds_left{};  ///< time to go as last reported, of builds where there is an estimate
-};
-
 /// One connection, for one call at a time: use one client per thread, and another one in on_progress. A call while
 /// another one of the same client runs throws ConcurrencyError; threads may hand a client on between calls. A process
 /// that was forked goes on with a connection of its own. Nothing is sent before the first call. Every call throws
-/// ConnectionError, TimeoutError, ProtocolError or proto::StatusError; the object stays usable after each of them.
+/// ConnectionError, TimeoutError, ProtocolError or StatusError; the object stays usable after each of them.
 class Client {
    public:
     /// `endpoint` as ZeroMQ writes it: "ipc:///path" or "tcp://host:port". Throws ConnectionError when it is malformed,
@@ -86,18 +73,34 @@ class Client {
     Client(Client&&) noexcept;
     Client& operator=(Client&&) noexcept;
 
-    /// Version, limits, counters, ... (docs/protocol.md, server.info).
-    nlohmann::json info(const CallOptions& options = {});
+    /// Version, limits, counters, ...
+    ServerInfo info(const CallOptions& options = {});
     /// "serving" or "stopping".
     std::string health(const CallOptions& options = {});
     /// Calls `on_state` with the state now and with each change, until the daemon ends; gives the last one, "stopping".
     std::string watch_health(const std::function<void(const std::string&)>& on_state, CallOptions options = {});
-    /// The OpenRPC document of the service.
-    nlohmann::json describe(const CallOptions& options = {});
+    /// The OpenRPC document of the service, JSON as text.
+    std::string describe(const CallOptions& options = {});
+    /// What is measured of the daemon.
+    std::vector<Metric> metrics(const CallOptions& options = {});
 
     /// The influence coefficients of one body in mm^3/N. Waits for a build when the daemon has no such table. One that
     /// is too large for a message comes in several, each with the same timeout.
     IcReply get_ic(const IcSpec& spec, const CallOptions& options = {});
+
+    /// The table of get_ic as the content of a file: the store's HDF5 (docs/ic-tables.md), or the text in which the
+    /// CONTACT program takes the coefficients of a pair of bodies, of which `lower` is the second (none: as the first).
+    std::string export_ic(const IcSpec& spec, FileFormat format = FileFormat::hdf5,
+                          const std::optional<Material>& lower = {}, const CallOptions& options = {});
+
+    /// The tables in the daemon's store, by name; asked for a thousand at a time.
+    std::vector<StoredIc> stored_ics(const CallOptions& options = {});
+    /// Tables whose builds failed too often, the latest first: requests for them throw StatusError
+    /// (FAILED_PRECONDITION).
+    std::vector<QuarantinedIc> quarantined_ics(const CallOptions& options = {});
+    /// Removes the tables of a key from the daemon's store and ends its quarantine; gives the number of tables that
+    /// went. Throws StatusError (NOT_FOUND) when there was nothing to do.
+    int delete_ic(const std::string& key, const CallOptions& options = {});
 
     /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).
     SolveReply solve(const ContactProblem& problem, const CallOptions& options = {});
@@ -112,6 +115,9 @@ class Client {
     /// of that body: z <= 0 is inside, for the upper one too. Throws InvalidArgument naming an array that does not fit
     /// the grid.
     SubsurfaceReply subsurface(const SubsurfaceRequest& request, const CallOptions& options = {});
+
+    /// The open sessions, oldest first.
+    std::vector<SessionSummary> sessions(const CallOptions& options = {});
 
     std::vector<Job> jobs(const CallOptions& options = {});
     /// Ends a job; everyone waiting for it gets CANCELLED. Throws StatusError (NOT_FOUND) when there is none.

@@ -1,10 +1,17 @@
-// What the client throws beside proto::StatusError (the daemon's own answers) and InvalidArgument (a problem that
-// cannot be solved as stated, found before anything is sent). contactd::Error is the base of all.
+// What the client throws beside InvalidArgument (a problem that cannot be solved as stated, found before anything is
+// sent). contactd::Error is the base of all.
 #pragma once
 
 #include "contactd/error.hpp"
+#include "contactd/status.hpp"
 
 namespace contactd::client {
+
+/// The daemon's own answers; docs/protocol.md lists codes and reasons.
+using contactd::Status;
+using contactd::StatusCode;
+using contactd::StatusError;
+using contactd::Violation;
 
 /// The daemon cannot be reached: bad endpoint, or nobody listens there.
 class ConnectionError : public Error {

@@ -9,11 +9,12 @@
 //     std::cout << session.step(input).solution.Fn << " N\n";
 #pragma once
 
-#include <atomic>
+#include <cstddef>
+#include <memory>
 #include <string>
 
 #include "contactd/client/client.hpp"
-#include "contactd/proto/session.hpp"
+#include "contactd/session.hpp"
 
 namespace contactd::client {
 
@@ -31,7 +32,7 @@ class Session {
    public:
     /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
     /// InvalidArgument too, for a problem that cannot be solved as stated.
-    Session(Client& client, SessionSpec spec, const CallOptions& options = {});
+    Session(Client& client, const SessionSpec& spec, const CallOptions& options = {});
     /// Opens a session of a problem that says all: gap, load and friction hold for the steps that name none.
     Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
     /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
@@ -56,26 +57,19 @@ class Session {
     void close(const CallOptions& options = {});
 
     /// The key to the session: who has it can join it, and end it.
-    const std::string& name() const { return name_; }
+    const std::string& name() const;
     /// Leaves the session to whoever joins it: neither this object's end nor anything else here ends it any more.
     std::string release();
 
-    long long last_step() const { return step_; }
-    double lease_seconds() const { return lease_seconds_; }  ///< it ends when unused for that long
+    long long step_number() const;  ///< of the last step, 0 before the first
+    double lease_seconds() const;   ///< it ends when unused for that long
+    std::size_t bytes() const;      ///< of the daemon's memory, when it was opened or joined
+    const IcUses& ics() const;      ///< where the influence coefficients came from
 
    private:
-    Session(Client& client, Grid grid, std::string name, double lease_seconds, long long step);
-    void check_process() const;
-    nlohmann::json ask(const char* method, const CallOptions& options, nlohmann::json more = nlohmann::json::object());
-
-    Client& client_;
-    const Grid grid_;
-    std::string name_;
-    double lease_seconds_ = 0;
-    long long step_ = 0;
-    bool open_ = false;
-    const int process_;
-    std::atomic<int> user_ = 0;
+    class Impl;
+    explicit Session(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace contactd::client

@@ -1,0 +1,124 @@
+// What the daemon says of itself: names as docs/protocol.md has them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/message_limits.hpp"
+
+namespace contactd::client {
+
+/// What one message may cost, and how much may wait and be open.
+struct ServerLimits : MessageLimits {
+    std::size_t max_grid_elements = 0;      ///< elements of one grid, offsets of one table
+    std::int64_t max_queue = 0;             ///< requests that may wait for an answer
+    std::int64_t max_queue_per_client = 0;  ///< of these, requests that came through one socket
+    std::size_t max_queue_bytes = 0;        ///< of the messages whose requests wait for an answer
+    std::int64_t max_sessions = 0;
+    std::size_t max_session_bytes = 0;    ///< of all sessions and their saved states together
+    std::int64_t max_session_states = 0;  ///< saved states of one session
+    double max_lease_seconds = 0;         ///< longest lease of a session
+};
+
+/// Counted since the start.
+struct ServerCounters {
+    std::int64_t requests = 0;         ///< answered
+    std::int64_t requests_failed = 0;  ///< answered with another status than OK
+    std::int64_t solves = 0;           ///< contact problems solved
+    std::int64_t builds_started = 0, builds_finished = 0, builds_failed = 0, builds_cancelled = 0;
+    std::int64_t builds_joined = 0;                                ///< requests that joined a running build
+    std::int64_t memory_hits = 0, disk_hits = 0, closed_form = 0;  ///< tables answered, by where they came from
+    std::int64_t tables_set_aside = 0;                             ///< damaged ones
+};
+
+/// Tables in memory.
+struct CacheUse {
+    std::int64_t tables = 0;
+    std::size_t bytes = 0, budget_bytes = 0;  ///< what they take, and may take
+};
+
+/// Work that waits and runs.
+struct QueueLengths {
+    std::int64_t solves_waiting = 0, solves_running = 0;
+    std::int64_t builds_waiting = 0, builds_running = 0;
+};
+
+struct ServerInfo {
+    std::string version;                           ///< of contactd
+    std::string commit;                            ///< of its sources
+    int protocol = 0;                              ///< version that it answers in
+    std::vector<int> protocol_versions;            ///< that it understands, oldest first
+    std::map<std::string, std::string> libraries;  ///< their versions by name
+    ServerLimits limits;
+    ServerCounters counters;
+    CacheUse cache;
+    QueueLengths queue;
+    double uptime_seconds = 0;  ///< since its start
+};
+
+/// Observations of a histogram up to a bound, those of smaller bounds included.
+struct MetricBucket {
+    double le = 0;  ///< the bound
+    std::int64_t count = 0;
+};
+
+/// One value for each combination of labels.
+struct MetricSample {
+    std::map<std::string, std::string> labels;  ///< their values by name
+    double value = 0;                           ///< of a counter or a gauge
+    std::int64_t count = 0;                     ///< of a histogram: observations
+    double sum = 0;                             ///< their sum
+    std::vector<MetricBucket> buckets;
+};
+
+/// What is measured of the daemon, as docs/operations.md lists it and Prometheus reads it.
+struct Metric {
+    std::string name;  ///< with its unit
+    std::string type;  ///< "counter", "gauge" or "histogram"
+    std::string help;  ///< what it is
+    std::vector<MetricSample> samples;
+};
+
+/// Work that waits or runs in the daemon.
+struct Job {
+    std::string job;                       ///< its name
+    std::string kind;                      ///< "build", "solve", "subsurface" or "step"
+    std::string state;                     ///< "queued" or "running"
+    std::string stage;                     ///< empty while queued
+    double fraction = 0;                   ///< 0..1, an estimate
+    int callers = 0;                       ///< requests that wait for it
+    double seconds = 0;                    ///< since it was queued
+    std::optional<double> seconds_left{};  ///< time to go as last reported, of builds where there is an estimate
+};
+
+/// One session; its name is the key to it and is not told.
+struct SessionSummary {
+    double age_seconds = 0;     ///< since it was opened
+    double idle_seconds = 0;    ///< since a request used it last, 0 while one does
+    double lease_seconds = 0;   ///< it ends when idle for that long
+    std::int64_t step = 0;      ///< number of its last step
+    std::int64_t states = 0;    ///< saved ones
+    std::size_t bytes = 0;      ///< what it counts of limits.max_session_bytes, saved states included
+    std::int64_t elements = 0;  ///< of its grid
+};
+
+/// A table in the daemon's store.
+struct StoredIc {
+    std::string key;        ///< what delete_ic takes
+    int nx = 0, ny = 0;     ///< offsets along x and y
+    std::size_t bytes = 0;  ///< of its file
+};
+
+/// A table whose builds failed too often; it and larger ones with its key are not tried again for now.
+struct QuarantinedIc {
+    std::string key;      ///< what delete_ic takes, which ends the quarantine
+    int nx = 0, ny = 0;   ///< offsets along x and y
+    int failures = 0;     ///< builds that failed
+    std::string message;  ///< how the last one failed
+    double seconds = 0;   ///< until it may be tried again
+};
+
+}  // namespace contactd::client
