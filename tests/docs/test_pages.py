@@ -77,6 +77,17 @@ def test_pages_that_sources_name_exist():
             assert (ROOT / name).exists(), f"{file.relative_to(ROOT)} names {name}"
 
 
+@pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/architecture.md", "tests/README.md"])
+def test_files_that_the_guides_name_exist(page):
+    """By their paths, in which capitals stand for any name, or by their names alone."""
+    names = {re.sub("[A-Z]{4,}", "*", name) for name in re.findall(r"`([\w/.*-]+)`", (ROOT / page).read_text())}
+    paths = {name for name in names if name.startswith(FOLDERS) and "/" in name}
+    files = {name for name in names if re.fullmatch(r"[\w*]+\.(cpp|hpp|json|py|txt)", name)} - {"compile_commands.json"}
+    assert paths
+    assert not [path for path in sorted(paths) if not list(ROOT.glob(path))]
+    assert not [file for file in sorted(files) if not any(list((ROOT / folder).rglob(file)) for folder in FOLDERS)]
+
+
 def test_the_page_of_the_cpp_client_states_the_problem_of_its_example():
     folder = ROOT / "client" / "cpp"
 
