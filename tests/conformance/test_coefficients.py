@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 from conformance.requests import LONG_BUILD, QUICK_BUILD, SOLVE, TABLE
-from conformance.wire import CANCELLED, FAILED_PRECONDITION, INTERNAL, INVALID_ARGUMENT, NOT_FOUND, OK, RESOURCE_EXHAUSTED
+from conformance.wire import (
+    CANCELLED,
+    FAILED_PRECONDITION,
+    INTERNAL,
+    INVALID_ARGUMENT,
+    NOT_FOUND,
+    OK,
+    RESOURCE_EXHAUSTED,
+)
 
 
 @pytest.mark.parametrize("field", [{"preset": "paper-test2"}, {"mesh": "hex"}, {"order": 2}, {"solver": "direct"}], ids=str)

@@ -6,8 +6,15 @@ import pytest
 
 from conformance.requests import ENDLESS, SOLVE
 from conformance.wire import (
-    ABORTED, CANCELLED, DEADLINE_EXCEEDED, FAILED_PRECONDITION, INVALID_ARGUMENT, NOT_FOUND, OK, RESOURCE_EXHAUSTED
-)  # fmt: skip
+    ABORTED,
+    CANCELLED,
+    DEADLINE_EXCEEDED,
+    FAILED_PRECONDITION,
+    INVALID_ARGUMENT,
+    NOT_FOUND,
+    OK,
+    RESOURCE_EXHAUSTED,
+)
 
 
 @pytest.fixture

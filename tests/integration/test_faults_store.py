@@ -166,12 +166,12 @@ def test_three_daemons_in_turns_evict_what_was_used_least_recently(daemons, lega
         size = next(client.stored_ics()).bytes
     daemons.stop_all()
     shelf = Shelf(daemons.folder / "first" / "store")
+    (path,) = shelf.folder.glob("*.h5")
     if legacy:
-        (path,) = shelf.folder.glob("*.h5")
         os.utime(path, (6437664000, 6437664000.5))
     store = {"folder": str(shelf.folder), "disk_budget_bytes": 3 * size + size // 2}
     shelf.expected = [0.1]
-    shelf.keys = {0.1: path.name.partition(".")[0] for path in shelf.folder.glob("*.h5")}
+    shelf.keys = {0.1: path.name.partition(".")[0]}
 
     first = daemons.start("first", store=store)
     with first.client() as client:

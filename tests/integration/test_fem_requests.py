@@ -12,7 +12,7 @@ from support.problems import CATTANEO, GRID, STEEL
 def scaled_errors(table, exact):
     """Largest error of each component: xx, yy, zz relative, the others times 2 pi G rho / (dx dy)."""
     grid, material = table.spec.grid, table.spec.material
-    l, k = np.mgrid[: grid.ny, : grid.nx]  # noqa: E741
+    l, k = np.mgrid[: grid.ny, : grid.nx]
     rho = np.hypot(k * grid.dx, l * grid.dy)
     unit = 2 * np.pi * material.G * rho / (grid.dx * grid.dy)
     errors = {}

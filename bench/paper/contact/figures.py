@@ -9,8 +9,20 @@ from typing import Any
 from matplotlib.lines import Line2D
 
 from ..drawing import (
-    BLUE, GREEN, GREY, INK, ORANGE, PURPLE, RED, Look, block_sizes, doubling, finish, new_figure, save,
-)  # fmt: skip
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    PURPLE,
+    RED,
+    Look,
+    block_sizes,
+    doubling,
+    finish,
+    new_figure,
+    save,
+)
 from ..rows import Row, select
 
 NAMES = {"Fz": "normal force $F_z$", "pmax": "maximal pressure", "area": "contact area", "Fx": "tangential force $F_x$"}

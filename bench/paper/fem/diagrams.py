@@ -9,8 +9,21 @@ from typing import Any
 import matplotlib.pyplot as plt
 
 from ..drawing import (
-    BLUE, GREEN, GREY, INK, ORANGE, PURPLE, RED, SKY, Look, draw_target, finish, new_figure, plain_log, save,
-)  # fmt: skip
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    Look,
+    draw_target,
+    finish,
+    new_figure,
+    plain_log,
+    save,
+)
 from ..rows import Row, select
 
 LIGHT = "#b4b4bd"

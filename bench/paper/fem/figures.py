@@ -9,8 +9,20 @@ from typing import Any
 from matplotlib.lines import Line2D
 
 from ..drawing import (
-    BLUE, GREEN, GREY, INK, ORANGE, RED, Look, block_sizes, draw_target, finish, new_figure, plain_log, save,
-)  # fmt: skip
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    RED,
+    Look,
+    block_sizes,
+    draw_target,
+    finish,
+    new_figure,
+    plain_log,
+    save,
+)
 from ..rows import Row, select
 
 FIG5 = {"linear": Look("linear elements", RED, "s"), "quadratic": Look("quadratic elements", BLUE, "o")}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .cases import SCANNED_L_OVER_H, SCANS
 from ..rows import Row, select
+from .cases import SCANNED_L_OVER_H, SCANS
 
 TARGET = 0.01
 RANGE_COLUMNS = ["mesh", "parameter", "L_over_h", "paper", "scanned", "within", "outside"]

@@ -30,7 +30,8 @@ def plain(value: Any) -> dict[str, Any]:
 def array_of(value: Any) -> np.ndarray[Any, Any]:
     """`value` as an array that still has its mask, should it have one, for `encode` to refuse."""
     if isinstance(value, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in value):
-        return np.ma.array(value)
+        masked: np.ndarray[Any, Any] = np.ma.array(value)
+        return masked
     return np.asanyarray(value)
 
 

@@ -110,7 +110,8 @@ class _Reader:
         self._expect_end()
         if self._modulus is None:
             raise TableFileError("G is missing; the text does not tell by which modulus its values are multiplied")
-        array = self._symmetric_part(rows, nx, ny, tolerance) / self._modulus
+        array = self._symmetric_part(rows, nx, ny, tolerance)
+        array /= self._modulus
         return array, dx, dy, self._modulus
 
     def _next(self, wanted: str) -> str:
@@ -220,7 +221,7 @@ class _Reader:
                 self._at + int(wrong) + 1,
                 f"has ix {block[wrong, 0]:g}; it must be that of the offset {(int(wrong), iy)}",
             )
-        for at in np.flatnonzero(np.abs(block[:, 1] - k * dx) > _SIZE_TOLERANCE * k * dx).tolist():
+        for at in map(int, np.flatnonzero(np.abs(block[:, 1] - k * dx) > _SIZE_TOLERANCE * k * dx)):
             if abs(block[at, 1] - at * dx) > _off_by(_words(lines[at])[1], at * dx):
                 _fail(self._at + at + 1, f"has x {block[at, 1]:g}; it must be ix dx, {at * dx:g}")
         self._at += nx

@@ -10,7 +10,7 @@ import zmq.auth
 
 from .errors import ConnectionFailed, Unauthenticated
 
-__all__ = ["CurveKeys", "HANDSHAKE_EVENTS", "Handshakes", "load_curve_keys"]
+__all__ = ["HANDSHAKE_EVENTS", "CurveKeys", "Handshakes", "load_curve_keys"]
 
 #: What a socket tells of the handshakes of its connection.
 HANDSHAKE_EVENTS = (

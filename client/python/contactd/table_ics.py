@@ -35,7 +35,7 @@ def combined_modulus(upper: Material, lower: Material | None = None) -> float:
 
 def check_finite(array: Array) -> None:
     """Raises ValueError naming the first coefficient that is no finite number."""
-    for i, j, l, k in np.argwhere(~np.isfinite(array))[:1].tolist():
+    for i, j, l, k in np.argwhere(~np.isfinite(array))[:1]:
         value, name = array[i, j, l, k], _AXES[i] + _AXES[j]
         raise ValueError(f"array holds {value} for {name} at the offset ({k}, {l}); every coefficient must be finite")
 

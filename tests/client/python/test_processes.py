@@ -82,7 +82,7 @@ def test_a_fork_while_another_thread_waits_for_an_answer_disturbs_neither(fake):
             go_on.wait(5)
         return serving(request)
 
-    server, client = fake(script)
+    _, client = fake(script)
     waiting = threading.Thread(target=client.describe)
     waiting.start()
     asked.wait(5)

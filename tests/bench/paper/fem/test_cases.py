@@ -3,7 +3,7 @@
 import pytest
 
 from paper.__main__ import SECTIONS, parts_of
-from paper.fem.cases import GRIDS, H, LENGTHS, PARTS, TESTS, clamped, elements, full_ics
+from paper.fem.cases import GRIDS, LENGTHS, PARTS, TESTS, H, clamped, elements, full_ics
 from paper.run import distinct
 
 ALL = [case for part in PARTS.values() for case in part()]
