@@ -24,11 +24,36 @@ function(contactd_library name)
   contactd_warnings(contactd_${name})
 endfunction()
 
-# contactd_test(NAME sources... ) makes a Catch2 program and registers its cases with ctest, each with a time limit.
+# contactd_test(NAME sources...) makes a Catch2 program and registers its tests with ctest: one for each source that has test
+# cases, by its path below tests/ without the ending, and one more, labelled slow, for the source's cases with the tag [slow].
 function(contactd_test name)
   add_executable(${name} ${ARGN})
   contactd_warnings(${name})
   target_link_libraries(${name} PRIVATE Catch2::Catch2WithMain)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  catch_discover_tests(${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 900)
+  foreach(source ${ARGN})
+    file(STRINGS ${source} cases REGEX "TEST_CASE")
+    file(STRINGS ${source} slow REGEX "TEST_CASE.*\\[slow\\]")
+    cmake_path(GET source STEM file)
+    if(cases AND NOT cases STREQUAL slow)
+      contactd_add_test(${name} ${source} "" COMMAND ${name} --filenames-as-tags "[#${file}]~[slow]")
+    endif()
+    if(slow)
+      contactd_add_test(${name} ${source} " (slow)" COMMAND ${name} --filenames-as-tags "[#${file}][slow]")
+      set_property(TEST ${test} PROPERTY LABELS slow)
+    endif()
+  endforeach()
+endfunction()
+
+# contactd_add_test(TARGET source suffix COMMAND...) names a test after its source, which it leaves in `test`, and limits its time;
+# TARGET is what must be built for it. build/<preset>/tests.txt lists all of them.
+function(contactd_add_test target source suffix)
+  cmake_path(ABSOLUTE_PATH source)
+  cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests)
+  cmake_path(REMOVE_EXTENSION source LAST_ONLY OUTPUT_VARIABLE test)
+  string(APPEND test "${suffix}")
+  add_test(NAME ${test} ${ARGN})
+  set_tests_properties(${test} PROPERTIES TIMEOUT 900)
+  set_property(GLOBAL APPEND PROPERTY contactd_tests "${test}\t${source}\t${target}\n")
+  set(test ${test} PARENT_SCOPE)
 endfunction()
