@@ -1,4 +1,4 @@
-"""What every Python test gets: a time limit, and a check that it leaves no thread behind."""
+"""What every Python test gets: patience where programs are slow, a process to run in, and a check that it leaves no thread behind."""
 
 from __future__ import annotations
 
@@ -15,20 +15,16 @@ from support.patience import SLOWER
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@pytest.fixture(autouse=True)
-def time_limit(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Fails a test that hangs; @pytest.mark.time_limit(seconds) changes the sixty seconds."""
-    marker = request.node.get_closest_marker("time_limit")
-    seconds = SLOWER * (marker.args[0] if marker else 60)
-
-    def expire(signum: int, frame: object) -> None:
-        pytest.fail(f"took longer than {seconds} s", pytrace=True)
-
-    before = signal.signal(signal.SIGALRM, expire)
-    signal.alarm(seconds)
-    yield
-    signal.alarm(0)
-    signal.signal(signal.SIGALRM, before)
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Time limits are those of programs that are SLOWER; what tests of a file share lives in one process (pytest-xdist)."""
+    for item in items:
+        limit = item.get_closest_marker("timeout")
+        seconds = limit.args[0] if limit else float(config.getini("timeout"))
+        item.add_marker(pytest.mark.timeout(SLOWER * seconds), append=False)
+        fixtures = item._fixtureinfo.name2fixturedefs.values() if isinstance(item, pytest.Function) else ()
+        if any(found[-1].scope == "module" for found in fixtures) and not item.get_closest_marker("xdist_group"):
+            item.add_marker(pytest.mark.xdist_group(item.path.stem))
 
 
 @pytest.fixture(autouse=True)

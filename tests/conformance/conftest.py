@@ -21,6 +21,14 @@ Start = Callable[..., Daemon]
 UNREACHABLE = {"UNEXPECTED", "CLIENT_GONE"}
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The whole suite runs in one process (pytest-xdist), whose record is looked at in the end."""
+    for item in items:
+        if item.path.parent == Path(__file__).parent:
+            item.add_marker(pytest.mark.xdist_group("conformance"))
+
+
 def _is_whole(session: pytest.Session) -> bool:
     """Whether the suite ran with every scenario, and none has failed."""
     folder = Path(__file__).parent

@@ -2,6 +2,7 @@
 
 import copy
 import json
+from enum import Enum
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ TABLE_PARAMS = {
     "ics": {"source": "fem", "preset": "paper-test3"},
 }
 ENVELOPE = {"contactd": 1, "id": "7f", "method": "server.health", "params": {}}
-REMOVED = object()
+REMOVED = Enum("Sign", "REMOVED").REMOVED
 
 
 @pytest.fixture(autouse=True)

@@ -77,7 +77,7 @@ def left_in(folder):
 
 
 @pytest.mark.slow
-@pytest.mark.time_limit(300)
+@pytest.mark.timeout(300)
 def test_the_demo_reaches_the_accuracy_of_the_paper_and_draws_a_picture(folder):
     demo = start(folder, "--bin", BIN, "--output", folder / "sub" / "picture.png")
     output, errors = demo.communicate(timeout=280)

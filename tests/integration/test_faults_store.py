@@ -252,7 +252,7 @@ def test_a_daemon_that_is_no_more_does_not_keep_another_from_building(daemons, b
             assert not list((daemons.folder / "store").glob("*.lock"))
 
 
-@pytest.mark.time_limit(600 if LONG_FAULTS else 60)
+@pytest.mark.timeout(600 if LONG_FAULTS else 60)
 def test_a_daemon_killed_at_any_moment_serves_whole_tables_afterwards(daemons, background):
     ratios = [0.01 * n for n in range(10, 22 if LONG_FAULTS else 16)]
     with daemons.start("reference").client() as client:

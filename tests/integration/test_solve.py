@@ -172,7 +172,7 @@ def test_a_single_element_can_be_solved(shared):
 
 
 @pytest.mark.slow
-@pytest.mark.time_limit(600)
+@pytest.mark.timeout(600)
 def test_finite_elements_reach_the_accuracy_of_the_paper(shared):
     """Read between all nodes, which is what gives the paper's Fx (0.03 %)."""
     grid = Grid.centred(160, 160, 2.4, 2.4)
@@ -185,7 +185,7 @@ def test_finite_elements_reach_the_accuracy_of_the_paper(shared):
 
 
 @pytest.mark.slow
-@pytest.mark.time_limit(600)
+@pytest.mark.timeout(600)
 def test_what_the_clamped_block_costs_goes_with_its_size(shared):
     """Clamping at 1024 mm alone shifts Fx by 0.10 %, whatever the mesh; a thousand times further it is gone."""
     grid = Grid.centred(160, 160, 2.4, 2.4)
