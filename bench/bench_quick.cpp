@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "closed_forms/cattaneo_mindlin.hpp"
-#include "operators/convolution.hpp"
 #include "closed_forms/fastsim.hpp"
-#include "contactd/half_space.hpp"
 #include "closed_forms/hertz.hpp"
 #include "closed_forms/kalker_coefficients.hpp"
 #include "closed_forms/vermeulen_johnson.hpp"
+#include "contactd/half_space.hpp"
+#include "operators/convolution.hpp"
 
 namespace {
 

@@ -7,14 +7,14 @@
 #include <ctime>
 #include <vector>
 
-#include "contactd/contact.hpp"
-#include "operators/convolution.hpp"
-#include "contactd/half_space.hpp"
 #include "closed_forms/hertz.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
-#include "operators/shifted_operator.hpp"
 #include "contact/tangential/tangential.hpp"
+#include "contactd/contact.hpp"
+#include "contactd/half_space.hpp"
+#include "operators/convolution.hpp"
+#include "operators/shifted_operator.hpp"
 
 namespace contactd::bench {
 

@@ -2,11 +2,11 @@
 
 #include "build/accurate_build.hpp"
 #include "build/adaptive_build.hpp"
-#include "system/build_size.hpp"
-#include "contactd/error.hpp"
 #include "build/family_build.hpp"
 #include "build/first_process.hpp"
 #include "build/mesh_build.hpp"
+#include "contactd/error.hpp"
+#include "system/build_size.hpp"
 
 namespace contactd::fem {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <mfem.hpp>
 
+#include "build/first_process.hpp"
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/version.hpp"
-#include "build/first_process.hpp"
 
 // Present when OpenBLAS or an OpenMP runtime is behind MFEM and hypre.
 extern "C" {

@@ -38,8 +38,8 @@ void check_size(const IcTable& table, const std::string& field) {
                 for (int k = 0; k < table.nx; ++k)
                     if (!(std::abs(table(i, j, k, l)) <= largest_magnitude))
                         throw InvalidArgument(field, "holds " + number_text(table(i, j, k, l)) + " for " +
-                                                               place_of(i, j, k, l) +
-                                                               "; every value must be finite, from -1e100 to 1e100");
+                                                         place_of(i, j, k, l) +
+                                                         "; every value must be finite, from -1e100 to 1e100");
 }
 
 /// A load does work on the displacement below it, and |A(k,l)| <= A(0,0) in a positive definite matrix A(i-j).
@@ -47,7 +47,7 @@ void check_is_elastic(const IcTable& table, Axis i, const std::string& field) {
     const double own = table(i, i, 0, 0);
     if (own <= 0)
         throw InvalidArgument(field, "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) +
-                                               "; it must be positive: a body yields in the direction of its load");
+                                         "; it must be positive: a body yields in the direction of its load");
     if (own < smallest_coefficient)
         throw InvalidArgument(
             field, "holds " + number_text(own) + " for " + place_of(i, i, 0, 0) + "; it must be 1e-100 at least");
@@ -56,8 +56,8 @@ void check_is_elastic(const IcTable& table, Axis i, const std::string& field) {
         for (int k = 0; k < table.nx; ++k)
             if (std::abs(table(i, i, k, l)) > most)
                 throw InvalidArgument(field, "holds " + number_text(table(i, i, k, l)) + " for " +
-                                                       place_of(i, i, k, l) + "; it must be largest at (0, 0), which " +
-                                                       "has " + number_text(own) + " and comes first in the table");
+                                                 place_of(i, i, k, l) + "; it must be largest at (0, 0), which " +
+                                                 "has " + number_text(own) + " and comes first in the table");
 }
 
 }  // namespace

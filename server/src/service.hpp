@@ -5,8 +5,8 @@
 #include <string>
 
 #include "config/config.hpp"
-#include "ics/ic_service.hpp"
 #include "ics/cache/influence_cache.hpp"
+#include "ics/ic_service.hpp"
 #include "jobs/call.hpp"
 #include "jobs/job.hpp"
 #include "jobs/worker_pool.hpp"

@@ -214,7 +214,8 @@ TEST_CASE("A bad value of rolling is named with what would be right", "[schema]"
             Case{"/friction/rolling/velocity", "-1", "friction.rolling.velocity", "is -1; it must be positive"},
             Case{"/friction/rolling/force", "[1e19, 0]", "friction.rolling.force[0]", "it must lie in"},
             Case{"/friction/force", "[1, 2]", "friction.force",
-                 "does not go with rolling; only mu, kinetic, rolling, rigid_slip do: rolling has its creepages and forces"},
+                 "does not go with rolling; only mu, kinetic, rolling, rigid_slip do: rolling has its creepages and "
+                 "forces"},
             Case{"/friction/duration", "2", "friction.duration", "does not go with rolling"}));
 }
 

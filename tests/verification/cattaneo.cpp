@@ -5,8 +5,8 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cstdlib>
 
-#include "contact/contact_cases.hpp"
 #include "closed_forms/reference.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
 
 using namespace contactd;

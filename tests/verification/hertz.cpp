@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/contact_cases.hpp"
 #include "closed_forms/reference.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
 
 using namespace contactd;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/contact_cases.hpp"
-#include "operators/convolution.hpp"
 #include "closed_forms/hertz.hpp"
+#include "contact/contact_cases.hpp"
 #include "contact/normal/normal.hpp"
+#include "operators/convolution.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

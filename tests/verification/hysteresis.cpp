@@ -4,8 +4,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
-#include "contact/contact_cases.hpp"
 #include "closed_forms/reference.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
 
 using namespace contactd;

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/contact_cases.hpp"
 #include "closed_forms/reference.hpp"
+#include "contact/contact_cases.hpp"
 #include "contactd/solve_contact.hpp"
 
 using namespace contactd;
@@ -131,7 +131,8 @@ TEST_CASE("cylinders that differ couple normal and tangential contact", "[verifi
 
 TEST_CASE("a line contact rolls from rest into its steady state", "[verification]") {
     ContactProblem problem = moved(Rolling{.xi = 5e-4}, 60);
-    problem.bodies = Bodies::of(bodies, line_contact_ics(5));  // the force builds up over a distance that grows with its logarithm
+    problem.bodies =
+        Bodies::of(bodies, line_contact_ics(5));  // the force builds up over a distance that grows with its logarithm
     const auto steady = solved(problem);
     problem.motion = Rolling{.xi = 5e-4, .steady = false, .steps = 400};
     CHECK_THAT(solved(problem).Fx, WithinRel(steady.Fx, 0.01));

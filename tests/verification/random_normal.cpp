@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "contact/normal/normal.hpp"
 #include "contact/random_problems.hpp"
 #include "operators/convolution.hpp"
-#include "contact/normal/normal.hpp"
 
 int main(int count_of_arguments, char** arguments) {
     using namespace contactd;

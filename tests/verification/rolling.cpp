@@ -2,10 +2,10 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <numbers>
 
-#include "contact/rolling_cases.hpp"
 #include "closed_forms/hertz.hpp"
-#include "contact/normal/normal.hpp"
 #include "closed_forms/reference.hpp"
+#include "contact/normal/normal.hpp"
+#include "contact/rolling_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

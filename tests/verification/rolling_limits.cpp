@@ -31,7 +31,8 @@ ContactProblem ellipse(double a, double b, const Material& material, int n, cons
 ContactSolution solved(const ContactProblem& problem) {
     Observer observer;
     if (problem.model != Model::full) return solve_contact(problem, {}, observer);
-    const ContactInfluence influence = make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material));
+    const ContactInfluence influence =
+        make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material));
     ContactSolution solution = solve_contact(problem, influence, observer);
     REQUIRE(solution.converged());
     return solution;

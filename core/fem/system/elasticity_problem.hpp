@@ -7,8 +7,8 @@
 
 #include <mfem.hpp>
 
-#include "mesh/block_mesh.hpp"
 #include "contactd/ic_table.hpp"
+#include "mesh/block_mesh.hpp"
 
 namespace contactd::fem {
 

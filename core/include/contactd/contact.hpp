@@ -54,11 +54,11 @@ struct Counts {
 
 /// Arrays have shape [ny, nx]. Tractions act on the upper body.
 struct ContactSolution {
-    double approach = 0;      ///< (mm), prescribed or found
-    double Fn = 0;            ///< normal force (N), > 0 in compression
-    double Fx = 0, Fy = 0;    ///< tangential force on the upper body (N)
-    double Mz = 0;            ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
-    double pmax = 0;          ///< largest pressure (N/mm^2)
+    double approach = 0;    ///< (mm), prescribed or found
+    double Fn = 0;          ///< normal force (N), > 0 in compression
+    double Fx = 0, Fy = 0;  ///< tangential force on the upper body (N)
+    double Mz = 0;          ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
+    double pmax = 0;        ///< largest pressure (N/mm^2)
     Areas area;
     Counts elements;
     std::vector<ElementState> element_division;

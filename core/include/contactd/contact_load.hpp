@@ -22,7 +22,7 @@ struct ContactLoad {
     /// Either of these two. The approach is delta (mm), the gap before deformation h - delta; with the normal force
     /// (N, >= 0) prescribed instead it is found.
     std::optional<double> approach, Fn;
-    Motion motion{};         ///< of no meaning without friction
+    Motion motion{};  ///< of no meaning without friction
     /// Rigid slip of each element beside that of `motion`, where the bodies' surfaces are not those of a plane motion:
     /// of a shift over the step (mm), of rolling over the distance rolled, as creepages are. Empty, or both of shape
     /// [ny, nx].

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <string>
 
-#include "types/number_text.hpp"
-#include "kalker_coefficients.hpp"
 #include "fastsim_slice.hpp"
 #include "force_search.hpp"
+#include "kalker_coefficients.hpp"
 #include "rolling_frame.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

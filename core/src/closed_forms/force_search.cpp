@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "types/number_text.hpp"
 #include "contactd/error.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "types/number_text.hpp"
 #include "contactd/error.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "kalker_table.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

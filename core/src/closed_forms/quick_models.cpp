@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cattaneo_mindlin.hpp"
-#include "elliptic_contact.hpp"
 #include "contactd/error.hpp"
+#include "elliptic_contact.hpp"
 #include "fastsim.hpp"
 #include "hertz.hpp"
 #include "vermeulen_johnson.hpp"

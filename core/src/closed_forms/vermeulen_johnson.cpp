@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "types/number_text.hpp"
 #include "ellipse_compliance.hpp"
 #include "ellipse_difference.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/tangential/friction_law.hpp"
-#include "contact/normal/normal.hpp"
 #include "closed_forms/undeformed_distance.hpp"
+#include "contact/normal/normal.hpp"
 #include "contact/support/solver_support.hpp"
+#include "contact/tangential/friction_law.hpp"
 #include "tangential_step.hpp"
 
 namespace contactd {
@@ -154,8 +154,7 @@ class BoundaryElements {
     double follow_slip_law() {
         if (!slip_law_) return 0;
         const auto* rolling = std::get_if<Rolling>(&problem_.motion);
-        const double seconds =
-            rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.motion).duration;
+        const double seconds = rolling ? step_->unit() / rolling->velocity : std::get<Shift>(problem_.motion).duration;
         Values velocity(n_);
         for (std::size_t i = 0; i < n_; ++i)
             if (tangential_.element_division[i] == ElementState::slip)

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <span>
 
-#include "types/number_text.hpp"
 #include "closed_forms/hertz.hpp"
 #include "closed_forms/undeformed_distance.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {
@@ -83,11 +83,13 @@ bool are_half_spaces(const Bodies& bodies) {
 
 /// The whole ellipse under the approach of the solution, where Hertz's theory holds.
 std::optional<HertzContact> hertz_of(const ContactProblem& problem, const ContactSolution& solution, bool coupled) {
-    if (!are_half_spaces(problem.bodies) || coupled || solution.elements.border > 0 || !(solution.approach > 0)) return {};
+    if (!are_half_spaces(problem.bodies) || coupled || solution.elements.border > 0 || !(solution.approach > 0))
+        return {};
     const auto paraboloid = paraboloid_of(problem);
     const auto is_curved = [](double radius) { return radius > 0 && std::isfinite(radius); };
     if (!paraboloid || !is_curved(paraboloid->Rx) || !is_curved(paraboloid->Ry)) return {};
-    const HertzContact hertz = hertz_of_approach(*paraboloid, problem.bodies.materials().normal_compliance(), solution.approach);
+    const HertzContact hertz =
+        hertz_of_approach(*paraboloid, problem.bodies.materials().normal_compliance(), solution.approach);
     if (!(hertz.Fn > 0 && hertz.pmax > 0)) return {};  // they underflow
     return hertz;
 }

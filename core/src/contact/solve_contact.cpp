@@ -5,13 +5,13 @@
 #include <string>
 #include <variant>
 
-#include "types/number_text.hpp"
 #include "boundary_elements.hpp"
 #include "closed_forms/quick_models.hpp"
-#include "contactd/error.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
+#include "contactd/error.hpp"
 #include "discretisation.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

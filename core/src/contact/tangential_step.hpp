@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "contact/rolling/rolling.hpp"
 #include "contact/support/contact_elements.hpp"
+#include "contact/tangential/prescribed_force.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
-#include "contact/tangential/prescribed_force.hpp"
-#include "contact/rolling/rolling.hpp"
 #include "contactd/solve_contact.hpp"
 
 namespace contactd {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "contactd/ic_table.hpp"
-#include "shifted_table.hpp"
 #include "kernel_integrals.hpp"
+#include "shifted_table.hpp"
 
 namespace contactd {
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <string>
 
-#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

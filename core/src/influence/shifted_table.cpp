@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "half_space_model.hpp"
 #include "shifted_half_space.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

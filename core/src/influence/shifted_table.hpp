@@ -1,4 +1,5 @@
-// Influence coefficients at points that lie some distance away from the element centres: where particles that roll were.
+// Influence coefficients at points that lie some distance away from the element centres: where particles that roll
+// were.
 #pragma once
 
 #include <cstddef>
@@ -65,9 +66,9 @@ ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid
 ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>& nearest, const Grid& grid,
                            double shift_x, double shift_y);
 
-/// C = A - A' with A' the coefficients one step ahead: what a step of rolling changes (StepOperator). Components xx, xy, yx, yy as
-/// in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws InvalidArgument when `pair` is
-/// smaller than `ahead`.
+/// C = A - A' with A' the coefficients one step ahead: what a step of rolling changes (StepOperator). Components xx,
+/// xy, yx, yy as in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws InvalidArgument when
+/// `pair` is smaller than `ahead`.
 ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead);
 
 }  // namespace contactd

@@ -77,9 +77,7 @@ class ConvolutionOperator::Coarser final : public CoarserGrid {
     void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
         coarsening_.interpolate(coarse, fine);
     }
-    void copy(std::span<const double> coarse, std::span<double> fine) const override {
-        coarsening_.copy(coarse, fine);
-    }
+    void copy(std::span<const double> coarse, std::span<double> fine) const override { coarsening_.copy(coarse, fine); }
 
    private:
     const Coarsening coarsening_;

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "influence/shifted_table.hpp"
 #include "contactd/step_operator.hpp"
+#include "influence/shifted_table.hpp"
 
 namespace contactd {
 

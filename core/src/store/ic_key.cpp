@@ -2,10 +2,10 @@
 #include <string>
 #include <type_traits>
 
-#include "types/number_text.hpp"
 #include "contactd/fem_fields.hpp"
 #include "contactd/ic_store.hpp"
 #include "sha256.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -3,10 +3,10 @@
 #include <numbers>
 #include <string>
 
-#include "types/number_text.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/gauss_rules.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "types/number_text.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contactd/error.hpp"
 #include "subsurface_direct.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "ics/build/build_quarantine.hpp"
-#include "ics/build/builder.hpp"
 #include "contactd/ic_store.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/table_lock.hpp"
+#include "ics/build/build_quarantine.hpp"
+#include "ics/build/builder.hpp"
 #include "ics/cache/ic_cache.hpp"
+#include "ics/store/store_keeper.hpp"
 #include "jobs/job.hpp"
 #include "jobs/worker_pool.hpp"
 #include "operation/counters.hpp"
-#include "ics/store/store_keeper.hpp"
 
 namespace contactd::server {
 

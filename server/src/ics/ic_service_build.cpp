@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "contactd/error.hpp"
-#include "request_in_flight.hpp"
 #include "ics/store/store_folder.hpp"
+#include "request_in_flight.hpp"
 
 namespace contactd::server {
 

@@ -66,8 +66,8 @@ ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ic
     if (problem.model != Model::full) return {};
     if (bodies.pair) return make_influence(problem, bodies.pair->table);
     const auto make = [&] {
-        return make_influence(problem, pair_of(body_table(problem, bodies.upper, ics[0]),
-                                               body_table(problem, bodies.lower, ics[1])));
+        return make_influence(
+            problem, pair_of(body_table(problem, bodies.upper, ics[0]), body_table(problem, bodies.lower, ics[1])));
     };
     if (bodies.any_given()) return make();
     return cache.of(influence_key(problem, ics[0].key, ics[1].key), make);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "config/config.hpp"
-#include "ics/ic_service.hpp"
 #include "ics/cache/influence_cache.hpp"
+#include "ics/ic_service.hpp"
 #include "jobs/call.hpp"
 #include "jobs/job.hpp"
 #include "jobs/worker_pool.hpp"

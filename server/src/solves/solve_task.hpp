@@ -6,8 +6,8 @@
 
 #include "contactd/observer.hpp"
 #include "contactd/proto/codec.hpp"
-#include "ics/ic_service.hpp"
 #include "ics/cache/influence_cache.hpp"
+#include "ics/ic_service.hpp"
 #include "jobs/call.hpp"
 #include "jobs/job.hpp"
 #include "jobs/worker_pool.hpp"

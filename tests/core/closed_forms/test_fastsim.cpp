@@ -7,9 +7,9 @@
 #include <numbers>
 #include <variant>
 
-#include "contactd/error.hpp"
 #include "closed_forms/fastsim.hpp"
 #include "closed_forms/reference.hpp"
+#include "contactd/error.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contactd/error.hpp"
 #include "closed_forms/kalker_coefficients.hpp"
+#include "contactd/error.hpp"
 
 using namespace contactd;
 using Catch::Matchers::WithinRel;

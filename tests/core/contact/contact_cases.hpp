@@ -6,11 +6,11 @@
 #include <random>
 #include <vector>
 
+#include "closed_forms/undeformed_distance.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/solve_contact.hpp"
-#include "closed_forms/undeformed_distance.hpp"
 
 namespace contactd::test {
 

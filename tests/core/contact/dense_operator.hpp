@@ -9,8 +9,8 @@
 
 #include "contact_cases.hpp"
 #include "contactd/influence_operator.hpp"
-#include "influence/shifted_table.hpp"
 #include "contactd/step_operator.hpp"
+#include "influence/shifted_table.hpp"
 
 namespace contactd::test {
 

@@ -1,10 +1,10 @@
 // Random shift problems, and Coulomb's law checked on their solutions from outside the solvers.
 #pragma once
 
-#include "operators/convolution.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/tangential/prescribed_force.hpp"
 #include "contact/tangential/tangential.hpp"
+#include "operators/convolution.hpp"
 #include "random_problems.hpp"
 
 namespace contactd::test {

@@ -5,9 +5,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
+#include "contact/rolling/rolling.hpp"
 #include "contact_cases.hpp"
 #include "operators/convolution.hpp"
-#include "contact/rolling/rolling.hpp"
 #include "operators/shifted_operator.hpp"
 
 namespace contactd::test {

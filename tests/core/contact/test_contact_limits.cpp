@@ -67,10 +67,9 @@ TEST_CASE("elements without friction slip as far as their neighbours and the mot
 TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
     ContactProblem problem = cattaneo_problem(10);
     problem.friction->mu = {0};
-    problem.motion =
-        GENERATE(Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0}},
-                 Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0, .steady = false, .steps = 2}},
-                 Motion{Shift{.x = 1e-3, .rotation = 2e-3}});
+    problem.motion = GENERATE(Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0}},
+                              Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0, .steady = false, .steps = 2}},
+                              Motion{Shift{.x = 1e-3, .rotation = 2e-3}});
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     for (int iy = 0; iy < 10; ++iy)

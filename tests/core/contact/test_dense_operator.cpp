@@ -102,7 +102,9 @@ TEST_CASE("solvers take operators whose elements are unlike each other", "[conta
     const Grid& grid = problem.grid;
     const std::size_t n = grid.size();
     const auto even = entries_of(pair_table(problem), grid);
-    const auto softness = [&](std::size_t at) { return 1 + 0.08 * static_cast<double>(at) / static_cast<double>(n) * 9; };
+    const auto softness = [&](std::size_t at) {
+        return 1 + 0.08 * static_cast<double>(at) / static_cast<double>(n) * 9;
+    };
     const DenseOperator influence(DenseMatrices(n, 3, [&](Axis i, Axis j, std::size_t at, std::size_t from) {
         return softness(at) * softness(from) * even(i, j, at, from);
     }));
@@ -129,7 +131,8 @@ TEST_CASE("solvers take operators whose elements are unlike each other", "[conta
     Values bound = normal.pressure;
     for (double& g : bound) g *= 0.3;
     const Values shift(n, 0.0005), none(n);
-    const TangentialSolution tangential = solve_tangential(influence, bound, shift, none, {1e-9, 1000}, {}, {}, observer);
+    const TangentialSolution tangential =
+        solve_tangential(influence, bound, shift, none, {1e-9, 1000}, {}, {}, observer);
 
     REQUIRE(tangential.evidence.converged);
     Values sx(n), sy(n);

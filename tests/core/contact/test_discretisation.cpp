@@ -6,10 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "contact_cases.hpp"
-#include "contactd/error.hpp"
 #include "closed_forms/hertz.hpp"
 #include "contact/rolling/rolling.hpp"
+#include "contact_cases.hpp"
+#include "contactd/error.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

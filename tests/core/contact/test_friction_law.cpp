@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contact_cases.hpp"
 #include "contact/tangential/friction_law.hpp"
+#include "contact_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -3,9 +3,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <functional>
 
+#include "contact/normal/normal.hpp"
 #include "contact_cases.hpp"
 #include "operators/convolution.hpp"
-#include "contact/normal/normal.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

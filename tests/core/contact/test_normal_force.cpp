@@ -4,11 +4,11 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "contact_cases.hpp"
-#include "operators/convolution.hpp"
-#include "contactd/error.hpp"
 #include "closed_forms/hertz.hpp"
 #include "contact/normal/normal.hpp"
+#include "contact_cases.hpp"
+#include "contactd/error.hpp"
+#include "operators/convolution.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

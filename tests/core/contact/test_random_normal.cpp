@@ -1,8 +1,8 @@
 // Random normal contact under either control; tests/verification/random_normal.cpp runs as many as one likes.
 #include <catch2/catch_test_macros.hpp>
 
-#include "operators/convolution.hpp"
 #include "contact/normal/normal.hpp"
+#include "operators/convolution.hpp"
 #include "random_problems.hpp"
 
 using namespace contactd;

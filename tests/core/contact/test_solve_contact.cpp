@@ -6,12 +6,12 @@
 #include <numbers>
 #include <string>
 
-#include "contact_cases.hpp"
-#include "operators/convolution.hpp"
-#include "contactd/error.hpp"
-#include "contact/tangential/friction_law.hpp"
 #include "closed_forms/reference.hpp"
+#include "contact/tangential/friction_law.hpp"
+#include "contact_cases.hpp"
+#include "contactd/error.hpp"
 #include "contactd/solve_contact.hpp"
+#include "operators/convolution.hpp"
 #include "random_contact.hpp"
 
 using namespace contactd;
@@ -146,7 +146,8 @@ TEST_CASE("progress of the whole computation grows from normal to tangential", "
         }
     } observer;
     const ContactProblem problem = cattaneo_problem(16);
-    solve_contact(problem, make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material)), observer);
+    solve_contact(problem, make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material)),
+                  observer);
     CHECK(observer.last_normal >= 0);
     CHECK(observer.first_tangential >= observer.last_normal);
 }
@@ -414,7 +415,8 @@ TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") 
         CHECK_THAT(std::get<Shift>(*slipped.motion).x, WithinRel(found - 0.002, 1e-3));
     }
     SECTION("of a field that no motion makes, the friction law holds") {
-        const RigidSlip field{random_values(grid.size(), 3, -0.004, 0.006), random_values(grid.size(), 4, -0.004, 0.004)};
+        const RigidSlip field{random_values(grid.size(), 3, -0.004, 0.006),
+                              random_values(grid.size(), 4, -0.004, 0.004)};
         for (const Motion& motion : {Motion{Shift{.x = 0.001}}, Motion{Rolling{.xi = 1e-3}}}) {
             const auto solution = solved_with(motion, field);
             REQUIRE(solution.converged());

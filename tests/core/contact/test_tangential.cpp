@@ -2,9 +2,9 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include "contact/tangential/tangential.hpp"
 #include "contact_cases.hpp"
 #include "operators/convolution.hpp"
-#include "contact/tangential/tangential.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "build/adaptive_build.hpp"
+#include "build/error_estimate.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
-#include "build/error_estimate.hpp"
 #include "fem_specs.hpp"
 
 using namespace contactd;

@@ -3,10 +3,10 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include "system/build_size.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
 #include "fem_specs.hpp"
+#include "system/build_size.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

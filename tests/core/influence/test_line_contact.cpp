@@ -147,11 +147,8 @@ TEST_CASE("a problem that changes along y is no line contact", "[line]") {
     CHECK(field_refused_of([](ContactProblem& p) { p.grid = Grid::centred(20, 3, 0.1, 7); }) == "grid.ny");
     CHECK(field_refused_of([](ContactProblem& p) { p.gap = Paraboloid{100, 100}; }) == "gap.paraboloid.Ry");
     CHECK(field_refused_of([](ContactProblem& p) { p.gap = SemiAxes{1, 1}; }) == "gap.semi_axes.b");
-    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.phi = 1e-4}; }) ==
-          "friction.rolling.phi");
-    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.chi = 0.1}; }) ==
-          "friction.rolling.chi");
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.phi = 1e-4}; }) == "friction.rolling.phi");
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.chi = 0.1}; }) == "friction.rolling.chi");
     CHECK(field_refused_of([](ContactProblem& p) { p.motion = Rolling{.chi = std::numbers::pi}; }).empty());
-    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Shift{.rotation = 1}; }) ==
-          "friction.rotation");
+    CHECK(field_refused_of([](ContactProblem& p) { p.motion = Shift{.rotation = 1}; }) == "friction.rotation");
 }

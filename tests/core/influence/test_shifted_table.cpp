@@ -6,8 +6,8 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
-#include "operators/shifted_operator.hpp"
 #include "half_space_cases.hpp"
+#include "operators/shifted_operator.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -76,7 +76,8 @@ TEST_CASE("closed form between element centres is that of each point", "[shifted
                                 Steps{-2, 1}, Steps{1, 0.25}, Steps{150.5, -3});
     const auto load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     const double aspect = GENERATE(1.0, 0.05, 12.0);
-    const auto bodies = GENERATE(different, MaterialPair{{2, 0.3}, {2, 0.3}}, MaterialPair{Material::rigid(), {5, 0.25}});
+    const auto bodies =
+        GENERATE(different, MaterialPair{{2, 0.3}, {2, 0.3}}, MaterialPair{Material::rigid(), {5, 0.25}});
     CAPTURE(steps.x, steps.y, int(load_shape), aspect);
     const Grid grid = Grid::centred(6, 4, 0.3, 0.3 / aspect);
     const double shift_x = steps.x * grid.dx, shift_y = steps.y * grid.dy;

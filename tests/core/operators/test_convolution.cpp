@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "contact/contact_cases.hpp"
-#include "operators/convolution.hpp"
 #include "contactd/error.hpp"
+#include "operators/convolution.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -3,10 +3,10 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <random>
 
-#include "operators/convolution.hpp"
 #include "contactd/half_space.hpp"
-#include "operators/shifted_operator.hpp"
 #include "influence/half_space_cases.hpp"
+#include "operators/convolution.hpp"
+#include "operators/shifted_operator.hpp"
 
 using namespace contactd;
 using namespace contactd::test;

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "store/sha256.hpp"
-#include "store/writer.hpp"
 #include "contactd/table_lock.hpp"
 #include "ic_records.hpp"
+#include "store/sha256.hpp"
+#include "store/writer.hpp"
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;

@@ -166,15 +166,17 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(3); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(p.grid.size(), infinity); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.approach = no_number; }) == "approach");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{-0.1}}, p.motion = Shift{0, 0}; }) == "friction.mu");
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{-0.1}}, p.motion = Shift{0, 0}; }) ==
+          "friction.mu");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Shift{no_number, 0}; }) ==
           "friction.rigid_shift");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Rolling{.dq = 1e9}; }) ==
           "friction.rolling.dq");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Rolling{.steps = 0}; }) ==
           "friction.rolling.steps");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Shift{.Fx = infinity}; }) ==
-          "friction.force");
+    CHECK(refused_problem([](ContactProblem& p) {
+              p.friction = FrictionLaw{{0.1}}, p.motion = Shift{.Fx = infinity};
+          }) == "friction.force");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1, 0.2}}; }) == "friction.mu");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = -1; }) == "Fn");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = no_number; }) == "Fn");
@@ -185,8 +187,9 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.bodies = {{Material::rigid()}, {Material::rigid()}}; }) ==
           "bodies.lower");
     CHECK(refused_problem([](ContactProblem& p) { p.gap.reset(); }) == "gap");
-    CHECK(refused_problem([](ContactProblem& p) { std::get<Ics>(p.bodies.lower.ics).load_shape = LoadShape::bilinear; }) ==
-          "bodies.lower.ics.load_shape");
+    CHECK(refused_problem([](ContactProblem& p) {
+              std::get<Ics>(p.bodies.lower.ics).load_shape = LoadShape::bilinear;
+          }) == "bodies.lower.ics.load_shape");
     CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper.ics = GivenIcs{IcTable(1, 1), p.grid.dx, 7}; }) ==
           "bodies.upper.ics.dy");
     CHECK(refused_problem([](ContactProblem& p) { p.friction.emplace(), p.rigid_slip.x = {1.0}; }) ==
@@ -202,7 +205,8 @@ TEST_CASE("A material is given by its shear modulus or by Young's") {
     constexpr Material steel = Material::from_E(210000, 0.28);
     CHECK(steel == Material{210000 / 2.56, 0.28});
     CHECK(steel.E() == 2 * steel.G * 1.28);
-    CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper.material = Material::from_E(-1, 0.3); }) == "bodies.upper.G");
+    CHECK(refused_problem([](ContactProblem& p) { p.bodies.upper.material = Material::from_E(-1, 0.3); }) ==
+          "bodies.upper.G");
 }
 
 TEST_CASE("What opens a session may leave gap and load to its steps") {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "lanes.hpp"
 #include "contact/support/solver_support.hpp"
+#include "lanes.hpp"
 
 namespace contactd {
 namespace {

@@ -74,7 +74,7 @@ class Norm {
     const SolverSettings& settings_;
     Observer& observer_;
     const std::size_t n_;
-    const double self_;  // the largest influence of an element on itself: turns suction into a displacement
+    const double self_;            // the largest influence of an element on itself: turns suction into a displacement
     Values p_, u_;                 // u = A p
     Values r_, z_, v_, q_;         // residual, preconditioned; direction, q = A v
     Values in_contact_;            // 1 in the contact set, 0 outside

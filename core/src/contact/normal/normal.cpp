@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/support/solver_support.hpp"
 #include "norm.hpp"
 #include "operators/restriction.hpp"
-#include "contact/support/solver_support.hpp"
 
 namespace contactd {
 namespace {

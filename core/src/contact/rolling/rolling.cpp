@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "types/number_text.hpp"
 #include "operators/restriction.hpp"
 #include "steady_rolling.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {
@@ -202,7 +202,8 @@ RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<cons
     check_arrays(bodies.grid.size(), bound, rigid_x, rigid_y, initial_x, initial_y);
     const Stopwatch stopwatch;
     const Restriction restriction(
-        bodies.influence, bounding_box(extent_of(bodies.influence), [&](std::size_t i) { return bound[i] > 0; }), false);
+        bodies.influence, bounding_box(extent_of(bodies.influence), [&](std::size_t i) { return bound[i] > 0; }),
+        false);
     const std::shared_ptr<const StepOperator> change =
         restriction.is_whole() ? nullptr : bodies.change.on(restriction.box());
     RollingSolution result;

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "contact/tangential/tangential.hpp"
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/influence_operator.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/step_operator.hpp"
-#include "contact/tangential/tangential.hpp"
 
 namespace contactd {
 

@@ -26,8 +26,7 @@ struct Linearisation {
 class RollingSweep {
    public:
     // `stiffness` of each element in contact.
-    RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact,
-                 std::vector<double> stiffness);
+    RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact, std::vector<double> stiffness);
 
     void linearise(const Linearisation& linearisation);
     // z and r may be the same.

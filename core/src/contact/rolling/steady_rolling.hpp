@@ -75,8 +75,8 @@ class SteadyRolling {
     std::vector<double> weight_, diagonal_;  // of A^-1 in the preconditioner and of what stands in for it, per element
     std::vector<double> inverse_g_;
     std::vector<double> stiff_, to_diagonal_;  // turning stiffness that rules the Jacobian; slip to traction of one
-    double squared_bound_;      // sum of g^2
-    std::size_t slipping_ = 0;  // elements
+    double squared_bound_;                     // sum of g^2
+    std::size_t slipping_ = 0;                 // elements
     bool division_changed_ = false;
     double turned_ = 0;  // relative change of the tractions since the history was linearised
     double best_ = std::numeric_limits<double>::infinity(), first_ = 0;

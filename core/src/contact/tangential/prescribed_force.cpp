@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "types/number_text.hpp"
 #include "contact/support/solver_support.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -78,8 +78,8 @@ class TangCg {
     const SolverSettings& settings_;
     Observer& observer_;
     const std::size_t m_;
-    const std::vector<double> self_;  // of each element in contact, A's diagonal
-    std::vector<double> to_self_;     // the reciprocals
+    const std::vector<double> self_;                              // of each element in contact, A's diagonal
+    std::vector<double> to_self_;                                 // the reciprocals
     double squared_bound_ = 0;                                    // sum of g^2
     double noise_ = 0;                                            // of a slip distance
     Field p_, s_, r_, z_, v_, q_, jv_;                            // q = A v, jv = J v with J the reduced Jacobian

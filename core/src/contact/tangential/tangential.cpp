@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "contact/support/contact_elements.hpp"
-#include "operators/restriction.hpp"
 #include "contact/support/solver_support.hpp"
+#include "operators/restriction.hpp"
 #include "tang_cg.hpp"
 
 namespace contactd {
@@ -96,8 +96,8 @@ TangentialSolution solve_tangential(const InfluenceOperator& influence, std::spa
     if (!initial_x.empty()) require_size(initial_x, influence.size(), "initial.traction_x");
     if (!initial_y.empty()) require_size(initial_y, influence.size(), "initial.traction_y");
     const Stopwatch stopwatch;
-    const Restriction restriction(influence,
-                                  bounding_box(extent_of(influence), [&](std::size_t i) { return bound[i] > 0; }), false);
+    const Restriction restriction(
+        influence, bounding_box(extent_of(influence), [&](std::size_t i) { return bound[i] > 0; }), false);
     const Problem problem{restriction.crop(bound), restriction.crop(rigid_x), restriction.crop(rigid_y)};
     const bool has_estimate = any(initial_x) || any(initial_y);
     const Field whole = full_size(initial_x, initial_y, influence.size());
