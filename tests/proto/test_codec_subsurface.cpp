@@ -125,8 +125,8 @@ TEST_CASE("Stresses come back exactly", "[codec]") {
 }
 
 TEST_CASE("A depth on the surface is no negative zero", "[codec]") {
-    CHECK_FALSE(std::signbit(LargestStress{1, {0, 0, 0}}.depth()));
-    CHECK_FALSE(std::signbit(LargestStress{1, {0, 0, -0.0}}.depth()));
+    CHECK_FALSE(std::signbit(LargestStress{1, 0, 0, 0}.depth()));
+    CHECK_FALSE(std::signbit(LargestStress{1, 0, 0, -0.0}.depth()));
 }
 
 TEST_CASE("Stresses that are not finite are not sent", "[codec]") {

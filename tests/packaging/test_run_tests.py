@@ -1,0 +1,82 @@
+"""What ./dev test NAME... chooses, builds and runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import run_tests
+from run_tests import Source, build_command, choose, cpp_command, cpp_tests, python_command, python_tests
+
+LISTED = """core/contact/test_rolling\tcore/contact/test_rolling.cpp\ttest_core
+core/contact/test_rolling (slow)\tcore/contact/test_rolling.cpp\ttest_core
+core/fem/test_shells\tcore/fem/test_shells.cpp\ttest_fem
+client/cpp/check_links\tclient/cpp/check_links.cmake\tcontactd-cpp-example
+"""
+ALL = cpp_tests(LISTED) + python_tests()
+
+
+def paths(*names: str) -> set[str]:
+    return {test.path for test in choose(ALL, names)}
+
+
+def test_every_python_file_of_tests_is_known():
+    assert {test.file for test in python_tests()} >= {Path(__file__), run_tests.TESTS / "integration" / "test_jobs.py"}
+
+
+@pytest.mark.parametrize("name", ["integration/test_jobs", "tests/integration/test_jobs.py", "./tests/integration/test_jobs.py", "test_jobs"])
+def test_a_file_is_named_as_it_is_typed_or_completed(name):
+    assert paths(name) == {"integration/test_jobs"}
+
+
+@pytest.mark.parametrize("name", ["core/contact", "tests/core/contact/"])
+def test_a_folder_stands_for_what_is_in_it(name):
+    assert paths(name) == {"core/contact/test_rolling"}
+
+
+def test_a_word_chooses_of_both_languages():
+    assert {"client/cpp/check_links", "client/python/test_arrays"} <= paths("client")
+    assert paths("rolling", "test_jobs") == {"core/contact/test_rolling", "integration/test_jobs"}
+
+
+def test_a_word_that_no_path_has_chooses_by_the_names_of_tests():
+    assert paths("a_word_that_no_path_has") == {"packaging/test_run_tests"}
+
+
+def test_an_unknown_name_is_told_what_there_is():
+    with pytest.raises(ValueError, match=r"'nonsuch' .*; there are tests in .*core/contact, .*integration"):
+        choose(ALL, ["test_jobs", "non" + "such"])
+
+
+def test_a_part_builds_what_it_needs():
+    assert build_command(choose(ALL, ["core/contact"]), False)[-2:] == ["--target", "test_core"]
+    assert set(run_tests.PROGRAMS) < set(build_command(choose(ALL, ["test_jobs"]), False))
+
+
+def test_what_no_test_needs_is_built_with_all():
+    assert build_command(None, False)[-1] == "development"
+    assert build_command(None, True)[-4:] == ["all", "fuzz", "benchmarks", "random_problems"]
+
+
+def test_slow_tests_are_left_out_unless_all_are_wanted():
+    assert "^(slow|fuzz)$" in cpp_command(None, False)
+    assert "^(slow|fuzz)$" not in cpp_command(None, True)
+    assert ["-m", "not slow"] == python_command(None, False, [])[3:5]
+    assert "not slow" not in python_command(None, True, [])
+    rolling = choose(ALL, ["core/contact"])
+    assert cpp_command(rolling, False)[-1] == "^(core/contact/test_rolling)$"
+    assert cpp_command(rolling, True)[-1] == r"^(core/contact/test_rolling)( \(slow\))?$"
+
+
+def test_one_file_runs_in_one_process_and_options_go_to_pytest():
+    (file,) = choose(ALL, ["test_jobs"])
+    command = python_command([file], True, ["-k", "cancel"])
+    assert "-n" not in command
+    assert command[-3:] == ["-k", "cancel", str(file.file)]
+
+
+def test_names_of_tests_are_read_from_the_source(tmp_path):
+    source = tmp_path / "test_x.cpp"
+    source.write_text('TEST_CASE("a body is rigid", "[x]") {}\n')
+    assert Source("x", source, "test_x").names == '"a body is rigid"'

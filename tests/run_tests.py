@@ -1,0 +1,153 @@
+"""./dev test [--all] [NAME...] [-- OPTIONS] builds, and runs C++ tests by ctest and Python tests by pytest.
+
+  NAME      runs the files that have it in their path below tests/: integration/test_jobs, core/contact, client/python, rolling;
+            where there is none, the files that have it in the name of a test
+  --all     slow tests, too, and without a NAME also builds what no test needs: fuzz targets, benchmarks, random problems
+  OPTIONS   are handed to pytest
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parent
+ROOT = TESTS.parent
+BUILD = ROOT / "build" / "development"
+#: What the Python tests run.
+PROGRAMS = ("contactd", "contactd-ic", "contactd-cpp-example")
+#: No test needs them.
+EXTRAS = ("fuzz", "benchmarks", "random_problems")
+PROCESSORS = len(os.sched_getaffinity(0))
+#: What a process of Python tests, its daemons and their builders may need at a time.
+BYTES_OF_A_WORKER = 2 << 30
+NO_TEST_LEFT = 5
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file with tests, by its path below tests/ without the ending."""
+
+    path: str
+    file: Path
+    target: str | None  # of a C++ program; none of a Python file
+
+    @property
+    def names(self) -> str:
+        """Of the tests in the file, a line each."""
+        pattern = r"^ *def (test_\w+)" if self.target is None else r'^TEST_CASE\((".*?")'
+        return "\n".join(re.findall(pattern, self.file.read_text(), re.MULTILINE))
+
+
+def python_tests() -> list[Source]:
+    files = sorted(TESTS.rglob("test_*.py"))
+    return [Source(str(file.relative_to(TESTS).with_suffix("")), file, None) for file in files]
+
+
+def cpp_tests(listed: str) -> list[Source]:
+    """`listed`: the lines that CMake writes, of test, source and target."""
+    found = {line.split("\t")[1]: line.split("\t")[2] for line in listed.splitlines()}
+    return [Source(str(Path(source).with_suffix("")), TESTS / source, target) for source, target in found.items()]
+
+
+def choose(tests: Sequence[Source], names: Iterable[str]) -> list[Source]:
+    """Those that the names stand for; a ValueError, which says what there is, for a name that stands for none."""
+    chosen: set[Source] = set()
+    for name in names:
+        part = re.sub(r"\.(py|cpp|cmake)$", "", name.removeprefix("./").removeprefix("tests/")).rstrip("/").lower()
+        found = {test for test in tests if part in test.path} or {test for test in tests if part in test.names.lower()}
+        if not found:
+            folders = ", ".join(sorted({test.path.rpartition("/")[0] for test in tests} - {""}))
+            raise ValueError(f"no test has '{name}' in its path or its name; there are tests in {folders}")
+        chosen |= found
+    return [test for test in tests if test in chosen]
+
+
+def workers() -> int:
+    """How many processes run Python tests at a time: one more than processors, as they often wait, as far as the memory goes."""
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    return max(1, min(PROCESSORS + 1, memory // BYTES_OF_A_WORKER))
+
+
+def build_command(chosen: Sequence[Source] | None, everything: bool) -> list[str]:
+    command = ["cmake", "--build", "--preset", "development"]
+    if jobs := os.environ.get("CONTACTD_JOBS"):
+        command += ["-j", jobs]
+    if chosen is not None:
+        targets = {test.target for test in chosen if test.target}
+        if any(test.target is None for test in chosen):
+            targets |= set(PROGRAMS)
+        return [*command, "--target", *sorted(targets)]
+    return [*command, "--target", "all", *EXTRAS] if everything else command
+
+
+def cpp_command(chosen: Sequence[Source] | None, everything: bool) -> list[str]:
+    command = ["ctest", "--preset", "development", "-j", str(PROCESSORS)]
+    if chosen is None:
+        return command if everything else [*command, "--label-exclude", "^(slow|fuzz)$"]
+    paths = "|".join(re.escape(test.path) for test in chosen if test.target)
+    suffix = r"( \(slow\))?" if everything else ""
+    return [*command, "--no-tests=ignore", "--tests-regex", f"^({paths}){suffix}$"]
+
+
+def python_command(chosen: Sequence[Source] | None, everything: bool, options: Sequence[str]) -> list[str]:
+    files = [str(TESTS)] if chosen is None else [str(test.file) for test in chosen if test.target is None]
+    command = [sys.executable, "-m", "pytest", *([] if everything else ["-m", "not slow"])]
+    if (processes := workers() if chosen is None else min(workers(), len(files))) > 1:
+        command += ["-n", str(processes), "--dist", "loadgroup"]
+    return [*command, *options, *files]
+
+
+class Run:
+    """Runs the parts, and knows how long each took and which failed."""
+
+    def __init__(self) -> None:
+        self.took: list[str] = []
+        self.failed: list[str] = []
+
+    def part(self, name: str, command: Sequence[str], fine: Iterable[int] = (0,)) -> bool:
+        print(f"\033[1m==>\033[0m {name}", file=sys.stderr, flush=True)
+        start = time.monotonic()
+        status = subprocess.run(command, cwd=ROOT, env={**os.environ, "CONTACTD_BIN": str(BUILD / "bin")}).returncode
+        self.took.append(f"{name} {time.monotonic() - start:.0f} s")
+        if status not in fine:
+            self.failed.append(name)
+        return status in fine
+
+
+def main(arguments: Sequence[str]) -> int:
+    own, options = list(arguments), []
+    if "--" in own:
+        own, options = own[: own.index("--")], own[own.index("--") + 1 :]
+    everything = "--all" in own
+    names = [word for word in own if word != "--all"]
+    if any(name.startswith("-") for name in names):
+        print(__doc__)
+        return 0 if {"-h", "--help"} & set(names) else 2
+    tests = cpp_tests((BUILD / "tests.txt").read_text()) + python_tests()
+    try:
+        chosen = choose(tests, names) if names else None
+    except ValueError as error:
+        print(f"dev: {error}", file=sys.stderr)
+        return 2
+    run = Run()
+    if run.part("build", build_command(chosen, everything)):
+        if chosen is None or any(test.target for test in chosen):
+            run.part("C++ tests", cpp_command(chosen, everything))
+        if chosen is None or any(test.target is None for test in chosen):
+            fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all that were named are slow
+            run.part("Python tests", python_command(chosen, everything, options), fine)
+    print(f"\033[1m==>\033[0m {', '.join(run.took)}", file=sys.stderr)
+    if run.failed:
+        print(f"dev: failed: {', '.join(run.failed)}", file=sys.stderr)
+    return 1 if run.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
