@@ -109,7 +109,8 @@ def test_a_step_has_the_fields_of_a_solution_and_its_number(fake):
     _, client = fake
     solution = client.session(grid=GRID, upper=STEEL).step(Fn=9)
     assert isinstance(solution, Solution)
-    assert {field.name for field in fields(StepSolution)} == {field.name for field in fields(ContactSolution)} | {"step"}
+    of_step, of_problem = ({field.name for field in fields(kind)} for kind in (StepSolution, ContactSolution))
+    assert of_step == of_problem | {"step"}
     assert (solution.step, solution.Fn, solution.pressure, solution.element_division) == (1, 9, None, None)
     with pytest.raises(ProtocolError, match=r"result lacks (element_division|pressure)"):
         read(ContactSolution, STEP)
