@@ -12,7 +12,6 @@ from contactd import (
     InvalidArgument,
     Material,
     Paraboloid,
-    RigidBody,
     Rolling,
     TableIcs,
 )
@@ -52,7 +51,7 @@ def test_a_given_table_stands_for_the_body_it_was_made_of(shared, body):
 
 
 def test_tables_of_both_bodies_are_their_pair(shared):
-    upper, lower = (shared.get_ic(material, GRID) for material in (STEEL, SOFT))
+    upper, lower = (shared.get_ic(material, GRID, AnalyticIcs()) for material in (STEEL, SOFT))
     each = shared.solve(PROBLEM.replace(upper_ics=TableIcs.of_body(upper), lower_ics=TableIcs.of_body(lower)))
     pair = shared.solve(PROBLEM.replace(ics=TableIcs.from_table(upper, lower)))
     np.testing.assert_allclose(each.pressure, pair.pressure, rtol=1e-9, atol=1e-9 * pair.pmax)
@@ -92,7 +91,6 @@ def test_a_session_takes_bodies_of_different_sources(shared):
         ({"lower_ics": AnalyticIcs(load_shape="bilinear")}, "bodies.lower.ics.load_shape"),
         ({"lower_ics": TableIcs(np.ones((3, 3, 4, 4)), 0.2, 0.24)}, "bodies.lower.ics.table"),
         ({"upper_ics": TableIcs(np.ones((3, 3, 10, 12)), 0.1, 0.24)}, "bodies.upper.ics.dx"),
-        ({"upper": RigidBody(), "upper_ics": AnalyticIcs()}, "bodies.upper.ics"),
         ({"ics": TableIcs(np.ones((3, 3, 10, 12)), 0.2, 0.24), "upper_ics": AnalyticIcs()}, "ics.table"),
         ({"lower": Material(200, 0.5), "lower_ics": BLOCK}, "bodies.lower.nu"),
     ],
