@@ -27,7 +27,13 @@ class Explained:
 
 
 #: Kind and field are regular expressions for all of the name. An entry goes when both commits have what it speaks of.
-EXPLAINED: list[Explained] = []
+EXPLAINED: list[Explained] = [
+    Explained(
+        "damaged request",
+        r"status\.(message|details\.violations\[\d+\]\.description)",
+        "friction.rigid_slip is new, and a sentence that lists the fields of friction names it",
+    )
+]
 
 
 @dataclass(frozen=True)
