@@ -54,7 +54,7 @@ TEST_CASE("TEST 3 with quadratic elements meets the reference", "[fem][verificat
     CHECK_THAT(evidence.error_xx.value().largest, WithinRel(row.xx_largest, agreement));
 }
 
-TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification]") {
+TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification][slow]") {
     const Origin row =
         GENERATE(Origin{"paper-test1", 2, 6100, 156405, -1.486e-3}, Origin{"paper-test2", 2, 880, 24321, -1.897e-3},
                  Origin{"paper-test1", 1, 6100, 20874, -1.56e-2}, Origin{"paper-test2", 1, 880, 3486, -3.69e-2},
@@ -68,7 +68,7 @@ TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification]"
     CHECK_THAT(evidence.error_zz.value().origin, WithinRel(row.zz, agreement));
 }
 
-TEST_CASE("A block 68000 elements large can be solved", "[fem][verification]") {
+TEST_CASE("A block 68000 elements large can be solved", "[fem][verification][slow]") {
     IcSpec spec = paper_spec("paper-test3", 1024);
     spec.dx = spec.dy = 0.015;
     spec.nx = spec.ny = 160;

@@ -25,7 +25,7 @@ IcEvidence build(const IcSpec& spec) {
 
 }  // namespace
 
-TEST_CASE("Prisms meet the reference with diagonals that run outward", "[fem][prism][verification]") {
+TEST_CASE("Prisms meet the reference with diagonals that run outward", "[fem][prism][verification][slow]") {
     struct Row {
         const char* preset;
         double L;
@@ -48,7 +48,7 @@ TEST_CASE("The error of prisms depends on the direction of the diagonals", "[fem
     CHECK_THAT(build(spec).error_zz.value().origin, WithinRel(-2.0e-3, 0.02));
 }
 
-TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification]") {
+TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification][slow]") {
     const auto [preset, L_over_h] = GENERATE(std::pair{"paper-mesh2-test1", 40}, std::pair{"paper-mesh2-test2", 40},
                                              std::pair{"paper-mesh2-test3", 40}, std::pair{"paper-mesh2-test2", 640});
     CAPTURE(preset, L_over_h);
@@ -58,7 +58,7 @@ TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism]
     CHECK(std::abs(evidence.error_yy.value().origin) < target);
 }
 
-TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification]") {
+TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification][slow]") {
     // The paper blames ill-conditioned matrices for Mesh2's plateau; then they would not.
     IcSpec spec = paper_spec("paper-mesh2-test2", 512);
     Observer observer;
@@ -72,7 +72,7 @@ TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][ver
             CHECK_THAT(iterated(i, j, 1, 2), WithinAbs(direct(i, j, 1, 2), 1e-6 * scale));
 }
 
-TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verification]") {
+TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verification][slow]") {
     IcSpec spec = paper_spec("paper-mesh2-test2", 8);
     spec.fem.far_boundary = FarBoundary::half_space;
     const IcEvidence small = build(spec);
@@ -83,7 +83,7 @@ TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verif
     CHECK_THAT(small.error_zz.value().origin, WithinAbs(build(spec).error_zz.value().origin, 2e-4));
 }
 
-TEST_CASE("The error of prisms falls with their order", "[fem][prism][verification]") {
+TEST_CASE("The error of prisms falls with their order", "[fem][prism][verification][slow]") {
     const auto [order, largest] = GENERATE(std::pair{1, 0.1}, std::pair{2, 7e-3}, std::pair{3, 7e-4});
     CAPTURE(order);
     IcSpec spec = paper_spec("paper-mesh2-test2", 8);
@@ -97,7 +97,7 @@ TEST_CASE("The error of prisms falls with their order", "[fem][prism][verificati
 }
 
 TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper's errors",
-          "[fem][prism][verification]") {
+          "[fem][prism][verification][slow]") {
     const ContactProblem problem = test::cattaneo_problem(160);
     IcSpec spec = paper_spec("paper-mesh2-test2", 128);
     spec.material = problem.bodies.upper.material;
