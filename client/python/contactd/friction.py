@@ -5,7 +5,8 @@ Slip is that of the upper body over the lower one; in slip the traction on the u
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import reprlib
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -144,6 +145,8 @@ class Friction:
 
 def slip_param(slip: tuple[npt.ArrayLike, npt.ArrayLike]) -> dict[str, Any]:
     """`friction.rigid_slip` of contact.solve."""
+    if not isinstance(slip, Sequence) or len(slip) != 2:
+        raise TypeError(f"rigid_slip is {reprlib.repr(slip)}; it must be a pair of arrays, along x and along y")
     x, y = slip
     return {"x": array_of(x), "y": array_of(y)}
 

@@ -82,7 +82,20 @@ void warn_of_friction_that_never_falls(const ContactProblem& problem, ContactSol
         (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 where it is left out.");
 }
 
+/// Somebody who has slip over a time step, in mm, gets a number that is far from small.
+void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, ContactSolution& solution) {
+    if (!problem.friction || !std::holds_alternative<Rolling>(problem.motion)) return;
+    double largest = 0;
+    for (std::size_t i = 0; i < problem.rigid_slip.x.size(); ++i)
+        largest = std::max(largest, std::hypot(problem.rigid_slip.x[i], problem.rigid_slip.y[i]));
+    if (largest <= 1) return;
+    solution.warnings.push_back("friction.rigid_slip is up to " + short_text(largest) +
+                                ", more than the bodies roll: of rolling it is slip over the distance rolled, as "
+                                "creepages are, and not in mm.");
+}
+
 void warn(const ContactProblem& problem, ContactSolution& solution) {
+    warn_of_rigid_slip_that_is_no_creepage(problem, solution);
     warn_of_friction_that_never_falls(problem, solution);
     if (problem.model == Model::full)
         for (std::string& warning : discretisation_warnings(problem, solution))

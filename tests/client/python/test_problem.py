@@ -190,6 +190,12 @@ def test_a_rigid_slip_goes_out_as_two_arrays():
     assert friction["rigid_slip"]["y"] is slip[1]
 
 
+@pytest.mark.parametrize("slip", [np.ones((2, 3)), (np.ones((2, 3)),), 0.001])
+def test_a_rigid_slip_is_a_pair(slip):
+    with pytest.raises(TypeError, match="^rigid_slip is .*; it must be a pair of arrays"):
+        problem_params(PROBLEM.replace(friction=Friction(0.4, rigid_slip=slip)))
+
+
 def test_quick_models_do_not_use_a_table():
     table = TableIcs(np.ones((3, 3, 2, 3)), 0.5, 1.0)
     params = problem_params(PROBLEM.replace(model="fastsim", ics=table))

@@ -423,6 +423,12 @@ TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") 
             CHECK(contact_faults(problem, solution, {}, 1e-4) == "");
         }
     }
+    SECTION("of rolling one that is a length is warned of") {
+        const auto slipped = solved_with(Rolling{.xi = 1e-3}, {Values(grid.size(), 3.0), Values(grid.size(), 4.0)});
+        REQUIRE(slipped.warnings.size() == 1);
+        CHECK(slipped.warnings[0].find("friction.rigid_slip is up to 5") == 0);
+        CHECK(solved_with(Shift{}, {Values(grid.size(), 3.0), Values(grid.size(), 4.0)}).warnings.empty());
+    }
     SECTION("what does not fit is refused by name") {
         problem.rigid_slip = {Values(3), Values(grid.size())};
         CHECK_THROWS_AS(solve_half_spaces(problem), InvalidArgument);
