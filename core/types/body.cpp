@@ -29,10 +29,13 @@ void check_agreement(const Bodies& bodies) {
                                   "is not that of the upper body; a contact is a line contact of both or of none, with "
                                   "one datum");
     }
-    if (bodies.any_given() && line_contact_of(bodies))
-        throw InvalidArgument("bodies.upper.ics.line_contact",
-                              "stands beside a table of the other body; a line contact takes computed coefficients of "
-                              "both bodies, or a table of the pair");
+    if (!bodies.any_given()) return;
+    for (const auto& [ics, field] :
+         {std::pair(upper, "bodies.upper.ics.line_contact"), std::pair(lower, "bodies.lower.ics.line_contact")})
+        if (ics != nullptr && ics->line_contact)
+            throw InvalidArgument(field,
+                                  "stands beside a table of the other body; a line contact takes computed coefficients "
+                                  "of both bodies, or a table of the pair");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct Bodies {
     bool operator==(const Bodies&) const = default;
 };
 
-/// What the tables of both bodies are: nothing where they are given, or where the two contradict each other.
+/// The line contact that the bodies' coefficients are computed for; nothing where there is none, or they are a pair's.
 std::optional<LineContactSpec> line_contact_of(const Bodies& bodies);
 
 /// Throws InvalidArgument naming the field as on the wire when they cannot be in contact on `grid`.

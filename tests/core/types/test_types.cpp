@@ -6,6 +6,7 @@
 
 #include "contactd/contact.hpp"
 #include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 
@@ -199,6 +200,27 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.tangential_settings.max_iterations = 0; }) ==
           "settings.tangential.max_iterations");
     CHECK(refused_problem([](ContactProblem& p) { p.initial_traction_y = {1.0}; }) == "initial.traction_y");
+}
+
+TEST_CASE("A line contact beside a given table is refused where it stands", "[body]") {
+    ContactProblem problem = good_problem();
+    const Grid& grid = problem.grid;
+    IcSpec spec;
+    spec.material = problem.bodies.upper.material;
+    spec.dx = grid.dx;
+    spec.dy = grid.dy;
+    spec.nx = grid.nx;
+    spec.ny = grid.ny;
+    const GivenIcs given{half_space_table(spec), grid.dx, grid.dy};
+    Ics line;
+    line.line_contact = LineContactSpec{10};
+    const Bodies& bodies = problem.bodies;
+    const Bodies above{{bodies.upper.material, line}, {bodies.lower.material, given}};
+    const Bodies below{{bodies.upper.material, given}, {bodies.lower.material, line}};
+    CHECK(field_refused([&] { validate(above, grid); }) == "bodies.upper.ics.line_contact");
+    CHECK(field_refused([&] { validate(below, grid); }) == "bodies.lower.ics.line_contact");
+    const Bodies plain{{bodies.upper.material, given}, {bodies.lower.material}};
+    CHECK(field_refused([&] { validate(plain, grid); }).empty());
 }
 
 TEST_CASE("A material is given by its shear modulus or by Young's") {
