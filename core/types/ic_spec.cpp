@@ -201,10 +201,14 @@ IcSpec dimensionless(const IcSpec& spec) {
     result.dx = 1;
     result.dy = rounded(spec.dy / spec.dx);
     if (spec.any_nu) result.material.nu = 0;
-    if (spec.line_contact) {
-        result.line_contact->datum = rounded(spec.line_contact->datum / spec.dx);
-        result.dy = 1;
-    }
+    if (spec.line_contact) result.dy = 1;
+    for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
+        if (std::optional<Part>& value = result.*part.member)
+            for_each_part_field<Part>([&](const PartField<Part>& field) {
+                double& number = (*value).*field.member;
+                number = rounded(field.dimension == Dimension::length ? number / spec.dx : number);
+            });
+    });
     if (spec.source == IcSource::analytic) {
         result.fem = FemSpec{};
         return result;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "contactd/enum_words.hpp"
@@ -110,6 +111,39 @@ struct Ics {
 
     bool operator==(const Ics&) const = default;
 };
+
+/// How a number of a part becomes one of a dimensionless spec: as it is, or over dx.
+enum class Dimension { ratio, length };
+template <class Part>
+struct PartField {
+    const char* name;
+    double Part::* member;
+    Dimension dimension;
+};
+/// What a kind of body or of contact brings along, an object of its own below `ics` that others leave out.
+template <class Part>
+struct IcsPart {
+    const char* name;
+    std::optional<Part> Ics::* member;
+};
+
+/// The fields of a part, and the parts, named here and nowhere else: the wire, files and keys visit these lists.
+template <class Part>
+inline constexpr std::tuple<> part_fields{};
+template <>
+inline constexpr std::tuple part_fields<LineContactSpec>{
+    PartField<LineContactSpec>{"datum", &LineContactSpec::datum, Dimension::length}};
+inline constexpr std::tuple ics_parts{IcsPart<LineContactSpec>{"line_contact", &Ics::line_contact}};
+
+/// Calls `visit` with each part in turn, or with each field of a part.
+template <class Visit>
+void for_each_ics_part(const Visit& visit) {
+    std::apply([&](const auto&... part) { (visit(part), ...); }, ics_parts);
+}
+template <class Part, class Visit>
+void for_each_part_field(const Visit& visit) {
+    std::apply([&](const auto&... field) { (visit(field), ...); }, part_fields<Part>);
+}
 
 /// One table: its coefficients' source, and what it is a table of.
 struct IcSpec : Ics {

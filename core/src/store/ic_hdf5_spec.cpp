@@ -27,6 +27,13 @@ void write_spec(H5::Group group, const IcSpec& spec) {
     }
     put(group, "any_nu", static_cast<long long>(spec.any_nu));
     if (!spec.any_nu) put(group, "nu", spec.material.nu);
+    for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
+        const std::optional<Part>& value = spec.*part.member;
+        if (!value) return;
+        H5::Group object = group.createGroup(part.name);
+        for_each_part_field<Part>(
+            [&](const PartField<Part>& field) { put(object, field.name, (*value).*field.member); });
+    });
     if (spec.accuracy != 0) {
         put(group, "accuracy", spec.accuracy);
         if (spec.body == BodyShape::block) put(group, "L_over_h", spec.fem.L_over_h);
@@ -45,6 +52,12 @@ IcSpec read_spec(const H5::Group& group) {
     spec.load_shape = named<LoadShape>(group, "load_shape");
     spec.any_nu = integer(group, "any_nu") != 0;
     spec.material = {has_dimensions ? number(group, "G") : 1, spec.any_nu ? 0 : number(group, "nu")};
+    for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
+        if (!group.nameExists(part.name)) return;
+        const H5::Group object = group.openGroup(part.name);
+        Part& value = (spec.*part.member).emplace();
+        for_each_part_field<Part>([&](const PartField<Part>& field) { get(object, field.name, value.*field.member); });
+    });
     if (group.attrExists("accuracy")) {
         spec.accuracy = number(group, "accuracy");
         spec.fem.L_over_h = spec.body == BodyShape::block ? number(group, "L_over_h") : 0;

@@ -51,6 +51,13 @@ CanonicalObject canonical(const FemSpec& fem) {
     return json;
 }
 
+template <class Part>
+CanonicalObject canonical(const Part& part) {
+    CanonicalObject json;
+    for_each_part_field<Part>([&](const PartField<Part>& field) { json.add(field.name, part.*field.member); });
+    return json;
+}
+
 CanonicalObject canonical(const IcSpec& spec) {
     CanonicalObject json;
     if (spec.accuracy != 0) json.add("accuracy", spec.accuracy);
@@ -63,11 +70,9 @@ CanonicalObject canonical(const IcSpec& spec) {
         size.add("L_over_h", spec.fem.L_over_h);
         json.add_object("fem", size);
     }
-    if (spec.line_contact) {
-        CanonicalObject line;
-        line.add("datum", spec.line_contact->datum);
-        json.add_object("line_contact", line);
-    }
+    for_each_ics_part([&](const auto& part) {
+        if (const auto& value = spec.*part.member) json.add_object(part.name, canonical(*value));
+    });
     json.add("load_shape", spec.load_shape);
     if (!spec.any_nu) json.add("nu", spec.material.nu);
     if (spec.accuracy != 0) json.add("recipe", accuracy_recipe);

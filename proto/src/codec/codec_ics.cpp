@@ -60,6 +60,22 @@ void read_field(const json& source, std::optional<double>& value) {
     value = source.get<double>();
 }
 
+template <class Part>
+json encode_part(const Part& part) {
+    json result;
+    for_each_part_field<Part>(
+        [&](const PartField<Part>& field) { write_field(result, field.name, part.*field.member); });
+    return result;
+}
+
+template <class Part>
+Part decode_part(const json& source) {
+    Part part;
+    for_each_part_field<Part>(
+        [&](const PartField<Part>& field) { read_field(source[field.name], part.*field.member); });
+    return part;
+}
+
 }  // namespace
 
 json encode_fem(const FemSpec& fem) {
@@ -76,7 +92,9 @@ void decode_fem(const json& source, FemSpec& fem) {
 
 json encode_ics(const Ics& ics) {
     json result{{"source", name_of(ics.source)}, {"body", name_of(ics.body)}, {"load_shape", name_of(ics.load_shape)}};
-    if (ics.line_contact) result["line_contact"] = {{"datum", finite(ics.line_contact->datum, "datum")}};
+    for_each_ics_part([&](const auto& part) {
+        if (const auto& value = ics.*part.member) result[part.name] = encode_part(*value);
+    });
     if (ics.source == IcSource::analytic) return result;
     if (ics.accuracy != 0) {
         result["accuracy"] = finite(ics.accuracy, "accuracy");
@@ -93,8 +111,9 @@ Ics decode_ics(const json& source) {
     read_name(source["source"], ics.source);
     if (source.contains("body")) read_name(source["body"], ics.body);
     if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
-    if (source.contains("line_contact"))
-        ics.line_contact = LineContactSpec{source["line_contact"]["datum"].get<double>()};
+    for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
+        if (source.contains(part.name)) ics.*part.member = decode_part<Part>(source[part.name]);
+    });
     if (ics.source == IcSource::analytic) return ics;
     ics.any_nu = source.value("any_nu", false);
     if (!source.contains("accuracy") && names_a_mesh(source, ics.body)) {

@@ -52,6 +52,19 @@ IcSpec unusual_spec() {
 
 }  // namespace
 
+TEST_CASE("A file keeps what a part of the coefficients says") {
+    const TemporaryFolder folder;
+    IcSpec spec = fem_spec(5, 1);
+    spec.source = IcSource::analytic;
+    spec.line_contact = LineContactSpec{20};
+
+    write_ic_file(folder.path() / "table.h5", record_of(spec));
+    const IcRecord read = read_ic_file(folder.path() / "table.h5");
+
+    REQUIRE(read.spec.line_contact.has_value());
+    CHECK(read.spec.line_contact->datum == 25);  // in units of dx
+}
+
 TEST_CASE("A written table reads back as it was") {
     const TemporaryFolder folder;
     const IcRecord written = record_of(fem_spec(5, 3));
