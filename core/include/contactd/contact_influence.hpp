@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "contactd/contact.hpp"
+#include "contactd/ic_record.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/influence_operator.hpp"
 #include "contactd/step_operator.hpp"
@@ -24,5 +25,14 @@ std::size_t influence_bytes(std::size_t elements);
 
 /// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none.
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair);
+
+/// Of the bodies one by one: their tables are added where they are of a kind, else their operators (sum_of). That of a
+/// rigid body means nothing.
+ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower);
+
+/// Of bodies whose tables are of unlike kinds and cannot be added: products with both, xz, yz, zx and zy of the upper
+/// body subtracted from those of the lower. A body without operators is rigid. Throws InvalidArgument when both are, or
+/// when their operators are on different grids.
+ContactInfluence sum_of(const ContactInfluence& upper, const ContactInfluence& lower);
 
 }  // namespace contactd

@@ -1,6 +1,6 @@
 // What is kept of influence coefficients: tables of one kind or another, with what they are and how they were made.
-// Cache, requests in flight, store and exchange know the functions below and no kind. A new kind is one more
-// alternative of IcTables, for which the compiler asks these functions what they do.
+// Cache, requests in flight, store and exchange know the functions of IcTables and no kind. A new kind is one more
+// alternative, with functions of its own beside it that the compiler asks for.
 #pragma once
 
 #include <cstddef>
@@ -42,9 +42,15 @@ IcExtent extent_of(const IcTables& tables);
 /// What the numbers take in memory.
 std::size_t bytes_of(const IcTables& tables);
 
-/// The table that `request` asks for, of its Poisson's ratio, extent and units (mm^3/N), made in one pass. Throws
-/// InvalidArgument when the record is smaller, or "material.nu" is none of a family's, and StoreError for a family that
-/// was computed at other points than family_points().
+/// What operators are made of: the coefficients of one body in mm^3/N, on the grid of a problem. Of kinds, too; bodies
+/// of unlike kinds meet in make_influence.
+using BodyTable = std::variant<IcTable>;
+
+/// What `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument when the
+/// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other
+/// points than family_points().
+BodyTable body_table(const IcRecord& record, const IcSpec& request);
+/// The same where it is a table of offsets, which ic.get and ic.export answer.
 IcTable table_for(const IcRecord& record, const IcSpec& request);
 
 }  // namespace contactd

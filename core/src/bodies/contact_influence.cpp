@@ -1,10 +1,14 @@
 #include "contactd/contact_influence.hpp"
 
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
+#include "operators/sum_operator.hpp"
+#include "operators/sum_step.hpp"
 
 namespace contactd {
 namespace {
@@ -32,6 +36,15 @@ ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, doubl
     return change_over_step(pair, ahead);
 }
 
+/// Of one body alone, as if it lay below a rigid one; none of a rigid body.
+template <class Table>
+ContactInfluence influence_of(const ContactProblem& problem, const Body& body, Table table) {
+    if (body.material.is_rigid()) return {};
+    ContactProblem alone = problem;
+    alone.bodies = {{Material::rigid()}, body};
+    return make_influence(alone, std::move(table));
+}
+
 }  // namespace
 
 std::size_t ContactInfluence::bytes() const {
@@ -51,6 +64,26 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {
         influence.here = std::make_shared<const ConvolutionOperator>(std::move(pair));
     else
         influence.here = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
+    return influence;
+}
+
+ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower) {
+    return std::visit(
+        [&]<class Upper, class Lower>(Upper& above, Lower& below) {
+            if constexpr (std::is_same_v<Upper, Lower>)
+                return make_influence(problem, pair_of(std::move(above), below));
+            else
+                return sum_of(influence_of(problem, problem.bodies.upper, std::move(above)),
+                              influence_of(problem, problem.bodies.lower, std::move(below)));
+        },
+        upper, lower);
+}
+
+ContactInfluence sum_of(const ContactInfluence& upper, const ContactInfluence& lower) {
+    ContactInfluence influence;
+    influence.here = std::make_shared<const SumOperator>(OfBodies<InfluenceOperator>{upper.here, lower.here});
+    if (upper.change || lower.change)
+        influence.change = std::make_shared<const SumStep>(OfBodies<StepOperator>{upper.change, lower.change});
     return influence;
 }
 

@@ -10,12 +10,12 @@
 namespace contactd {
 namespace {
 
-const IcTable& first(const IcTable& table) {
-    return table;
+IcExtent extent(const IcTable& table) {
+    return {table.nx, table.ny};
 }
 
-const IcTable& first(const IcFamily& family) {
-    return family.tables.front();
+IcExtent extent(const IcFamily& family) {
+    return extent(family.tables.front());
 }
 
 std::size_t values_of(const IcTable& table) {
@@ -49,7 +49,8 @@ IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& re
 }  // namespace
 
 const IcTable& IcRecord::table() const {
-    return std::visit([](const auto& kind) -> const IcTable& { return first(kind); }, tables);
+    if (const auto* family = std::get_if<IcFamily>(&tables)) return family->tables.front();
+    return std::get<IcTable>(tables);
 }
 
 IcTable& IcRecord::table() {
@@ -57,17 +58,21 @@ IcTable& IcRecord::table() {
 }
 
 IcExtent extent_of(const IcTables& tables) {
-    const IcTable& table = std::visit([](const auto& kind) -> const IcTable& { return first(kind); }, tables);
-    return {table.nx, table.ny};
+    return std::visit([](const auto& kind) { return extent(kind); }, tables);
 }
 
 std::size_t bytes_of(const IcTables& tables) {
     return sizeof(double) * std::visit([](const auto& kind) { return values_of(kind); }, tables);
 }
 
-IcTable table_for(const IcRecord& record, const IcSpec& request) {
+BodyTable body_table(const IcRecord& record, const IcSpec& request) {
     const double factor = request.dx / request.material.G;
-    return std::visit([&](const auto& kind) { return part_of(kind, record, request, factor); }, record.tables);
+    return std::visit([&](const auto& kind) -> BodyTable { return part_of(kind, record, request, factor); },
+                      record.tables);
+}
+
+IcTable table_for(const IcRecord& record, const IcSpec& request) {
+    return std::get<IcTable>(body_table(record, request));
 }
 
 }  // namespace contactd

@@ -13,10 +13,10 @@ std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
     return IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny};
 }
 
-IcTable body_table(const ContactSetup& setup, const Body& body, const IcAnswer& answer) {
+BodyTable table_of(const ContactSetup& setup, const Body& body, const IcAnswer& answer) {
     const Grid& grid = setup.grid;
     if (const GivenIcs* given = body.given()) return cropped(given->table, grid.nx, grid.ny);
-    if (const auto spec = spec_of(setup, body)) return table_for(*answer.record, *spec);
+    if (const auto spec = spec_of(setup, body)) return body_table(*answer.record, *spec);
     return IcTable(grid.nx, grid.ny);
 }
 
@@ -66,8 +66,8 @@ ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ic
     if (problem.model != Model::full) return {};
     if (bodies.pair) return make_influence(problem, bodies.pair->table);
     const auto make = [&] {
-        return make_influence(
-            problem, pair_of(body_table(problem, bodies.upper, ics[0]), body_table(problem, bodies.lower, ics[1])));
+        return make_influence(problem, table_of(problem, bodies.upper, ics[0]),
+                              table_of(problem, bodies.lower, ics[1]));
     };
     if (bodies.any_given()) return make();
     return cache.of(influence_key(problem, ics[0].key, ics[1].key), make);

@@ -30,6 +30,14 @@ ContactInfluence dense_influence(const ContactProblem& problem) {
     return influence;
 }
 
+/// One body as a matrix and the other as a convolution, added up.
+ContactInfluence sum_of_kinds(const ContactProblem& problem) {
+    ContactProblem upper = problem, lower = problem;  // with one body that deforms, seen as the lower one
+    upper.bodies = {{Material::rigid()}, problem.bodies.upper};
+    lower.bodies = {{Material::rigid()}, problem.bodies.lower};
+    return sum_of(dense_influence(upper), make_influence(lower, pair_table(lower)));
+}
+
 /// An ellipse of nine by seven elements.
 ContactProblem ellipse() {
     ContactProblem problem;
@@ -47,6 +55,7 @@ ContactProblem ellipse() {
 
 TEST_CASE("every solver runs on a dense operator and gives the convolution's answers", "[contact][dense]") {
     const bool dissimilar = GENERATE(false, true);
+    const bool summed = GENERATE(false, true);  // a body of one kind and a body of another
     ContactProblem problem = ellipse();
     std::string name;
     const auto with = [&](const char* what, const Motion& motion) {
@@ -77,10 +86,11 @@ TEST_CASE("every solver runs on a dense operator and gives the convolution's ans
         with("transient", Rolling{.xi = 0.002, .phi = 0.001, .dq = 0.15, .steady = false, .steps = 4});
     }
     if (dissimilar) problem.bodies = {{1000, 0.28}, {400, 0.4}};
-    CAPTURE(name, dissimilar);
+    CAPTURE(name, dissimilar, summed);
     Observer observer;
 
-    const ContactSolution dense = solve_contact(problem, dense_influence(problem), observer);
+    const ContactSolution dense =
+        solve_contact(problem, summed ? sum_of_kinds(problem) : dense_influence(problem), observer);
     const ContactSolution convolved = solve_contact(problem, make_influence(problem, pair_table(problem)), observer);
 
     REQUIRE(dense.converged());
