@@ -58,7 +58,7 @@ IcRecord good_record(bool family) {
     record.evidence.solver = "direct";
     record.evidence.warnings = {"a", ""};
     record.evidence.mesh = FemSpec{};
-    record.evidence.error_zz = ComponentError{-1e-3, 1e-2};
+    record.evidence.errors.zz = ComponentError{-1e-3, 1e-2};
     record.evidence.load_cases = {{Axis::z, 13, 3e-9, true, 0.5, {}}, {Axis::x, 12, 2e-9, true, 0.4, 7e-10}};
     if (family) {
         record.evidence.family_nu = {0, 0.3};

@@ -63,16 +63,16 @@ IcReply ic_reply() {
     evidence.elements = 1840;
     evidence.dofs = 5'000'000'000;
     evidence.processes = 2;
-    evidence.assembly_seconds = 0.1;
-    evidence.setup_seconds = 0.2;
-    evidence.solve_seconds = 0.3;
-    evidence.total_seconds = 0.6;
+    evidence.seconds.assembly = 0.1;
+    evidence.seconds.setup = 0.2;
+    evidence.seconds.solve = 0.3;
+    evidence.seconds.total = 0.6;
     evidence.load_cases = {{Axis::z, 13, 3e-9, true, 0.1, {}}, {Axis::x, 14, 4e-9, false, 0.2, 1e-9}};
     evidence.solver = "direct";
     evidence.warnings = {"f is 1.7; the paper advises 1 to 1.5 on Mesh1 (Table 3)."};
     evidence.mesh = fem_spec().fem;
-    evidence.error_zz = ComponentError{-1.2e-3, 1.4e-2};
-    evidence.scaled_error_xy = 2e-4;
+    evidence.errors.zz = ComponentError{-1.2e-3, 1.4e-2};
+    evidence.errors.scaled_xy = 2e-4;
     evidence.errors_estimated = true;
     evidence.family_nu = {0, 0.245, 0.49};
     evidence.interpolation_error = 3e-6;
@@ -83,9 +83,9 @@ void check_equal(const IcEvidence& a, const IcEvidence& b) {
     CHECK(encode_evidence(a) == encode_evidence(b));
     CHECK(a.dofs == b.dofs);
     CHECK(a.load_cases.size() == b.load_cases.size());
-    CHECK(a.error_zz.has_value() == b.error_zz.has_value());
-    CHECK(a.error_xx.has_value() == b.error_xx.has_value());
-    CHECK(a.scaled_error_xy == b.scaled_error_xy);
+    CHECK(a.errors.zz.has_value() == b.errors.zz.has_value());
+    CHECK(a.errors.xx.has_value() == b.errors.xx.has_value());
+    CHECK(a.errors.scaled_xy == b.errors.scaled_xy);
     CHECK(a.load_cases[0].update == b.load_cases[0].update);
     CHECK(a.load_cases[1].update == b.load_cases[1].update);
     CHECK(a.solver == b.solver);
@@ -232,7 +232,7 @@ TEST_CASE("Evidence of a closed form speaks of no build", "[codec]") {
     const IcEvidence read = decode_evidence(said);
     CHECK(read.elements == 0);
     CHECK(read.load_cases.empty());
-    CHECK_FALSE(read.error_zz);
+    CHECK_FALSE(read.errors.zz);
 }
 
 TEST_CASE("Evidence of a daemon that knows less is read", "[codec]") {

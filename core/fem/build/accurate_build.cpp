@@ -110,17 +110,17 @@ IcRecord build_level(MPI_Comm comm, const IcSpec& spec, const Level& level, cons
 
 /// Time and unknowns of the meshes that were tried before count, too.
 void add_costs(IcEvidence& evidence, const IcEvidence& before) {
-    evidence.assembly_seconds += before.assembly_seconds;
-    evidence.setup_seconds += before.setup_seconds;
-    evidence.solve_seconds += before.solve_seconds;
-    evidence.total_seconds += before.total_seconds;
+    evidence.seconds.assembly += before.seconds.assembly;
+    evidence.seconds.setup += before.seconds.setup;
+    evidence.seconds.solve += before.seconds.solve;
+    evidence.seconds.total += before.seconds.total;
 }
 
 }  // namespace
 
 double largest_error(const IcEvidence& evidence) {
-    double result = std::max(evidence.scaled_error_xy.value_or(0), evidence.scaled_error_xz.value_or(0));
-    for (const auto& error : {evidence.error_xx, evidence.error_yy, evidence.error_zz})
+    double result = std::max(evidence.errors.scaled_xy.value_or(0), evidence.errors.scaled_xz.value_or(0));
+    for (const auto& error : {evidence.errors.xx, evidence.errors.yy, evidence.errors.zz})
         if (error) result = std::max(result, error->largest);
     return result;
 }

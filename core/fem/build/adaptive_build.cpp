@@ -124,9 +124,9 @@ IcRecord build_adaptive(MPI_Comm comm, const IcSpec& spec, const ProgressPart& p
 
     ElasticityProblem problem(comm, spec, block.block());
     IcRecord record = build_on_problem(problem, progress.part(done, 1 - done), start);
-    record.evidence.assembly_seconds += before.assembly_seconds;
-    record.evidence.setup_seconds += before.setup_seconds;
-    record.evidence.solve_seconds += before.solve_seconds;
+    record.evidence.seconds.assembly += before.seconds.assembly;
+    record.evidence.seconds.setup += before.seconds.setup;
+    record.evidence.seconds.solve += before.seconds.solve;
     return record;
 }
 

@@ -72,9 +72,9 @@ IcTable closed_form(IcSpec spec) {
 }
 
 void scale_errors(IcEvidence& evidence, double factor) {
-    for (std::optional<ComponentError>* error : {&evidence.error_xx, &evidence.error_yy, &evidence.error_zz})
+    for (std::optional<ComponentError>* error : {&evidence.errors.xx, &evidence.errors.yy, &evidence.errors.zz})
         *error = ComponentError{factor * (*error)->origin, factor * (*error)->largest};
-    for (std::optional<double>* error : {&evidence.scaled_error_xy, &evidence.scaled_error_xz}) **error *= factor;
+    for (std::optional<double>* error : {&evidence.errors.scaled_xy, &evidence.errors.scaled_xz}) **error *= factor;
 }
 
 /// One correction, and the table of the block with it.

@@ -24,9 +24,9 @@ Halves mesh_errors(const std::vector<const IcRecord*>& records) {
     Halves largest{};
     for (std::size_t j = 0; j < records.size(); ++j) {
         const IcEvidence& evidence = records[j]->evidence;
-        if (!evidence.error_xx) return usual;
+        if (!evidence.errors.xx) return usual;
         double& error = largest[j < records.size() / 2 ? 0 : 1];
-        for (const auto& one : {evidence.error_xx, evidence.error_yy, evidence.error_zz})
+        for (const auto& one : {evidence.errors.xx, evidence.errors.yy, evidence.errors.zz})
             error = std::max(error, std::abs(one->origin));
     }
     return largest;
@@ -56,17 +56,17 @@ void take_larger(std::optional<double>& error, const std::optional<double>& othe
 IcEvidence combined(const std::vector<const IcRecord*>& records) {
     const auto fewer_dofs = [](const IcRecord* a, const IcRecord* b) { return a->evidence.dofs < b->evidence.dofs; };
     IcEvidence result = (*std::max_element(records.begin(), records.end(), fewer_dofs))->evidence;
-    result.assembly_seconds = result.setup_seconds = result.solve_seconds = result.total_seconds = 0;
+    result.seconds = {};
     for (const IcRecord* record : records) {
         const IcEvidence& evidence = record->evidence;
-        result.assembly_seconds += evidence.assembly_seconds;
-        result.setup_seconds += evidence.setup_seconds;
-        result.solve_seconds += evidence.solve_seconds;
-        take_larger(result.error_xx, evidence.error_xx);
-        take_larger(result.error_yy, evidence.error_yy);
-        take_larger(result.error_zz, evidence.error_zz);
-        take_larger(result.scaled_error_xy, evidence.scaled_error_xy);
-        take_larger(result.scaled_error_xz, evidence.scaled_error_xz);
+        result.seconds.assembly += evidence.seconds.assembly;
+        result.seconds.setup += evidence.seconds.setup;
+        result.seconds.solve += evidence.seconds.solve;
+        take_larger(result.errors.xx, evidence.errors.xx);
+        take_larger(result.errors.yy, evidence.errors.yy);
+        take_larger(result.errors.zz, evidence.errors.zz);
+        take_larger(result.errors.scaled_xy, evidence.errors.scaled_xy);
+        take_larger(result.errors.scaled_xz, evidence.errors.scaled_xz);
     }
     return result;
 }

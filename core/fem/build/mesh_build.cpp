@@ -66,8 +66,8 @@ mfem::Vector solve(ElasticityProblem& problem, LinearSystem& system, const LoadC
     if (!result.converged) throw NotConverged(not_converged(load, result, fem));
     evidence.load_cases.push_back(
         {load, result.iterations, result.residual, true, result.solve_seconds, result.update});
-    evidence.setup_seconds += result.setup_seconds;
-    evidence.solve_seconds += result.solve_seconds;
+    evidence.seconds.setup += result.setup_seconds;
+    evidence.seconds.solve += result.solve_seconds;
     return u;
 }
 
@@ -81,7 +81,7 @@ std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case
     const auto system = make_linear_system(problem, [&](double done, double seconds) {
         progress.report("assembly", assembly_share * done, 0, 0, seconds);
     });
-    evidence.assembly_seconds += seconds_since(start);
+    evidence.seconds.assembly += seconds_since(start);
 
     const std::vector<Axis> loads = loads_to_solve(problem.spec());
     const double share = (1 - assembly_share) / static_cast<double>(loads.size());
@@ -91,7 +91,7 @@ std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case
     for (const Axis load : loads) {
         start = MPI_Wtime();
         const LoadCase load_case = case_of(problem, load);
-        evidence.assembly_seconds += seconds_since(start);
+        evidence.seconds.assembly += seconds_since(start);
         const double from = assembly_share + static_cast<double>(result.size()) * share;
         const ProgressPart part = progress.part(from, share);
         const auto begin_setup = [&](double seconds, std::optional<double> whole) {
@@ -129,11 +129,11 @@ IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, con
 
 std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& evidence) {
     std::vector<std::string> result = warnings(spec);
-    if (!evidence.error_xx) return result;
+    if (!evidence.errors.xx) return result;
     // Clamped faces spoil the offsets next to them, whatever the mesh.
     const bool everywhere = spec.fem.far_boundary == FarBoundary::half_space;
     double error = 0;
-    for (const auto& one : {evidence.error_xx, evidence.error_yy, evidence.error_zz})
+    for (const auto& one : {evidence.errors.xx, evidence.errors.yy, evidence.errors.zz})
         error = std::max(error, everywhere ? one->largest : std::abs(one->origin));
     if (error <= largest_unremarked_error) return result;
     char text[300];
@@ -147,12 +147,12 @@ std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& ev
 }
 
 void finish_evidence(IcEvidence& evidence, double start, MPI_Comm comm) {
-    evidence.total_seconds = seconds_since(start);
+    evidence.seconds.total = seconds_since(start);
     const auto slowest = [&](double& seconds) { MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm); };
-    slowest(evidence.assembly_seconds);
-    slowest(evidence.setup_seconds);
-    slowest(evidence.solve_seconds);
-    slowest(evidence.total_seconds);
+    slowest(evidence.seconds.assembly);
+    slowest(evidence.seconds.setup);
+    slowest(evidence.seconds.solve);
+    slowest(evidence.seconds.total);
     for (LoadCaseEvidence& load_case : evidence.load_cases) slowest(load_case.seconds);
 }
 

@@ -53,6 +53,22 @@ struct ComponentError {
     double largest = 0;
 };
 
+/// Errors over a table, where they are known.
+struct IcErrors {
+    std::optional<ComponentError> xx, yy, zz;
+    /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets but the origin, for the components that
+    /// change sign, whose relative errors mean nothing on the axes: xy and yx, and xz, zx, yz and zy.
+    std::optional<double> scaled_xy, scaled_xz;
+};
+
+/// What a build took (s).
+struct BuildSeconds {
+    double assembly = 0;
+    double setup = 0;  ///< of the preconditioners
+    double solve = 0;
+    double total = 0;
+};
+
 /// What made the numbers of a table and how good they are.
 struct IcEvidence {
     std::string source;   ///< "analytic" or "fem"
@@ -60,20 +76,14 @@ struct IcEvidence {
     long long elements = 0;
     long long dofs = 0;
     int processes = 1;
-    double assembly_seconds = 0;
-    double setup_seconds = 0;  ///< of the preconditioners
-    double solve_seconds = 0;
-    double total_seconds = 0;
+    BuildSeconds seconds;
     std::vector<LoadCaseEvidence> load_cases;
     std::string solver;                 ///< "amg_pcg" or "direct"; empty for a closed form
     std::optional<FemSpec> mesh;        ///< what was chosen for IcSpec::accuracy; not of a block
     std::vector<std::string> warnings;  ///< sentences: what a user of the table should know
-    /// Errors over the table: against the closed form where there is one (half-space); of a block whose accuracy was
-    /// asked for, estimated by the difference to the next lower order, and `errors_estimated` says so.
-    std::optional<ComponentError> error_xx, error_yy, error_zz;
-    /// Largest |FEM - closed form| * 2 pi G rho / (dx dy) over the offsets but the origin, for the components that
-    /// change sign, whose relative errors mean nothing on the axes: xy and yx, and xz, zx, yz and zy.
-    std::optional<double> scaled_error_xy, scaled_error_xz;
+    /// Against the closed form where there is one (half-space); of a block whose accuracy was asked for, estimated by
+    /// the difference to the next lower order, and `errors_estimated` says so.
+    IcErrors errors;
     bool errors_estimated = false;
     /// Of a family over Poisson's ratio: the Poisson's ratios computed, and the largest error that interpolation
     /// between them adds, in the measures above.

@@ -92,17 +92,17 @@ void compare_tables(const IcSpec& spec, const IcTable& table, const IcTable& exa
         if (each->nx != spec.nx || each->ny != spec.ny)
             throw InvalidArgument("table", "has another extent than its spec; both must be the same");
     const IcTable unit = error_unit(spec, exact);
-    evidence.error_xx = relative_error(table, exact, unit, Axis::x);
-    evidence.error_yy = relative_error(table, exact, unit, Axis::y);
-    evidence.error_zz = relative_error(table, exact, unit, Axis::z);
+    evidence.errors.xx = relative_error(table, exact, unit, Axis::x);
+    evidence.errors.yy = relative_error(table, exact, unit, Axis::y);
+    evidence.errors.zz = relative_error(table, exact, unit, Axis::z);
     const auto largest = [&](std::initializer_list<std::array<Axis, 2>> components) {
         double error = 0;
         for (const auto& [i, j] : components) error = std::max(error, scaled_error(spec, table, exact, i, j));
         return error;
     };
     using enum Axis;
-    evidence.scaled_error_xy = largest({{x, y}, {y, x}});
-    evidence.scaled_error_xz = largest({{x, z}, {z, x}, {y, z}, {z, y}});
+    evidence.errors.scaled_xy = largest({{x, y}, {y, x}});
+    evidence.errors.scaled_xz = largest({{x, z}, {z, x}, {y, z}, {z, y}});
 }
 
 void compare_with_half_space(const IcSpec& spec, const IcTable& table, IcEvidence& evidence) {

@@ -12,11 +12,11 @@ namespace {
 struct ErrorName {
     const char* origin;
     const char* largest;
-    std::optional<ComponentError> IcEvidence::* member;
+    std::optional<ComponentError> IcErrors::* member;
 };
-constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_largest", &IcEvidence::error_xx},
-                                                {"error_yy_origin", "error_yy_largest", &IcEvidence::error_yy},
-                                                {"error_zz_origin", "error_zz_largest", &IcEvidence::error_zz}}};
+constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_largest", &IcErrors::xx},
+                                                {"error_yy_origin", "error_yy_largest", &IcErrors::yy},
+                                                {"error_zz_origin", "error_zz_largest", &IcErrors::zz}}};
 
 Axis axis(const H5::Group& at) {
     const int number = integer(at, "load_axis");
@@ -33,10 +33,10 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
     put(group, "elements", evidence.elements);
     put(group, "dofs", evidence.dofs);
     put(group, "processes", static_cast<long long>(evidence.processes));
-    put(group, "assembly_seconds", evidence.assembly_seconds);
-    put(group, "setup_seconds", evidence.setup_seconds);
-    put(group, "solve_seconds", evidence.solve_seconds);
-    put(group, "total_seconds", evidence.total_seconds);
+    put(group, "assembly_seconds", evidence.seconds.assembly);
+    put(group, "setup_seconds", evidence.seconds.setup);
+    put(group, "solve_seconds", evidence.seconds.solve);
+    put(group, "total_seconds", evidence.seconds.total);
     if (!evidence.solver.empty()) put(group, "solver", evidence.solver);
     put(group, "warnings", evidence.warnings);
     put(group, "errors_estimated", static_cast<long long>(evidence.errors_estimated));
@@ -47,12 +47,12 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
         write_fem(mesh, *evidence.mesh);
     }
     for (const ErrorName& name : error_names)
-        if (const auto& error = evidence.*name.member) {
+        if (const auto& error = evidence.errors.*name.member) {
             put(group, name.origin, error->origin);
             put(group, name.largest, error->largest);
         }
-    if (evidence.scaled_error_xy) put(group, "scaled_error_xy", *evidence.scaled_error_xy);
-    if (evidence.scaled_error_xz) put(group, "scaled_error_xz", *evidence.scaled_error_xz);
+    if (evidence.errors.scaled_xy) put(group, "scaled_error_xy", *evidence.errors.scaled_xy);
+    if (evidence.errors.scaled_xz) put(group, "scaled_error_xz", *evidence.errors.scaled_xz);
     for (std::size_t n = 0; n < evidence.load_cases.size(); ++n) {
         const LoadCaseEvidence& load_case = evidence.load_cases[n];
         H5::Group at = group.createGroup("load_case_" + std::to_string(n));
@@ -72,10 +72,10 @@ IcEvidence read_evidence(const H5::Group& group) {
     evidence.elements = long_integer(group, "elements");
     evidence.dofs = long_integer(group, "dofs");
     evidence.processes = integer(group, "processes");
-    evidence.assembly_seconds = number(group, "assembly_seconds");
-    evidence.setup_seconds = number(group, "setup_seconds");
-    evidence.solve_seconds = number(group, "solve_seconds");
-    evidence.total_seconds = number(group, "total_seconds");
+    evidence.seconds.assembly = number(group, "assembly_seconds");
+    evidence.seconds.setup = number(group, "setup_seconds");
+    evidence.seconds.solve = number(group, "solve_seconds");
+    evidence.seconds.total = number(group, "total_seconds");
     if (group.attrExists("solver")) evidence.solver = text(group, "solver");
     evidence.warnings = texts(group, "warnings");
     evidence.errors_estimated = integer(group, "errors_estimated") != 0;
@@ -84,9 +84,9 @@ IcEvidence read_evidence(const H5::Group& group) {
     if (group.nameExists("mesh")) evidence.mesh = read_fem(group.openGroup("mesh"));
     for (const ErrorName& name : error_names)
         if (group.attrExists(name.origin))
-            evidence.*name.member = ComponentError{number(group, name.origin), number(group, name.largest)};
-    if (group.attrExists("scaled_error_xy")) evidence.scaled_error_xy = number(group, "scaled_error_xy");
-    if (group.attrExists("scaled_error_xz")) evidence.scaled_error_xz = number(group, "scaled_error_xz");
+            evidence.errors.*name.member = ComponentError{number(group, name.origin), number(group, name.largest)};
+    if (group.attrExists("scaled_error_xy")) evidence.errors.scaled_xy = number(group, "scaled_error_xy");
+    if (group.attrExists("scaled_error_xz")) evidence.errors.scaled_xz = number(group, "scaled_error_xz");
     for (int n = 0; group.nameExists("load_case_" + std::to_string(n)); ++n) {
         const H5::Group at = group.openGroup("load_case_" + std::to_string(n));
         LoadCaseEvidence load_case{axis(at),

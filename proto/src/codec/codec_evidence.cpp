@@ -7,37 +7,39 @@ namespace {
 
 using nlohmann::json;
 
-json encode_errors(const IcEvidence& evidence) {
-    json errors = json::object();
+json encode_errors(const IcErrors& errors) {
+    json result = json::object();
     const auto component = [&](const char* name, const std::optional<ComponentError>& error) {
         if (error)
-            errors[name] = object({{"origin", finite(error->origin, "An error at the origin")},
+            result[name] = object({{"origin", finite(error->origin, "An error at the origin")},
                                    {"largest", finite(error->largest, "A largest error")}});
     };
     const auto scaled = [&](const char* name, const std::optional<double>& error) {
-        if (error) errors[name] = finite(*error, "A scaled error");
+        if (error) result[name] = finite(*error, "A scaled error");
     };
-    component("xx", evidence.error_xx);
-    component("yy", evidence.error_yy);
-    component("zz", evidence.error_zz);
-    scaled("scaled_xy", evidence.scaled_error_xy);
-    scaled("scaled_xz", evidence.scaled_error_xz);
-    return errors;
+    component("xx", errors.xx);
+    component("yy", errors.yy);
+    component("zz", errors.zz);
+    scaled("scaled_xy", errors.scaled_xy);
+    scaled("scaled_xz", errors.scaled_xz);
+    return result;
 }
 
-void decode_errors(const json& errors, IcEvidence& evidence) {
+IcErrors decode_errors(const json& source) {
+    IcErrors errors;
     const auto component = [&](const char* name, std::optional<ComponentError>& error) {
-        if (errors.contains(name))
-            error = ComponentError{errors[name]["origin"].get<double>(), errors[name]["largest"].get<double>()};
+        if (source.contains(name))
+            error = ComponentError{source[name]["origin"].get<double>(), source[name]["largest"].get<double>()};
     };
     const auto scaled = [&](const char* name, std::optional<double>& error) {
-        if (errors.contains(name)) error = errors[name].get<double>();
+        if (source.contains(name)) error = source[name].get<double>();
     };
-    component("xx", evidence.error_xx);
-    component("yy", evidence.error_yy);
-    component("zz", evidence.error_zz);
-    scaled("scaled_xy", evidence.scaled_error_xy);
-    scaled("scaled_xz", evidence.scaled_error_xz);
+    component("xx", errors.xx);
+    component("yy", errors.yy);
+    component("zz", errors.zz);
+    scaled("scaled_xy", errors.scaled_xy);
+    scaled("scaled_xz", errors.scaled_xz);
+    return errors;
 }
 
 json encode_load_case(const LoadCaseEvidence& load_case) {
@@ -74,12 +76,12 @@ void encode_build(const IcEvidence& evidence, json& result) {
     result["elements"] = evidence.elements;
     result["dofs"] = evidence.dofs;
     result["processes"] = evidence.processes;
-    result["seconds"] = object({{"assembly", finite(evidence.assembly_seconds, "The duration of the assembly")},
-                                {"setup", finite(evidence.setup_seconds, "The duration of the setup")},
-                                {"solve", finite(evidence.solve_seconds, "The duration of the solves")},
-                                {"total", finite(evidence.total_seconds, "The duration of the build")}});
+    result["seconds"] = object({{"assembly", finite(evidence.seconds.assembly, "The duration of the assembly")},
+                                {"setup", finite(evidence.seconds.setup, "The duration of the setup")},
+                                {"solve", finite(evidence.seconds.solve, "The duration of the solves")},
+                                {"total", finite(evidence.seconds.total, "The duration of the build")}});
     result["load_cases"] = std::move(load_cases);
-    result["errors"] = encode_errors(evidence);
+    result["errors"] = encode_errors(evidence.errors);
     result["errors_estimated"] = evidence.errors_estimated;
 }
 
@@ -89,14 +91,12 @@ void decode_build(const json& source, IcEvidence& evidence) {
     if (source.contains("processes")) evidence.processes = source["processes"].get<int>();
     if (source.contains("seconds")) {
         const auto& seconds = source["seconds"];
-        evidence.assembly_seconds = seconds["assembly"].get<double>();
-        evidence.setup_seconds = seconds["setup"].get<double>();
-        evidence.solve_seconds = seconds["solve"].get<double>();
-        evidence.total_seconds = seconds["total"].get<double>();
+        evidence.seconds = {seconds["assembly"].get<double>(), seconds["setup"].get<double>(),
+                            seconds["solve"].get<double>(), seconds["total"].get<double>()};
     }
     if (source.contains("load_cases"))
         for (const auto& load_case : source["load_cases"]) evidence.load_cases.push_back(decode_load_case(load_case));
-    if (source.contains("errors")) decode_errors(source["errors"], evidence);
+    if (source.contains("errors")) evidence.errors = decode_errors(source["errors"]);
     evidence.errors_estimated = source.value("errors_estimated", false);
 }
 

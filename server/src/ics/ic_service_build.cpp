@@ -55,9 +55,9 @@ std::string summary(const IcEvidence& evidence) {
     const auto add = [&](const char* name, const std::optional<ComponentError>& error) {
         if (error) text += fmt::format("{} {:.1e}", name, error->largest);
     };
-    add(evidence.errors_estimated ? "; estimated errors xx" : "; errors xx", evidence.error_xx);
-    add(", yy", evidence.error_yy);
-    add(", zz", evidence.error_zz);
+    add(evidence.errors_estimated ? "; estimated errors xx" : "; errors xx", evidence.errors.xx);
+    add(", yy", evidence.errors.yy);
+    add(", zz", evidence.errors.zz);
     if (evidence.interpolation_error) text += fmt::format(", interpolation {:.1e}", *evidence.interpolation_error);
     for (const std::string& warning : evidence.warnings) text += "; " + warning;
     return text;

@@ -35,8 +35,8 @@ IcRecord build(const IcSpec& spec) {
 double difference(const IcSpec& spec, const IcTable& table, const IcTable& other) {
     IcEvidence evidence;
     compare_tables(spec, table, other, evidence);
-    return std::max({evidence.error_xx->largest, evidence.error_yy->largest, evidence.error_zz->largest,
-                     *evidence.scaled_error_xy, *evidence.scaled_error_xz});
+    return std::max({evidence.errors.xx->largest, evidence.errors.yy->largest, evidence.errors.zz->largest,
+                     *evidence.errors.scaled_xy, *evidence.errors.scaled_xz});
 }
 
 IcTable closed_form(IcSpec spec) {
@@ -104,9 +104,9 @@ TEST_CASE("The error that a block's table states is no less than its difference 
     const IcRecord record = build(spec), finer = build(finer_spec);
     IcEvidence difference_to_finer;
     compare_tables(spec, record.table(), finer.table(), difference_to_finer);
-    CHECK(difference_to_finer.error_zz->largest <= record.evidence.error_zz->largest + 1e-3);
-    CHECK(difference_to_finer.error_xx->largest <= record.evidence.error_xx->largest + 1e-3);
-    CHECK(record.evidence.error_zz->largest > finer.evidence.error_zz->largest);
+    CHECK(difference_to_finer.errors.zz->largest <= record.evidence.errors.zz->largest + 1e-3);
+    CHECK(difference_to_finer.errors.xx->largest <= record.evidence.errors.xx->largest + 1e-3);
+    CHECK(record.evidence.errors.zz->largest > finer.evidence.errors.zz->largest);
 }
 
 TEST_CASE("A family differs from a direct computation by less than a tenth of the accuracy", "[fem][family]") {
@@ -147,7 +147,7 @@ TEST_CASE("A family on a given mesh is interpolated as well as the mesh deserves
     one.material.nu = 0.47;
     const IcRecord direct = build(one);
     const double error =
-        std::max(std::abs(direct.evidence.error_xx->origin), std::abs(direct.evidence.error_zz->origin));
+        std::max(std::abs(direct.evidence.errors.xx->origin), std::abs(direct.evidence.errors.zz->origin));
     CHECK(difference(one, table_for(record, one), direct.table()) < error / 5);
 }
 

@@ -166,14 +166,14 @@ TEST_CASE("More unknowns give smaller errors, and no more than allowed are used"
     }
     for (std::size_t i = 1; i < evidence.size(); ++i) {
         CHECK(evidence[i].elements > evidence[i - 1].elements);
-        CHECK(std::abs(evidence[i].error_zz->origin) < 0.7 * std::abs(evidence[i - 1].error_zz->origin));
-        CHECK(std::abs(evidence[i].error_xx->origin) < 0.7 * std::abs(evidence[i - 1].error_xx->origin));
-        CHECK(evidence[i].error_zz->largest < evidence[i - 1].error_zz->largest);
-        CHECK(evidence[i].error_xx->largest < evidence[i - 1].error_xx->largest);
+        CHECK(std::abs(evidence[i].errors.zz->origin) < 0.7 * std::abs(evidence[i - 1].errors.zz->origin));
+        CHECK(std::abs(evidence[i].errors.xx->origin) < 0.7 * std::abs(evidence[i - 1].errors.xx->origin));
+        CHECK(evidence[i].errors.zz->largest < evidence[i - 1].errors.zz->largest);
+        CHECK(evidence[i].errors.xx->largest < evidence[i - 1].errors.xx->largest);
     }
     // A third of what the coarsest layers around the table would leave (7e-3).
-    CHECK(evidence.back().error_zz->largest < 2e-3);
-    CHECK(evidence.back().error_xx->largest < 2e-3);
+    CHECK(evidence.back().errors.zz->largest < 2e-3);
+    CHECK(evidence.back().errors.xx->largest < 2e-3);
 }
 
 TEST_CASE("Any load and any shape of the elements is refined for", "[fem][adaptive]") {
@@ -181,12 +181,12 @@ TEST_CASE("Any load and any shape of the elements is refined for", "[fem][adapti
     spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     CAPTURE(spec.dy, name_of(spec.load_shape));
     const IcEvidence evidence = build(spec).evidence;
-    for (const auto& error : {evidence.error_xx, evidence.error_yy, evidence.error_zz}) {
+    for (const auto& error : {evidence.errors.xx, evidence.errors.yy, evidence.errors.zz}) {
         CHECK(std::abs(error->origin) < 0.007);
         CHECK(error->largest < 0.01);
     }
-    CHECK(evidence.scaled_error_xy < 0.01);
-    CHECK(evidence.scaled_error_xz < 0.01);
+    CHECK(evidence.errors.scaled_xy < 0.01);
+    CHECK(evidence.errors.scaled_xz < 0.01);
 }
 
 TEST_CASE("A refined block, clamped, is the block of Mesh1", "[fem][adaptive]") {
@@ -198,7 +198,7 @@ TEST_CASE("A refined block, clamped, is the block of Mesh1", "[fem][adaptive]") 
     const IcRecord adaptive = build(spec);
     spec.fem.mesh = MeshKind::hex;
     const IcTable hex = build(spec).table();
-    CHECK(!adaptive.evidence.error_zz);
+    CHECK(!adaptive.evidence.errors.zz);
     for (std::size_t i = 0; i < hex.values.size(); ++i)
         CHECK_THAT(adaptive.table().values[i], WithinAbs(hex.values[i], 1e-3));
 }

@@ -41,20 +41,20 @@ double largest_difference(const IcTable& a, const IcTable& b) {
 TEST_CASE("With the half-space's displacements on the far faces the error does not depend on L", "[fem][far]") {
     const IcEvidence near = build(open_spec(10)).evidence, far = build(open_spec(40)).evidence;
     for (const IcEvidence& evidence : {near, far}) {
-        CHECK(evidence.error_zz->largest <= 1e-3);
-        CHECK(evidence.error_xx->largest <= 1e-3);
+        CHECK(evidence.errors.zz->largest <= 1e-3);
+        CHECK(evidence.errors.xx->largest <= 1e-3);
     }
-    CHECK(std::abs(near.error_zz->origin - far.error_zz->origin) < 1e-4);
+    CHECK(std::abs(near.errors.zz->origin - far.errors.zz->origin) < 1e-4);
 }
 
 TEST_CASE("The bilinear load has the reference errors", "[fem][far][verification]") {
     IcSpec spec = open_spec(80);
     spec.load_shape = LoadShape::bilinear;
     const IcRecord record = build(spec);
-    CHECK_THAT(record.evidence.error_zz->origin, WithinRel(-1.67e-3, 0.05));
-    CHECK_THAT(record.evidence.error_xx->origin, WithinRel(-2.42e-3, 0.05));
-    CHECK_THAT(record.evidence.error_zz->largest, WithinRel(1.7e-3, 0.05));
-    CHECK_THAT(record.evidence.error_xx->largest, WithinRel(2.4e-3, 0.05));
+    CHECK_THAT(record.evidence.errors.zz->origin, WithinRel(-1.67e-3, 0.05));
+    CHECK_THAT(record.evidence.errors.xx->origin, WithinRel(-2.42e-3, 0.05));
+    CHECK_THAT(record.evidence.errors.zz->largest, WithinRel(1.7e-3, 0.05));
+    CHECK_THAT(record.evidence.errors.xx->largest, WithinRel(2.4e-3, 0.05));
 
     double xy = 0;
     for (int l = 1; l < spec.ny; ++l)
@@ -98,6 +98,6 @@ TEST_CASE("A block on a given mesh has no closed form to be compared with", "[fe
     IcSpec spec = coarse_spec(10, 10, 1, 1);
     spec.body = BodyShape::block;
     const IcRecord record = build(spec);
-    CHECK_FALSE(record.evidence.error_zz.has_value());
-    CHECK_FALSE(record.evidence.scaled_error_xy.has_value());
+    CHECK_FALSE(record.evidence.errors.zz.has_value());
+    CHECK_FALSE(record.evidence.errors.scaled_xy.has_value());
 }

@@ -131,10 +131,10 @@ TEST_CASE("The evidence says what was built and solved", "[fem]") {
                ContainsSubstring("contactd ") && ContainsSubstring("MFEM ") && ContainsSubstring("hypre "));
     CHECK(evidence.elements == mesh_size(spec).elements);
     CHECK(evidence.processes == 1);
-    CHECK(evidence.assembly_seconds > 0);
-    CHECK(evidence.setup_seconds > 0);
-    CHECK(evidence.solve_seconds > 0);
-    CHECK(evidence.total_seconds >= evidence.assembly_seconds + evidence.setup_seconds + evidence.solve_seconds);
+    CHECK(evidence.seconds.assembly > 0);
+    CHECK(evidence.seconds.setup > 0);
+    CHECK(evidence.seconds.solve > 0);
+    CHECK(evidence.seconds.total >= evidence.seconds.assembly + evidence.seconds.setup + evidence.seconds.solve);
     for (const LoadCaseEvidence& load_case : evidence.load_cases) {
         CHECK(load_case.iterations > 1);
         CHECK(load_case.residual > 0);

@@ -39,13 +39,13 @@ TEST_CASE("Prisms meet the reference with diagonals that run outward", "[fem][pr
     const IcEvidence evidence = build(paper_spec(row.preset, row.L));
     CHECK(evidence.elements == row.elements);
     CHECK(evidence.dofs == row.dofs);
-    CHECK_THAT(evidence.error_zz.value().origin, WithinRel(row.zz, 0.02));
+    CHECK_THAT(evidence.errors.zz.value().origin, WithinRel(row.zz, 0.02));
 }
 
 TEST_CASE("The error of prisms depends on the direction of the diagonals", "[fem][prism][verification]") {
     IcSpec spec = paper_spec("paper-mesh2-test2", 128);
     spec.fem.diagonal = Diagonal::across;
-    CHECK_THAT(build(spec).error_zz.value().origin, WithinRel(-2.0e-3, 0.02));
+    CHECK_THAT(build(spec).errors.zz.value().origin, WithinRel(-2.0e-3, 0.02));
 }
 
 TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification][slow]") {
@@ -53,9 +53,9 @@ TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism]
                                              std::pair{"paper-mesh2-test3", 40}, std::pair{"paper-mesh2-test2", 640});
     CAPTURE(preset, L_over_h);
     const IcEvidence evidence = build(paper_spec(preset, 0.8 * L_over_h));
-    CHECK(std::abs(evidence.error_zz.value().origin) < target);
-    CHECK(std::abs(evidence.error_xx.value().origin) < target);
-    CHECK(std::abs(evidence.error_yy.value().origin) < target);
+    CHECK(std::abs(evidence.errors.zz.value().origin) < target);
+    CHECK(std::abs(evidence.errors.xx.value().origin) < target);
+    CHECK(std::abs(evidence.errors.yy.value().origin) < target);
 }
 
 TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification][slow]") {
@@ -76,11 +76,11 @@ TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verif
     IcSpec spec = paper_spec("paper-mesh2-test2", 8);
     spec.fem.far_boundary = FarBoundary::half_space;
     const IcEvidence small = build(spec);
-    CHECK(small.error_zz.value().largest < target);
-    CHECK(small.error_xx.value().largest < target);
-    CHECK(small.error_yy.value().largest < target);
+    CHECK(small.errors.zz.value().largest < target);
+    CHECK(small.errors.xx.value().largest < target);
+    CHECK(small.errors.yy.value().largest < target);
     spec.fem.L_over_h = 160;
-    CHECK_THAT(small.error_zz.value().origin, WithinAbs(build(spec).error_zz.value().origin, 2e-4));
+    CHECK_THAT(small.errors.zz.value().origin, WithinAbs(build(spec).errors.zz.value().origin, 2e-4));
 }
 
 TEST_CASE("The error of prisms falls with their order", "[fem][prism][verification][slow]") {
@@ -90,7 +90,7 @@ TEST_CASE("The error of prisms falls with their order", "[fem][prism][verificati
     spec.fem.far_boundary = FarBoundary::half_space;
     spec.fem.order = order;
     const IcEvidence evidence = build(spec);
-    for (const auto& error : {evidence.error_zz, evidence.error_xx, evidence.error_yy}) {
+    for (const auto& error : {evidence.errors.zz, evidence.errors.xx, evidence.errors.yy}) {
         CHECK(error.value().largest < largest);
         CHECK(error.value().largest > largest / 2);
     }

@@ -131,13 +131,13 @@ TEST_CASE("comparison finds the errors put into a table", "[half_space]") {
 
     compare_with_half_space(spec, table, evidence);
 
-    CHECK_THAT(evidence.error_zz->origin, WithinAbs(-0.01, 1e-12));
-    CHECK_THAT(evidence.error_zz->largest, WithinAbs(0.04, 1e-12));
-    CHECK(evidence.error_xx->largest == 0);
-    CHECK(evidence.error_yy->largest == 0);
+    CHECK_THAT(evidence.errors.zz->origin, WithinAbs(-0.01, 1e-12));
+    CHECK_THAT(evidence.errors.zz->largest, WithinAbs(0.04, 1e-12));
+    CHECK(evidence.errors.xx->largest == 0);
+    CHECK(evidence.errors.yy->largest == 0);
     const double unit = 2 * std::numbers::pi * 200 / (0.5 * 0.4);
-    CHECK_THAT(*evidence.scaled_error_xy, WithinRel(shift * unit * std::hypot(1.0, 0.4), 1e-9));
-    CHECK_THAT(*evidence.scaled_error_xz, WithinRel(shift * unit * 1.6, 1e-9));
+    CHECK_THAT(*evidence.errors.scaled_xy, WithinRel(shift * unit * std::hypot(1.0, 0.4), 1e-9));
+    CHECK_THAT(*evidence.errors.scaled_xz, WithinRel(shift * unit * 1.6, 1e-9));
 }
 
 TEST_CASE("a block has nothing to be compared with", "[half_space]") {
@@ -147,5 +147,5 @@ TEST_CASE("a block has nothing to be compared with", "[half_space]") {
     spec.source = IcSource::fem;
     spec.body = BodyShape::block;
     CHECK_THROWS_AS(compare_with_half_space(spec, table, evidence), InvalidArgument);
-    CHECK(!evidence.error_zz);
+    CHECK(!evidence.errors.zz);
 }

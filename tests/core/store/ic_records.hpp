@@ -28,8 +28,8 @@ inline IcRecord record_of(const IcSpec& spec) {
     record.evidence.version = "test";
     record.evidence.elements = 1840;
     record.evidence.load_cases = {{Axis::z, 13, 3e-9, true, 0.5, {}}, {Axis::x, 12, 2e-9, true, 0.4, 7e-10}};
-    record.evidence.error_zz = ComponentError{-1.2e-3, 1.4e-2};
-    record.evidence.scaled_error_xz = 2e-4;
+    record.evidence.errors.zz = ComponentError{-1.2e-3, 1.4e-2};
+    record.evidence.errors.scaled_xz = 2e-4;
     record.evidence.solver = "direct";
     record.evidence.warnings = {"f is 1.6; the paper advises 1 to 1.5 on Mesh1 (Table 3).", "", "\xc2\xb5"};
     return record;

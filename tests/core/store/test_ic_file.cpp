@@ -80,9 +80,9 @@ TEST_CASE("A written table reads back as it was") {
     REQUIRE(read.evidence.load_cases.size() == 2);
     CHECK(read.evidence.load_cases[1].load == Axis::x);
     CHECK(read.evidence.load_cases[1].iterations == 12);
-    CHECK(read.evidence.error_zz->origin == -1.2e-3);
-    CHECK_FALSE(read.evidence.error_xx.has_value());
-    CHECK(read.evidence.scaled_error_xz == 2e-4);
+    CHECK(read.evidence.errors.zz->origin == -1.2e-3);
+    CHECK_FALSE(read.evidence.errors.xx.has_value());
+    CHECK(read.evidence.errors.scaled_xz == 2e-4);
     CHECK(read.evidence.solver == "direct");
     CHECK(read.evidence.warnings == written.evidence.warnings);
     CHECK_FALSE(read.evidence.load_cases[0].update.has_value());
