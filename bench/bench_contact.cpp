@@ -90,9 +90,9 @@ void steady_rolling_warm(benchmark::State& state) {
     Observer observer;
     const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
     const ContactSolution last = solve_contact(problem, make_influence(problem, pair), observer);
-    problem.initial_pressure = last.pressure;
-    problem.initial_traction_x = last.traction_x;
-    problem.initial_traction_y = last.traction_y;
+    problem.initial.pressure = last.pressure;
+    problem.initial.traction_x = last.traction_x;
+    problem.initial.traction_y = last.traction_y;
     problem.motion = rolling(1.05);
     run(state, problem);
 }

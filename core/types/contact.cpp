@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-void check_array(const std::vector<double>& values, std::size_t size, const char* field) {
+void check_array(const std::vector<double>& values, std::size_t size, const std::string& field) {
     if (values.size() != size)
         throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
                                          std::to_string(size) + " elements");
@@ -22,8 +22,10 @@ void check_array(const std::vector<double>& values, std::size_t size, const char
             throw InvalidArgument(field, "holds " + number_text(value) + "; its values must lie in [-1e100, 1e100]");
 }
 
-void check_estimate(const std::vector<double>& values, std::size_t size, const char* field) {
-    if (!values.empty()) check_array(values, size, field);
+void check_state(const SurfaceState& state, std::size_t size, const std::string& field) {
+    if (!state.pressure.empty()) check_array(state.pressure, size, field + ".pressure");
+    if (!state.traction_x.empty()) check_array(state.traction_x, size, field + ".traction_x");
+    if (!state.traction_y.empty()) check_array(state.traction_y, size, field + ".traction_y");
 }
 
 void check_finite(double value, const std::string& field, const char* meaning) {
@@ -176,15 +178,11 @@ void check(const ContactProblem& problem, bool complete) {
     check_gap(problem);
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
-    check_estimate(problem.previous.pressure, size, "previous.pressure");
-    check_estimate(problem.previous.traction_x, size, "previous.traction_x");
-    check_estimate(problem.previous.traction_y, size, "previous.traction_y");
-    check_settings(problem.normal_settings, "settings.normal");
-    check_settings(problem.tangential_settings, "settings.tangential");
-    check_settings(problem.outer_settings, "settings.outer");
-    check_estimate(problem.initial_pressure, size, "initial.pressure");
-    check_estimate(problem.initial_traction_x, size, "initial.traction_x");
-    check_estimate(problem.initial_traction_y, size, "initial.traction_y");
+    check_state(problem.previous, size, "previous");
+    check_settings(problem.settings.normal, "settings.normal");
+    check_settings(problem.settings.tangential, "settings.tangential");
+    check_settings(problem.settings.outer, "settings.outer");
+    check_state(problem.initial, size, "initial");
 }
 
 }  // namespace

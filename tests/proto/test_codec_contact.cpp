@@ -30,10 +30,10 @@ ContactProblem problem() {
     problem.motion = shift(0.00817, -1e-9);
     problem.rigid_slip = {{1e-3, 0, 0, 0, 0, 2}, {0, 0, 1.0 / 3, 0, 0, 0}};
     problem.previous = {{1, 0, 0, 0, 0, 2}, {}, {0, 0, 0.1 + 0.2, 0, 0, 0}};
-    problem.normal_settings = {1e-9, 50};
-    problem.tangential_settings = {1e-5, 70};
-    problem.outer_settings = {1e-4, 7};
-    problem.initial_traction_y = {1, 2, 3, 4, 5, 6};
+    problem.settings.normal = {1e-9, 50};
+    problem.settings.tangential = {1e-5, 70};
+    problem.settings.outer = {1e-4, 7};
+    problem.initial.traction_y = {1, 2, 3, 4, 5, 6};
     return problem;
 }
 
@@ -83,12 +83,12 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
     CHECK(read.motion == original.motion);
     CHECK(read.rigid_slip == original.rigid_slip);
     CHECK(read.previous == original.previous);
-    CHECK(read.normal_settings == original.normal_settings);
-    CHECK(read.tangential_settings == original.tangential_settings);
-    CHECK(read.outer_settings == original.outer_settings);
-    CHECK(read.initial_pressure.empty());
-    CHECK(read.initial_traction_x.empty());
-    CHECK(read.initial_traction_y == original.initial_traction_y);
+    CHECK(read.settings.normal == original.settings.normal);
+    CHECK(read.settings.tangential == original.settings.tangential);
+    CHECK(read.settings.outer == original.settings.outer);
+    CHECK(read.initial.pressure.empty());
+    CHECK(read.initial.traction_x.empty());
+    CHECK(read.initial.traction_y == original.initial.traction_y);
 }
 
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {
@@ -132,9 +132,9 @@ TEST_CASE("What a request leaves out has its default", "[codec]") {
 
     CHECK(read.grid == Grid::centred(3, 2, 0.06, 0.06));
     CHECK(read.bodies.lower == read.bodies.upper);
-    CHECK(read.normal_settings == ContactProblem{}.normal_settings);
-    CHECK(read.tangential_settings == ContactProblem{}.tangential_settings);
-    CHECK(read.outer_settings == ContactProblem{}.outer_settings);
+    CHECK(read.settings.normal == ContactProblem{}.settings.normal);
+    CHECK(read.settings.tangential == ContactProblem{}.settings.tangential);
+    CHECK(read.settings.outer == ContactProblem{}.settings.outer);
     CHECK(read.gap == Gap{Paraboloid{50, 50}});
     CHECK(read.model == Model::full);
     CHECK(read.friction == FrictionLaw{{0.4}});
@@ -151,9 +151,9 @@ TEST_CASE("The schema tells the defaults of the solvers as they are", "[codec]")
         return SolverSettings{fields["tolerance"]["default"].get<double>(),
                               fields["max_iterations"]["default"].get<int>()};
     };
-    CHECK(told("normal") == defaults.normal_settings);
-    CHECK(told("tangential") == defaults.tangential_settings);
-    CHECK(told("outer") == defaults.outer_settings);
+    CHECK(told("normal") == defaults.settings.normal);
+    CHECK(told("tangential") == defaults.settings.tangential);
+    CHECK(told("outer") == defaults.settings.outer);
 }
 
 TEST_CASE("A radius left out is a flat direction, one corner may be given", "[codec]") {

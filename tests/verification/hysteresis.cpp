@@ -49,8 +49,8 @@ struct Path {
         work += *solution.frictional_work;
         problem.previous = {std::move(solution.pressure), std::move(solution.traction_x),
                             std::move(solution.traction_y)};
-        problem.initial_traction_x = problem.previous.traction_x;
-        problem.initial_traction_y = problem.previous.traction_y;
+        problem.initial.traction_x = problem.previous.traction_x;
+        problem.initial.traction_y = problem.previous.traction_y;
     }
 };
 

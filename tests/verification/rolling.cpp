@@ -70,8 +70,8 @@ TEST_CASE("the transient marches to the steady state", "[verification]") {
     problem.bodies = {{82000, 0.28}, {82000, 0.28}};
     problem.gap = radii_of_force({6, 4}, (1 - 0.28) / 82000, 50000);
     problem.Fn = 50000;
-    problem.normal_settings.tolerance = 1e-10;
-    problem.tangential_settings.tolerance = 1e-7;
+    problem.settings.normal.tolerance = 1e-10;
+    problem.settings.tangential.tolerance = 1e-7;
     problem.friction = FrictionLaw{{0.3}};
     Rolling transient = rolling.rolling;
     transient.dq = rolling.dq;

@@ -9,12 +9,12 @@
 
 namespace contactd {
 
-/// Tractions at the end of the step before, each empty (zero) or of shape [ny, nx] (N/mm^2), on the upper body.
-struct PreviousState {
+/// Pressure and tractions on the upper body, each empty (zero) or of shape [ny, nx] (N/mm^2).
+struct SurfaceState {
     std::vector<double> pressure, traction_x, traction_y;
 
     bool empty() const { return pressure.empty() && traction_x.empty() && traction_y.empty(); }
-    bool operator==(const PreviousState&) const = default;
+    bool operator==(const SurfaceState&) const = default;
 };
 
 struct ContactLoad {
@@ -27,9 +27,8 @@ struct ContactLoad {
     /// of a shift over the step (mm), of rolling over the distance rolled, as creepages are. Empty, or both of shape
     /// [ny, nx].
     RigidSlip rigid_slip{};
-    PreviousState previous;                                      ///< where a shift or a transient step starts
-    std::vector<double> initial_pressure;                        ///< empty, or an estimate, shape [ny, nx]
-    std::vector<double> initial_traction_x, initial_traction_y;  ///< empty, or estimates
+    SurfaceState previous;  ///< at the end of the step before, where a shift or a transient step starts
+    SurfaceState initial;   ///< estimates, where the solvers start
 };
 
 /// Throws InvalidArgument ("approach" or "Fn") unless one of the two is prescribed, and only one.

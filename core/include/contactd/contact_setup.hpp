@@ -17,6 +17,15 @@ struct SolverSettings {
     bool operator==(const SolverSettings&) const = default;
 };
 
+/// Those of the solvers of a contact problem.
+struct ContactSettings {
+    SolverSettings normal{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
+    SolverSettings tangential;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
+    SolverSettings outer{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
+
+    bool operator==(const ContactSettings&) const = default;
+};
+
 /// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. fastsim: Hertzian
 /// contact with Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes.
 enum class Model { full, hertz, fastsim };
@@ -25,10 +34,8 @@ struct ContactSetup {
     Grid grid;
     Bodies bodies;
     Model model = Model::full;
-    std::optional<FrictionLaw> friction;         ///< absent: frictionless
-    SolverSettings normal_settings{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
-    SolverSettings tangential_settings;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
-    SolverSettings outer_settings{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
+    std::optional<FrictionLaw> friction;  ///< absent: frictionless
+    ContactSettings settings;
 };
 
 /// Whether its coefficients are those of a line contact.

@@ -50,7 +50,7 @@ class BoundaryElements {
           influence_(*influence.here),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
-          now_(make_tractions(n_, problem.initial_pressure, problem.initial_traction_x, problem.initial_traction_y)) {
+          now_(make_tractions(n_, problem.initial.pressure, problem.initial.traction_x, problem.initial.traction_y)) {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
@@ -104,9 +104,9 @@ class BoundaryElements {
             solve_tangential_contact(part);
             if (!repeats) return;
             const double change = std::max(relative_change(now_, last), follow_slip_law());
-            const bool converged = change <= problem_.outer_settings.tolerance;
+            const bool converged = change <= problem_.settings.outer.tolerance;
             solution_.outer = {iteration, change, converged, stopwatch.seconds()};
-            if (converged || iteration == problem_.outer_settings.max_iterations) return;
+            if (converged || iteration == problem_.settings.outer.max_iterations) return;
         }
     }
 
@@ -129,13 +129,13 @@ class BoundaryElements {
             any ? std::span<const double>(now_.pressure) : std::span<const double>();
         if (problem_.Fn) {
             NormalSolution normal = solve_normal_force(influence_, gap, *problem_.Fn / problem_.grid.element_area(),
-                                                       problem_.normal_settings, estimate, observer);
+                                                       problem_.settings.normal, estimate, observer);
             solution_.approach = normal.approach;
             return normal;
         }
         solution_.approach = *problem_.approach;
         for (double& h : gap) h -= *problem_.approach;
-        return solve_normal(influence_, gap, problem_.normal_settings, estimate, observer);
+        return solve_normal(influence_, gap, problem_.settings.normal, estimate, observer);
     }
 
     void solve_tangential_contact(Observer& observer) {

@@ -110,7 +110,7 @@ RollingSolution TangentialStep::solve(std::span<const double> pressure, std::spa
     } else {
         Field rigid = rigid_slip();
         add(rigid, rest);
-        solution = solve_with(rigid, bound, estimate, problem_.tangential_settings, observer);
+        solution = solve_with(rigid, bound, estimate, problem_.settings.tangential, observer);
     }
     add_free_slip(pressure, bound, rest, solution);
     return solution;
@@ -148,8 +148,8 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
         Field rigid = rigid_slip();
         add(rigid, rest);
         SilentObserver silent(observer);
-        SolverSettings settings = problem_.tangential_settings;
-        if (tolerance > problem_.outer_settings.tolerance) settings.tolerance = std::max(settings.tolerance, tolerance);
+        SolverSettings settings = problem_.settings.tangential;
+        if (tolerance > problem_.settings.outer.tolerance) settings.tolerance = std::max(settings.tolerance, tolerance);
         solution = solve_with(rigid, bound, *start, settings, silent);
         last.x = solution.traction_x;
         last.y = solution.traction_y;
@@ -162,7 +162,7 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
     PrescribedForces forces = prescribed_forces(bound);
     const double missing = is_first_ ? 0 : reduce_to_bound(forces);
     is_first_ = false;
-    const RigidSlipForForces found = find_rigid_slip(forces, problem_.outer_settings, solve, observer);
+    const RigidSlipForForces found = find_rigid_slip(forces, problem_.settings.outer, solve, observer);
     set_translation(motion_, found.wx / unit_, found.wy / unit_);
     force_evidence_ = found.evidence;
     if (missing > 0) {
@@ -208,7 +208,7 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
 double TangentialStep::reduce_to_bound(PrescribedForces& forces) const {
     constexpr double carried = 0.99;  // all of it needs an infinite slip
     const double force = std::hypot(forces.Fx.value_or(0), forces.Fy.value_or(0));
-    if (force == 0 || force < largest_force_with_a_slip(forces.largest, problem_.outer_settings)) return 0;
+    if (force == 0 || force < largest_force_with_a_slip(forces.largest, problem_.settings.outer)) return 0;
     const double part = carried * forces.largest / force;
     for (std::optional<double>* component : {&forces.Fx, &forces.Fy})
         if (*component) **component *= part;

@@ -52,66 +52,58 @@ Gap decode_gap(const json& gap, const std::vector<std::string>& frames, const Gr
 
 namespace {
 
-/// The settings with their names; Problem may be const.
-template <class Problem>
-auto settings_of(Problem& problem) {
-    return std::array{std::pair("normal", &problem.normal_settings),
-                      std::pair("tangential", &problem.tangential_settings),
-                      std::pair("outer", &problem.outer_settings)};
+/// The settings of each solver with their names; Settings may be const.
+template <class Settings>
+auto solvers_of(Settings& settings) {
+    return std::array{std::pair("normal", &settings.normal), std::pair("tangential", &settings.tangential),
+                      std::pair("outer", &settings.outer)};
 }
 
 /// Defaults are left out: what is not sent need not be read.
-void encode_settings(const ContactProblem& problem, json& params) {
-    static const ContactProblem defaults;
-    const auto of_defaults = settings_of(defaults);
-    const auto given = settings_of(problem);
+void encode_settings(const ContactSettings& settings, json& params) {
+    static const ContactSettings defaults;
+    const auto of_defaults = solvers_of(defaults);
+    const auto given = solvers_of(settings);
     for (std::size_t n = 0; n < given.size(); ++n) {
-        const auto& [name, settings] = given[n];
-        if (*settings != *of_defaults[n].second)
-            params["settings"][name] = object({{"tolerance", finite(settings->tolerance, "A tolerance")},
-                                               {"max_iterations", settings->max_iterations}});
+        const auto& [name, solver] = given[n];
+        if (*solver != *of_defaults[n].second)
+            params["settings"][name] = object(
+                {{"tolerance", finite(solver->tolerance, "A tolerance")}, {"max_iterations", solver->max_iterations}});
     }
 }
 
-void decode_settings(const json& params, ContactProblem& problem) {
-    if (!params.contains("settings")) return;
-    for (const auto& [name, settings] : settings_of(problem)) {
+ContactSettings decode_settings(const json& params) {
+    ContactSettings settings;
+    if (!params.contains("settings")) return settings;
+    for (const auto& [name, solver] : solvers_of(settings)) {
         if (!params["settings"].contains(name)) continue;
         const json& given = params["settings"][name];
-        settings->tolerance = given.value("tolerance", settings->tolerance);
-        settings->max_iterations = given.value("max_iterations", settings->max_iterations);
+        solver->tolerance = given.value("tolerance", solver->tolerance);
+        solver->max_iterations = given.value("max_iterations", solver->max_iterations);
     }
+    return settings;
 }
 
-/// The arrays of `initial` and of `previous` with their names; Problem may be const.
-template <class Problem>
-auto initial_of(Problem& problem) {
-    return std::array{std::pair("pressure", &problem.initial_pressure),
-                      std::pair("traction_x", &problem.initial_traction_x),
-                      std::pair("traction_y", &problem.initial_traction_y)};
+/// The arrays of `initial` or `previous` with their names; State may be const.
+template <class State>
+auto arrays_of(State& state) {
+    return std::array{std::pair("pressure", &state.pressure), std::pair("traction_x", &state.traction_x),
+                      std::pair("traction_y", &state.traction_y)};
 }
 
-template <class Problem>
-auto previous_of(Problem& problem) {
-    return std::array{std::pair("pressure", &problem.previous.pressure),
-                      std::pair("traction_x", &problem.previous.traction_x),
-                      std::pair("traction_y", &problem.previous.traction_y)};
-}
-
-template <class Tractions>
-void encode_tractions(const char* field, const Tractions& tractions, const Grid& grid, json& params,
-                      ArrayWriter& arrays) {
-    for (const auto& [name, values] : tractions)
+void encode_state(const char* field, const SurfaceState& state, const Grid& grid, json& params, ArrayWriter& arrays) {
+    for (const auto& [name, values] : arrays_of(state))
         if (!values->empty()) params[field][name] = arrays.write(std::span<const double>(*values), shape_of(grid));
 }
 
-template <class Tractions>
-void decode_tractions(const std::string& field, const json& params, const std::vector<std::string>& frames,
-                      const Grid& grid, const Tractions& tractions) {
-    if (!params.contains(field)) return;
-    for (const auto& [name, values] : tractions)
+SurfaceState decode_state(const std::string& field, const json& params, const std::vector<std::string>& frames,
+                          const Grid& grid) {
+    SurfaceState state;
+    if (!params.contains(field)) return state;
+    for (const auto& [name, values] : arrays_of(state))
         if (params[field].contains(name))
             *values = read_array(params[field][name], frames, shape_of(grid), field + "." + name);
+    return state;
 }
 
 }  // namespace
@@ -120,7 +112,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     json params = object({{"grid", encode_grid(problem.grid)}});
     if (problem.gap) params["gap"] = encode_gap(*problem.gap, problem.grid, arrays);
     if (problem.model != Model::full) params["model"] = word_for(models, problem.model);
-    encode_settings(problem, params);
+    encode_settings(problem.settings, params);
     encode_bodies(problem, params, arrays);
     if (problem.Fn && problem.approach) require_load(problem);
     if (problem.Fn) params["Fn"] = finite(*problem.Fn, "Fn");
@@ -128,8 +120,8 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     if (problem.friction)
         params["friction"] =
             encode_friction({problem.friction, problem.motion, problem.rigid_slip}, problem.grid, arrays);
-    encode_tractions("previous", previous_of(problem), problem.grid, params, arrays);
-    encode_tractions("initial", initial_of(problem), problem.grid, params, arrays);
+    encode_state("previous", problem.previous, problem.grid, params, arrays);
+    encode_state("initial", problem.initial, problem.grid, params, arrays);
     return params;
 }
 
@@ -142,9 +134,9 @@ ContactProblem decode_opening(const json& params, const std::vector<std::string>
     if (params.contains("Fn")) problem.Fn = params["Fn"].get<double>();
     if (params.contains("approach")) problem.approach = params["approach"].get<double>();
     if (params.contains("friction")) decode_friction(params["friction"], frames, problem);
-    decode_tractions("previous", params, frames, problem.grid, previous_of(problem));
-    decode_settings(params, problem);
-    decode_tractions("initial", params, frames, problem.grid, initial_of(problem));
+    problem.previous = decode_state("previous", params, frames, problem.grid);
+    problem.settings = decode_settings(params);
+    problem.initial = decode_state("initial", params, frames, problem.grid);
     return problem;
 }
 

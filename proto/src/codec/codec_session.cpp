@@ -67,8 +67,7 @@ void apply_friction(const json& params, const std::vector<std::string>& frames, 
 
 json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
     ContactProblem problem{spec.setup, spec.load};
-    for (auto* initial : {&problem.initial_pressure, &problem.initial_traction_x, &problem.initial_traction_y})
-        initial->clear();
+    problem.initial = {};  // a session starts its steps where the one before ended
     json params = encode_opening(problem, arrays);
     if (spec.lease_seconds) params["lease_seconds"] = finite(*spec.lease_seconds, "lease_seconds");
     params["accept_unconverged"] = spec.accept_unconverged;

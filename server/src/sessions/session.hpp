@@ -32,7 +32,7 @@ struct StepAnswer {
 /// Where a session is: all that a step leaves to the next one. Never changed, so that saving a state is holding it.
 struct SessionState {
     long long step = 0;
-    PreviousState tractions;
+    SurfaceState tractions;
     std::optional<Motion> motion;
     StepAnswer answer;
 };

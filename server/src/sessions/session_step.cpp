@@ -139,9 +139,7 @@ void Session::state_problem(const SessionState& before, const proto::Request& re
     proto::check_frames_used(request.params, request.frames);
     if (problem_.model != Model::full) return;  // the quick ones know no history and need no estimate
     problem_.previous = before.tractions;
-    problem_.initial_pressure = before.tractions.pressure;
-    problem_.initial_traction_x = before.tractions.traction_x;
-    problem_.initial_traction_y = before.tractions.traction_y;
+    problem_.initial = before.tractions;
 }
 
 void Session::fit_influence(InfluenceCache& cache) {

@@ -134,7 +134,7 @@ inline Surface displacements(const ContactProblem& problem, const Values& pz, co
 }
 
 /// Slip over the last step per element (mm), without what the present tractions do.
-inline Surface given_slip(const ContactProblem& problem, const ContactSolution& solution, const PreviousState& before) {
+inline Surface given_slip(const ContactProblem& problem, const ContactSolution& solution, const SurfaceState& before) {
     const Grid& grid = problem.grid;
     const std::size_t n = grid.size();
     double x = 0, y = 0, turn = 0, unit = 1, ahead_x = 0, ahead_y = 0;
@@ -178,7 +178,7 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
 /// What violates the contact conditions by more than `accuracy`; empty when nothing does. `before` is the state at the
 /// start of the last step.
 inline std::string contact_faults(const ContactProblem& problem, const ContactSolution& solution,
-                                  const PreviousState& before, double accuracy) {
+                                  const SurfaceState& before, double accuracy) {
     const Values h = undeformed_distance(problem);
     const Surface u = displacements(problem, solution.pressure, solution.traction_x, solution.traction_y, 0, 0);
     double depth = 0;
@@ -219,7 +219,7 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
 }
 
 /// The state before the last step of a transient with several, by taking the steps one by one.
-inline PreviousState state_before_last(const ContactProblem& problem) {
+inline SurfaceState state_before_last(const ContactProblem& problem) {
     if (!problem.friction) return problem.previous;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling == nullptr || rolling->steady || rolling->steps == 1) return problem.previous;

@@ -30,17 +30,17 @@ std::string refused(const ContactProblem& problem) {
 
 TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
-    problem.tangential_settings.max_iterations = 6;
+    problem.settings.tangential.max_iterations = 6;
     problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
     REQUIRE_FALSE(solve_half_spaces(problem).converged());
     problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false, .steps = 40};
     const auto marched = solve_half_spaces(problem);
     CHECK_FALSE(marched.converged());
-    CHECK(marched.tangential->residual > problem.tangential_settings.tolerance);
+    CHECK(marched.tangential->residual > problem.settings.tangential.tolerance);
     problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
     problem.previous = {marched.pressure, marched.traction_x, marched.traction_y};
-    problem.initial_traction_x = marched.traction_x;
-    problem.initial_traction_y = marched.traction_y;
+    problem.initial.traction_x = marched.traction_x;
+    problem.initial.traction_y = marched.traction_y;
     CHECK(solve_half_spaces(problem).converged());  // the last step alone is easy
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("numbers whose squares leave the range of a double are refused by name
         field = "previous.traction_x";
     }
     SECTION("estimate") {
-        problem.initial_pressure = values;
+        problem.initial.pressure = values;
         field = "initial.pressure";
     }
     SECTION("coefficients") {

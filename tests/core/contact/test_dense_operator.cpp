@@ -45,9 +45,9 @@ ContactProblem ellipse() {
     problem.bodies = {{1000, 0.28}, {1000, 0.28}};
     problem.gap = Paraboloid{60, 45};
     problem.Fn = 50;
-    problem.normal_settings.tolerance = 1e-10;
-    problem.tangential_settings.tolerance = 1e-9;
-    problem.outer_settings.tolerance = 1e-8;
+    problem.settings.normal.tolerance = 1e-10;
+    problem.settings.tangential.tolerance = 1e-9;
+    problem.settings.outer.tolerance = 1e-8;
     return problem;
 }
 

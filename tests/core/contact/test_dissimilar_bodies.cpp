@@ -64,8 +64,8 @@ TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimi
     const double mu = GENERATE(0.05, 0.4);
     ContactProblem problem = sphere(bodies, mu, 16);
     problem.motion = Shift{0.003, -0.001};
-    problem.outer_settings.tolerance = 1e-9;
-    problem.normal_settings.tolerance = problem.tangential_settings.tolerance = 1e-10;
+    problem.settings.outer.tolerance = 1e-9;
+    problem.settings.normal.tolerance = problem.settings.tangential.tolerance = 1e-10;
 
     const ContactSolution solution = solve_half_spaces(problem);
 
@@ -144,6 +144,6 @@ TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
 
 TEST_CASE("an outer loop that is cut short says so", "[dissimilar]") {
     ContactProblem problem = sphere(rigid_on_soft, 0.4);
-    problem.outer_settings.max_iterations = 1;
+    problem.settings.outer.max_iterations = 1;
     CHECK_FALSE(solve_half_spaces(problem).converged());
 }

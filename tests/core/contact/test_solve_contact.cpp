@@ -90,7 +90,7 @@ TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
     ContactProblem problem = cattaneo_problem(21);
     problem.grid = Grid::centred(21, 33, 0.11, 0.08);
     problem.gap = Paraboloid{40, 60};
-    problem.tangential_settings.tolerance = 1e-8;
+    problem.settings.tangential.tolerance = 1e-8;
     const auto along_x = solve_half_spaces(problem);
     problem.grid = Grid::centred(33, 21, 0.08, 0.11);
     problem.gap = Paraboloid{60, 40};
@@ -106,9 +106,9 @@ TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
 TEST_CASE("a solution is a good estimate for the same problem", "[contact]") {
     ContactProblem problem = cattaneo_problem(40);
     const auto first = solve_half_spaces(problem);
-    problem.initial_pressure = first.pressure;
-    problem.initial_traction_x = first.traction_x;
-    problem.initial_traction_y = first.traction_y;
+    problem.initial.pressure = first.pressure;
+    problem.initial.traction_x = first.traction_x;
+    problem.initial.traction_y = first.traction_y;
     const auto again = solve_half_spaces(problem);
     CHECK(again.normal.iterations == 0);
     CHECK(again.tangential->iterations < first.tangential->iterations / 2);
@@ -272,10 +272,10 @@ TEST_CASE("friction work of a wrong sign is stated as it is", "[contact]") {
     const auto there = solve_half_spaces(problem);
     CHECK(*there.frictional_work > 0);
     problem.previous = {there.pressure, there.traction_x, there.traction_y};
-    problem.initial_traction_x = there.traction_x;  // of the way there, along the slip of the way back
-    problem.initial_traction_y = there.traction_y;
+    problem.initial.traction_x = there.traction_x;  // of the way there, along the slip of the way back
+    problem.initial.traction_y = there.traction_y;
     problem.motion = Shift{.x = -0.00817};
-    problem.tangential_settings.max_iterations = 1;
+    problem.settings.tangential.max_iterations = 1;
     const auto back = solve_half_spaces(problem);
     CHECK_FALSE(back.converged());
     CHECK(*back.frictional_work < -0.1 * *there.frictional_work);

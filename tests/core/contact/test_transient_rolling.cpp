@@ -19,7 +19,7 @@ ContactProblem rolling_sphere(const Rolling& rolling) {
     problem.bodies = {{1000, 0.28}, {1000, 0.28}};
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
-    problem.tangential_settings.tolerance = 1e-8;
+    problem.settings.tangential.tolerance = 1e-8;
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = rolling;
     return problem;

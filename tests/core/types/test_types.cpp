@@ -196,10 +196,10 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.friction.emplace(), p.rigid_slip.x = {1.0}; }) ==
           "friction.rigid_slip.x");
     CHECK(refused_problem([](ContactProblem& p) { p.previous.pressure = {1.0}; }) == "previous.pressure");
-    CHECK(refused_problem([](ContactProblem& p) { p.normal_settings.tolerance = 0; }) == "settings.normal.tolerance");
-    CHECK(refused_problem([](ContactProblem& p) { p.tangential_settings.max_iterations = 0; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.settings.normal.tolerance = 0; }) == "settings.normal.tolerance");
+    CHECK(refused_problem([](ContactProblem& p) { p.settings.tangential.max_iterations = 0; }) ==
           "settings.tangential.max_iterations");
-    CHECK(refused_problem([](ContactProblem& p) { p.initial_traction_y = {1.0}; }) == "initial.traction_y");
+    CHECK(refused_problem([](ContactProblem& p) { p.initial.traction_y = {1.0}; }) == "initial.traction_y");
 }
 
 TEST_CASE("A line contact beside a given table is refused where it stands", "[body]") {
