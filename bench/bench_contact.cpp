@@ -29,8 +29,8 @@ Rolling rolling(double factor = 1) {
 
 Shift shift() {
     Shift motion;
-    motion.x = 0.01;
-    motion.y = 0.005;
+    motion.rigid_shift.x = 0.01;
+    motion.rigid_shift.y = 0.005;
     return motion;
 }
 
@@ -69,8 +69,8 @@ void shift_problem(benchmark::State& state) {
 
 void shift_by_force(benchmark::State& state) {
     Shift motion = shift();
-    motion.Fx = -8000;
-    motion.Fy = -3000;
+    motion.force.Fx = -8000;
+    motion.force.Fy = -3000;
     run(state, on_ellipse(size_of(state), motion));
 }
 
@@ -99,8 +99,8 @@ void steady_rolling_warm(benchmark::State& state) {
 
 void steady_rolling_by_force(benchmark::State& state) {
     Rolling motion = rolling();
-    motion.Fx = -8000;
-    motion.Fy = -6000;
+    motion.force.Fx = -8000;
+    motion.force.Fy = -6000;
     run(state, on_ellipse(size_of(state), motion));
 }
 

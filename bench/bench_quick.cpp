@@ -75,7 +75,7 @@ void hertz(benchmark::State& state) {
 
 void shift(benchmark::State& state) {
     Shift motion;
-    motion.x = 0.005;
+    motion.rigid_shift.x = 0.005;
     run(state, [&](const Grid& grid) { return cattaneo_mindlin(grid, contact, mu, motion); });
 }
 
@@ -89,8 +89,8 @@ void rolling_fastsim(benchmark::State& state) {
 
 void rolling_fastsim_by_force(benchmark::State& state) {
     Rolling motion = creepages(1e-4);
-    motion.Fx = -0.6 * mu * Fn;
-    motion.Fy = -0.4 * mu * Fn;
+    motion.force.Fx = -0.6 * mu * Fn;
+    motion.force.Fy = -0.4 * mu * Fn;
     run(state, [&](const Grid& grid) { return fastsim(grid, contact, mu, motion); });
 }
 

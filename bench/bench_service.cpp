@@ -33,7 +33,7 @@ ContactProblem cattaneo(int n, bool friction) {
     problem.approach = 0.02;
     if (friction) {
         problem.friction = FrictionLaw{{0.4}};
-        problem.motion = Shift{0.00817, 0};
+        problem.motion = Shift{{0.00817, 0}};
     }
     return problem;
 }

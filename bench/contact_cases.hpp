@@ -98,7 +98,7 @@ struct Cattaneo {
     /// Rigid shift (mm) and rotation (rad).
     TangentialSolution tangential(double x = 0.00817, double y = 0, double rotation = 0,
                                   const TangentialSolution& last = {}) const {
-        const RigidSlip w = rigid_slip(grid, Shift{x, y, rotation});
+        const RigidSlip w = rigid_slip(grid, Shift{{x, y}, rotation});
         return solve_tangential(influence, bound, w.x, w.y, {}, last.traction_x, last.traction_y, observer);
     }
 };

@@ -83,17 +83,17 @@ void check_load(const ContactProblem& problem) {
         throw InvalidArgument("Fn", "is " + number_text(*problem.Fn) + "; it must be a force, zero or positive");
 }
 
-void check_forces(const std::optional<double>& Fx, const std::optional<double>& Fy, const char* field) {
-    check_finite(Fx.value_or(0), field, "a force");
-    check_finite(Fy.value_or(0), field, "a force");
+void check_force(const Force& force, const char* field) {
+    check_finite(force.Fx.value_or(0), field, "a force");
+    check_finite(force.Fy.value_or(0), field, "a force");
 }
 
 void check_motion(const Shift& shift, const Grid&) {
-    check_finite(shift.x, "friction.rigid_shift", "a length");
-    check_finite(shift.y, "friction.rigid_shift", "a length");
+    check_finite(shift.rigid_shift.x, "friction.rigid_shift", "a length");
+    check_finite(shift.rigid_shift.y, "friction.rigid_shift", "a length");
     check_finite(shift.rotation, "friction.rotation", "an angle");
     check_positive(shift.duration, "friction.duration");
-    check_forces(shift.Fx, shift.Fy, "friction.force");
+    check_force(shift.force, "friction.force");
 }
 
 // Displacements a millionth of an element apart do not differ any more to a useful number of digits.
@@ -113,7 +113,7 @@ void check_motion(const Rolling& rolling, const Grid& grid) {
     if (!(rolling.spin_offset >= 0 && rolling.spin_offset <= 1))
         throw InvalidArgument("friction.rolling.spin_offset",
                               "is " + number_text(rolling.spin_offset) + "; it must lie in 0 to 1, steps dq");
-    check_forces(rolling.Fx, rolling.Fy, "friction.rolling.force");
+    check_force(rolling.force, "friction.rolling.force");
     check_positive(rolling.velocity, "friction.rolling.velocity");
     check_step(rolling, grid);
     if (rolling.steps < 1)

@@ -36,7 +36,7 @@ std::vector<ContactProblem> sessions() {
     shift.friction = FrictionLaw{{0.3}};
     ContactProblem rolling = shift, whole = shift;
     rolling.gap = whole.gap = Paraboloid{50, 50};
-    rolling.motion = Rolling{.Fx = 0.01};
+    rolling.motion = Rolling{.force = {.Fx = 0.01}};
     whole.approach = 0.02;
     whole.friction.reset();
     return {whole, shift, rolling};

@@ -30,7 +30,7 @@ inline contactd::SolveReply solve_reply() {
     solution.slip_x = {0, 0, 1e-3, 0, 1.0 / 7, 0};
     solution.slip_y = {0, 0, -1e-3, 0, 0, 0};
     solution.frictional_work = 1.0 / 3;
-    solution.motion = Shift{0.00817, 0, 0, {}, {}, 1};
+    solution.motion = Shift{{0.00817, 0}, 0, {}, 1};
     solution.warnings = {"1 contact element lies at the border of the potential contact area."};
     solution.normal = {12, 3e-7, true, 0.01};
     solution.tangential = SolverEvidence{40, 2e-3, false, 0.02};

@@ -15,8 +15,7 @@ namespace {
 
 Shift shift(double x, double y) {
     Shift shift;
-    shift.x = x;
-    shift.y = y;
+    shift.rigid_shift = {x, y};
     return shift;
 }
 
@@ -254,14 +253,14 @@ TEST_CASE("Every friction comes back exactly", "[codec]") {
         friction.kinetic = {GENERATE(SlipLaw::linear, SlipLaw::exponential), 0.1, 1.0 / 7};
     }
     SECTION("shift") {
-        Shift shift{1e-3, -2e-3, 1.0 / 3, {}, {}, 0.25};
+        Shift shift{{1e-3, -2e-3}, 1.0 / 3, {}, 0.25};
         SECTION("prescribed") {}
         SECTION("one force") {
-            shift.Fy = -1.0 / 3;
+            shift.force.Fy = -1.0 / 3;
         }
         SECTION("two forces") {
-            shift.Fx = 0;
-            shift.Fy = 1e-300;
+            shift.force.Fx = 0;
+            shift.force.Fy = 1e-300;
         }
         original.motion = shift;
     }
@@ -269,7 +268,7 @@ TEST_CASE("Every friction comes back exactly", "[codec]") {
         Rolling rolling;
         SECTION("with every default") {}
         SECTION("with every field") {
-            rolling = {1e-3, -2e-3, 3e-4, 1.0 / 3, 0.1, 0.1 + 0.2, false, 77, 3e4, 5.5, {}};
+            rolling = {1e-3, -2e-3, 3e-4, 1.0 / 3, 0.1, 0.1 + 0.2, RollingKind::transient, 77, 3e4, {5.5, {}}};
         }
         original.motion = rolling;
     }
@@ -286,7 +285,7 @@ TEST_CASE("What a friction leaves out has its default", "[codec]") {
         return decode_problem(params, {});
     };
     Shift pulled;
-    pulled.Fx = -3;
+    pulled.force.Fx = -3;
     CHECK(friction_of(R"({"mu": 0.3, "force": [-3, null]})").friction == FrictionLaw{{0.3}});
     CHECK(friction_of(R"({"mu": 0.3, "force": [-3, null]})").motion == Motion{pulled});
     CHECK(friction_of(R"({"mu": 0.3, "rolling": {}})").motion == Motion{Rolling{}});

@@ -19,8 +19,8 @@ SessionSpec spec() {
     Rolling rolling;
     rolling.xi = 1e-3;
     rolling.dq = 0.05;
-    rolling.steady = false;
-    rolling.Fy = 2;
+    rolling.kind = RollingKind::transient;
+    rolling.force.Fy = 2;
     spec.setup.friction = FrictionLaw{{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
     spec.load.motion = rolling;
     spec.load.previous.pressure = {1, 2, 3, 4, 5, 6};
@@ -103,7 +103,7 @@ TEST_CASE("A step changes what it names and nothing else") {
     CHECK(problem.friction->mu == spec().setup.friction->mu);
     Rolling expected = rolling_of({spec().setup, spec().load});
     expected.xi = -2e-3;
-    expected.Fy.reset();
+    expected.force.Fy.reset();
     CHECK(rolling_of(problem) == expected);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("An approach takes the place of the force that the session was opened 
 TEST_CASE("A step may shift where the session was opened to roll") {
     const ContactProblem problem = stepped(spec(), {{"friction", {{"rigid_shift", {1, 2}}}}});
 
-    CHECK(std::get<Shift>(problem.motion).y == 2);
+    CHECK(std::get<Shift>(problem.motion).rigid_shift.y == 2);
 }
 
 TEST_CASE(
@@ -129,7 +129,7 @@ TEST_CASE(
     Rolling last;
     last.xi = 7;
     last.eta = 8;
-    last.Fy = 1;
+    last.force.Fy = 1;
 
     CHECK(rolling_of(stepped(spec(), json::object(), last)).eta == 8);
     CHECK(rolling_of(stepped(spec(), json::object(), last)).xi == 1e-3);  // not found, but given

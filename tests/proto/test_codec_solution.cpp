@@ -98,10 +98,10 @@ TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
 TEST_CASE("Every motion comes back", "[codec]") {
     SolveReply reply = solve_reply();
     SECTION("shift with a force") {
-        reply.solution.motion = Shift{1e-3, 0.1 + 0.2, 1e-5, {}, -3.5, 0.25};
+        reply.solution.motion = Shift{{1e-3, 0.1 + 0.2}, 1e-5, {{}, -3.5}, 0.25};
     }
     SECTION("rolling") {
-        reply.solution.motion = Rolling{1e-3, 2e-3, 1e-4, 0.5, 0.1, 0.25, false, 7, 3e4, {}, 0.5};
+        reply.solution.motion = Rolling{1e-3, 2e-3, 1e-4, 0.5, 0.1, 0.25, RollingKind::transient, 7, 3e4, {{}, 0.5}};
         reply.solution.frictional_work.reset();
         reply.solution.frictional_power = 1.0 / 3;
     }

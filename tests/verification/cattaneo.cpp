@@ -56,7 +56,7 @@ TEST_CASE("without lateral effects the problem is Cattaneo's", "[verification]")
     const auto hertz = reference::hertz(problem.bodies.materials(), 50, 0.02);
     const double Fx = 0.7 * 0.4 * hertz.Fn;
     const auto cattaneo = reference::cattaneo(problem.bodies.materials(), hertz, 0.4, Fx);
-    problem.motion = Shift{cattaneo.rigid_shift, 0};
+    problem.motion = Shift{{cattaneo.rigid_shift, 0}};
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     CHECK_THAT(solution.Fx, WithinRel(-Fx, 2e-3));

@@ -39,11 +39,11 @@ struct Path {
     // Fx as a part of the largest force.
     void step(double Fx) {
         problem.friction = FrictionLaw{{mu}};
-        problem.motion = Shift{.Fx = Fx * largest, .Fy = {}};
+        problem.motion = Shift{.force = {Fx * largest, {}}};
         Observer observer;
         ContactSolution solution = solve_contact(problem, influence, observer);
         REQUIRE(solution.converged());
-        const double moved = std::get<Shift>(*solution.motion).x;
+        const double moved = std::get<Shift>(*solution.motion).rigid_shift.x;
         CHECK(*solution.frictional_work >= -1e-9 * largest * std::abs(moved));
         shift += moved;
         work += *solution.frictional_work;

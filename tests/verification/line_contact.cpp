@@ -108,14 +108,14 @@ TEST_CASE("a shift under a force is Cattaneo's and Mindlin's in the plane", "[ve
     const bool along = GENERATE(true, false);
     const double share = 0.6, force = share * mu * P;
     Shift shift;
-    (along ? shift.Fx : shift.Fy) = -force * length;
+    (along ? shift.force.Fx : shift.force.Fy) = -force * length;
     const auto solution = solved(moved(shift));
     const double c = cylinder.half_width * std::sqrt(1 - share), compliance = along ? in_plane : sideways;
     CHECK_THAT(solution.area.adhesion, WithinRel(2 * c * length, 0.01));
     const double expected =
         middle(compliance, mu * P, cylinder.half_width) - middle(compliance, mu * P * (1 - share), c);
     const auto& motion = std::get<Shift>(*solution.motion);
-    CHECK_THAT(along ? motion.x : motion.y, WithinRel(expected, 1e-3));
+    CHECK_THAT(along ? motion.rigid_shift.x : motion.rigid_shift.y, WithinRel(expected, 1e-3));
 }
 
 TEST_CASE("cylinders that differ couple normal and tangential contact", "[verification]") {
@@ -134,6 +134,6 @@ TEST_CASE("a line contact rolls from rest into its steady state", "[verification
     problem.bodies =
         Bodies::of(bodies, line_contact_ics(5));  // the force builds up over a distance that grows with its logarithm
     const auto steady = solved(problem);
-    problem.motion = Rolling{.xi = 5e-4, .steady = false, .steps = 400};
+    problem.motion = Rolling{.xi = 5e-4, .kind = RollingKind::transient, .steps = 400};
     CHECK_THAT(solved(problem).Fx, WithinRel(steady.Fx, 0.01));
 }

@@ -14,7 +14,7 @@ namespace {
 const char* kind_of(const ContactProblem& problem) {
     if (!problem.friction) return "normal";
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    return rolling == nullptr ? "shift" : rolling->steady ? "steady rolling" : "transient rolling";
+    return rolling == nullptr ? "shift" : rolling->steady() ? "steady rolling" : "transient rolling";
 }
 
 void print_unconverged(const ContactSolution& solution) {

@@ -75,7 +75,7 @@ TEST_CASE("the transient marches to the steady state", "[verification]") {
     problem.friction = FrictionLaw{{0.3}};
     Rolling transient = rolling.rolling;
     transient.dq = rolling.dq;
-    transient.steady = false;
+    transient.kind = RollingKind::transient;
     transient.steps = 250;
     problem.motion = transient;
 

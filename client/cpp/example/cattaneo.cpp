@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
         problem.gap = contactd::Paraboloid{50, 50};                  // radii (mm)
         problem.approach = 0.02;                                     // mm; or problem.Fn, a force (N)
         contactd::Shift shift;
-        shift.x = 0.00817;  // mm
+        shift.rigid_shift.x = 0.00817;  // mm
         problem.friction = contactd::FrictionLaw{{0.4}};
         problem.motion = shift;
 

@@ -21,15 +21,33 @@ struct KineticFriction {
     bool operator==(const KineticFriction&) const = default;
 };
 
-/// A shift: slip over the step s = A p - A_prev p_prev + w, w = (x - rotation y, y + rotation x) (mm).
+/// Tangential force on the upper body (N), where it is prescribed.
+struct Force {
+    std::optional<double> Fx{}, Fy{};
+
+    bool empty() const { return !Fx && !Fy; }
+    bool operator==(const Force&) const = default;
+};
+
+/// Of the upper body over the lower, at the origin (mm).
+struct RigidShift {
+    double x = 0, y = 0;
+
+    bool operator==(const RigidShift&) const = default;
+};
+
+/// A shift: slip over the step s = A p - A_prev p_prev + w, w = rigid_shift + rotation (-y, x) (mm).
 struct Shift {
-    double x = 0, y = 0;               ///< rigid shift at the origin (mm)
-    double rotation = 0;               ///< about z, positive from x to y (rad)
-    std::optional<double> Fx{}, Fy{};  ///< forces on the upper body (N) prescribed instead; x, y are found then
-    double duration = 1;               ///< of the step (s): slip velocity = slip / duration; only a slip law feels it
+    RigidShift rigid_shift{};  ///< where `force` prescribes a component, an estimate of what is found
+    double rotation = 0;       ///< about z, positive from x to y (rad)
+    Force force{};
+    double duration = 1;  ///< of the step (s): slip velocity = slip / duration; only a slip law feels it
 
     bool operator==(const Shift&) const = default;
 };
+
+/// steady: u_old = u; transient: u_old belongs to the previous tractions.
+enum class RollingKind { steady, transient };
 
 /// Rolling along (cos chi, sin chi): a particle now at x was at x + dq (cos chi, sin chi) one step ago. Slip over the
 /// step s = dq w + u(x) - u_old(x + dq), w = (xi - phi y, eta + phi x) (Kalker 1990; verification of steady rolling),
@@ -42,10 +60,12 @@ struct Rolling {
     /// Where the rigid slip of spin is evaluated, in steps dq ahead of the element's centre, 0 to 1. The limit for
     /// small elements is the same; with much spin 1/6 errs less on grids as they are used (docs/contact.md).
     double spin_offset = 0;
-    bool steady = true;                ///< steady: u_old = u; transient: u_old belongs to the previous tractions
-    int steps = 1;                     ///< of transient rolling
-    double velocity = 1;               ///< rolling velocity (mm/s): of slip velocities and of the frictional power
-    std::optional<double> Fx{}, Fy{};  ///< forces on the upper body (N) prescribed instead; xi, eta are found then
+    RollingKind kind = RollingKind::steady;
+    int steps = 1;        ///< of transient rolling
+    double velocity = 1;  ///< rolling velocity (mm/s): of slip velocities and of the frictional power
+    Force force{};        ///< where it prescribes a component, xi or eta is an estimate of what is found
+
+    bool steady() const { return kind == RollingKind::steady; }
 
     bool operator==(const Rolling&) const = default;
 };

@@ -38,7 +38,7 @@ EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& conta
     if (shift.rotation != 0)
         throw InvalidArgument("friction.rotation", "is " + number_text(shift.rotation) +
                                                        " rad; the closed form has none, the model full takes it");
-    const PrescribedForce prescribed{shift.Fx, shift.Fy, mu * contact.Fn};
+    const PrescribedForce prescribed{shift.force.Fx, shift.force.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.force");
     Shift motion = shift;
     State state{{}, 0};
@@ -47,8 +47,8 @@ EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& conta
         const EllipseCompliance u = ellipse_compliance(contact.axes, contact.combined);
         const Pair compliance{u.centre_x, u.centre_y};
         const double bound = prescribed.bound;
-        const Pair start = shift_of_force({shift.Fx.value_or(0), shift.Fy.value_or(0)}, compliance, bound);
-        Pair w{shift.Fx ? start[0] : shift.x, shift.Fy ? start[1] : shift.y};
+        const Pair start = shift_of_force({shift.force.Fx.value_or(0), shift.force.Fy.value_or(0)}, compliance, bound);
+        Pair w{shift.force.Fx ? start[0] : shift.rigid_shift.x, shift.force.Fy ? start[1] : shift.rigid_shift.y};
         const auto force = [&](const Pair& trial) {
             const State there = state_of_shift(trial, compliance, bound);
             const double size = bound * (1 - there.k * there.k * there.k);
@@ -56,7 +56,7 @@ EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& conta
         };
         evidence = find_motion(force, prescribed, {bound * compliance[0], bound * compliance[1]}, w);
         state = state_of_shift(w, compliance, bound);
-        motion.x = w[0], motion.y = w[1];
+        motion.rigid_shift.x = w[0], motion.rigid_shift.y = w[1];
     } else if (prescribed.Fx || prescribed.Fy) {
         evidence = SolverEvidence{0, 0, true, 0};
     }

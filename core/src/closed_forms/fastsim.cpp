@@ -204,7 +204,7 @@ Flexibilities flexibilities(const SemiAxes& axes, const Material& combined) {
 EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, double mu, const Rolling& rolling,
                          const FastsimSettings& settings) {
     validate(settings);
-    const PrescribedForce prescribed{rolling.Fx, rolling.Fy, mu * contact.Fn};
+    const PrescribedForce prescribed{rolling.force.Fx, rolling.force.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.rolling.force");
     EllipticFriction result;
     for (auto* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y})
@@ -213,7 +213,7 @@ EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, doubl
     result.frictional_power = 0;
     result.motion = rolling;
     if (contact.empty()) {
-        if (rolling.Fx || rolling.Fy) result.force = SolverEvidence{0, 0, true, 0};
+        if (!rolling.force.empty()) result.force = SolverEvidence{0, 0, true, 0};
         return result;
     }
     const RollingFrame frame = rolling_frame(contact.axes, rolling.chi);
@@ -228,10 +228,10 @@ EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, doubl
     const Flexibilities& L = ellipse.L();
     const double volume = 8 * frame.axes.a * frame.axes.a * frame.axes.b / 3;
     const Pair slope{volume / L.L1, volume / L.L2};
-    const double Fx = rolling.Fx.value_or(0), Fy = rolling.Fy.value_or(0);
+    const double Fx = rolling.force.Fx.value_or(0), Fy = rolling.force.Fy.value_or(0);
     const Pair guess = estimate({frame.along(Fx, Fy), frame.across(Fx, Fy)}, prescribed.bound, slope);
-    Pair w{rolling.Fx ? frame.x_of(guess[0], guess[1]) : rolling.xi,
-           rolling.Fy ? frame.y_of(guess[0], guess[1]) : rolling.eta};
+    Pair w{rolling.force.Fx ? frame.x_of(guess[0], guess[1]) : rolling.xi,
+           rolling.force.Fy ? frame.y_of(guess[0], guess[1]) : rolling.eta};
     result.force = find_motion(force, prescribed, {prescribed.bound / slope[0], prescribed.bound / slope[1]}, w);
     std::get<Rolling>(result.motion).xi = w[0];
     std::get<Rolling>(result.motion).eta = w[1];

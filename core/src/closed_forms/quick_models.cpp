@@ -49,7 +49,7 @@ void check_is_simple(const ContactProblem& problem) {
     if (!problem.previous.empty()) unknown(problem, "previous", "starts from tractions");
     if (!problem.rigid_slip.empty()) unknown(problem, "friction.rigid_slip", "differs from element to element");
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    if (rolling && !rolling->steady) unknown(problem, "friction.rolling.kind", "is transient");
+    if (rolling && !rolling->steady()) unknown(problem, "friction.rolling.kind", "is transient");
     if (!rolling && problem.model == Model::fastsim) unknown(problem, "friction", "is a shift");
 }
 

@@ -33,7 +33,7 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
         throw InvalidArgument("friction.rolling.phi",
                               "is " + number_text(rolling.phi) +
                                   " rad/mm; the closed form has no spin, the models fastsim and full have");
-    const PrescribedForce prescribed{rolling.Fx, rolling.Fy, mu * contact.Fn};
+    const PrescribedForce prescribed{rolling.force.Fx, rolling.force.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.rolling.force");
     Rolling motion = rolling;
     State state{{}, 0};
@@ -54,11 +54,11 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
             const double size = bound * (1 - there.k * there.k * there.k);
             return Pair{size * there.direction[0], size * there.direction[1]};
         };
-        const double Fx = rolling.Fx.value_or(0), Fy = rolling.Fy.value_or(0), size = std::hypot(Fx, Fy);
+        const double Fx = rolling.force.Fx.value_or(0), Fy = rolling.force.Fy.value_or(0), size = std::hypot(Fx, Fy);
         const double share = size > 0 ? (1 - std::cbrt(1 - size / bound)) / size : 0;
         const double along = -share * full[0] * frame.along(Fx, Fy), across = -share * full[1] * frame.across(Fx, Fy);
-        Pair w{rolling.Fx ? frame.x_of(along, across) : rolling.xi,
-               rolling.Fy ? frame.y_of(along, across) : rolling.eta};
+        Pair w{rolling.force.Fx ? frame.x_of(along, across) : rolling.xi,
+               rolling.force.Fy ? frame.y_of(along, across) : rolling.eta};
         evidence = find_motion(force, prescribed, {full[0], full[1]}, w);
         state = state_of(w);
         motion.xi = w[0], motion.eta = w[1];

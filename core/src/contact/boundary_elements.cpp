@@ -76,7 +76,7 @@ class BoundaryElements {
     int number_of_steps() const {
         if (!problem_.friction) return 1;
         const auto* rolling = std::get_if<Rolling>(&problem_.motion);
-        return rolling && !rolling->steady ? rolling->steps : 1;
+        return rolling && !rolling->steady() ? rolling->steps : 1;
     }
 
     // What one step leaves unsolved spoils all that follow, however well these end.

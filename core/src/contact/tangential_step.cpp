@@ -24,7 +24,7 @@ bool any(const Field& field) {
 }
 
 bool prescribes_force(const Motion& motion) {
-    return std::visit([](const auto& m) { return m.Fx || m.Fy; }, motion);
+    return std::visit([](const auto& m) { return !m.force.empty(); }, motion);
 }
 
 void set_translation(Motion& motion, double x, double y) {
@@ -32,9 +32,7 @@ void set_translation(Motion& motion, double x, double y) {
         rolling->xi = x;
         rolling->eta = y;
     } else {
-        auto& shift = std::get<Shift>(motion);
-        shift.x = x;
-        shift.y = y;
+        std::get<Shift>(motion).rigid_shift = {x, y};
     }
 }
 
@@ -72,7 +70,7 @@ void TangentialStep::begin(const Tractions& before) {
     before_ = before;
     is_first_ = true;
     history_ = Field(n_);
-    if (rolling() && rolling()->steady) return;
+    if (rolling() && rolling()->steady()) return;
     Field u(n_);
     const auto add_product = [&](const auto& influence, double factor) {
         if (any(before.tangential)) {
@@ -94,7 +92,7 @@ void TangentialStep::add_coupling(std::span<const double> pressure, Field& rigid
         influence.tangential_of_normal(pressure, u.x, u.y);
         add(rigid, u);
     };
-    if (rolling() && rolling()->steady)
+    if (rolling() && rolling()->steady())
         add_product(*influence_.change);
     else
         add_product(*influence_.here);
@@ -125,7 +123,7 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     if (first == n_) return;
     Field slip = rigid_slip(), u(n_);
     add(slip, rest);
-    if (rolling() && rolling()->steady)
+    if (rolling() && rolling()->steady())
         influence_.change->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
     else
         influence_.here->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
@@ -181,12 +179,12 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
     for (const double g : bound) forces.largest += g * area;
     forces.scale = slip_scale(*influence_.here, bound);
     if (const Rolling* given = rolling()) {
-        forces.Fx = given->Fx;
-        forces.Fy = given->Fy;
+        forces.Fx = given->force.Fx;
+        forces.Fy = given->force.Fy;
         forces.wx = unit_ * given->xi;
         forces.wy = unit_ * given->eta;
         forces.field = "friction.rolling.force";
-        if (given->steady) {
+        if (given->steady()) {
             // Particles slip that far on their way through the contact, of which a step is a part.
             const double radius = std::sqrt(static_cast<double>(in_contact) * area / std::numbers::pi);
             if (radius > 0) forces.scale *= std::min(unit_ / radius, 1.0);
@@ -195,10 +193,10 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
         return forces;
     }
     const auto& shift = std::get<Shift>(motion_);
-    forces.Fx = shift.Fx;
-    forces.Fy = shift.Fy;
-    forces.wx = shift.x;
-    forces.wy = shift.y;
+    forces.Fx = shift.force.Fx;
+    forces.Fy = shift.force.Fy;
+    forces.wx = shift.rigid_shift.x;
+    forces.wy = shift.rigid_shift.y;
     return forces;
 }
 
@@ -222,7 +220,7 @@ RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const d
         x = estimate.x;
         y = estimate.y;
     }
-    if (rolling() && rolling()->steady)
+    if (rolling() && rolling()->steady())
         return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
     RollingSolution solution;
     static_cast<TangentialSolution&>(solution) =

@@ -8,46 +8,42 @@ namespace {
 using nlohmann::json;
 
 constexpr Words<SlipLaw, 2> slip_laws{{{"linear", SlipLaw::linear}, {"exponential", SlipLaw::exponential}}};
+constexpr Words<RollingKind, 2> rolling_kinds{{{"steady", RollingKind::steady}, {"transient", RollingKind::transient}}};
 
 json encode_component(const std::optional<double>& force) {
     return force ? json(finite(*force, "A prescribed force")) : json();
 }
 
 /// Adds `force` where a component is prescribed.
-template <class Step>
-void encode_force(const Step& step, json& target) {
-    if (step.Fx || step.Fy) target["force"] = {encode_component(step.Fx), encode_component(step.Fy)};
+void encode_force(const Force& force, json& target) {
+    if (!force.empty()) target["force"] = {encode_component(force.Fx), encode_component(force.Fy)};
 }
 
-template <class Step>
-void decode_force(const json& source, Step& step) {
+void decode_force(const json& source, Force& force) {
     if (!source.contains("force")) return;
-    const json& force = source["force"];
+    const json& components = source["force"];
     const auto component = [&](std::size_t i) {
-        return force[i].is_null() ? std::optional<double>() : std::optional(force[i].get<double>());
+        return components[i].is_null() ? std::optional<double>() : std::optional(components[i].get<double>());
     };
-    step.Fx = component(0);
-    step.Fy = component(1);
+    force = {component(0), component(1)};
 }
 
 json encode(const Shift& shift) {
-    json result =
-        object({{"rigid_shift", {finite(shift.x, "friction.rigid_shift"), finite(shift.y, "friction.rigid_shift")}},
-                {"rotation", finite(shift.rotation, "friction.rotation")},
-                {"duration", finite(shift.duration, "friction.duration")}});
-    encode_force(shift, result);
+    const auto& [x, y] = shift.rigid_shift;
+    json result = object({{"rigid_shift", {finite(x, "friction.rigid_shift"), finite(y, "friction.rigid_shift")}},
+                          {"rotation", finite(shift.rotation, "friction.rotation")},
+                          {"duration", finite(shift.duration, "friction.duration")}});
+    encode_force(shift.force, result);
     return result;
 }
 
 /// Fields that are not there are as in `shift`.
 Shift decode_shift(const json& source, Shift shift = {}) {
-    if (source.contains("rigid_shift")) {
-        shift.x = source["rigid_shift"][0].get<double>();
-        shift.y = source["rigid_shift"][1].get<double>();
-    }
+    if (source.contains("rigid_shift"))
+        shift.rigid_shift = {source["rigid_shift"][0].get<double>(), source["rigid_shift"][1].get<double>()};
     shift.rotation = source.value("rotation", shift.rotation);
     shift.duration = source.value("duration", shift.duration);
-    decode_force(source, shift);
+    decode_force(source, shift.force);
     return shift;
 }
 
@@ -57,11 +53,11 @@ json encode(const Rolling& rolling) {
                           {"phi", finite(rolling.phi, "friction.rolling.phi")},
                           {"chi", finite(rolling.chi, "friction.rolling.chi")},
                           {"spin_offset", finite(rolling.spin_offset, "friction.rolling.spin_offset")},
-                          {"kind", rolling.steady ? "steady" : "transient"},
+                          {"kind", word_for(rolling_kinds, rolling.kind)},
                           {"steps", rolling.steps},
                           {"velocity", finite(rolling.velocity, "friction.rolling.velocity")}});
     if (rolling.dq != 0) result["dq"] = finite(rolling.dq, "friction.rolling.dq");
-    encode_force(rolling, result);
+    encode_force(rolling.force, result);
     return result;
 }
 
@@ -73,10 +69,10 @@ Rolling decode_rolling(const json& source, Rolling rolling = {}) {
     rolling.chi = source.value("chi", rolling.chi);
     rolling.dq = source.value("dq", rolling.dq);
     rolling.spin_offset = source.value("spin_offset", rolling.spin_offset);
-    if (source.contains("kind")) rolling.steady = source["kind"] == "steady";
+    if (source.contains("kind")) rolling.kind = meaning_of(source["kind"], rolling_kinds);
     rolling.steps = source.value("steps", rolling.steps);
     rolling.velocity = source.value("velocity", rolling.velocity);
-    decode_force(source, rolling);
+    decode_force(source, rolling.force);
     return rolling;
 }
 

@@ -51,8 +51,8 @@ void take_estimates(const json& friction, const Motion& last, Motion& motion) {
     auto* rolling = std::get_if<Rolling>(&motion);
     if (!before || !rolling) return;
     const json named = friction.value("rolling", json::object());
-    if (before->Fx && rolling->Fx && !named.contains("xi")) rolling->xi = before->xi;
-    if (before->Fy && rolling->Fy && !named.contains("eta")) rolling->eta = before->eta;
+    if (before->force.Fx && rolling->force.Fx && !named.contains("xi")) rolling->xi = before->xi;
+    if (before->force.Fy && rolling->force.Fy && !named.contains("eta")) rolling->eta = before->eta;
 }
 
 void apply_friction(const json& params, const std::vector<std::string>& frames, ContactProblem& problem) {

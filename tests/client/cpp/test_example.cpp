@@ -79,7 +79,7 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     problem.gap = contactd::Paraboloid{50, 50};
     problem.Fn = 9.2;
     contactd::Shift pulled;
-    pulled.Fx = 1e6;
+    pulled.force.Fx = 1e6;
     std::vector<contactd::ContactProblem> problems(2, problem);
     problems[1].friction = contactd::FrictionLaw{{0.4}};
     problems[1].motion = pulled;
@@ -143,7 +143,7 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
     spec.setup.bodies = {{200, 0.42}, {200, 0.42}};
     spec.load.gap = contactd::Paraboloid{50, 50};
     contactd::Shift shift;
-    shift.x = 0.004;
+    shift.rigid_shift.x = 0.004;
     spec.setup.friction = contactd::FrictionLaw{{0.4}};
     spec.load.motion = shift;
     contactd::StepInput input;

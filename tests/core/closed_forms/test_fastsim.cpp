@@ -153,9 +153,9 @@ TEST_CASE("FASTSIM finds the creepages of prescribed forces", "[fastsim]") {
     const double chi = GENERATE(0.0, pi), phi = GENERATE(0.0, -2e-4);
     const auto known = fastsim(window(contact, 5), contact, mu, rolling(0.0012, -0.0007, phi, chi));
     Rolling asked = rolling(0, 0, phi, chi);
-    asked.Fx = known.Fx;
+    asked.force.Fx = known.Fx;
     SECTION("both") {
-        asked.Fy = known.Fy;
+        asked.force.Fy = known.Fy;
     }
     SECTION("one of them") {
         asked.eta = -0.0007;
@@ -171,8 +171,8 @@ TEST_CASE("FASTSIM finds the creepages of prescribed forces", "[fastsim]") {
 
 TEST_CASE("FASTSIM refuses a force that friction cannot carry", "[fastsim]") {
     Rolling asked;
-    asked.Fx = 0.8 * bound;
-    asked.Fy = 0.7 * bound;
+    asked.force.Fx = 0.8 * bound;
+    asked.force.Fy = 0.7 * bound;
     CHECK_THROWS_AS(fastsim(window(contact, 5), contact, mu, asked), InvalidArgument);
     CHECK_THROWS_AS(fastsim(window(contact, 5), contact, 0, asked), InvalidArgument);
 }

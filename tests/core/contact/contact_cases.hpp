@@ -92,7 +92,7 @@ inline ContactProblem cattaneo_problem(int n) {
     problem.gap = Paraboloid{50, 50};
     problem.approach = 0.02;
     problem.friction = FrictionLaw{{0.4}};
-    problem.motion = Shift{0.00817, 0};
+    problem.motion = Shift{{0.00817, 0}};
     return problem;
 }
 

@@ -22,10 +22,10 @@ inline double slip_unit(const ContactProblem& problem, const ContactSolution& no
     return mu * normal.pmax * compliance * std::sqrt(std::max(normal.area.contact, problem.grid.element_area())) * 0.5;
 }
 
-inline void prescribe_force(Dice& dice, double largest, std::optional<double>& Fx, std::optional<double>& Fy) {
+inline void prescribe_force(Dice& dice, double largest, Force& prescribed) {
     const double force = dice.uniform(0, 0.95) * largest, angle = dice.uniform(0, 6.3);
-    if (dice.chance(0.7)) Fx = force * std::cos(angle);
-    if (!Fx || dice.chance(0.7)) Fy = force * std::sin(angle);
+    if (dice.chance(0.7)) prescribed.Fx = force * std::cos(angle);
+    if (!prescribed.Fx || dice.chance(0.7)) prescribed.Fy = force * std::sin(angle);
 }
 
 inline Motion random_motion(Dice& dice, const ContactProblem& problem, const ContactSolution& normal, double mu) {
@@ -35,8 +35,8 @@ inline Motion random_motion(Dice& dice, const ContactProblem& problem, const Con
     const double largest = mu * normal.Fn;
     const bool forces = dice.chance(0.3) && largest > 0;
     if (dice.chance(0.4)) {
-        Shift shift{size * std::cos(angle), size * std::sin(angle), turn * dice.uniform(-1, 1)};
-        if (forces) prescribe_force(dice, largest, shift.Fx, shift.Fy);
+        Shift shift{{size * std::cos(angle), size * std::sin(angle)}, turn * dice.uniform(-1, 1)};
+        if (forces) prescribe_force(dice, largest, shift.force);
         return shift;
     }
     Rolling rolling;
@@ -45,9 +45,9 @@ inline Motion random_motion(Dice& dice, const ContactProblem& problem, const Con
     rolling.xi = size / length * std::cos(angle);
     rolling.eta = size / length * std::sin(angle);
     rolling.phi = turn / length * dice.uniform(-1, 1);
-    rolling.steady = dice.chance(0.6);
-    if (!rolling.steady) rolling.steps = dice.chance(0.5) ? 1 : 3;
-    if (forces) prescribe_force(dice, largest, rolling.Fx, rolling.Fy);
+    if (!dice.chance(0.6)) rolling.kind = RollingKind::transient;
+    if (!rolling.steady()) rolling.steps = dice.chance(0.5) ? 1 : 3;
+    if (forces) prescribe_force(dice, largest, rolling.force);
     rolling.spin_offset = dice.uniform(0, 1);
     return rolling;
 }
@@ -75,14 +75,14 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
         friction.mu = Values(h.size());
         for (double& value : friction.mu) value = mu * dice.uniform(0.97, 1.1);
     }
-    const bool forces = std::visit([](const auto& motion) { return motion.Fx || motion.Fy; }, problem.motion);
+    const bool forces = std::visit([](const auto& motion) { return !motion.force.empty(); }, problem.motion);
     if (dice.chance(0.15) && !forces &&
         mu * normal.pmax > 0)  // falling friction may not carry a force that static friction does
         friction.kinetic = KineticFriction{dice.chance(0.5) ? SlipLaw::linear : SlipLaw::exponential,
                                            0.9 * mu * dice.uniform(0.5, 1), slip_unit(problem, normal, mu) * 10};
     problem.friction = friction;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    if (dice.chance(0.3) && !(rolling && rolling->steady)) {
+    if (dice.chance(0.3) && !(rolling && rolling->steady())) {
         const ContactSolution before = solve_half_spaces(problem);
         problem.previous = {before.pressure, before.traction_x, before.traction_y};
     }
@@ -147,11 +147,11 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
         turn = rolling->phi;
         ahead_x = rolling->spin_offset * shift_x;
         ahead_y = rolling->spin_offset * shift_y;
-        steady = rolling->steady;
+        steady = rolling->steady();
     } else {
         const auto& shift = std::get<Shift>(*solution.motion);
-        x = shift.x;
-        y = shift.y;
+        x = shift.rigid_shift.x;
+        y = shift.rigid_shift.y;
         turn = shift.rotation;
     }
     const auto full = [&](Values values) {
@@ -222,7 +222,7 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
 inline SurfaceState state_before_last(const ContactProblem& problem) {
     if (!problem.friction) return problem.previous;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    if (rolling == nullptr || rolling->steady || rolling->steps == 1) return problem.previous;
+    if (rolling == nullptr || rolling->steady() || rolling->steps == 1) return problem.previous;
     ContactProblem shorter = problem;
     --std::get<Rolling>(shorter.motion).steps;
     const ContactSolution before = solve_half_spaces(shorter);

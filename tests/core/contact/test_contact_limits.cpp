@@ -31,13 +31,13 @@ std::string refused(const ContactProblem& problem) {
 TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     problem.settings.tangential.max_iterations = 6;
-    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
+    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .kind = RollingKind::transient};
     REQUIRE_FALSE(solve_half_spaces(problem).converged());
-    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false, .steps = 40};
+    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .kind = RollingKind::transient, .steps = 40};
     const auto marched = solve_half_spaces(problem);
     CHECK_FALSE(marched.converged());
     CHECK(marched.tangential->residual > problem.settings.tangential.tolerance);
-    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .steady = false};
+    problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .kind = RollingKind::transient};
     problem.previous = {marched.pressure, marched.traction_x, marched.traction_y};
     problem.initial.traction_x = marched.traction_x;
     problem.initial.traction_y = marched.traction_y;
@@ -67,9 +67,10 @@ TEST_CASE("elements without friction slip as far as their neighbours and the mot
 TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
     ContactProblem problem = cattaneo_problem(10);
     problem.friction->mu = {0};
-    problem.motion = GENERATE(Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0}},
-                              Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0, .steady = false, .steps = 2}},
-                              Motion{Shift{.x = 1e-3, .rotation = 2e-3}});
+    problem.motion =
+        GENERATE(Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0}},
+                 Motion{Rolling{.xi = 1e-3, .phi = 2e-3, .spin_offset = 0, .kind = RollingKind::transient, .steps = 2}},
+                 Motion{Shift{.rigid_shift = {.x = 1e-3}, .rotation = 2e-3}});
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
     for (int iy = 0; iy < 10; ++iy)
@@ -84,7 +85,7 @@ TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
 TEST_CASE("friction that falls to nothing lets go", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
     // The whole contact slides a hundred times faster than where friction ends.
-    problem.motion = GENERATE(Motion{Shift{.x = 0.1}}, Motion{Rolling{.xi = 0.1}});
+    problem.motion = GENERATE(Motion{Shift{.rigid_shift = {.x = 0.1}}}, Motion{Rolling{.xi = 0.1}});
     problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0, 1e-3};
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
@@ -94,7 +95,7 @@ TEST_CASE("friction that falls to nothing lets go", "[limits]") {
 
 TEST_CASE("a coefficient of friction whose squares underflow is none", "[limits]") {
     ContactProblem problem = cattaneo_problem(10);
-    problem.motion = GENERATE(Motion{Shift{.x = 1e-3}}, Motion{Rolling{.xi = 1e-3}});
+    problem.motion = GENERATE(Motion{Shift{.rigid_shift = {.x = 1e-3}}}, Motion{Rolling{.xi = 1e-3}});
     Values mu(problem.grid.size(), 1e-170);
     mu[at(problem.grid, 4, 5)] = 0.4;
     problem.friction->mu = GENERATE_COPY(Values{1e-170}, mu);
@@ -160,7 +161,7 @@ TEST_CASE("the most slender ellipse that can be asked for has finite forces", "[
     problem.gap = GENERATE(SemiAxes{1e-12, 1e12}, SemiAxes{1e12, 1e-12});
     problem.approach.reset();
     problem.Fn = 10;
-    problem.motion = GENERATE(Motion{Shift{.x = 1e-9}}, Motion{Rolling{.xi = 1e-9}});
+    problem.motion = GENERATE(Motion{Shift{.rigid_shift = {.x = 1e-9}}}, Motion{Rolling{.xi = 1e-9}});
     Observer observer;
     const double Fx = solve_contact(problem, {}, observer).Fx;
     CHECK(Fx < 0);
@@ -173,7 +174,7 @@ TEST_CASE("adhesion dissipates nothing", "[limits]") {
     const auto shifted = solve_half_spaces(problem);
     REQUIRE(shifted.elements.slip == 0);
     CHECK(*shifted.frictional_work == 0);
-    problem.motion = Rolling{.xi = 1e-3, .steady = false};
+    problem.motion = Rolling{.xi = 1e-3, .kind = RollingKind::transient};
     const auto rolled = solve_half_spaces(problem);
     REQUIRE(rolled.elements.slip == 0);
     CHECK(*rolled.frictional_power == 0);
@@ -206,9 +207,9 @@ TEST_CASE("a force that falling friction cannot hold is not found, and only one 
     const bool rolls = GENERATE(true, false);
     const auto pull = [&](double force) {
         if (rolls)
-            problem.motion = Rolling{.Fx = -force};
+            problem.motion = Rolling{.force = {.Fx = -force}};
         else
-            problem.motion = Shift{.Fx = -force};
+            problem.motion = Shift{.force = {.Fx = -force}};
         return solve_half_spaces(problem);
     };
     CHECK(pull(0.3 * 0.4 * 10).converged());

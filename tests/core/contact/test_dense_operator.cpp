@@ -71,19 +71,19 @@ TEST_CASE("every solver runs on a dense operator and gives the convolution's ans
         problem.approach = 0.02;
     }
     SECTION("shift") {
-        with("shift", Shift{.x = 0.001, .y = -0.0005, .rotation = 0.0003});
+        with("shift", Shift{.rigid_shift = {0.001, -0.0005}, .rotation = 0.0003});
     }
     SECTION("shift by a force") {
-        with("shift by a force", Shift{.Fx = -9, .Fy = 3});
+        with("shift by a force", Shift{.force = {-9, 3}});
     }
     SECTION("steady rolling") {
         with("steady", Rolling{.xi = 0.002, .eta = -0.001, .phi = 0.001, .chi = 0.2});
     }
     SECTION("rolling by forces") {
-        with("rolling by forces", Rolling{.phi = 0.001, .Fx = -8, .Fy = 2});
+        with("rolling by forces", Rolling{.phi = 0.001, .force = {-8, 2}});
     }
     SECTION("transient rolling") {
-        with("transient", Rolling{.xi = 0.002, .phi = 0.001, .dq = 0.15, .steady = false, .steps = 4});
+        with("transient", Rolling{.xi = 0.002, .phi = 0.001, .dq = 0.15, .kind = RollingKind::transient, .steps = 4});
     }
     if (dissimilar) problem.bodies = {{1000, 0.28}, {400, 0.4}};
     CAPTURE(name, dissimilar, summed);

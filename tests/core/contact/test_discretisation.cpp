@@ -82,9 +82,9 @@ TEST_CASE("a slender contact and its motion turned by a right angle have the sam
 }
 
 TEST_CASE("a step far above the elements or the contact is warned of", "[discretisation]") {
-    const bool steady = GENERATE(true, false);
+    const RollingKind kind = GENERATE(RollingKind::steady, RollingKind::transient);
     const auto rolled = [&](int n, double dq, double chi = 0) {
-        return solve_half_spaces(rolling_ellipse(6, 4, n, Rolling{.xi = 1e-3, .chi = chi, .dq = dq, .steady = steady}));
+        return solve_half_spaces(rolling_ellipse(6, 4, n, Rolling{.xi = 1e-3, .chi = chi, .dq = dq, .kind = kind}));
     };
     const double element = 13.2 / 44;  // 40 across
     CHECK(rolled(44, 0).warnings.empty());
@@ -293,7 +293,7 @@ TEST_CASE("spin evaluated ahead or at the centres has one limit, to which ahead 
 
 TEST_CASE("a rotation of a shift is about the element centres whatever rolling does", "[discretisation]") {
     const Grid grid = Grid::centred(3, 2, 1, 1);
-    const RigidSlip turned = rigid_slip(grid, Shift{.x = 0.5, .rotation = 0.1});
+    const RigidSlip turned = rigid_slip(grid, Shift{.rigid_shift = {.x = 0.5}, .rotation = 0.1});
     CHECK_THAT(turned.x[0], WithinAbs(0.5 - 0.1 * grid.y(0), 1e-15));
     CHECK_THAT(turned.y[0], WithinAbs(0.1 * grid.x(0), 1e-15));
 }

@@ -63,7 +63,7 @@ TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimi
     const MaterialPair bodies = GENERATE(rigid_on_soft, soft_on_rigid, extreme, stiff_on_soft);
     const double mu = GENERATE(0.05, 0.4);
     ContactProblem problem = sphere(bodies, mu, 16);
-    problem.motion = Shift{0.003, -0.001};
+    problem.motion = Shift{{0.003, -0.001}};
     problem.settings.outer.tolerance = 1e-9;
     problem.settings.normal.tolerance = problem.settings.tangential.tolerance = 1e-10;
 

@@ -46,7 +46,7 @@ TEST_CASE("the force on the upper body opposes its shift", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
     CHECK(solve_half_spaces(problem).Fx < 0);
     problem.friction = FrictionLaw{{0.4}};
-    problem.motion = Shift{0, -0.00817};
+    problem.motion = Shift{{0, -0.00817}};
     CHECK(solve_half_spaces(problem).Fy > 0);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
     problem.grid = Grid::centred(33, 21, 0.08, 0.11);
     problem.gap = Paraboloid{60, 40};
     problem.friction = FrictionLaw{{0.4}};
-    problem.motion = Shift{0, 0.00817};
+    problem.motion = Shift{{0, 0.00817}};
     const auto along_y = solve_half_spaces(problem);
     CHECK_THAT(along_y.Fn, WithinRel(along_x.Fn, 1e-6));
     CHECK_THAT(along_y.Fy, WithinRel(along_x.Fx, 1e-6));
@@ -203,7 +203,7 @@ TEST_CASE("tractions of a step before stay where nothing moves", "[contact]") {
 TEST_CASE("two small shifts end where one large one does", "[contact]") {
     ContactProblem problem = cattaneo_problem(20);
     const auto whole = solve_half_spaces(problem);
-    problem.motion = Shift{0.00817 / 2, 0};
+    problem.motion = Shift{{0.00817 / 2, 0}};
     const auto half = solve_half_spaces(problem);
     problem.previous = {half.pressure, half.traction_x, half.traction_y};
     const auto both = solve_half_spaces(problem);
@@ -215,7 +215,7 @@ TEST_CASE("rolling is steady, or becomes so", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
     problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
     const auto steady = solve_half_spaces(problem);
-    problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3, .steady = false, .steps = 200};
+    problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3, .kind = RollingKind::transient, .steps = 200};
     const auto transient = solve_half_spaces(problem);
     REQUIRE(steady.converged());
     REQUIRE(transient.converged());
@@ -226,9 +226,9 @@ TEST_CASE("rolling is steady, or becomes so", "[contact]") {
 
 TEST_CASE("steps in one request are those of several", "[contact]") {
     ContactProblem problem = cattaneo_problem(12);
-    problem.motion = Rolling{.xi = 4e-3, .steady = false, .steps = 3};
+    problem.motion = Rolling{.xi = 4e-3, .kind = RollingKind::transient, .steps = 3};
     const auto together = solve_half_spaces(problem);
-    problem.motion = Rolling{.xi = 4e-3, .steady = false};
+    problem.motion = Rolling{.xi = 4e-3, .kind = RollingKind::transient};
     ContactSolution last;
     for (int step = 0; step < 3; ++step) {
         last = solve_half_spaces(problem);
@@ -241,7 +241,7 @@ TEST_CASE("creepages are found from forces", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
     problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
     const auto given = solve_half_spaces(problem);
-    problem.motion = Rolling{.phi = 1e-3, .Fx = given.Fx, .Fy = given.Fy};
+    problem.motion = Rolling{.phi = 1e-3, .force = {given.Fx, given.Fy}};
     const auto found = solve_half_spaces(problem);
     REQUIRE(found.converged());
     const auto& rolling = std::get<Rolling>(*found.motion);
@@ -274,7 +274,7 @@ TEST_CASE("friction work of a wrong sign is stated as it is", "[contact]") {
     problem.previous = {there.pressure, there.traction_x, there.traction_y};
     problem.initial.traction_x = there.traction_x;  // of the way there, along the slip of the way back
     problem.initial.traction_y = there.traction_y;
-    problem.motion = Shift{.x = -0.00817};
+    problem.motion = Shift{.rigid_shift = {.x = -0.00817}};
     problem.settings.tangential.max_iterations = 1;
     const auto back = solve_half_spaces(problem);
     CHECK_FALSE(back.converged());
@@ -291,9 +291,9 @@ TEST_CASE("friction that never falls because the velocity was left out is warned
     REQUIRE(warnings(Rolling{.xi = 4e-3}).size() == 1);
     CHECK(warnings(Rolling{.xi = 4e-3}).front().find("friction.rolling.velocity") != std::string::npos);
     CHECK(warnings(Rolling{.xi = 4e-3, .velocity = 20000}).empty());
-    REQUIRE(warnings(Shift{.x = 0.008}).size() == 1);
-    CHECK(warnings(Shift{.x = 0.008}).front().find("friction.duration") != std::string::npos);
-    CHECK(warnings(Shift{.x = 0.008, .duration = 1e-5}).empty());
+    REQUIRE(warnings(Shift{.rigid_shift = {.x = 0.008}}).size() == 1);
+    CHECK(warnings(Shift{.rigid_shift = {.x = 0.008}}).front().find("friction.duration") != std::string::npos);
+    CHECK(warnings(Shift{.rigid_shift = {.x = 0.008}, .duration = 1e-5}).empty());
     CHECK(warnings(Rolling{}).empty());  // nothing slips
 }
 
@@ -358,7 +358,8 @@ TEST_CASE("what a quick model does not know is refused by name", "[contact]") {
     CHECK(refused([](ContactProblem& p) { p.gap = Paraboloid{50}; }) == "gap.paraboloid.Ry");
     CHECK(refused([](ContactProblem& p) { p.friction->mu = Values(64, 0.1); }) == "friction.mu");
     CHECK(refused([](ContactProblem& p) { p.model = Model::fastsim; }) == "friction");
-    CHECK(refused([](ContactProblem& p) { p.motion = Rolling{.steady = false}; }) == "friction.rolling.kind");
+    CHECK(refused([](ContactProblem& p) { p.motion = Rolling{.kind = RollingKind::transient}; }) ==
+          "friction.rolling.kind");
     CHECK(refused([](ContactProblem& p) { p.previous.pressure = Values(64, 1.0); }) == "previous");
 }
 
@@ -388,7 +389,7 @@ TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") 
         return solve_half_spaces(problem);
     };
     SECTION("all of a shift") {
-        const auto moved = solved_with(Shift{.x = 0.006, .y = -0.002}, {});
+        const auto moved = solved_with(Shift{.rigid_shift = {0.006, -0.002}}, {});
         const auto slipped = solved_with(Shift{}, {Values(grid.size(), 0.006), Values(grid.size(), -0.002)});
         CHECK(slipped.traction_x == moved.traction_x);
         CHECK(slipped.slip_y == moved.slip_y);
@@ -408,16 +409,16 @@ TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") 
         CHECK_THAT(*slipped.frictional_power, WithinRel(*moved.frictional_power, 1e-6));
     }
     SECTION("the motion that a force takes is found beside it") {
-        const auto moved = solved_with(Shift{.Fx = -3}, {});
-        const auto slipped = solved_with(Shift{.Fx = -3}, {Values(grid.size(), 0.002), Values(grid.size())});
-        const double found = std::get<Shift>(*moved.motion).x;
+        const auto moved = solved_with(Shift{.force = {.Fx = -3}}, {});
+        const auto slipped = solved_with(Shift{.force = {.Fx = -3}}, {Values(grid.size(), 0.002), Values(grid.size())});
+        const double found = std::get<Shift>(*moved.motion).rigid_shift.x;
         CHECK_THAT(slipped.Fx, WithinRel(-3.0, 1e-5));
-        CHECK_THAT(std::get<Shift>(*slipped.motion).x, WithinRel(found - 0.002, 1e-3));
+        CHECK_THAT(std::get<Shift>(*slipped.motion).rigid_shift.x, WithinRel(found - 0.002, 1e-3));
     }
     SECTION("of a field that no motion makes, the friction law holds") {
         const RigidSlip field{random_values(grid.size(), 3, -0.004, 0.006),
                               random_values(grid.size(), 4, -0.004, 0.004)};
-        for (const Motion& motion : {Motion{Shift{.x = 0.001}}, Motion{Rolling{.xi = 1e-3}}}) {
+        for (const Motion& motion : {Motion{Shift{.rigid_shift = {.x = 0.001}}}, Motion{Rolling{.xi = 1e-3}}}) {
             const auto solution = solved_with(motion, field);
             REQUIRE(solution.converged());
             CHECK(contact_faults(problem, solution, {}, 1e-4) == "");

@@ -26,7 +26,7 @@ ContactProblem rolling_sphere(const Rolling& rolling) {
 }
 
 Rolling transient(double xi, double eta, double phi, int steps) {
-    return {.xi = xi, .eta = eta, .phi = phi, .chi = 0.3, .dq = 0.15, .steady = false, .steps = steps};
+    return {.xi = xi, .eta = eta, .phi = phi, .chi = 0.3, .dq = 0.15, .kind = RollingKind::transient, .steps = steps};
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ Rolling transient(double xi, double eta, double phi, int steps) {
 TEST_CASE("transient rolling from rest reaches the steady state", "[rolling]") {
     Rolling rolling = transient(0.002, 0.001, 0.001, 80);
     const ContactSolution step = solve_half_spaces(rolling_sphere(rolling));
-    rolling.steady = true;
+    rolling.kind = RollingKind::steady;
     const ContactSolution steady = solve_half_spaces(rolling_sphere(rolling));
 
     REQUIRE(step.converged());
@@ -51,7 +51,7 @@ TEST_CASE("the first transient step from rest is a shift", "[rolling]") {
     const Rolling rolling = transient(0.004, 0.001, 0, 1);
     ContactProblem problem = rolling_sphere(rolling);
     const ContactSolution step = solve_half_spaces(problem);
-    problem.motion = Shift{.x = rolling.dq * rolling.xi, .y = rolling.dq * rolling.eta};
+    problem.motion = Shift{.rigid_shift = {rolling.dq * rolling.xi, rolling.dq * rolling.eta}};
     const ContactSolution shift = solve_half_spaces(problem);
 
     CHECK(step.elements.slip > 0);
@@ -63,13 +63,13 @@ TEST_CASE("friction loses no less than nothing, steady or step by step", "[rolli
     const double size = GENERATE(1e-5, 1e-3, 1e-2);
     Rolling rolling = transient(size, -size, 2 * size, 2);
     CHECK(*solve_half_spaces(rolling_sphere(rolling)).frictional_power >= 0);
-    rolling.steady = true;
+    rolling.kind = RollingKind::steady;
     CHECK(*solve_half_spaces(rolling_sphere(rolling)).frictional_power >= 0);
 }
 
 TEST_CASE("in full slip friction loses the creepage times its whole force", "[rolling]") {
     Rolling rolling = transient(0.6, -0.8, 0, 1);
-    rolling.steady = true;
+    rolling.kind = RollingKind::steady;
     rolling.velocity = 7;
     const ContactSolution solution = solve_half_spaces(rolling_sphere(rolling));
     CHECK(solution.elements.adhesion == 0);

@@ -167,16 +167,17 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(3); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(p.grid.size(), infinity); }) == "gap");
     CHECK(refused_problem([](ContactProblem& p) { p.approach = no_number; }) == "approach");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{-0.1}}, p.motion = Shift{0, 0}; }) ==
+    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{-0.1}}, p.motion = Shift{{0, 0}}; }) ==
           "friction.mu");
-    CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Shift{no_number, 0}; }) ==
-          "friction.rigid_shift");
+    CHECK(refused_problem([](ContactProblem& p) {
+              p.friction = FrictionLaw{{0.1}}, p.motion = Shift{{no_number, 0}};
+          }) == "friction.rigid_shift");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Rolling{.dq = 1e9}; }) ==
           "friction.rolling.dq");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1}}, p.motion = Rolling{.steps = 0}; }) ==
           "friction.rolling.steps");
     CHECK(refused_problem([](ContactProblem& p) {
-              p.friction = FrictionLaw{{0.1}}, p.motion = Shift{.Fx = infinity};
+              p.friction = FrictionLaw{{0.1}}, p.motion = Shift{.force = {.Fx = infinity}};
           }) == "friction.force");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{0.1, 0.2}}; }) == "friction.mu");
     CHECK(refused_problem([](ContactProblem& p) { p.approach.reset(), p.Fn = -1; }) == "Fn");

@@ -191,7 +191,8 @@ RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq) {
 }
 
 RigidSlip rigid_slip(const Grid& grid, const Shift& shift) {
-    return rigid_slip(grid, Rolling{.xi = shift.x, .eta = shift.y, .phi = shift.rotation, .spin_offset = 0}, 1);
+    const auto& [x, y] = shift.rigid_shift;
+    return rigid_slip(grid, Rolling{.xi = x, .eta = y, .phi = shift.rotation, .spin_offset = 0}, 1);
 }
 
 RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<const double> bound,
