@@ -35,7 +35,7 @@ Shift shift() {
 }
 
 SolverEvidence evidence_of(const ContactSolution& solution) {
-    SolverEvidence evidence = solution.tangential.value_or(solution.normal);
+    SolverEvidence evidence = solution.evidence.tangential.value_or(solution.evidence.normal);
     evidence.converged = solution.converged();
     return evidence;
 }

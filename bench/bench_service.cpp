@@ -124,7 +124,8 @@ double milliseconds(const Act& act) {
 
 /// As the solvers measured it themselves.
 double solver_milliseconds(const ContactSolution& solution) {
-    return 1e3 * (solution.normal.seconds + (solution.tangential ? solution.tangential->seconds : 0));
+    return 1e3 * (solution.evidence.normal.seconds +
+                  (solution.evidence.tangential ? solution.evidence.tangential->seconds : 0));
 }
 
 json summary(std::vector<double> values) {
@@ -149,7 +150,7 @@ json measure(const std::string& endpoint, const ContactProblem& problem, int rou
         ContactSolution here, there;
         local.push_back(milliseconds([&] { here = solve_contact(problem, influence, observer); }));
         request.push_back(milliseconds([&] { there = client.solve(problem).solution; }));
-        difference = std::max(difference, std::abs(there.Fn / here.Fn - 1));
+        difference = std::max(difference, std::abs(there.forces.Fn / here.forces.Fn - 1));
         slower.push_back(solver_milliseconds(there) - solver_milliseconds(here));
         bare.push_back(milliseconds([&] { echo.ask(); }));
         health.push_back(milliseconds([&] { (void)client.health(); }));

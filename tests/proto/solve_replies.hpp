@@ -10,10 +10,10 @@ inline contactd::SolveReply solve_reply() {
     SolveReply reply;
     ContactSolution& solution = reply.solution;
     solution.approach = 0.02;
-    solution.Fn = 9.195402;
-    solution.Fx = -3.2216;
-    solution.Fy = 1e-17;
-    solution.Mz = 1e-3;
+    solution.forces.Fn = 9.195402;
+    solution.forces.Fx = -3.2216;
+    solution.forces.Fy = 1e-17;
+    solution.forces.Mz = 1e-3;
     solution.pmax = 4.39;
     solution.area.contact = 3.1;
     solution.area.adhesion = 1.1;
@@ -32,8 +32,8 @@ inline contactd::SolveReply solve_reply() {
     solution.frictional_work = 1.0 / 3;
     solution.motion = Shift{{0.00817, 0}, 0, {}, 1};
     solution.warnings = {"1 contact element lies at the border of the potential contact area."};
-    solution.normal = {12, 3e-7, true, 0.01};
-    solution.tangential = SolverEvidence{40, 2e-3, false, 0.02};
+    solution.evidence.normal = {12, 3e-7, true, 0.01};
+    solution.evidence.tangential = SolverEvidence{40, 2e-3, false, 0.02};
     reply.ics.upper = {"closed_form", "abc", {}};
     reply.ics.upper->evidence.source = "analytic";
     reply.ics.lower = reply.ics.upper;

@@ -116,7 +116,7 @@ TEST_CASE("Huge claims of many arrays do not overflow their sum", "[codec]") {
 TEST_CASE("Solutions and failures come back in their order", "[codec]") {
     Status status{StatusCode::invalid_argument, "grid.nx is bad.", "FIELD_INVALID", {{"grid.nx", "is bad"}}, 0};
     SolveReply second = wire::solve_reply();
-    second.solution.Fn = 1.0 / 3;
+    second.solution.forces.Fn = 1.0 / 3;
     const std::vector<ReplyOrStatus> replies{wire::solve_reply(), status, second};
     const std::vector<Grid> grids{Grid::centred(3, 2, 1, 1), {}, Grid::centred(3, 2, 1, 1)};
     ArrayWriter arrays(ArrayEncoding::frame);
@@ -126,10 +126,10 @@ TEST_CASE("Solutions and failures come back in their order", "[codec]") {
     CHECK(violations_of("contact.solve_many.result", result).empty());
     const auto read = decode_solve_replies(result, arrays.take_frames());
     REQUIRE(read.size() == 3);
-    CHECK(std::get<SolveReply>(read[0]).solution.Fn == 9.195402);
+    CHECK(std::get<SolveReply>(read[0]).solution.forces.Fn == 9.195402);
     CHECK(std::get<Status>(read[1]).code == StatusCode::invalid_argument);
     CHECK(std::get<Status>(read[1]).violations[0].field == "grid.nx");
-    CHECK(std::get<SolveReply>(read[2]).solution.Fn == 1.0 / 3);
+    CHECK(std::get<SolveReply>(read[2]).solution.forces.Fn == 1.0 / 3);
     CHECK(std::get<SolveReply>(read[2]).solution.pressure == second.solution.pressure);
 }
 

@@ -176,11 +176,11 @@ TEST_CASE("A step of the client arrives whole: nothing that session.open said st
 TEST_CASE("An answer holds the arrays that were asked for") {
     const Grid grid{2, 1, 1, 1, 0, 0};
     ContactSolution solution;
-    solution.Fn = 3;
+    solution.forces.Fn = 3;
     solution.pressure = {1, 2};
     solution.traction_x = {3, 4};
     solution.element_division = {ElementState::slip, ElementState::adhesion};
-    solution.normal = {4, 1e-9, true, 0.1};
+    solution.evidence.normal = {4, 1e-9, true, 0.1};
     ArrayWriter arrays(ArrayEncoding::list);
     using enum SolutionField;
     const json result = encode_step_reply(5, solution, grid, {pressure, element_division, pressure, slip_x}, arrays);
@@ -189,12 +189,12 @@ TEST_CASE("An answer holds the arrays that were asked for") {
     const StepReply reply = decode_step_reply(result, {}, grid);
 
     CHECK(reply.step == 5);
-    CHECK(reply.solution.Fn == 3);
+    CHECK(reply.solution.forces.Fn == 3);
     CHECK(reply.solution.pressure == solution.pressure);
     CHECK(reply.solution.element_division == solution.element_division);
     CHECK(reply.solution.traction_x.empty());
     CHECK(reply.solution.slip_x.empty());
-    CHECK(reply.solution.normal.iterations == 4);
+    CHECK(reply.solution.evidence.normal.iterations == 4);
 }
 
 TEST_CASE("An opened session arrives as it was told") {

@@ -27,7 +27,7 @@ TEST_CASE("A solution comes back exactly", "[codec]") {
     const bool friction = GENERATE(true, false);
     SolveReply reply = solve_reply();
     if (!friction) {
-        reply.solution.tangential.reset();
+        reply.solution.evidence.tangential.reset();
         reply.solution.slip_x.clear();
         reply.solution.slip_y.clear();
         reply.solution.motion.reset();
@@ -40,10 +40,10 @@ TEST_CASE("A solution comes back exactly", "[codec]") {
     const SolveReply read = decode_solve_reply(sent(result), arrays.take_frames());
 
     CHECK(read.solution.approach == reply.solution.approach);
-    CHECK(read.solution.Fn == reply.solution.Fn);
-    CHECK(read.solution.Fx == reply.solution.Fx);
-    CHECK(read.solution.Fy == reply.solution.Fy);
-    CHECK(read.solution.Mz == reply.solution.Mz);
+    CHECK(read.solution.forces.Fn == reply.solution.forces.Fn);
+    CHECK(read.solution.forces.Fx == reply.solution.forces.Fx);
+    CHECK(read.solution.forces.Fy == reply.solution.forces.Fy);
+    CHECK(read.solution.forces.Mz == reply.solution.forces.Mz);
     CHECK(read.solution.pmax == reply.solution.pmax);
     CHECK(read.solution.area.contact == reply.solution.area.contact);
     CHECK(read.solution.area.adhesion == reply.solution.area.adhesion);
@@ -62,8 +62,8 @@ TEST_CASE("A solution comes back exactly", "[codec]") {
     CHECK_FALSE(read.solution.frictional_power);
     CHECK(read.solution.motion == reply.solution.motion);
     CHECK(read.solution.warnings == reply.solution.warnings);
-    CHECK(read.solution.normal.iterations == 12);
-    CHECK(read.solution.tangential.has_value() == friction);
+    CHECK(read.solution.evidence.normal.iterations == 12);
+    CHECK(read.solution.evidence.tangential.has_value() == friction);
     CHECK(read.solution.converged() == !friction);
     CHECK(result["converged"] == !friction);
     CHECK(read.ics.upper->origin == "closed_form");
@@ -127,27 +127,27 @@ TEST_CASE("A step that the request left out is told", "[codec]") {
 TEST_CASE("Errors of the discretisation come back", "[codec]") {
     SolveReply reply = solve_reply();
     SECTION("known") {
-        reply.solution.discretisation = DiscretisationEvidence{8, 0.1 + 0.2, 1.0 / 7, true};
+        reply.solution.evidence.discretisation = Discretisation{8, 0.1 + 0.2, 1.0 / 7, ErrorSource::hertz};
     }
     SECTION("estimated, of rolling") {
-        reply.solution.discretisation = DiscretisationEvidence{1, 1, 1, false, 0.3};
+        reply.solution.evidence.discretisation = Discretisation{1, 1, 1, ErrorSource::estimate, 0.3};
     }
     SECTION("none") {}
     ArrayWriter arrays(ArrayEncoding::list);
     const json result = sent(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays));
     CHECK(violations_of("contact.solve.result", result).empty());
-    CHECK(decode_solve_reply(result, {}).solution.discretisation == reply.solution.discretisation);
+    CHECK(decode_solve_reply(result, {}).solution.evidence.discretisation == reply.solution.evidence.discretisation);
     const json step = sent(encode_step_reply(1, reply.solution, Grid::centred(3, 2, 1, 1), {}, arrays));
     CHECK(violations_of("session.step.result", step).empty());
-    CHECK(decode_step_reply(step, {}, Grid::centred(3, 2, 1, 1)).solution.discretisation ==
-          reply.solution.discretisation);
+    CHECK(decode_step_reply(step, {}, Grid::centred(3, 2, 1, 1)).solution.evidence.discretisation ==
+          reply.solution.evidence.discretisation);
 }
 
 TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that were used", "[codec]") {
     SolveReply reply = solve_reply();
     SECTION("all solvers") {
-        reply.solution.outer = SolverEvidence{5, 1e-7, true, 0.5};
-        reply.solution.force = SolverEvidence{6, 1e-8, true, 0.5};
+        reply.solution.evidence.outer = SolverEvidence{5, 1e-7, true, 0.5};
+        reply.solution.evidence.force = SolverEvidence{6, 1e-8, true, 0.5};
     }
     SECTION("a rigid body has no coefficients") {
         reply.ics.upper.reset();
@@ -166,8 +166,8 @@ TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that w
     CAPTURE(result["evidence"].dump());
     CHECK(violations_of("contact.solve.result", result).empty());
     const SolveReply read = decode_solve_reply(result, {});
-    CHECK(read.solution.outer.has_value() == reply.solution.outer.has_value());
-    CHECK(read.solution.force.has_value() == reply.solution.force.has_value());
+    CHECK(read.solution.evidence.outer.has_value() == reply.solution.evidence.outer.has_value());
+    CHECK(read.solution.evidence.force.has_value() == reply.solution.evidence.force.has_value());
     CHECK(read.ics.upper.has_value() == reply.ics.upper.has_value());
     CHECK(read.ics.lower.has_value() == reply.ics.lower.has_value());
     CHECK(read.ics.pair.has_value() == reply.ics.pair.has_value());

@@ -32,9 +32,9 @@ TEST_CASE("Cattaneo problem agrees with the half-space code", "[verification]") 
     const ContactProblem problem = cattaneo_problem(row.n);
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fn, WithinRel(row.Fn, 1e-5));
-    CHECK_THAT(solution.Fx, WithinRel(-row.Fx, 1e-5));
-    CHECK_THAT(solution.Fy, WithinAbs(0, 1e-5 * row.Fx));
+    CHECK_THAT(solution.forces.Fn, WithinRel(row.Fn, 1e-5));
+    CHECK_THAT(solution.forces.Fx, WithinRel(-row.Fx, 1e-5));
+    CHECK_THAT(solution.forces.Fy, WithinAbs(0, 1e-5 * row.Fx));
     CHECK_THAT(solution.pmax, WithinRel(row.pmax, 1e-5));
     const double rounding = 5e-5;  // of the printed area
     CHECK_THAT(solution.area.contact,
@@ -46,7 +46,7 @@ TEST_CASE("Cattaneo problem agrees with the half-space code", "[verification]") 
 TEST_CASE("lateral tractions vanish in their sum only", "[verification]") {
     const auto solution = solve_half_spaces(cattaneo_problem(40));
     CHECK(largest(solution.traction_y) > 0.005 * largest(solution.traction_x));
-    CHECK_THAT(solution.Fy, WithinAbs(0, 1e-6));
+    CHECK_THAT(solution.forces.Fy, WithinAbs(0, 1e-6));
 }
 
 TEST_CASE("without lateral effects the problem is Cattaneo's", "[verification]") {
@@ -59,7 +59,7 @@ TEST_CASE("without lateral effects the problem is Cattaneo's", "[verification]")
     problem.motion = Shift{{cattaneo.rigid_shift, 0}};
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fx, WithinRel(-Fx, 2e-3));
+    CHECK_THAT(solution.forces.Fx, WithinRel(-Fx, 2e-3));
     const double adhesion_area = std::acos(-1) * cattaneo.adhesion_radius * cattaneo.adhesion_radius;
     CHECK_THAT(solution.area.adhesion, WithinRel(adhesion_area, 2e-2));
 }

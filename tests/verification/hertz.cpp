@@ -32,7 +32,7 @@ TEST_CASE("ellipses agree with Hertz", "[verification]") {
     const auto solution = solve_contact(problem, influence, observer);
 
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fn, WithinRel(2.0 / 3 * std::numbers::pi * a * b * p0, 1e-3));
+    CHECK_THAT(solution.forces.Fn, WithinRel(2.0 / 3 * std::numbers::pi * a * b * p0, 1e-3));
     CHECK_THAT(solution.pmax, WithinRel(p0, 2e-3));
     CHECK_THAT(solution.area.contact, WithinRel(std::numbers::pi * a * b, 1e-2));
 }
@@ -58,6 +58,6 @@ TEST_CASE("spheres of different materials agree with Hertz", "[verification]") {
 
     const auto solution = solve_contact(problem, influence, observer);
 
-    CHECK_THAT(solution.Fn, WithinRel(hertz.Fn, 1e-3));
+    CHECK_THAT(solution.forces.Fn, WithinRel(hertz.Fn, 1e-3));
     CHECK_THAT(solution.pmax, WithinRel(hertz.pmax, 2e-3));
 }

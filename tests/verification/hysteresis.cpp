@@ -33,7 +33,7 @@ struct Path {
         problem.approach = approach;
         influence = make_influence(problem, pair_table(problem));
         Observer observer;
-        largest = mu * solve_contact(problem, influence, observer).Fn;
+        largest = mu * solve_contact(problem, influence, observer).forces.Fn;
     }
 
     // Fx as a part of the largest force.

@@ -69,7 +69,7 @@ TEST_CASE("a cylinder pressed on a plane has Hertz's line contact", "[verificati
     ContactProblem by_approach = pressed();
     by_approach.Fn.reset();
     by_approach.approach = solution.approach;
-    CHECK_THAT(solved(by_approach).Fn, WithinRel(P * length, 1e-6));
+    CHECK_THAT(solved(by_approach).forces.Fn, WithinRel(P * length, 1e-6));
 }
 
 TEST_CASE("the length that is counted changes forces and nothing else", "[verification]") {
@@ -79,7 +79,7 @@ TEST_CASE("the length that is counted changes forces and nothing else", "[verifi
     longer.grid.y0 = -1.5 * length;
     longer.Fn = 3 * P * length;
     const auto three = solved(longer);
-    CHECK_THAT(three.Fx, WithinRel(3 * one.Fx, 1e-6));
+    CHECK_THAT(three.forces.Fx, WithinRel(3 * one.forces.Fx, 1e-6));
     CHECK_THAT(three.pmax, WithinRel(one.pmax, 1e-9));
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("a cylinder rolls as Carter says, along and, in anti-plane strain, sid
     (along ? rolling.xi : rolling.eta) = share * full;
     const auto solution = solved(moved(rolling, 1600));
     const double expected = -mu * P * length * (1 - (1 - share) * (1 - share));
-    CHECK_THAT(along ? solution.Fx : solution.Fy, WithinRel(expected, 1e-3));
+    CHECK_THAT(along ? solution.forces.Fx : solution.forces.Fy, WithinRel(expected, 1e-3));
     // Rounding makes it, up to what the solver takes for nothing.
-    CHECK_THAT(along ? solution.Fy : solution.Fx, WithinAbs(0, 1e-6 * mu * P * length));
+    CHECK_THAT(along ? solution.forces.Fy : solution.forces.Fx, WithinAbs(0, 1e-6 * mu * P * length));
     CHECK_THAT(solution.area.adhesion, WithinRel(2 * (1 - share) * cylinder.half_width * length, 0.03));
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("steady rolling does not depend on the datum", "[verification]") {
     ContactProblem problem = moved(Rolling{.xi = 5e-4}, 200);
     const auto near = solved(problem);
     problem.bodies = Bodies::of(bodies, line_contact_ics(1e5));
-    CHECK_THAT(solved(problem).Fx, WithinRel(near.Fx, 1e-5));
+    CHECK_THAT(solved(problem).forces.Fx, WithinRel(near.forces.Fx, 1e-5));
 }
 
 TEST_CASE("a shift under a force is Cattaneo's and Mindlin's in the plane", "[verification]") {
@@ -124,9 +124,9 @@ TEST_CASE("cylinders that differ couple normal and tangential contact", "[verifi
     problem.gap = Paraboloid{radius, std::numeric_limits<double>::infinity()};
     problem.Fn = P * length / 100;
     const auto solution = solved(problem);
-    REQUIRE(solution.outer);
-    CHECK(solution.outer->iterations > 1);
-    CHECK(solution.Fx < 0);
+    REQUIRE(solution.evidence.outer);
+    CHECK(solution.evidence.outer->iterations > 1);
+    CHECK(solution.forces.Fx < 0);
 }
 
 TEST_CASE("a line contact rolls from rest into its steady state", "[verification]") {
@@ -135,5 +135,5 @@ TEST_CASE("a line contact rolls from rest into its steady state", "[verification
         Bodies::of(bodies, line_contact_ics(5));  // the force builds up over a distance that grows with its logarithm
     const auto steady = solved(problem);
     problem.motion = Rolling{.xi = 5e-4, .kind = RollingKind::transient, .steps = 400};
-    CHECK_THAT(solved(problem).Fx, WithinRel(steady.Fx, 0.01));
+    CHECK_THAT(solved(problem).forces.Fx, WithinRel(steady.forces.Fx, 0.01));
 }

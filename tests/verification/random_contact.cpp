@@ -22,10 +22,10 @@ void print_unconverged(const ContactSolution& solution) {
         if (evidence && !evidence->converged)
             std::printf(" %s %d %.1e", name, evidence->iterations, evidence->residual);
     };
-    print("normal", solution.normal);
-    print("tangential", solution.tangential);
-    print("outer", solution.outer);
-    print("force", solution.force);
+    print("normal", solution.evidence.normal);
+    print("tangential", solution.evidence.tangential);
+    print("outer", solution.evidence.outer);
+    print("force", solution.evidence.force);
     std::printf("\n");
 }
 

@@ -82,9 +82,9 @@ TEST_CASE("the transient marches to the steady state", "[verification]") {
     const ContactSolution marched = solve_half_spaces(problem);
 
     REQUIRE(marched.converged());
-    CHECK_THAT(marched.Fx, WithinAbs(direct.Fx, 0.02));
-    CHECK_THAT(marched.Fy, WithinAbs(direct.Fy, 0.02));
-    CHECK_THAT(marched.Mz, WithinAbs(direct.Mz, 0.05));
+    CHECK_THAT(marched.forces.Fx, WithinAbs(direct.Fx, 0.02));
+    CHECK_THAT(marched.forces.Fy, WithinAbs(direct.Fy, 0.02));
+    CHECK_THAT(marched.forces.Mz, WithinAbs(direct.Mz, 0.05));
 }
 
 TEST_CASE("small creepages give Kalker's coefficients, the better the finer the grid", "[verification]") {

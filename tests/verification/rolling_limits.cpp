@@ -52,16 +52,16 @@ TEST_CASE("full slip carries mu Fn against the creepage", "[verification]") {
     const double angle = GENERATE(0.0, 2.0);
     const auto solution =
         solved(ellipse(6, 4, {82000, 0.28}, 25, creepages(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0)));
-    CHECK_THAT(solution.Fx, WithinAbs(-bound * std::cos(angle), 1e-3 * bound));
-    CHECK_THAT(solution.Fy, WithinAbs(-bound * std::sin(angle), 1e-3 * bound));
+    CHECK_THAT(solution.forces.Fx, WithinAbs(-bound * std::cos(angle), 1e-3 * bound));
+    CHECK_THAT(solution.forces.Fy, WithinAbs(-bound * std::sin(angle), 1e-3 * bound));
     CHECK(solution.elements.adhesion == 0);
 }
 
 TEST_CASE("spin alone pushes sideways and turns against itself", "[verification]") {
     const auto solution = solved(ellipse(6, 4, {82000, 0.28}, 25, creepages(0, 0, 2e-4)));
-    CHECK_THAT(solution.Fx, WithinAbs(0, 1e-3 * bound));
-    CHECK(solution.Fy < -0.2 * bound);
-    CHECK(solution.Mz < 0);
+    CHECK_THAT(solution.forces.Fx, WithinAbs(0, 1e-3 * bound));
+    CHECK(solution.forces.Fy < -0.2 * bound);
+    CHECK(solution.forces.Mz < 0);
 }
 
 TEST_CASE("quick models come near the full one", "[verification]") {
@@ -74,7 +74,7 @@ TEST_CASE("quick models come near the full one", "[verification]") {
         problem.model = model;
         const auto quick = solved(problem);
         CHECK_THAT(quick.pmax, WithinRel(full.pmax, 0.01));
-        return std::hypot(quick.Fx - full.Fx, quick.Fy - full.Fy) / bound;
+        return std::hypot(quick.forces.Fx - full.forces.Fx, quick.forces.Fy - full.forces.Fy) / bound;
     };
     CHECK(error(Model::fastsim) < 0.1);
     if (spin == 0) CHECK(error(Model::hertz) < 0.08);

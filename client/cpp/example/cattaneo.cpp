@@ -26,12 +26,13 @@ int main(int argc, char** argv) {
         const auto reply = client.solve(problem);
 
         const auto& solution = reply.solution;
-        std::printf("Fn     %.8g N\nFx     %.8g N\npmax   %.8g N/mm^2\n", solution.Fn, solution.Fx, solution.pmax);
+        std::printf("Fn     %.8g N\nFx     %.8g N\npmax   %.8g N/mm^2\n", solution.forces.Fn, solution.forces.Fx,
+                    solution.pmax);
         std::printf("area   %.5g mm^2, %d elements in adhesion, %d in slip\n", solution.area.contact,
                     solution.elements.adhesion, solution.elements.slip);
         std::printf("normal: %d iterations, residual %.1e; tangential: %d iterations, residual %.1e\n",
-                    solution.normal.iterations, solution.normal.residual, solution.tangential->iterations,
-                    solution.tangential->residual);
+                    solution.evidence.normal.iterations, solution.evidence.normal.residual,
+                    solution.evidence.tangential->iterations, solution.evidence.tangential->residual);
         std::printf("coefficients: %s\n", reply.ics.upper->evidence.version.c_str());
         return solution.converged() ? 0 : 1;
     } catch (const std::exception& error) {

@@ -22,20 +22,22 @@ struct SolverEvidence {
     double seconds = 0;
 };
 
+/// Where the errors of a discretisation are known from.
+enum class ErrorSource { hertz, estimate };
+
 /// How finely the elements divide the contact, and what that costs: sizes of relative errors against the limit of small
 /// elements (docs/contact.md, which has them measured).
-struct DiscretisationEvidence {
+struct Discretisation {
     int elements_across = 0;  ///< in the direction with fewer; one in which the contact fills the grid does not count
     double force_error = 0;   ///< of the normal force for the approach, whichever of them was prescribed
     double pmax_error = 0;    ///< of the largest pressure under the prescribed load
-    /// Both by Hertz's closed form: the gap is a paraboloid on half-spaces. Else they are estimates from
-    /// elements_across.
-    bool from_hertz = false;
+    /// Of both: Hertz's closed form, where the gap is a paraboloid on half-spaces, or an estimate from elements_across.
+    ErrorSource source = ErrorSource::estimate;
     /// Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and dq. Where most
     /// of the contact slips the force errs by less.
     std::optional<double> rolling_error{};
 
-    bool operator==(const DiscretisationEvidence&) const = default;
+    bool operator==(const Discretisation&) const = default;
 };
 
 /// Normal contact, the approach or the force prescribed, and tangential contact where there is friction.
@@ -52,13 +54,29 @@ struct Counts {
     int border = 0;  ///< of those in contact, at the border of the potential contact area
 };
 
+/// In total, on the upper body.
+struct Forces {
+    double Fn = 0;          ///< normal (N), > 0 in compression
+    double Fx = 0, Fy = 0;  ///< tangential (N)
+    double Mz = 0;          ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
+};
+
+/// How the solvers of a contact problem ended.
+struct ContactEvidence {
+    SolverEvidence normal;
+    std::optional<SolverEvidence> tangential;
+    /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, the
+    /// last relative change of the tractions.
+    std::optional<SolverEvidence> outer;
+    std::optional<SolverEvidence> force;  ///< of the search for the motion: the last |F - prescribed| over the bound
+    std::optional<Discretisation> discretisation;  ///< of model full, where there is contact
+};
+
 /// Arrays have shape [ny, nx]. Tractions act on the upper body.
 struct ContactSolution {
-    double approach = 0;    ///< (mm), prescribed or found
-    double Fn = 0;          ///< normal force (N), > 0 in compression
-    double Fx = 0, Fy = 0;  ///< tangential force on the upper body (N)
-    double Mz = 0;          ///< moment about z at the origin, sum of x p_y - y p_x (N mm)
-    double pmax = 0;        ///< largest pressure (N/mm^2)
+    double approach = 0;  ///< (mm), prescribed or found
+    Forces forces;
+    double pmax = 0;  ///< largest pressure (N/mm^2)
     Areas area;
     Counts elements;
     std::vector<ElementState> element_division;
@@ -71,19 +89,13 @@ struct ContactSolution {
     std::optional<double> frictional_work, frictional_power;
     std::optional<Motion> motion;       ///< as asked, with what a prescribed force made of it
     std::vector<std::string> warnings;  ///< sentences: what a user of the solution should know
-    SolverEvidence normal;
-    std::optional<SolverEvidence> tangential;
-    /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, the
-    /// last relative change of the tractions.
-    std::optional<SolverEvidence> outer;
-    std::optional<SolverEvidence> force;  ///< of the search for the motion: the last |F - prescribed| over the bound
-    std::optional<DiscretisationEvidence> discretisation;  ///< of model full, where there is contact
+    ContactEvidence evidence;
 
     /// True when every solver that ran reached its tolerance.
     bool converged() const {
-        for (const auto& evidence : {tangential, outer, force})
-            if (evidence && !evidence->converged) return false;
-        return normal.converged;
+        for (const auto& solver : {evidence.tangential, evidence.outer, evidence.force})
+            if (solver && !solver->converged) return false;
+        return evidence.normal.converged;
     }
 };
 

@@ -63,9 +63,7 @@ EllipticFriction friction_of(const ContactProblem& problem, const EllipticContac
 }
 
 void take_friction(EllipticFriction friction, ContactSolution& solution) {
-    solution.Fx = friction.Fx;
-    solution.Fy = friction.Fy;
-    solution.Mz = friction.Mz;
+    solution.forces = {solution.forces.Fn, friction.Fx, friction.Fy, friction.Mz};
     solution.area.adhesion = friction.adhesion_area;
     solution.area.slip = friction.slip_area;
     solution.element_division = std::move(friction.element_division);
@@ -75,7 +73,7 @@ void take_friction(EllipticFriction friction, ContactSolution& solution) {
     solution.slip_y = std::move(friction.slip_y);
     solution.frictional_power = friction.frictional_power;
     solution.motion = friction.motion;
-    solution.force = friction.force;
+    solution.evidence.force = friction.force;
 }
 
 }  // namespace
@@ -86,9 +84,9 @@ ContactSolution solve_by_quick_model(const ContactProblem& problem) {
     const HertzContact found = hertz(problem);
     const EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies.materials())};
     ContactSolution solution;
-    solution.normal.converged = true;  // closed form
+    solution.evidence.normal.converged = true;  // closed form
     solution.approach = found.approach;
-    solution.Fn = found.Fn;
+    solution.forces.Fn = found.Fn;
     solution.pmax = found.pmax;
     solution.area.contact = contact.area();
     solution.area.slip = solution.area.contact;  // where no friction holds it

@@ -84,9 +84,9 @@ class BoundaryElements {
         const auto keep = [](const std::optional<SolverEvidence>& now, std::optional<SolverEvidence>& failed) {
             if (now && !now->converged && !(failed && failed->residual > now->residual)) failed = now;
         };
-        keep(solution_.normal, failed_.normal);
-        keep(solution_.tangential, failed_.tangential);
-        keep(solution_.outer, failed_.outer);
+        keep(solution_.evidence.normal, failed_.normal);
+        keep(solution_.evidence.tangential, failed_.tangential);
+        keep(solution_.evidence.outer, failed_.outer);
         if (step_) keep(step_->force_evidence(), failed_.force);
     }
 
@@ -94,7 +94,7 @@ class BoundaryElements {
     void take_step(Observer& observer, bool first) {
         const bool coupled = step_ && influence_.coupled();
         const bool repeats = coupled || (step_ && problem_.friction->kinetic);
-        if (repeats) solution_.outer = SolverEvidence{};
+        if (repeats) solution_.evidence.outer = SolverEvidence{};
         const Stopwatch stopwatch;
         for (int iteration = 1;; ++iteration) {
             const Tractions last = now_;
@@ -105,7 +105,7 @@ class BoundaryElements {
             if (!repeats) return;
             const double change = std::max(relative_change(now_, last), follow_slip_law());
             const bool converged = change <= problem_.settings.outer.tolerance;
-            solution_.outer = {iteration, change, converged, stopwatch.seconds()};
+            solution_.evidence.outer = {iteration, change, converged, stopwatch.seconds()};
             if (converged || iteration == problem_.settings.outer.max_iterations) return;
         }
     }
@@ -120,7 +120,7 @@ class BoundaryElements {
         PartObserver part(observer, 0, step_ ? 0.3 : 1);
         NormalSolution normal = solve_under_load(gap, part);
         now_.pressure = std::move(normal.pressure);
-        continue_with(solution_.normal, normal.evidence);
+        continue_with(solution_.evidence.normal, normal.evidence);
     }
 
     NormalSolution solve_under_load(Values& gap, Observer& observer) {
@@ -146,8 +146,9 @@ class BoundaryElements {
         tangential_ = step_->solve(now_.pressure, bound, now_.tangential, part);
         now_.tangential.x = tangential_.traction_x;
         now_.tangential.y = tangential_.traction_y;
-        if (!solution_.tangential) solution_.tangential = SolverEvidence{};
-        continue_with(*solution_.tangential, tangential_.evidence);
+        auto& evidence = solution_.evidence.tangential;
+        if (!evidence) evidence = SolverEvidence{};
+        continue_with(*evidence, tangential_.evidence);
     }
 
     /// How far the coefficients of friction were from those that the slip asks for; they follow it.
@@ -180,10 +181,10 @@ class BoundaryElements {
             evidence.converged = false;
             evidence.residual = failed->residual;
         };
-        report(solution_.normal, failed_.normal);
-        if (solution_.tangential) report(*solution_.tangential, failed_.tangential);
-        if (solution_.outer) report(*solution_.outer, failed_.outer);
-        if (solution_.force) report(*solution_.force, failed_.force);
+        report(solution_.evidence.normal, failed_.normal);
+        if (solution_.evidence.tangential) report(*solution_.evidence.tangential, failed_.tangential);
+        if (solution_.evidence.outer) report(*solution_.evidence.outer, failed_.outer);
+        if (solution_.evidence.force) report(*solution_.evidence.force, failed_.force);
     }
 
     void take_tangential_solution() {
@@ -195,7 +196,7 @@ class BoundaryElements {
         solution_.slip_x = std::move(tangential_.slip_x);
         solution_.slip_y = std::move(tangential_.slip_y);
         solution_.motion = step_->motion();
-        solution_.force = step_->force_evidence();
+        solution_.evidence.force = step_->force_evidence();
     }
 
     const ContactProblem& problem_;

@@ -113,13 +113,14 @@ void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution
         " This solution carries nothing.");
 }
 
-void warn_of_few_elements(const DiscretisationEvidence& evidence, std::vector<std::string>& warnings) {
+void warn_of_few_elements(const Discretisation& evidence, std::vector<std::string>& warnings) {
     const int across = evidence.elements_across;
     if (across >= fewest_elements) return;
+    const char* about = evidence.source == ErrorSource::hertz ? "" : "up to about ";
     warnings.push_back("The contact is " + std::to_string(across) + (across == 1 ? " element" : " elements") +
                        " across, fewer than " + std::to_string(fewest_elements) +
-                       ": the normal force for the approach is off by " + (evidence.from_hertz ? "" : "up to about ") +
-                       percent(evidence.force_error) + " and the largest pressure by " + percent(evidence.pmax_error) +
+                       ": the normal force for the approach is off by " + about + percent(evidence.force_error) +
+                       " and the largest pressure by " + percent(evidence.pmax_error) +
                        "; smaller elements are better.");
 }
 
@@ -132,30 +133,31 @@ void warn_of_long_step(const ContactProblem& problem, const ContactSolution& sol
     // Not of the default, which the grid is to blame for.
     if (along.step <= along.element * (1 + rounding)) return;
     if (step < longest_step * along.element && step < longest_part * along.contact) return;
+    const double error = *solution.evidence.discretisation->rolling_error;
     warnings.push_back(
         "friction.rolling.dq is " + number_text(along.step) + " mm, " + short_text(along.step / along.element) +
         " elements and " + short_text(along.step / along.contact) +
         " of the contact's length along the rolling direction: the tangential force under small "
         "creepages is off by about " +
-        percent(*solution.discretisation->rolling_error) + ". Leave it out, which takes the size of an element, " +
-        short_text(along.element) + " mm; what a time step rolls takes several steps of transient rolling.");
+        percent(error) + ". Leave it out, which takes the size of an element, " + short_text(along.element) +
+        " mm; what a time step rolls takes several steps of transient rolling.");
 }
 
 }  // namespace
 
-std::optional<DiscretisationEvidence> discretisation(const ContactProblem& problem, const ContactSolution& solution,
-                                                     bool coupled) {
+std::optional<Discretisation> discretisation(const ContactProblem& problem, const ContactSolution& solution,
+                                             bool coupled) {
     if (solution.elements.contact == 0) return {};
     const ContactSize size = contact_size(problem.grid, solution.pressure);
-    DiscretisationEvidence evidence;
+    Discretisation evidence;
     evidence.elements_across = elements_across(problem.grid, size);
     if (const auto hertz = hertz_of(problem, solution, coupled)) {
         // Under the prescribed load, of which the approach may have been found.
         const double compliance = problem.bodies.materials().normal_compliance();
         const double pmax =
             problem.Fn ? hertz_of_force(*paraboloid_of(problem), compliance, *problem.Fn).pmax : hertz->pmax;
-        evidence.from_hertz = true;
-        evidence.force_error = std::abs(solution.Fn / hertz->Fn - 1);
+        evidence.source = ErrorSource::hertz;
+        evidence.force_error = std::abs(solution.forces.Fn / hertz->Fn - 1);
         evidence.pmax_error = std::abs(solution.pmax / pmax - 1);
     } else {
         // One less, because an element more or less in contact is not felt by a coarse grid.
@@ -172,8 +174,8 @@ std::optional<DiscretisationEvidence> discretisation(const ContactProblem& probl
 std::vector<std::string> discretisation_warnings(const ContactProblem& problem, const ContactSolution& solution) {
     std::vector<std::string> warnings;
     warn_of_missed_contact(problem, solution, warnings);
-    if (!solution.discretisation) return warnings;
-    warn_of_few_elements(*solution.discretisation, warnings);
+    if (!solution.evidence.discretisation) return warnings;
+    warn_of_few_elements(*solution.evidence.discretisation, warnings);
     warn_of_long_step(problem, solution, warnings);
     return warnings;
 }

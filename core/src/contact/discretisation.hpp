@@ -11,8 +11,8 @@ namespace contactd {
 
 /// Of a solution by boundary elements, which has its pressures and sums; nothing without contact. `coupled`: pressures
 /// depend on tangential tractions too, so that Hertz's theory does not hold.
-std::optional<DiscretisationEvidence> discretisation(const ContactProblem& problem, const ContactSolution& solution,
-                                                     bool coupled);
+std::optional<Discretisation> discretisation(const ContactProblem& problem, const ContactSolution& solution,
+                                             bool coupled);
 
 /// Sentences about elements or a step that are too large for the contact; mostly none.
 std::vector<std::string> discretisation_warnings(const ContactProblem& problem, const ContactSolution& solution);

@@ -28,13 +28,11 @@ void count_elements(const ContactProblem& problem, ContactSolution& solution) {
 void sum_up(const Grid& grid, ContactSolution& solution) {
     const double area = grid.element_area();
     for (const double p : solution.pressure) {
-        solution.Fn += p * area;
+        solution.forces.Fn += p * area;
         solution.pmax = std::max(solution.pmax, p);
     }
     const TangentialForces forces = tangential_forces(grid, solution.traction_x, solution.traction_y);
-    solution.Fx = forces.Fx;
-    solution.Fy = forces.Fy;
-    solution.Mz = forces.Mz;
+    solution.forces = {solution.forces.Fn, forces.Fx, forces.Fy, forces.Mz};
     solution.area.contact = solution.elements.contact * area;
     solution.area.adhesion = solution.elements.adhesion * area;
     solution.area.slip = solution.elements.slip * area;
@@ -100,7 +98,7 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
     if (problem.model == Model::full)
         for (std::string& warning : discretisation_warnings(problem, solution))
             solution.warnings.push_back(std::move(warning));
-    else if (solution.Fn > 0 && solution.elements.contact == 0)
+    else if (solution.forces.Fn > 0 && solution.elements.contact == 0)
         solution.warnings.push_back(
             "No element has its centre in the contact, which is narrower than the elements or lies beyond the "
             "potential contact area: the forces are those of the whole contact, but the arrays show nothing of it.");
@@ -130,7 +128,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     count_elements(problem, solution);
     sum_up(problem.grid, solution);
     take_friction_losses(problem, solution);
-    solution.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());
+    solution.evidence.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());
     warn(problem, solution);
     return solution;
 }

@@ -106,8 +106,8 @@ void decode_friction(const nlohmann::json& json, const std::vector<std::string>&
 /// The parts of a result that hold no arrays: of a solution all but its evidence, and that of its solvers.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
 void decode_summary(const nlohmann::json& result, ContactSolution& solution);
-nlohmann::json encode_solvers(const ContactSolution& solution);
-void decode_solvers(const nlohmann::json& evidence, ContactSolution& solution);
+nlohmann::json encode_evidence(const ContactEvidence& evidence);
+ContactEvidence decode_contact_evidence(const nlohmann::json& source);
 /// `element_division` of a result.
 nlohmann::json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays);
 std::vector<ElementState> decode_division(const nlohmann::json& result, const std::vector<std::string>& frames,

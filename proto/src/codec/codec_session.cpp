@@ -160,7 +160,7 @@ json encode_step_reply(long long step, const ContactSolution& solution, const Gr
                        const std::vector<SolutionField>& fields, ArrayWriter& arrays) {
     json result = encode_summary(solution, grid);
     result["step"] = step;
-    result["evidence"] = encode_solvers(solution);
+    result["evidence"] = encode_evidence(solution.evidence);
     for (const SolutionField field : fields) {
         const std::string name(word_for(field_names, field));
         if (result.contains(name)) continue;  // asked for twice
@@ -177,7 +177,7 @@ StepReply decode_step_reply(const json& result, const std::vector<std::string>& 
     StepReply reply;
     reply.step = result["step"].get<long long>();
     decode_summary(result, reply.solution);
-    decode_solvers(result["evidence"], reply.solution);
+    reply.solution.evidence = decode_contact_evidence(result["evidence"]);
     for (const auto& [name, field] : field_names) {
         if (!result.contains(name)) continue;
         if (field == SolutionField::element_division)

@@ -22,18 +22,20 @@ SolverEvidence decode_solver_evidence(const json& source) {
             source["seconds"].get<double>()};
 }
 
-json encode_discretisation(const DiscretisationEvidence& evidence) {
+constexpr Words<ErrorSource, 2> error_sources{{{"hertz", ErrorSource::hertz}, {"estimate", ErrorSource::estimate}}};
+
+json encode_discretisation(const Discretisation& evidence) {
     json result = object({{"elements_across", evidence.elements_across},
                           {"force_error", finite(evidence.force_error, "An error of the force")},
                           {"pmax_error", finite(evidence.pmax_error, "An error of the largest pressure")},
-                          {"source", evidence.from_hertz ? "hertz" : "estimate"}});
+                          {"source", word_for(error_sources, evidence.source)}});
     if (evidence.rolling_error) result["rolling_error"] = finite(*evidence.rolling_error, "An error of rolling");
     return result;
 }
 
-DiscretisationEvidence decode_discretisation(const json& source) {
-    DiscretisationEvidence evidence{source["elements_across"].get<int>(), source["force_error"].get<double>(),
-                                    source["pmax_error"].get<double>(), source["source"] == "hertz"};
+Discretisation decode_discretisation(const json& source) {
+    Discretisation evidence{source["elements_across"].get<int>(), source["force_error"].get<double>(),
+                            source["pmax_error"].get<double>(), meaning_of(source["source"], error_sources)};
     if (source.contains("rolling_error")) evidence.rolling_error = source["rolling_error"].get<double>();
     return evidence;
 }
@@ -48,11 +50,11 @@ auto parts_of(Uses& uses) {
     return std::array{std::pair("upper", &uses.upper), std::pair("lower", &uses.lower), std::pair("pair", &uses.pair)};
 }
 
-/// The parts of a solution that may be left out, with their names; Solution may be const.
-template <class Solution>
-auto solvers_of(Solution& solution) {
-    return std::array{std::pair("tangential", &solution.tangential), std::pair("outer", &solution.outer),
-                      std::pair("force", &solution.force)};
+/// The solvers that need not have run, with their names; Evidence may be const.
+template <class Evidence>
+auto solvers_of(Evidence& evidence) {
+    return std::array{std::pair("tangential", &evidence.tangential), std::pair("outer", &evidence.outer),
+                      std::pair("force", &evidence.force)};
 }
 
 template <class Solution>
@@ -82,10 +84,10 @@ std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
 
 json encode_totals(const ContactSolution& solution) {
     return object({{"approach", finite(solution.approach, "The approach")},
-                   {"forces", object({{"Fn", finite(solution.Fn, "Fn")},
-                                      {"Fx", finite(solution.Fx, "Fx")},
-                                      {"Fy", finite(solution.Fy, "Fy")},
-                                      {"Mz", finite(solution.Mz, "Mz")}})},
+                   {"forces", object({{"Fn", finite(solution.forces.Fn, "Fn")},
+                                      {"Fx", finite(solution.forces.Fx, "Fx")},
+                                      {"Fy", finite(solution.forces.Fy, "Fy")},
+                                      {"Mz", finite(solution.forces.Mz, "Mz")}})},
                    {"pmax", finite(solution.pmax, "pmax")},
                    {"area", object({{"contact", finite(solution.area.contact, "The contact area")},
                                     {"adhesion", finite(solution.area.adhesion, "The adhesion area")},
@@ -101,18 +103,12 @@ json encode_totals(const ContactSolution& solution) {
 void decode_totals(const json& result, ContactSolution& solution) {
     const json &forces = result["forces"], &area = result["area"], &elements = result["elements"];
     solution.approach = result["approach"].get<double>();
-    solution.Fn = forces["Fn"].get<double>();
-    solution.Fx = forces["Fx"].get<double>();
-    solution.Fy = forces["Fy"].get<double>();
-    solution.Mz = forces["Mz"].get<double>();
+    solution.forces = {forces["Fn"].get<double>(), forces["Fx"].get<double>(), forces["Fy"].get<double>(),
+                       forces["Mz"].get<double>()};
     solution.pmax = result["pmax"].get<double>();
-    solution.area.contact = area["contact"].get<double>();
-    solution.area.adhesion = area["adhesion"].get<double>();
-    solution.area.slip = area["slip"].get<double>();
-    solution.elements.contact = elements["contact"].get<int>();
-    solution.elements.adhesion = elements["adhesion"].get<int>();
-    solution.elements.slip = elements["slip"].get<int>();
-    solution.elements.border = elements["border"].get<int>();
+    solution.area = {area["contact"].get<double>(), area["adhesion"].get<double>(), area["slip"].get<double>()};
+    solution.elements = {elements["contact"].get<int>(), elements["adhesion"].get<int>(), elements["slip"].get<int>(),
+                         elements["border"].get<int>()};
     solution.warnings = result["warnings"].get<std::vector<std::string>>();
 }
 
@@ -161,20 +157,21 @@ void decode_summary(const json& result, ContactSolution& solution) {
     if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
 }
 
-json encode_solvers(const ContactSolution& solution) {
-    json evidence = object({{"normal", encode_solver_evidence(solution.normal)}});
-    for (const auto& [name, solver] : solvers_of(solution))
-        if (*solver) evidence[name] = encode_solver_evidence(**solver);
-    if (solution.discretisation) evidence["discretisation"] = encode_discretisation(*solution.discretisation);
-    return evidence;
+json encode_evidence(const ContactEvidence& evidence) {
+    json result = object({{"normal", encode_solver_evidence(evidence.normal)}});
+    for (const auto& [name, solver] : solvers_of(evidence))
+        if (*solver) result[name] = encode_solver_evidence(**solver);
+    if (evidence.discretisation) result["discretisation"] = encode_discretisation(*evidence.discretisation);
+    return result;
 }
 
-void decode_solvers(const json& evidence, ContactSolution& solution) {
-    solution.normal = decode_solver_evidence(evidence["normal"]);
-    for (const auto& [name, solver] : solvers_of(solution))
-        if (evidence.contains(name)) *solver = decode_solver_evidence(evidence[name]);
-    if (evidence.contains("discretisation"))
-        solution.discretisation = decode_discretisation(evidence["discretisation"]);
+ContactEvidence decode_contact_evidence(const json& source) {
+    ContactEvidence evidence;
+    evidence.normal = decode_solver_evidence(source["normal"]);
+    for (const auto& [name, solver] : solvers_of(evidence))
+        if (source.contains(name)) *solver = decode_solver_evidence(source[name]);
+    if (source.contains("discretisation")) evidence.discretisation = decode_discretisation(source["discretisation"]);
+    return evidence;
 }
 
 json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays) {
@@ -190,7 +187,7 @@ std::vector<ElementState> decode_division(const json& result, const std::vector<
 json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays) {
     const ContactSolution& solution = reply.solution;
     json result = encode_summary(solution, grid);
-    result["evidence"] = encode_solvers(solution);
+    result["evidence"] = encode_evidence(solution.evidence);
     result["evidence"]["ics"] = encode_uses(reply.ics);
     const auto add = [&](const char* name, const std::vector<double>& values) {
         result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
@@ -219,7 +216,7 @@ SolveReply decode_solve_reply(const json& result, const std::vector<std::string>
     if (result.contains("slip_x")) solution.slip_x = array("slip_x");
     if (result.contains("slip_y")) solution.slip_y = array("slip_y");
     solution.element_division = decode_division(result, frames, shape);
-    decode_solvers(result["evidence"], solution);
+    solution.evidence = decode_contact_evidence(result["evidence"]);
     reply.ics = decode_uses(result["evidence"]["ics"]);
     return reply;
 }

@@ -54,10 +54,10 @@ StatusError not_converged(const ContactSolution& solution) {
                    std::to_string(evidence->iterations) + " iterations at the residual " +
                    proto::dump(evidence->residual);
     };
-    add("normal", solution.normal);
-    add("tangential", solution.tangential);
-    add("outer", solution.outer);
-    add("force", solution.force);
+    add("normal", solution.evidence.normal);
+    add("tangential", solution.evidence.tangential);
+    add("outer", solution.evidence.outer);
+    add("force", solution.evidence.force);
     return {StatusCode::aborted, proto::reason::not_converged,
             "The step did not converge (" + solvers +
                 "), and the session stays where it was: take a smaller step, or open the session with other settings "

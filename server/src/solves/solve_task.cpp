@@ -39,8 +39,8 @@ void solve(const SolvePtr& work) {
 
 void count(Counters& counters, const ContactSolution& solution) {
     ++(solution.converged() ? counters.solves_converged : counters.solves_not_converged);
-    counters.normal_iterations += solution.normal.iterations;
-    if (solution.tangential) counters.tangential_iterations += solution.tangential->iterations;
+    counters.normal_iterations += solution.evidence.normal.iterations;
+    if (solution.evidence.tangential) counters.tangential_iterations += solution.evidence.tangential->iterations;
 }
 
 void start(const SolveTools& tools, SolveTask task) {

@@ -84,7 +84,7 @@ TEST_CASE("A daemon answers every call of the client", "[client][daemon]") {
     problems[1].friction = contactd::FrictionLaw{{0.4}};
     problems[1].motion = pulled;
     const auto replies = client.solve_many(problems);
-    CHECK(std::get<contactd::SolveReply>(replies[0]).solution.Fn == Approx(9.2).epsilon(1e-6));
+    CHECK(std::get<contactd::SolveReply>(replies[0]).solution.forces.Fn == Approx(9.2).epsilon(1e-6));
     CHECK(std::get<contactd::Status>(replies[1]).violations[0].field == "friction.force");
 
     contactd::SubsurfaceRequest inside;
@@ -163,9 +163,9 @@ TEST_CASE("A session steps, goes back and comes to the same", "[client][daemon]"
         const auto again = session.step(input);
 
         CHECK(first.solution.pressure.size() == 144);
-        CHECK(std::abs(second.solution.Fx) > std::abs(first.solution.Fx));  // shifted further
+        CHECK(std::abs(second.solution.forces.Fx) > std::abs(first.solution.forces.Fx));  // shifted further
         CHECK(again.step == 2);
-        CHECK(again.solution.Fx == second.solution.Fx);
+        CHECK(again.solution.forces.Fx == second.solution.forces.Fx);
         session.forget(state);
         CHECK_THROWS_AS(session.restore(state), contactd::StatusError);
         session.close();

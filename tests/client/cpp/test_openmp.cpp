@@ -31,7 +31,7 @@ ContactProblem contact(int number) {
 std::vector<double> expected_forces(const std::string& endpoint) {
     Client client(endpoint, {.connect_timeout = std::chrono::seconds(20)});
     std::vector<double> forces;
-    for (int n = 0; n < contacts; ++n) forces.push_back(client.solve(contact(n)).solution.Fn);
+    for (int n = 0; n < contacts; ++n) forces.push_back(client.solve(contact(n)).solution.forces.Fn);
     return forces;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("A client for each thread of OpenMP gives the answers of one after the
     {
         Client client(daemon.endpoint());
 #pragma omp for
-        for (int n = 0; n < contacts; ++n) forces[n] = client.solve(contact(n)).solution.Fn;
+        for (int n = 0; n < contacts; ++n) forces[n] = client.solve(contact(n)).solution.forces.Fn;
     }
 
     CHECK(forces == expected);
@@ -62,7 +62,7 @@ TEST_CASE("One client for all threads of OpenMP gives right answers or says what
 #pragma omp parallel for num_threads(threads)
     for (int n = 0; n < contacts; ++n) {
         try {
-            forces[n] = client.solve(contact(n)).solution.Fn;
+            forces[n] = client.solve(contact(n)).solution.forces.Fn;
         } catch (const client::ConcurrencyError& error) {
             refusals[n] = error.what();
         } catch (const std::exception& error) {

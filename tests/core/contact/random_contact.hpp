@@ -32,7 +32,7 @@ inline Motion random_motion(Dice& dice, const ContactProblem& problem, const Con
     const double unit = slip_unit(problem, normal, mu), angle = dice.uniform(0, 6.3);
     const double length = std::sqrt(std::max(normal.area.contact, problem.grid.element_area()));
     const double size = unit * dice.log_uniform(0.01, 5), turn = dice.chance(0.5) ? unit / length : 0;
-    const double largest = mu * normal.Fn;
+    const double largest = mu * normal.forces.Fn;
     const bool forces = dice.chance(0.3) && largest > 0;
     if (dice.chance(0.4)) {
         Shift shift{{size * std::cos(angle), size * std::sin(angle)}, turn * dice.uniform(-1, 1)};
@@ -63,7 +63,7 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
     problem.approach = *least + (dice.chance(0.05) ? -0.1 : dice.log_uniform(1e-3, 1)) * std::max(*most - *least, 1e-3);
     const ContactSolution normal = solve_half_spaces(problem);
     if (dice.chance(0.5)) {
-        problem.Fn = normal.Fn;
+        problem.Fn = normal.forces.Fn;
         problem.approach.reset();
     }
     if (dice.chance(0.1)) return problem;
@@ -190,7 +190,8 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
         if (solution.pressure[i] > 0 && std::abs(gap) > accuracy * depth) return where(i, "contact with a gap");
         if (solution.pressure[i] == 0 && gap < -accuracy * depth) return where(i, "overlap");
     }
-    if (problem.Fn && std::abs(solution.Fn - *problem.Fn) > 1e-6 * *problem.Fn) return "the normal force is missed";
+    if (problem.Fn && std::abs(solution.forces.Fn - *problem.Fn) > 1e-6 * *problem.Fn)
+        return "the normal force is missed";
     if (!problem.friction) return {};
     const FrictionLaw& friction = *problem.friction;
     const Surface w = given_slip(problem, solution, before);

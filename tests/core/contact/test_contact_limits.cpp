@@ -36,7 +36,7 @@ TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]"
     problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .kind = RollingKind::transient, .steps = 40};
     const auto marched = solve_half_spaces(problem);
     CHECK_FALSE(marched.converged());
-    CHECK(marched.tangential->residual > problem.settings.tangential.tolerance);
+    CHECK(marched.evidence.tangential->residual > problem.settings.tangential.tolerance);
     problem.motion = Rolling{.xi = 4e-3, .phi = 1e-3, .kind = RollingKind::transient};
     problem.previous = {marched.pressure, marched.traction_x, marched.traction_y};
     problem.initial.traction_x = marched.traction_x;
@@ -90,7 +90,7 @@ TEST_CASE("friction that falls to nothing lets go", "[limits]") {
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
     CHECK(solution.elements.slip == solution.elements.contact);
-    CHECK_THAT(solution.Fx, WithinAbs(0, 1e-6 * solution.Fn));
+    CHECK_THAT(solution.forces.Fx, WithinAbs(0, 1e-6 * solution.forces.Fn));
 }
 
 TEST_CASE("a coefficient of friction whose squares underflow is none", "[limits]") {
@@ -101,8 +101,8 @@ TEST_CASE("a coefficient of friction whose squares underflow is none", "[limits]
     problem.friction->mu = GENERATE_COPY(Values{1e-170}, mu);
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
-    CHECK(std::isfinite(solution.Fx));
-    CHECK((solution.Fx < 0) == (problem.friction->mu.size() > 1));
+    CHECK(std::isfinite(solution.forces.Fx));
+    CHECK((solution.forces.Fx < 0) == (problem.friction->mu.size() > 1));
 }
 
 TEST_CASE("numbers whose squares leave the range of a double are refused by name", "[limits]") {
@@ -163,7 +163,7 @@ TEST_CASE("the most slender ellipse that can be asked for has finite forces", "[
     problem.Fn = 10;
     problem.motion = GENERATE(Motion{Shift{.rigid_shift = {.x = 1e-9}}}, Motion{Rolling{.xi = 1e-9}});
     Observer observer;
-    const double Fx = solve_contact(problem, {}, observer).Fx;
+    const double Fx = solve_contact(problem, {}, observer).forces.Fx;
     CHECK(Fx < 0);
     CHECK(Fx >= -0.4 * 10 * (1 + 1e-12));
 }
@@ -192,7 +192,7 @@ TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
         problem.grid.x0 = 20;
     }
     const auto solution = solve_contact(problem, {}, observer);
-    REQUIRE(solution.Fn > 0);
+    REQUIRE(solution.forces.Fn > 0);
     REQUIRE(solution.elements.contact == 0);
     REQUIRE(solution.warnings.size() == 1);
     CHECK(solution.warnings[0].find("whole contact") != std::string::npos);
@@ -215,7 +215,7 @@ TEST_CASE("a force that falling friction cannot hold is not found, and only one 
     CHECK(pull(0.3 * 0.4 * 10).converged());
     const auto most = pull(0.999 * 0.4 * 10);
     CHECK_FALSE(most.converged());
-    CHECK(std::isfinite(most.force->residual));
+    CHECK(std::isfinite(most.evidence.force->residual));
     CHECK_THROWS_AS(pull(0.4 * 10), InvalidArgument);
     CHECK_THROWS_AS(pull(1.01 * 0.4 * 10), InvalidArgument);
 }

@@ -95,7 +95,7 @@ TEST_CASE("every solver runs on a dense operator and gives the convolution's ans
 
     REQUIRE(dense.converged());
     REQUIRE(convolved.converged());
-    CHECK_THAT(dense.Fn, WithinRel(convolved.Fn, 1e-8));
+    CHECK_THAT(dense.forces.Fn, WithinRel(convolved.forces.Fn, 1e-8));
     CHECK_THAT(dense.approach, WithinRel(convolved.approach, 1e-8));
     const double unit = convolved.pmax;
     for (std::size_t i = 0; i < dense.pressure.size(); ++i) {

@@ -74,9 +74,9 @@ TEST_CASE("a slender contact and its motion turned by a right angle have the sam
         solve_half_spaces(rolling_ellipse(0.6, 6, 20, Rolling{.xi = -4e-4, .eta = 1e-3, .phi = 1e-3, .chi = pi / 2}));
     REQUIRE(along.converged());
     REQUIRE(turned.converged());
-    CHECK_THAT(turned.Fy, WithinRel(along.Fx, 1e-5));
-    CHECK_THAT(turned.Fx, WithinRel(-along.Fy, 1e-5));
-    CHECK_THAT(turned.Mz, WithinRel(along.Mz, 1e-4));
+    CHECK_THAT(turned.forces.Fy, WithinRel(along.forces.Fx, 1e-5));
+    CHECK_THAT(turned.forces.Fx, WithinRel(-along.forces.Fy, 1e-5));
+    CHECK_THAT(turned.forces.Mz, WithinRel(along.forces.Mz, 1e-4));
     CHECK_THAT(*turned.frictional_power, WithinRel(*along.frictional_power, 1e-4));
     CHECK(turned.elements.slip == along.elements.slip);
 }
@@ -104,7 +104,7 @@ TEST_CASE("the estimated error of rolling is that of small creepages", "[discret
         problem.friction->mu = {1000};
         const auto solution = solve_half_spaces(problem);
         REQUIRE(solution.converged());
-        return std::pair(solution.Fx, *solution.discretisation->rolling_error);
+        return std::pair(solution.forces.Fx, *solution.evidence.discretisation->rolling_error);
     };
     const double limit = 2 * force(96, 0).first - force(48, 0).first;
     const int n = GENERATE(11, 16, 27);
@@ -120,19 +120,21 @@ TEST_CASE("errors of a paraboloid on half-spaces are those against Hertz", "[dis
     const auto exact = hertz_of_approach({50, 50}, (1 - 0.42) / 200, 0.02);
     ContactProblem problem = sphere(9, 0.4);
     const auto solution = solve_half_spaces(problem);
-    REQUIRE(solution.discretisation);
-    CHECK(solution.discretisation->from_hertz);
-    CHECK(solution.discretisation->elements_across == 5);
-    CHECK_THAT(solution.discretisation->force_error, WithinAbs(relative_difference(solution.Fn, exact.Fn), 1e-9));
-    CHECK_THAT(solution.discretisation->pmax_error, WithinAbs(relative_difference(solution.pmax, exact.pmax), 1e-9));
-    CHECK_FALSE(solution.discretisation->rolling_error);
+    REQUIRE(solution.evidence.discretisation);
+    CHECK(solution.evidence.discretisation->source == ErrorSource::hertz);
+    CHECK(solution.evidence.discretisation->elements_across == 5);
+    CHECK_THAT(solution.evidence.discretisation->force_error,
+               WithinAbs(relative_difference(solution.forces.Fn, exact.Fn), 1e-9));
+    CHECK_THAT(solution.evidence.discretisation->pmax_error,
+               WithinAbs(relative_difference(solution.pmax, exact.pmax), 1e-9));
+    CHECK_FALSE(solution.evidence.discretisation->rolling_error);
 
     problem.approach.reset();
     problem.Fn = exact.Fn;  // the approach errs now: by 2/3 of what the force would
     const auto under_force = solve_half_spaces(problem);
     const double sinks_in = std::pow(under_force.approach / 0.02, 1.5);
-    CHECK_THAT(under_force.discretisation->force_error, WithinAbs(std::abs(1 / sinks_in - 1), 1e-9));
-    CHECK_THAT(under_force.discretisation->pmax_error,
+    CHECK_THAT(under_force.evidence.discretisation->force_error, WithinAbs(std::abs(1 / sinks_in - 1), 1e-9));
+    CHECK_THAT(under_force.evidence.discretisation->pmax_error,
                WithinAbs(relative_difference(under_force.pmax, exact.pmax), 1e-9));
 }
 
@@ -142,14 +144,14 @@ TEST_CASE("where Hertz does not hold errors are estimated from the elements acro
     const auto known = solve_half_spaces(problem);
     problem.gap = undeformed_distance(problem);
     const auto estimated = solve_half_spaces(problem);
-    REQUIRE(known.discretisation->from_hertz);
-    REQUIRE_FALSE(estimated.discretisation->from_hertz);
-    CHECK(estimated.discretisation->elements_across == known.discretisation->elements_across);
-    CAPTURE(known.discretisation->force_error, estimated.discretisation->force_error);
-    CAPTURE(known.discretisation->pmax_error, estimated.discretisation->pmax_error);
-    CHECK(known.discretisation->force_error < 1.5 * estimated.discretisation->force_error);
-    CHECK(known.discretisation->pmax_error < 1.5 * estimated.discretisation->pmax_error);
-    CHECK(estimated.discretisation->force_error < 0.6 / across);
+    REQUIRE(known.evidence.discretisation->source == ErrorSource::hertz);
+    REQUIRE(estimated.evidence.discretisation->source == ErrorSource::estimate);
+    CHECK(estimated.evidence.discretisation->elements_across == known.evidence.discretisation->elements_across);
+    CAPTURE(known.evidence.discretisation->force_error, estimated.evidence.discretisation->force_error);
+    CAPTURE(known.evidence.discretisation->pmax_error, estimated.evidence.discretisation->pmax_error);
+    CHECK(known.evidence.discretisation->force_error < 1.5 * estimated.evidence.discretisation->force_error);
+    CHECK(known.evidence.discretisation->pmax_error < 1.5 * estimated.evidence.discretisation->pmax_error);
+    CHECK(estimated.evidence.discretisation->force_error < 0.6 / across);
 }
 
 TEST_CASE("errors are numbers however little the bodies overlap", "[discretisation]") {
@@ -157,14 +159,14 @@ TEST_CASE("errors are numbers however little the bodies overlap", "[discretisati
     problem.approach = GENERATE(1e-6, 1e-12, 1e-100);
     const auto solution = solve_half_spaces(problem);
     REQUIRE(solution.elements.contact == 1);
-    CHECK(std::isfinite(solution.discretisation->force_error));
-    CHECK(std::isfinite(solution.discretisation->pmax_error));
-    CHECK(solution.discretisation->force_error >= 1);
+    CHECK(std::isfinite(solution.evidence.discretisation->force_error));
+    CHECK(std::isfinite(solution.evidence.discretisation->pmax_error));
+    CHECK(solution.evidence.discretisation->force_error >= 1);
 }
 
 TEST_CASE("contacts that Hertz does not describe are not compared with him", "[discretisation]") {
     ContactProblem problem = cattaneo_problem(16);
-    CHECK(solve_half_spaces(problem).discretisation->from_hertz);
+    CHECK(solve_half_spaces(problem).evidence.discretisation->source == ErrorSource::hertz);
     SECTION("coupled with friction") {
         problem.bodies.lower.material = {400, 0.3};
     }
@@ -184,14 +186,14 @@ TEST_CASE("contacts that Hertz does not describe are not compared with him", "[d
         problem.gap = Paraboloid{.Rx = 50};
     }
     const auto solution = solve_half_spaces(problem);
-    REQUIRE(solution.discretisation);
-    CHECK_FALSE(solution.discretisation->from_hertz);
+    REQUIRE(solution.evidence.discretisation);
+    CHECK(solution.evidence.discretisation->source == ErrorSource::estimate);
 }
 
 TEST_CASE("a contact of fewer than eight elements across is warned of", "[discretisation]") {
     CHECK(solve_half_spaces(sphere(11, 2.0 / 8)).warnings.empty());
     const auto coarse = solve_half_spaces(sphere(11, 2.0 / 6));
-    CHECK(coarse.discretisation->elements_across == 7);
+    CHECK(coarse.evidence.discretisation->elements_across == 7);
     REQUIRE(coarse.warnings.size() == 1);
     CHECK(says(coarse, "7 elements across, fewer than 8"));
     ContactProblem four = sphere(40, 2.4);  // 40 x 40 elements of 2.4 mm, where 2.4 mm for all of them were meant
@@ -200,7 +202,7 @@ TEST_CASE("a contact of fewer than eight elements across is warned of", "[discre
     const auto under_force = solve_half_spaces(four);
     CHECK(under_force.elements.contact == 4);
     CHECK(says(under_force, "2 elements across"));
-    CHECK(under_force.discretisation->force_error > 0.4);
+    CHECK(under_force.evidence.discretisation->force_error > 0.4);
     SECTION("in one direction only") {
         ContactProblem problem = sphere(11, 0.2);
         problem.grid = Grid::centred(11, 31, 2.0 / 6, 0.1);
@@ -224,7 +226,7 @@ TEST_CASE("a line contact is not asked for elements along it", "[discretisation]
     problem.gap = Paraboloid{.Rx = 50};
     problem.grid = Grid::centred(40, rows, 0.06, 60.0 / rows);
     const auto solution = solve_half_spaces(problem);
-    CHECK(solution.elements.contact == rows * solution.discretisation->elements_across);
+    CHECK(solution.elements.contact == rows * solution.evidence.discretisation->elements_across);
     CHECK_FALSE(says(solution, "elements across"));
     problem.grid = Grid::centred(8, rows, 0.4, 60.0 / rows);
     CHECK(says(solve_half_spaces(problem), "elements across"));
@@ -234,7 +236,7 @@ TEST_CASE("a grid without an element in the contact says so", "[discretisation]"
     ContactProblem problem = sphere(40, 2.4);
     const auto between = solve_half_spaces(problem);
     CHECK(between.elements.contact == 0);
-    CHECK_FALSE(between.discretisation);
+    CHECK_FALSE(between.evidence.discretisation);
     CHECK(says(between, "narrower than the elements"));
     problem.grid = {40, 40, 0.06, 0.06, 3, -1.2};
     CHECK(says(solve_half_spaces(problem), "beyond the potential contact area"));
@@ -250,7 +252,7 @@ TEST_CASE("quick models have no elements that err", "[discretisation]") {
     problem.model = GENERATE(Model::hertz, Model::fastsim);
     Observer observer;
     const auto solution = solve_contact(problem, {}, observer);
-    CHECK_FALSE(solution.discretisation);
+    CHECK_FALSE(solution.evidence.discretisation);
     CHECK(solution.warnings.empty());
 }
 
@@ -271,19 +273,19 @@ TEST_CASE("spin is evaluated ahead of the element centres by its offset", "[disc
     same.xi -= same.phi * ahead * std::sin(motion.chi);
     same.eta += same.phi * ahead * std::cos(motion.chi);
     const auto shifted = solve(same);
-    CHECK_THAT(shifted.Fx, WithinAbs(ahead_of_centres.Fx, 1e-2));
-    CHECK_THAT(shifted.Fy, WithinAbs(ahead_of_centres.Fy, 1e-2));
-    CHECK_THAT(shifted.Mz, WithinAbs(ahead_of_centres.Mz, 5e-2));
+    CHECK_THAT(shifted.forces.Fx, WithinAbs(ahead_of_centres.forces.Fx, 1e-2));
+    CHECK_THAT(shifted.forces.Fy, WithinAbs(ahead_of_centres.forces.Fy, 1e-2));
+    CHECK_THAT(shifted.forces.Mz, WithinAbs(ahead_of_centres.forces.Mz, 5e-2));
     same = motion;
     same.spin_offset = 0;
-    CHECK(std::abs(solve(same).Fy - ahead_of_centres.Fy) > 2);
+    CHECK(std::abs(solve(same).forces.Fy - ahead_of_centres.forces.Fy) > 2);
 }
 
 TEST_CASE("spin evaluated ahead or at the centres has one limit, to which ahead is nearer", "[discretisation]") {
     const auto force = [](int n, double offset) {
         const auto solution = solve_half_spaces(rolling_ellipse(5, 5, n, Rolling{.phi = 7e-4, .spin_offset = offset}));
         REQUIRE(solution.converged());
-        return solution.Fy / (0.3 * 50000);
+        return solution.forces.Fy / (0.3 * 50000);
     };
     const auto limit = [&](double offset) { return 2 * force(80, offset) - force(40, offset); };
     const double ahead = limit(1.0 / 6), at_centres = limit(0);

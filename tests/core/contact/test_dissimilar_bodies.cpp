@@ -70,7 +70,7 @@ TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimi
     const ContactSolution solution = solve_half_spaces(problem);
 
     REQUIRE(solution.converged());
-    CHECK(solution.outer->iterations > 1);
+    CHECK(solution.evidence.outer->iterations > 1);
     const Displacements u = displacements(problem, solution);
     const Values h = undeformed_distance(problem);
     const double length = *problem.approach;
@@ -97,7 +97,7 @@ TEST_CASE("without friction's force, friction between bodies that differ is as n
     without.friction.reset();
     const ContactSolution a = solve_half_spaces(with), b = solve_half_spaces(without);
     REQUIRE(a.converged());
-    CHECK_THAT(a.Fn, WithinRel(b.Fn, 1e-6));
+    CHECK_THAT(a.forces.Fn, WithinRel(b.forces.Fn, 1e-6));
     CHECK_THAT(a.pmax, WithinRel(b.pmax, 1e-6));
 }
 
@@ -110,22 +110,22 @@ TEST_CASE("a rigid punch that adheres carries the force of Mossakovskii's soluti
     smooth.friction.reset();
     const ContactSolution held = solve_half_spaces(bonded), free = solve_half_spaces(smooth);
     REQUIRE(held.converged());
-    CHECK_THAT(held.Fn / free.Fn, WithinRel((1 - nu) * std::log(3 - 4 * nu) / (1 - 2 * nu), 5e-3));
+    CHECK_THAT(held.forces.Fn / free.forces.Fn, WithinRel((1 - nu) * std::log(3 - 4 * nu) / (1 - 2 * nu), 5e-3));
 }
 
 TEST_CASE("friction between bodies that differ leaves the forces in balance", "[dissimilar]") {
     const ContactSolution solution = solve_half_spaces(sphere(rigid_on_soft, 0.3));
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fx, WithinAbs(0, 1e-5 * solution.Fn));
-    CHECK_THAT(solution.Fy, WithinAbs(0, 1e-5 * solution.Fn));
-    CHECK_THAT(solution.Mz, WithinAbs(0, 1e-5 * solution.Fn));
+    CHECK_THAT(solution.forces.Fx, WithinAbs(0, 1e-5 * solution.forces.Fn));
+    CHECK_THAT(solution.forces.Fy, WithinAbs(0, 1e-5 * solution.forces.Fn));
+    CHECK_THAT(solution.forces.Mz, WithinAbs(0, 1e-5 * solution.forces.Fn));
     CHECK(*solution.frictional_work >= 0);
 }
 
 TEST_CASE("swapping the bodies turns the tangential tractions", "[dissimilar]") {
     const ContactSolution a = solve_half_spaces(sphere(rigid_on_soft, 0.3, 12)),
                           b = solve_half_spaces(sphere(soft_on_rigid, 0.3, 12));
-    CHECK_THAT(a.Fn, WithinRel(b.Fn, 1e-6));
+    CHECK_THAT(a.forces.Fn, WithinRel(b.forces.Fn, 1e-6));
     for (std::size_t i = 0; i < a.traction_x.size(); ++i)
         CHECK_THAT(a.traction_x[i], WithinAbs(-b.traction_x[i], 1e-4 * a.pmax));
 }
@@ -137,8 +137,8 @@ TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
     problem.motion = Rolling{.xi = 0.02, .eta = 0.01, .phi = 1e-3};
     const ContactSolution solution = solve_half_spaces(problem);
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fn, WithinRel(5, 1e-6));
-    CHECK(solution.Fx < 0);
+    CHECK_THAT(solution.forces.Fn, WithinRel(5, 1e-6));
+    CHECK(solution.forces.Fx < 0);
     CHECK(*solution.frictional_power > 0);
 }
 

@@ -31,23 +31,23 @@ TEST_CASE("sums of a solution are those of its arrays", "[contact]") {
         contact += solution.pressure[i] > 0;
         adhesion += solution.element_division[i] == ElementState::adhesion;
     }
-    CHECK_THAT(solution.Fn, WithinRel(Fn, 1e-12));
-    CHECK_THAT(solution.Fx, WithinRel(Fx, 1e-12));
+    CHECK_THAT(solution.forces.Fn, WithinRel(Fn, 1e-12));
+    CHECK_THAT(solution.forces.Fx, WithinRel(Fx, 1e-12));
     CHECK(solution.elements.contact == contact);
     CHECK(solution.elements.adhesion == adhesion);
     CHECK(solution.elements.slip == contact - adhesion);
     CHECK_THAT(solution.area.contact, WithinRel(contact * problem.grid.element_area(), 1e-12));
     CHECK_THAT(solution.area.adhesion + solution.area.slip, WithinRel(solution.area.contact, 1e-12));
-    CHECK(solution.normal.seconds > 0);
-    CHECK(solution.tangential->seconds > 0);
+    CHECK(solution.evidence.normal.seconds > 0);
+    CHECK(solution.evidence.tangential->seconds > 0);
 }
 
 TEST_CASE("the force on the upper body opposes its shift", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
-    CHECK(solve_half_spaces(problem).Fx < 0);
+    CHECK(solve_half_spaces(problem).forces.Fx < 0);
     problem.friction = FrictionLaw{{0.4}};
     problem.motion = Shift{{0, -0.00817}};
-    CHECK(solve_half_spaces(problem).Fy > 0);
+    CHECK(solve_half_spaces(problem).forces.Fy > 0);
 }
 
 TEST_CASE("without friction every contact element slips freely", "[contact]") {
@@ -60,10 +60,10 @@ TEST_CASE("without friction every contact element slips freely", "[contact]") {
     }
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
-    CHECK(solution.tangential.has_value() == problem.friction.has_value());
+    CHECK(solution.evidence.tangential.has_value() == problem.friction.has_value());
     CHECK(solution.elements.contact == 52);
     CHECK(solution.elements.slip == 52);
-    CHECK(solution.Fx == 0);
+    CHECK(solution.forces.Fx == 0);
     CHECK(solution.traction_y.size() == problem.grid.size());
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("without a shift every contact element adheres", "[contact]") {
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
     CHECK(solution.elements.adhesion == 52);
-    CHECK(solution.Fx == 0);
+    CHECK(solution.forces.Fx == 0);
 }
 
 TEST_CASE("bodies that do not touch carry nothing", "[contact]") {
@@ -81,8 +81,8 @@ TEST_CASE("bodies that do not touch carry nothing", "[contact]") {
     problem.approach = -0.001;
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
-    CHECK(solution.Fn == 0);
-    CHECK(solution.Fx == 0);
+    CHECK(solution.forces.Fn == 0);
+    CHECK(solution.forces.Fx == 0);
     CHECK(solution.elements.contact == 0);
 }
 
@@ -97,8 +97,8 @@ TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
     problem.friction = FrictionLaw{{0.4}};
     problem.motion = Shift{{0, 0.00817}};
     const auto along_y = solve_half_spaces(problem);
-    CHECK_THAT(along_y.Fn, WithinRel(along_x.Fn, 1e-6));
-    CHECK_THAT(along_y.Fy, WithinRel(along_x.Fx, 1e-6));
+    CHECK_THAT(along_y.forces.Fn, WithinRel(along_x.forces.Fn, 1e-6));
+    CHECK_THAT(along_y.forces.Fy, WithinRel(along_x.forces.Fx, 1e-6));
     CHECK(along_y.elements.adhesion == along_x.elements.adhesion);
     CHECK(along_y.elements.slip == along_x.elements.slip);
 }
@@ -110,20 +110,20 @@ TEST_CASE("a solution is a good estimate for the same problem", "[contact]") {
     problem.initial.traction_x = first.traction_x;
     problem.initial.traction_y = first.traction_y;
     const auto again = solve_half_spaces(problem);
-    CHECK(again.normal.iterations == 0);
-    CHECK(again.tangential->iterations < first.tangential->iterations / 2);
-    CHECK_THAT(again.Fx, WithinRel(first.Fx, 1e-6));
+    CHECK(again.evidence.normal.iterations == 0);
+    CHECK(again.evidence.tangential->iterations < first.evidence.tangential->iterations / 2);
+    CHECK_THAT(again.forces.Fx, WithinRel(first.forces.Fx, 1e-6));
 }
 
 TEST_CASE("only bodies that couple, or a slip law, need an outer loop", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
-    CHECK_FALSE(solve_half_spaces(problem).outer);
+    CHECK_FALSE(solve_half_spaces(problem).evidence.outer);
     problem.bodies = {{200, 0.3}, {400, 0.1}};  // (1-2nu)/G equal
-    CHECK_FALSE(solve_half_spaces(problem).outer);
+    CHECK_FALSE(solve_half_spaces(problem).evidence.outer);
     problem.bodies = {{200, 0.3}, {400, 0.3}};
-    CHECK(solve_half_spaces(problem).outer->converged);
+    CHECK(solve_half_spaces(problem).evidence.outer->converged);
     problem.friction.reset();
-    CHECK_FALSE(solve_half_spaces(problem).outer);
+    CHECK_FALSE(solve_half_spaces(problem).evidence.outer);
 }
 
 TEST_CASE("invalid problems and operators of another size are refused", "[contact]") {
@@ -156,12 +156,12 @@ TEST_CASE("the force and the approach prescribe the same contact", "[contact]") 
     ContactProblem problem = cattaneo_problem(24);
     const auto pressed = solve_half_spaces(problem);
     problem.approach.reset();
-    problem.Fn = pressed.Fn;
+    problem.Fn = pressed.forces.Fn;
     const auto loaded = solve_half_spaces(problem);
     REQUIRE(loaded.converged());
     CHECK_THAT(loaded.approach, WithinRel(0.02, 1e-7));
-    CHECK_THAT(loaded.Fn, WithinRel(pressed.Fn, 1e-12));
-    CHECK_THAT(loaded.Fx, WithinRel(pressed.Fx, 1e-5));
+    CHECK_THAT(loaded.forces.Fn, WithinRel(pressed.forces.Fn, 1e-12));
+    CHECK_THAT(loaded.forces.Fx, WithinRel(pressed.forces.Fx, 1e-5));
 }
 
 TEST_CASE("bodies that do not touch carry nothing, and that is an answer", "[contact]") {
@@ -184,8 +184,8 @@ TEST_CASE("bodies that do not touch carry nothing, and that is an answer", "[con
     const auto solution = solve_half_spaces(problem);
     CHECK(solution.converged());
     CHECK(solution.elements.contact == 0);
-    CHECK(solution.Fn == 0);
-    CHECK(solution.Fx == 0);
+    CHECK(solution.forces.Fn == 0);
+    CHECK(solution.forces.Fx == 0);
     CHECK(solution.pmax == 0);
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("tractions of a step before stay where nothing moves", "[contact]") {
     problem.motion = Shift{};
     const auto second = solve_half_spaces(problem);
     REQUIRE(second.converged());
-    CHECK_THAT(second.Fx, WithinRel(first.Fx, 1e-5));
+    CHECK_THAT(second.forces.Fx, WithinRel(first.forces.Fx, 1e-5));
     CHECK_THAT(*second.frictional_work, WithinAbs(0, 1e-6 * *first.frictional_work));
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("two small shifts end where one large one does", "[contact]") {
     problem.previous = {half.pressure, half.traction_x, half.traction_y};
     const auto both = solve_half_spaces(problem);
     REQUIRE(both.converged());
-    CHECK_THAT(both.Fx, WithinRel(whole.Fx, 2e-3));
+    CHECK_THAT(both.forces.Fx, WithinRel(whole.forces.Fx, 2e-3));
 }
 
 TEST_CASE("rolling is steady, or becomes so", "[contact]") {
@@ -219,8 +219,8 @@ TEST_CASE("rolling is steady, or becomes so", "[contact]") {
     const auto transient = solve_half_spaces(problem);
     REQUIRE(steady.converged());
     REQUIRE(transient.converged());
-    CHECK_THAT(transient.Fx, WithinRel(steady.Fx, 1e-3));
-    CHECK_THAT(transient.Fy, WithinRel(steady.Fy, 1e-3));
+    CHECK_THAT(transient.forces.Fx, WithinRel(steady.forces.Fx, 1e-3));
+    CHECK_THAT(transient.forces.Fy, WithinRel(steady.forces.Fy, 1e-3));
     CHECK_THAT(*transient.frictional_power, WithinRel(*steady.frictional_power, 1e-3));
 }
 
@@ -234,20 +234,20 @@ TEST_CASE("steps in one request are those of several", "[contact]") {
         last = solve_half_spaces(problem);
         problem.previous = {last.pressure, last.traction_x, last.traction_y};
     }
-    CHECK_THAT(together.Fx, WithinRel(last.Fx, 1e-5));
+    CHECK_THAT(together.forces.Fx, WithinRel(last.forces.Fx, 1e-5));
 }
 
 TEST_CASE("creepages are found from forces", "[contact]") {
     ContactProblem problem = cattaneo_problem(16);
     problem.motion = Rolling{.xi = 4e-3, .eta = -2e-3, .phi = 1e-3};
     const auto given = solve_half_spaces(problem);
-    problem.motion = Rolling{.phi = 1e-3, .force = {given.Fx, given.Fy}};
+    problem.motion = Rolling{.phi = 1e-3, .force = {given.forces.Fx, given.forces.Fy}};
     const auto found = solve_half_spaces(problem);
     REQUIRE(found.converged());
     const auto& rolling = std::get<Rolling>(*found.motion);
     CHECK_THAT(rolling.xi, WithinRel(4e-3, 1e-4));
     CHECK_THAT(rolling.eta, WithinRel(-2e-3, 1e-4));
-    CHECK_THAT(found.Fx, WithinRel(given.Fx, 1e-5));
+    CHECK_THAT(found.forces.Fx, WithinRel(given.forces.Fx, 1e-5));
 }
 
 TEST_CASE("friction that falls with slip carries less than its static coefficient", "[contact]") {
@@ -257,7 +257,7 @@ TEST_CASE("friction that falls with slip carries less than its static coefficien
     problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0.2, 2.0};
     const auto falling = solve_half_spaces(problem);
     REQUIRE(falling.converged());
-    CHECK(std::abs(falling.Fx) < std::abs(coulomb.Fx));
+    CHECK(std::abs(falling.forces.Fx) < std::abs(coulomb.forces.Fx));
     for (std::size_t i = 0; i < falling.pressure.size(); ++i) {
         const double v = 1000 * std::hypot(falling.slip_x[i], falling.slip_y[i]);
         const double traction = std::hypot(falling.traction_x[i], falling.traction_y[i]);
@@ -329,15 +329,15 @@ TEST_CASE("quick models answer the same request, near to the full one", "[contac
     problem.model = Model::hertz;
     Observer observer;
     const auto hertz = solve_contact(problem, {}, observer);
-    CHECK_THAT(hertz.Fn, WithinRel(full.Fn, 1e-3));
-    CHECK_THAT(hertz.Fx, WithinRel(full.Fx, 0.02));
+    CHECK_THAT(hertz.forces.Fn, WithinRel(full.forces.Fn, 1e-3));
+    CHECK_THAT(hertz.forces.Fx, WithinRel(full.forces.Fx, 0.02));
     problem.motion = Rolling{.xi = 4e-3, .eta = 2e-3};
     problem.model = Model::full;
     const auto rolling = solve_half_spaces(problem);
     problem.model = Model::fastsim;
     const auto fastsim = solve_contact(problem, {}, observer);
-    CHECK_THAT(fastsim.Fx, WithinAbs(rolling.Fx, 0.1 * 0.4 * rolling.Fn));
-    CHECK_THAT(fastsim.Fy, WithinAbs(rolling.Fy, 0.1 * 0.4 * rolling.Fn));
+    CHECK_THAT(fastsim.forces.Fx, WithinAbs(rolling.forces.Fx, 0.1 * 0.4 * rolling.forces.Fn));
+    CHECK_THAT(fastsim.forces.Fy, WithinAbs(rolling.forces.Fy, 0.1 * 0.4 * rolling.forces.Fn));
 }
 
 TEST_CASE("what a quick model does not know is refused by name", "[contact]") {
@@ -375,9 +375,9 @@ TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]")
 
     const reference::Hertz hertz = reference::hertz(problem.bodies.materials(), 50, *problem.approach);
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fn, WithinRel(hertz.Fn, 2e-3));
+    CHECK_THAT(solution.forces.Fn, WithinRel(hertz.Fn, 2e-3));
     CHECK_THAT(solution.pmax, WithinRel(hertz.pmax, 5e-3));
-    CHECK_THAT(solution.Fx, WithinRel(-3.2216, 3e-3));  // the limit h -> 0 with constant elements
+    CHECK_THAT(solution.forces.Fx, WithinRel(-3.2216, 3e-3));  // the limit h -> 0 with constant elements
 }
 
 TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") {
@@ -404,15 +404,15 @@ TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") 
         const auto moved = solved_with(Rolling{.xi = 3e-3, .phi = 2e-3, .dq = 0.1}, {});
         const auto slipped = solved_with(Rolling{.xi = 3e-3, .dq = 0.1}, spin);
         REQUIRE(slipped.converged());
-        CHECK_THAT(slipped.Fx, WithinRel(moved.Fx, 1e-6));
-        CHECK_THAT(slipped.Fy, WithinRel(moved.Fy, 1e-6));
+        CHECK_THAT(slipped.forces.Fx, WithinRel(moved.forces.Fx, 1e-6));
+        CHECK_THAT(slipped.forces.Fy, WithinRel(moved.forces.Fy, 1e-6));
         CHECK_THAT(*slipped.frictional_power, WithinRel(*moved.frictional_power, 1e-6));
     }
     SECTION("the motion that a force takes is found beside it") {
         const auto moved = solved_with(Shift{.force = {.Fx = -3}}, {});
         const auto slipped = solved_with(Shift{.force = {.Fx = -3}}, {Values(grid.size(), 0.002), Values(grid.size())});
         const double found = std::get<Shift>(*moved.motion).rigid_shift.x;
-        CHECK_THAT(slipped.Fx, WithinRel(-3.0, 1e-5));
+        CHECK_THAT(slipped.forces.Fx, WithinRel(-3.0, 1e-5));
         CHECK_THAT(std::get<Shift>(*slipped.motion).rigid_shift.x, WithinRel(found - 0.002, 1e-3));
     }
     SECTION("of a field that no motion makes, the friction law holds") {

@@ -73,5 +73,5 @@ TEST_CASE("in full slip friction loses the creepage times its whole force", "[ro
     rolling.velocity = 7;
     const ContactSolution solution = solve_half_spaces(rolling_sphere(rolling));
     CHECK(solution.elements.adhesion == 0);
-    CHECK_THAT(*solution.frictional_power, WithinRel(7 * 0.3 * solution.Fn, 1e-2));
+    CHECK_THAT(*solution.frictional_power, WithinRel(7 * 0.3 * solution.forces.Fn, 1e-2));
 }

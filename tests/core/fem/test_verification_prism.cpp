@@ -112,6 +112,6 @@ TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper'
     for (double& value : body.values) value *= spec.dx / spec.material.G;
     const ContactSolution solution = solve_contact(problem, make_influence(problem, pair_of(body, body)), observer);
     REQUIRE(solution.converged());
-    CHECK_THAT(solution.Fn, WithinRel(9.195402, 0.01));
-    CHECK_THAT(solution.Fx, WithinRel(-3.2216, 0.003));
+    CHECK_THAT(solution.forces.Fn, WithinRel(9.195402, 0.01));
+    CHECK_THAT(solution.forces.Fx, WithinRel(-3.2216, 0.003));
 }

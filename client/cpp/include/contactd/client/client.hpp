@@ -3,7 +3,7 @@
 //     contactd::client::Client client("ipc:///run/contactd.sock");
 //     contactd::ContactProblem problem = ...;
 //     const auto reply = client.solve(problem);
-//     std::cout << reply.solution.Fn << " N\n";
+//     std::cout << reply.solution.forces.Fn << " N\n";
 //
 // Units are the caller's, consistently (the documentation uses N and mm).
 #pragma once

@@ -6,7 +6,7 @@
 //     contactd::client::Session session(client, spec);
 //     contactd::StepInput input;
 //     input.approach = 0.02;
-//     std::cout << session.step(input).solution.Fn << " N\n";
+//     std::cout << session.step(input).solution.forces.Fn << " N\n";
 #pragma once
 
 #include <cstddef>
