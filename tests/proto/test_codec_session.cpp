@@ -218,8 +218,9 @@ TEST_CASE("Where a session is arrives as it was told") {
     told.grid = Grid{2, 1, 0.5, 1, -1, 4};
     told.ics.lower = IcUse{"memory", std::string(64, 'a'), {}};
     told.ics.lower->evidence.source = "analytic";
-    for (const std::optional<bool> rolls : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
-        told.rolls = rolls;
+    for (const auto& motion :
+         {std::optional<MotionKind>(), std::optional(MotionKind::shift), std::optional(MotionKind::rolling)}) {
+        told.motion = motion;
         const json result = encode_session_info(told);
         CAPTURE(result.dump());
         REQUIRE(violations_of("session.info.result", result).empty());
@@ -233,6 +234,6 @@ TEST_CASE("Where a session is arrives as it was told") {
         REQUIRE(info.ics.lower);
         CHECK(info.ics.lower->key == told.ics.lower->key);
         CHECK_FALSE(info.ics.upper);
-        CHECK(info.rolls == rolls);
+        CHECK(info.motion == motion);
     }
 }

@@ -76,6 +76,7 @@ struct Rolling {
 void validate(const KineticFriction& kinetic, std::span<const double> mu_static);
 
 using Motion = std::variant<Shift, Rolling>;
+enum class MotionKind { shift, rolling };
 
 /// Rigid slip of each element, shape [ny, nx]: (mm) over a step, or over the distance rolled.
 struct RigidSlip {

@@ -36,7 +36,7 @@ struct SessionInfo {
     std::size_t states = 0;  ///< saved ones
     std::size_t bytes = 0;   ///< with those
     Grid grid;
-    std::optional<bool> rolls{};  ///< or shifts; none without friction
+    std::optional<MotionKind> motion{};  ///< none without friction
     IcUses ics{};
 };
 

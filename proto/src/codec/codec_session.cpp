@@ -20,6 +20,8 @@ constexpr Words<SolutionField, 6> field_names{{{"element_division", SolutionFiel
                                                {"slip_x", SolutionField::slip_x},
                                                {"slip_y", SolutionField::slip_y}}};
 
+constexpr Words<MotionKind, 2> motions{{{"shift", MotionKind::shift}, {"rolling", MotionKind::rolling}}};
+
 /// An array of doubles of a solution; Solution may be const.
 template <class Solution>
 auto* array_of(SolutionField field, Solution& solution) {
@@ -98,7 +100,7 @@ SessionReply decode_session_reply(const json& result) {
 json encode_session_info(const SessionInfo& info) {
     json result{{"step", info.step},   {"lease_seconds", info.lease_seconds}, {"states", info.states},
                 {"bytes", info.bytes}, {"grid", encode_grid(info.grid)},      {"ics", encode_uses(info.ics)}};
-    if (info.rolls) result["motion"] = *info.rolls ? "rolling" : "shift";
+    if (info.motion) result["motion"] = word_for(motions, *info.motion);
     return result;
 }
 
@@ -110,7 +112,7 @@ SessionInfo decode_session_info(const json& result) {
     info.bytes = result["bytes"].get<std::size_t>();
     info.grid = decode_grid(result["grid"]);
     info.ics = decode_uses(result["ics"]);
-    if (result.contains("motion")) info.rolls = result["motion"] == "rolling";
+    if (result.contains("motion")) info.motion = meaning_of(result["motion"], motions);
     return info;
 }
 

@@ -78,7 +78,8 @@ void tell_session(const CallPtr& call, const SolveTools& tools, SessionTable& se
         info.states = session.states();
         info.bytes = session.bytes();
         info.grid = problem.grid;
-        if (problem.friction) info.rolls = std::holds_alternative<Rolling>(problem.motion);
+        if (problem.friction)
+            info.motion = std::holds_alternative<Rolling>(problem.motion) ? MotionKind::rolling : MotionKind::shift;
         info.ics = uses_of(problem, session.ics());
         return proto::encode_session_info(info);
     });
