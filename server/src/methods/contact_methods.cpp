@@ -1,13 +1,16 @@
 // contact.*: problems solved, and stresses under what was solved.
+#include <memory>
+#include <utility>
+#include <variant>
+
 #include "all_methods.hpp"
+#include "contact_solve_many.hpp"
+#include "contactd/subsurface.hpp"
+#include "ics/problem_tables.hpp"
+#include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
-#include "solves/contact_solve.hpp"
-#include "solves/contact_subsurface.hpp"
 
 namespace contactd::server {
-
-using nlohmann::json;
-
 namespace {
 
 void solve(const CallPtr& call, const DaemonParts& parts) {
@@ -15,22 +18,54 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     check_grid_limit(request.params, parts.config.max_grid_elements);
     check_answer_fits({&request.params}, request.arrays, parts.config.limits);
     ++parts.counters.solves;
-    start_solve(call, parts.solve_tools());
+    ContactProblem problem = proto::decode_problem(request.params, request.frames);
+    proto::check_frames_used(request.params, request.frames);  // after those that are missing
+    check(problem);
+    const auto job = job_of(call, "solve", parts.jobs);
+    const auto reporter = std::make_shared<Reporter>(call, job);
+    const Grid grid = problem.grid;
+    start(parts.solve_tools(), {call, std::move(problem), job,
+                                [reporter](const Progress& progress) { reporter->report(to_job_progress(progress)); },
+                                [call, job, grid](const SolveReply& reply) {
+                                    proto::ArrayWriter arrays(call->request.arrays);
+                                    const nlohmann::json result = proto::encode_solve_reply(reply, grid, arrays);
+                                    job->end();
+                                    call->succeed(result, arrays.take_frames());
+                                },
+                                [call, job](const proto::Status& status) {
+                                    job->end();
+                                    call->fail(status);
+                                },
+                                true});
 }
 
-void solve_many(const CallPtr& call, const DaemonParts& parts) {
-    const json& problems = call->request.params.at("problems");
-    check_grid_limits(problems, parts.config.max_grid_elements);
-    std::vector<const json*> each;
-    for (const json& problem : problems) each.push_back(&problem);
-    check_answer_fits(each, call->request.arrays, parts.config.limits);
-    parts.counters.solves += static_cast<long long>(problems.size());
-    start_solve_many(call, parts.solve_tools(), parts.config.workers, parts.config.limits);
+SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
+    const SurfaceTractions tractions =
+        tractions_on(request.body, request.pressure, request.traction_x, request.traction_y);
+    SubsurfaceReply reply;
+    reply.stress = std::visit(
+        [&](const auto& points) { return subsurface_stress(request.grid, tractions, request.nu, points, observer); },
+        request.points);
+    reply.shape = request.shape();
+    const auto [x, y, z] = request.point(reply.stress.largest);
+    reply.largest = {reply.stress.von_mises[reply.stress.largest], x, y, z};
+    return reply;
 }
 
 void subsurface(const CallPtr& call, const DaemonParts& parts) {
     check_grid_limit(call->request.params, parts.config.max_grid_elements);
-    answer_subsurface(call, parts.jobs, parts.config.limits);
+    const SubsurfaceRequest request =
+        proto::decode_subsurface_request(call->request.params, call->request.frames, parts.config.limits);
+    proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
+    const auto job = job_of(call, "subsurface", parts.jobs);
+    job->set_running();
+    Reporter reporter(call, job);
+    JobObserver observer(call, job, [&](const Progress& progress) { reporter.report(to_job_progress(progress)); });
+    const SubsurfaceReply reply = computed(request, observer);
+    proto::ArrayWriter arrays(call->request.arrays);
+    const nlohmann::json result = proto::encode_subsurface_reply(reply, arrays);
+    job->end();
+    call->succeed(result, arrays.take_frames());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "contact_solve.hpp"
+#include "contact_solve_many.hpp"
 
 #include <atomic>
 #include <utility>
@@ -6,6 +6,7 @@
 #include "contactd/error.hpp"
 #include "ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
+#include "request_limits.hpp"
 
 namespace contactd::server {
 namespace {
@@ -65,40 +66,25 @@ void solve_next(const BatchPtr& batch) {
 
 }  // namespace
 
-void start_solve(const CallPtr& call, const SolveTools& tools) {
-    ContactProblem problem = proto::decode_problem(call->request.params, call->request.frames);
-    proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
-    check(problem);
-    const auto job = job_of(call, "solve", tools.jobs);
-    const auto reporter = std::make_shared<Reporter>(call, job);
-    const Grid grid = problem.grid;
-    start(tools, {call, std::move(problem), job,
-                  [reporter](const Progress& progress) { reporter->report(to_job_progress(progress)); },
-                  [call, job, grid](const SolveReply& reply) {
-                      proto::ArrayWriter arrays(call->request.arrays);
-                      const nlohmann::json result = proto::encode_solve_reply(reply, grid, arrays);
-                      job->end();
-                      call->succeed(result, arrays.take_frames());
-                  },
-                  [call, job](const proto::Status& status) {
-                      job->end();
-                      call->fail(status);
-                  },
-                  true});
-}
-
-void start_solve_many(const CallPtr& call, const SolveTools& tools, int threads, const MessageLimits& limits) {
+void solve_many(const CallPtr& call, const DaemonParts& parts) {
+    const proto::Request& request = call->request;
+    const nlohmann::json& stated = request.params.at("problems");
+    check_grid_limits(stated, parts.config.max_grid_elements);
+    std::vector<const nlohmann::json*> each;
+    for (const nlohmann::json& problem : stated) each.push_back(&problem);
+    check_answer_fits(each, request.arrays, parts.config.limits);
+    parts.counters.solves += static_cast<long long>(stated.size());
     std::vector<proto::ProblemOrStatus> problems =
-        proto::decode_problems(call->request.params, call->request.frames, limits);
-    proto::check_frames_used(call->request.params, call->request.frames);
+        proto::decode_problems(request.params, request.frames, parts.config.limits);
+    proto::check_frames_used(request.params, request.frames);
     std::vector<Grid> grids;
     for (const auto& problem : problems) {
         const auto* valid = std::get_if<ContactProblem>(&problem);
         grids.push_back(valid ? valid->grid : Grid{});
     }
-    const auto job = job_of(call, "solve", tools.jobs);
-    const auto batch = BatchPtr(new Batch{call, tools, job, std::move(problems), std::move(grids)});
-    for (int thread = 0; thread < threads; ++thread) solve_next(batch);
+    const auto job = job_of(call, "solve", parts.jobs);
+    const auto batch = BatchPtr(new Batch{call, parts.solve_tools(), job, std::move(problems), std::move(grids)});
+    for (int thread = 0; thread < parts.config.workers; ++thread) solve_next(batch);
 }
 
 }  // namespace contactd::server
