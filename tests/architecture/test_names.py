@@ -1,0 +1,136 @@
+"""Names are the same on the wire, in C++ and in Python: what a schema has in an object, a struct of the public headers and
+a class of the Python client have as their fields. docs/architecture.md says what differs on purpose."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+HEADERS = [*ROOT.glob("core/include/contactd/*.hpp"), *ROOT.glob("client/cpp/include/contactd/client/*.hpp")]
+MODULES = [*ROOT.glob("client/python/contactd/*.py")]
+
+#: Schema, place of the object in it, struct, class, or both that it may be; "" where it is spread over several, or a mapping.
+SAME = [
+    ("contact.solve.params", "gap/paraboloid", "Paraboloid", "Paraboloid"),
+    ("contact.solve.params", "gap/semi_axes", "SemiAxes", "SemiAxes"),
+    ("contact.solve.params", "friction", "", "Friction"),
+    ("contact.solve.params", "friction/kinetic", "KineticFriction", "KineticFriction"),
+    ("contact.solve.params", "friction/rigid_slip", "RigidSlip", ""),
+    ("contact.solve.params", "previous", "SurfaceState", "Estimate"),
+    ("contact.solve.params", "initial", "SurfaceState", "Estimate"),
+    ("contact.solve.params", "settings", "ContactSettings", ""),
+    ("contact.solve.params", "settings/normal", "SolverSettings", "SolverSettings"),
+    ("contact.solve.result", "", "ContactSolution", "ContactSolution"),
+    ("contact.solve.result", "forces", "Forces", "Forces"),
+    ("contact.solve.result", "area", "Areas", "Areas"),
+    ("contact.solve.result", "elements", "Counts", "Counts"),
+    ("contact.solve.result", "motion", "Shift Rolling", "Shift Rolling"),
+    ("contact.solve.result", "evidence", "", "ContactEvidence"),
+    ("contact.solve.result", "evidence/discretisation", "Discretisation", "Discretisation"),
+    ("contact.solve.result", "evidence/ics", "IcUses", ""),
+    ("session.step.result", "", "", "StepSolution"),
+    ("session.step.result", "evidence", "ContactEvidence", "ContactEvidence"),
+    ("session.info.result", "", "SessionInfo", ""),
+    ("session.list.result", "sessions", "SessionSummary", "SessionSummary"),
+    ("contact.subsurface.params", "block", "StressBlock", "StressBlock"),
+    ("contact.subsurface.result", "stress", "SubsurfaceStress", "SubsurfaceStress"),
+    ("contact.subsurface.result", "largest", "LargestStress", "LargestStress"),
+    ("definitions", "material", "Material", "Material"),
+    ("definitions", "grid", "Grid", "Grid"),
+    ("definitions", "rolling", "Rolling", "Rolling"),
+    ("definitions", "ics/line_contact", "LineContactSpec", "LineContact"),
+    ("definitions", "ic_evidence", "IcEvidence", "IcEvidence"),
+    ("definitions", "ic_evidence/mesh", "FemSpec", "FemIcs"),
+    ("definitions", "ic_evidence/seconds", "BuildSeconds", ""),
+    ("definitions", "ic_evidence/load_cases", "LoadCaseEvidence", "LoadCase"),
+    ("definitions", "ic_evidence/errors", "IcErrors", "IcErrors"),
+    ("definitions", "ic_evidence/errors/xx", "ComponentError", "ComponentError"),
+    ("definitions", "ic_use", "IcUse", "IcUse"),
+    ("definitions", "solver_evidence", "SolverEvidence", "SolverEvidence"),
+    ("definitions", "status/details", "Status", ""),
+    ("definitions", "status/details/violations", "Violation", "Violation"),
+    ("ic.list.result", "tables", "StoredIc", "StoredIc"),
+    ("ic.list.result", "quarantined", "QuarantinedIc", "QuarantinedIc"),
+    ("job.list.result", "jobs", "Job", "Job"),
+    ("progress", "progress", "Progress", "Progress"),
+    ("server.info.result", "", "ServerInfo", "ServerInfo"),
+    ("server.info.result", "limits", "ServerLimits", "Limits"),
+    ("server.info.result", "counters", "ServerCounters", ""),
+    ("server.info.result", "cache", "CacheUse", ""),
+    ("server.info.result", "queue", "QueueLengths", ""),
+    ("server.metrics.result", "metrics", "Metric", ""),
+    ("server.metrics.result", "metrics/samples", "MetricSample", ""),
+    ("server.metrics.result", "metrics/samples/buckets", "MetricBucket", ""),
+]
+
+
+def names_on_the_wire(schema: str, place: str) -> set[str]:
+    told: dict[str, Any] = json.loads((ROOT / "proto" / "schema" / f"{schema}.json").read_text())
+    if schema == "definitions":
+        told = {"properties": told["definitions"]}
+    for name in filter(None, place.split("/")):
+        told = told["properties"][name]
+        told = told.get("items", told)
+    return set(told["properties"])
+
+
+def structs() -> dict[str, tuple[list[str], str]]:
+    """Bases and body of each struct, without comments, and without what is in parentheses, brackets and inner braces."""
+    found = {}
+    for header in HEADERS:
+        text = re.sub(r"//.*", "", header.read_text())
+        for start in re.finditer(r"\bstruct (\w+)(?: : ([\w, ]+))? \{\n", text):
+            body = text[start.end() : text.index("\n}", start.end())]
+            while (outer := re.sub(r"\([^()]*\)|\{[^{}]*\}|<[^<>]*>", " ", body)) != body:
+                body = outer
+            found[start[1]] = (re.findall(r"\w+", start[2] or ""), body)
+    return found
+
+
+def classes() -> dict[str, tuple[list[str], list[str]]]:
+    """Bases, and names of fields and functions, of each class."""
+    found = {}
+    for module in MODULES:
+        for kind in ast.parse(module.read_text()).body:
+            if isinstance(kind, ast.ClassDef):
+                names = [part.target.id for part in kind.body if isinstance(part, ast.AnnAssign)]  # type: ignore[union-attr]
+                names += [part.name for part in kind.body if isinstance(part, ast.FunctionDef)]
+                bases = [name.id for base in kind.bases for name in ast.walk(base) if isinstance(name, ast.Name)]
+                found[kind.name] = (bases, names)
+    return found
+
+
+STRUCTS, CLASSES = structs(), classes()
+
+
+def fields_of_struct(name: str) -> set[str]:
+    bases, body = STRUCTS[name]
+    own = {names[-1] for part in re.split(r"[;,]", re.sub(r"=[^;,]*", "", body)) if (names := re.findall(r"\w+", part))}
+    own |= set(re.findall(r"(\w+)\s+const\b", body))  # functions
+    return own.union(*(fields_of_struct(base) for base in bases))
+
+
+def fields_of_class(name: str) -> set[str]:
+    bases, own = CLASSES[name]
+    return set(own).union(*(fields_of_class(base) for base in bases if base in CLASSES))
+
+
+@pytest.mark.parametrize(("schema", "place", "struct", "kind"), SAME)
+def test_a_field_has_one_name(schema: str, place: str, struct: str, kind: str) -> None:
+    wire = names_on_the_wire(schema, place)
+    if struct:
+        assert wire <= set().union(*map(fields_of_struct, struct.split()))
+    if kind:
+        assert wire <= set().union(*map(fields_of_class, kind.split()))
+
+
+def test_the_headers_are_understood() -> None:
+    assert fields_of_struct("Areas") == {"contact", "adhesion", "slip"}
+    assert {"approach", "forces", "evidence", "slip_y", "converged"} <= fields_of_struct("ContactSolution")
+    assert "max_frames" in fields_of_struct("ServerLimits")  # of its base
