@@ -1,5 +1,6 @@
 #include "elliptic_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,17 +20,20 @@ double EllipticContact::pmax() const {
     return empty() ? 0 : 1.5 * Fn / area();
 }
 
-std::vector<double> hertz_pressure(const Grid& grid, const EllipticContact& contact) {
+std::vector<double> hertz_pressure(const Grid& grid, const SemiAxes& axes, double pmax) {
     std::vector<double> pressure(grid.size());
-    if (contact.empty()) return pressure;
-    const double p0 = contact.pmax();
     std::size_t i = 0;
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix, ++i) {
-            const double x = grid.x(ix) / contact.axes.a, y = grid.y(iy) / contact.axes.b;
-            pressure[i] = p0 * std::sqrt(std::max(0.0, 1 - x * x - y * y));
+            const double x = grid.x(ix) / axes.a, y = grid.y(iy) / axes.b;
+            pressure[i] = pmax * std::sqrt(std::max(0.0, 1 - x * x - y * y));
         }
     return pressure;
+}
+
+std::vector<double> hertz_pressure(const Grid& grid, const EllipticContact& contact) {
+    if (contact.empty()) return std::vector<double>(grid.size());
+    return hertz_pressure(grid, contact.axes, contact.pmax());
 }
 
 }  // namespace contactd

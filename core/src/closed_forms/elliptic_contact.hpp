@@ -26,7 +26,9 @@ struct EllipticContact {
     double pmax() const;  ///< p0 = 3 Fn/(2 area) (N/mm^2)
 };
 
-/// Hertz's pressure at the element centres, shape [ny, nx] (N/mm^2); zero outside the ellipse.
+/// Hertz's pressure at the element centres, shape [ny, nx] (N/mm^2); zero outside the ellipse. A semi-axis may be
+/// infinite: the strip of a line contact.
+std::vector<double> hertz_pressure(const Grid& grid, const SemiAxes& axes, double pmax);
 std::vector<double> hertz_pressure(const Grid& grid, const EllipticContact& contact);
 
 /// Tangential contact by a quick model. Forces, areas and power belong to the whole ellipse and come from integrals

@@ -8,6 +8,7 @@
 #include "contact/normal/normal.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
+#include "hertz_start.hpp"
 #include "tangential_step.hpp"
 
 namespace contactd {
@@ -50,7 +51,8 @@ class BoundaryElements {
           influence_(*influence.here),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
-          now_(make_tractions(n_, problem.initial.pressure, problem.initial.traction_x, problem.initial.traction_y)) {
+          now_(make_tractions(n_, problem.initial.pressure, problem.initial.traction_x, problem.initial.traction_y)),
+          hertz_(hertz_start(problem)) {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
@@ -124,18 +126,16 @@ class BoundaryElements {
     }
 
     NormalSolution solve_under_load(Values& gap, Observer& observer) {
-        const bool any = std::any_of(now_.pressure.begin(), now_.pressure.end(), [](double p) { return p != 0; });
-        const std::span<const double> estimate =
-            any ? std::span<const double>(now_.pressure) : std::span<const double>();
+        const Values closed_form = std::exchange(hertz_, {});  // later pressures are nearer
         if (problem_.Fn) {
             NormalSolution normal = solve_normal_force(influence_, gap, *problem_.Fn / problem_.grid.element_area(),
-                                                       problem_.settings.normal, estimate, observer);
+                                                       problem_.settings.normal, now_.pressure, observer, closed_form);
             solution_.approach = normal.approach;
             return normal;
         }
         solution_.approach = *problem_.approach;
         for (double& h : gap) h -= *problem_.approach;
-        return solve_normal(influence_, gap, problem_.settings.normal, estimate, observer);
+        return solve_normal(influence_, gap, problem_.settings.normal, now_.pressure, observer, closed_form);
     }
 
     void solve_tangential_contact(Observer& observer) {
@@ -205,6 +205,7 @@ class BoundaryElements {
     const Values distance_;
     std::optional<TangentialStep> step_;
     Tractions now_;
+    Values hertz_;      // where normal contact may start, until it has
     Values static_mu_;  // per element
     std::optional<SlipLawIteration> slip_law_;
     RollingSolution tangential_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "contact/support/solver_support.hpp"
 #include "norm.hpp"
@@ -13,7 +16,9 @@ namespace {
 using Values = std::vector<double>;
 
 constexpr double coarse_tolerance = 1e-4;
-constexpr double poor_estimate = 0.3;  // relative error from which a coarser grid gives a better start
+constexpr double poor_estimate = 0.3;             // relative error from which a coarser grid gives a better start
+constexpr double poor_beside_closed_form = 2e-2;  // the same of a closed form
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-14;
 
 struct Task {
@@ -26,9 +31,13 @@ bool any_pressure(std::span<const double> p) {
     return std::any_of(p.begin(), p.end(), [](double value) { return value > 0; });
 }
 
-enum class Estimate { none, from_coarser, given };
+struct Start {
+    Values pressure;                  // may be empty
+    bool set_is_good = false;         // as of Norm::start
+    double largest_error = infinity;  // beyond it something else is the better start
+};
 
-NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Observer& observer);
+std::optional<NormalSolution> solve_from(const Task& task, Start start, Observer& observer);
 NormalSolution solve_from_coarser(const Task& task, Observer& observer);
 
 // Coarse pressures on the finer grid: the square of the pressure is smooth up to the edge of the contact, so that is
@@ -60,8 +69,8 @@ Values estimate_on_coarser_grid(const Task& task, const Observer& observer) {
 }
 
 NormalSolution solve_from_coarser(const Task& task, Observer& observer) {
-    if (task.influence.coarser() == nullptr) return solve_from(task, {}, Estimate::none, observer);
-    return solve_from(task, estimate_on_coarser_grid(task, observer), Estimate::from_coarser, observer);
+    if (task.influence.coarser() == nullptr) return *solve_from(task, {}, observer);
+    return *solve_from(task, {estimate_on_coarser_grid(task, observer), true}, observer);
 }
 
 // Elements outside the box that overlap under the pressures within it.
@@ -77,15 +86,17 @@ ElementBox overlaps_outside(const Task& task, const Restriction& restriction, co
 }
 
 // Solves on a box around the estimate, or where the undeformed bodies overlap without one, and makes it larger as long
-// as the contact conditions are violated outside.
-NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Observer& observer) {
+// as the contact conditions are violated outside. Nothing where the start is too far off.
+std::optional<NormalSolution> solve_from(const Task& task, Start start, Observer& observer) {
     const ElementBox extent = extent_of(task.influence);
     NormalSolution solution;
-    const bool anywhere = task.problem.pressure_sum && !any_pressure(estimate);
-    if (!any_pressure(estimate)) estimate.assign(task.influence.size(), 0.0);
-    ElementBox needed = anywhere ? extent : bounding_box(extent, [&](std::size_t i) { return estimate[i] > 0; });
+    solution.pressure = std::move(start.pressure);
+    const bool from_nothing = !any_pressure(solution.pressure);
+    if (from_nothing) solution.pressure.assign(task.influence.size(), 0.0);
+    ElementBox needed = from_nothing && task.problem.pressure_sum
+                            ? extent
+                            : bounding_box(extent, [&](std::size_t i) { return solution.pressure[i] > 0; });
     if (needed.nx == 0) needed = bounding_box(extent, [&](std::size_t i) { return task.problem.distance[i] < 0; });
-    solution.pressure = std::move(estimate);
     SolverSettings settings = task.settings;
     for (int iterations = 0;;) {
         const Restriction restriction(task.influence, needed, true);
@@ -93,9 +104,7 @@ NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Obse
         NormProblem problem = task.problem;
         problem.distance = distance;
         Norm norm(restriction.influence(), problem, settings, observer);
-        const double error = norm.start(restriction.crop(solution.pressure), kind == Estimate::from_coarser);
-        if (kind == Estimate::given && error > poor_estimate && task.influence.coarser() != nullptr)
-            return solve_from_coarser(task, observer);
+        if (norm.start(restriction.crop(solution.pressure), start.set_is_good) > start.largest_error) return {};
         solution.evidence = norm.solve();
         iterations += solution.evidence.iterations;
         solution.evidence.iterations = iterations;
@@ -107,16 +116,32 @@ NormalSolution solve_from(const Task& task, Values estimate, Estimate kind, Obse
         if (outside.nx == 0) return solution;
         needed = united(restriction.box(), outside);
         settings.max_iterations = std::max(task.settings.max_iterations - iterations, 0);
-        kind = Estimate::none;
+        start.set_is_good = false;
+        start.largest_error = infinity;
     }
 }
 
-NormalSolution solve(const Task& task, std::span<const double> initial, Observer& observer) {
+NormalSolution solve_from_best(const Task& task, std::span<const double> initial, std::span<const double> closed_form,
+                               Observer& observer) {
+    const double poor = task.influence.coarser() != nullptr ? poor_estimate : infinity;
+    const bool has_closed_form = any_pressure(closed_form);
+    if (any_pressure(initial)) {
+        const double largest_error = has_closed_form ? poor_beside_closed_form : poor;
+        if (auto solution = solve_from(task, {{initial.begin(), initial.end()}, false, largest_error}, observer))
+            return *std::move(solution);
+    }
+    if (has_closed_form)
+        if (auto solution = solve_from(task, {{closed_form.begin(), closed_form.end()}, false, poor}, observer))
+            return *std::move(solution);
+    return solve_from_coarser(task, observer);
+}
+
+NormalSolution solve(const Task& task, std::span<const double> initial, std::span<const double> closed_form,
+                     Observer& observer) {
     if (!initial.empty()) require_size(initial, task.influence.size(), "initial.pressure");
+    if (!closed_form.empty()) require_size(closed_form, task.influence.size(), "closed_form");
     const Stopwatch stopwatch;
-    NormalSolution solution = any_pressure(initial)
-                                  ? solve_from(task, Values(initial.begin(), initial.end()), Estimate::given, observer)
-                                  : solve_from_coarser(task, observer);
+    NormalSolution solution = solve_from_best(task, initial, closed_form, observer);
     solution.evidence.seconds = stopwatch.seconds();
     return solution;
 }
@@ -124,14 +149,15 @@ NormalSolution solve(const Task& task, std::span<const double> initial, Observer
 }  // namespace
 
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
-                            const SolverSettings& settings, std::span<const double> initial, Observer& observer) {
+                            const SolverSettings& settings, std::span<const double> initial, Observer& observer,
+                            std::span<const double> closed_form) {
     require_size(gap, influence.size(), "gap");
-    return solve({influence, {gap, {}}, settings}, initial, observer);
+    return solve({influence, {gap, {}}, settings}, initial, closed_form, observer);
 }
 
 NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
-                                  Observer& observer) {
+                                  Observer& observer, std::span<const double> closed_form) {
     require_size(undeformed_distance, influence.size(), "undeformed_distance");
     if (!(pressure_sum >= 0) || !std::isfinite(pressure_sum))
         throw InvalidArgument("Fn", "must be finite and not negative: bodies in contact do not pull at each other");
@@ -141,7 +167,7 @@ NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<
     for (double& h : distance) h -= least;
     NormalSolution solution;
     if (pressure_sum > 0) {
-        solution = solve({influence, {distance, pressure_sum}, settings}, initial, observer);
+        solution = solve({influence, {distance, pressure_sum}, settings}, initial, closed_form, observer);
     } else {
         solution.pressure.resize(distance.size());
         solution.evidence.converged = true;

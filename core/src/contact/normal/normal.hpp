@@ -17,11 +17,13 @@ struct NormalSolution {
 };
 
 /// Finds p >= 0 with A_zz p + h = 0 where p > 0 and A_zz p + h >= 0 elsewhere. `gap` is h with the approach subtracted
-/// (mm, negative where the undeformed bodies overlap), one entry per element; `initial` is empty or an estimate of p.
+/// (mm, negative where the undeformed bodies overlap), one entry per element; `initial` is empty or an estimate of p,
+/// and so is `closed_form`, which takes its place where that is near and `initial` is not.
 /// No overlap gives p = 0, converged. A solution that missed the tolerance says so in its evidence.
 /// Throws Cancelled through the observer and InvalidArgument for arrays of the wrong size.
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
-                            const SolverSettings& settings, std::span<const double> initial, Observer& observer);
+                            const SolverSettings& settings, std::span<const double> initial, Observer& observer,
+                            std::span<const double> closed_form = {});
 
 /// The same with the force prescribed: finds p and the approach delta with sum(p) = `pressure_sum`, which is
 /// Fn / element area, for the gap h = `undeformed_distance` - delta (mm). There is always a solution: at most, all
@@ -29,7 +31,7 @@ NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const 
 /// Throws also InvalidArgument ("Fn") for a negative force or one that is not finite.
 NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
-                                  Observer& observer);
+                                  Observer& observer, std::span<const double> closed_form = {});
 
 /// Elements with pressure in the first or last column or row: where there are any, the contact may reach beyond the
 /// potential contact area, and the solution is that of bodies cut off there.
