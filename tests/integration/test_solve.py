@@ -62,9 +62,12 @@ def test_tractions_keep_to_coulombs_bound(solution):
     np.testing.assert_allclose(size[slip], bound[slip], rtol=1e-9)
 
 
-def test_a_gap_given_as_array_is_the_paraboloid(shared, solution):
+def test_a_gap_given_as_array_is_the_paraboloid(shared):
     x, y = np.meshgrid(CATTANEO.grid.x, CATTANEO.grid.y)
-    other = shared.solve(CATTANEO.replace(gap=x**2 / 100 + y**2 / 100))
+    # Exact ones, since solvers start from Hertz's pressures under a paraboloid.
+    exact = CATTANEO.replace(normal=SolverSettings(tolerance=1e-12), tangential=SolverSettings(tolerance=1e-11))
+    solution = shared.solve(exact)
+    other = shared.solve(exact.replace(gap=x**2 / 100 + y**2 / 100))
     np.testing.assert_allclose(other.pressure, solution.pressure, rtol=1e-9, atol=1e-12)
     assert other.Fx == pytest.approx(solution.Fx, rel=1e-9)
 
