@@ -44,6 +44,19 @@ double relative_change(const Tractions& now, const Tractions& before) {
     return size > 0 ? std::sqrt(change / size) : 0;
 }
 
+/// What the problem gives as an estimate, and what it does not, as it was at the end of the step before. A steady state
+/// has no step before: its tractions may be anything.
+Tractions first_estimate(const ContactProblem& problem) {
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    const SurfaceState& before = problem.previous;
+    const bool has_tractions = !problem.initial.traction_x.empty() || !problem.initial.traction_y.empty();
+    const bool takes_last = !has_tractions && !(rolling && rolling->steady());
+    return make_tractions(problem.grid.size(),
+                          problem.initial.pressure.empty() ? before.pressure : problem.initial.pressure,
+                          takes_last ? before.traction_x : problem.initial.traction_x,
+                          takes_last ? before.traction_y : problem.initial.traction_y);
+}
+
 class BoundaryElements {
    public:
     BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
@@ -51,7 +64,7 @@ class BoundaryElements {
           influence_(*influence.here),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
-          now_(make_tractions(n_, problem.initial.pressure, problem.initial.traction_x, problem.initial.traction_y)),
+          now_(first_estimate(problem)),
           hertz_(hertz_start(problem)) {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
@@ -64,17 +77,28 @@ class BoundaryElements {
         const int steps = number_of_steps();
         Tractions before =
             make_tractions(n_, problem_.previous.pressure, problem_.previous.traction_x, problem_.previous.traction_y);
+        Field last;  // tractions of the step before that
         for (int step = 0; step < steps; ++step) {
             PartObserver part(observer, static_cast<double>(step) / steps, (step + 1.0) / steps);
             if (step_) step_->begin(before);
+            if (step >= 2) go_on(before.tangential, last);
             take_step(part, step == 0);
             remember_failures();
+            last = std::move(before.tangential);
             before = now_;
         }
         return finished();
     }
 
    private:
+    // The motion is the same in all steps: they start where the last two lead to.
+    void go_on(const Field& before, const Field& last) {
+        for (std::size_t i = 0; i < n_; ++i) {
+            now_.tangential.x[i] += before.x[i] - last.x[i];
+            now_.tangential.y[i] += before.y[i] - last.y[i];
+        }
+    }
+
     int number_of_steps() const {
         if (!problem_.friction) return 1;
         const auto* rolling = std::get_if<Rolling>(&problem_.motion);

@@ -75,3 +75,38 @@ TEST_CASE("in full slip friction loses the creepage times its whole force", "[ro
     CHECK(solution.elements.adhesion == 0);
     CHECK_THAT(*solution.frictional_power, WithinRel(7 * 0.3 * solution.forces.Fn, 1e-2));
 }
+
+TEST_CASE("a step starts from the one before, which it is told anyway", "[rolling]") {
+    ContactProblem problem = rolling_sphere(transient(0.002, 0.001, 0.001, 20));
+    const ContactSolution last = solve_half_spaces(problem);
+    problem.previous = {last.pressure, last.traction_x, last.traction_y};
+    problem.motion = transient(0.0021, 0.001, 0.001, 1);
+    const ContactSolution step = solve_half_spaces(problem);
+    problem.initial.pressure = last.pressure;
+    problem.initial.traction_x = last.traction_x;
+    problem.initial.traction_y = last.traction_y;
+    const ContactSolution told = solve_half_spaces(problem);
+
+    CHECK(step.evidence.normal.iterations == 0);
+    CHECK(step.evidence.tangential->iterations == told.evidence.tangential->iterations);
+    CHECK(step.traction_x == told.traction_x);
+    CHECK(step.traction_y == told.traction_y);
+}
+
+TEST_CASE("the steps of one problem are those of many", "[rolling]") {
+    ContactProblem problem = rolling_sphere(transient(0.002, -0.001, 0.002, 6));
+    const ContactSolution march = solve_half_spaces(problem);
+    problem.motion = transient(0.002, -0.001, 0.002, 1);
+    int iterations = 0;
+    ContactSolution step;
+    for (int i = 0; i < 6; ++i) {
+        step = solve_half_spaces(problem);
+        iterations += step.evidence.tangential->iterations;
+        problem.previous = {step.pressure, step.traction_x, step.traction_y};
+    }
+    CHECK(march.evidence.tangential->iterations < iterations);  // they start where the last two lead to
+    for (std::size_t i = 0; i < step.traction_x.size(); ++i) {
+        CHECK_THAT(march.traction_x[i], WithinAbs(step.traction_x[i], 1e-6 * step.pmax));
+        CHECK_THAT(march.traction_y[i], WithinAbs(step.traction_y[i], 1e-6 * step.pmax));
+    }
+}

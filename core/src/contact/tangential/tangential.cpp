@@ -16,7 +16,7 @@ using Values = std::vector<double>;
 constexpr double coarse_tolerance = 3e-3;
 // The relative error of an estimate from which a coarser grid gives a better start: the error of that falls with the
 // number of elements along the contact.
-constexpr double poor_estimate = 0.3, poor_times_elements = 8;
+constexpr double poor_estimate = 0.3, poor_times_elements = 20;
 
 struct Problem {
     Values bound, rigid_x, rigid_y;
