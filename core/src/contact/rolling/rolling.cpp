@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/newton/friction_newton.hpp"
 #include "operators/restriction.hpp"
-#include "steady_rolling.hpp"
+#include "rolling_compliance.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -103,7 +104,8 @@ Field estimate_on_coarser_grid(const RollingBodies& bodies, std::span<const doub
     const SolverSettings rough{std::max(settings.tolerance, coarse_tolerance), settings.max_iterations};
     const Contact contact(g, wx, wy);
     SilentObserver silent(observer);
-    SteadyRolling solver(coarser, contact, rough, silent);
+    RollingCompliance compliance(coarser, contact);
+    FrictionNewton solver(compliance, contact, rough, silent);
     solver.start(estimate_on_coarser_grid(coarser, g, wx, wy, settings, observer));
     if (!solver.iterate(most_coarse_iterations)) return estimate;
     Field coarse(grid.size());
@@ -114,7 +116,7 @@ Field estimate_on_coarser_grid(const RollingBodies& bodies, std::span<const doub
     return estimate;
 }
 
-RollingSolution solution_of(const SteadyRolling& solver, const Contact& contact, std::size_t n) {
+RollingSolution solution_of(const FrictionNewton& solver, const Contact& contact, std::size_t n) {
     RollingSolution result;
     for (Values* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y}) values->resize(n);
     contact.scatter(solver.tractions().x, result.traction_x);
@@ -135,7 +137,8 @@ RollingSolution solve_steady(const RollingBodies& bodies, std::span<const double
                              std::span<const double> initial_y, Observer& observer) {
     const std::size_t n = bodies.grid.size();
     const Contact contact(bound, rigid_x, rigid_y);
-    SteadyRolling solver(bodies, contact, settings, observer);
+    RollingCompliance compliance(bodies, contact);
+    FrictionNewton solver(compliance, contact, settings, observer);
     Field estimate(n);
     std::copy(initial_x.begin(), initial_x.end(), estimate.x.begin());
     std::copy(initial_y.begin(), initial_y.end(), estimate.y.begin());

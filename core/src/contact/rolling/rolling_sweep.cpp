@@ -29,10 +29,6 @@ struct Between {
 
 }  // namespace
 
-void Linearisation::project(Field& a) const {
-    project_out(a.x.size(), normal, a);
-}
-
 RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const Contact& contact,
                            std::vector<double> stiffness)
     : m_(contact.size()), stiffness_(std::move(stiffness)), inverse_diagonal_(m_), z_(m_ + 1) {

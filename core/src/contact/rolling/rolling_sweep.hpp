@@ -4,22 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "contact/newton/linearisation.hpp"
 #include "contact/support/contact_elements.hpp"
 #include "rolling.hpp"
 
 namespace contactd {
-
-// The division of the contact area and the reduced Jacobian that goes with it: in slip only the direction of the
-// traction is free, normal to it, and turning it meets the stiffness D = |s|/g.
-struct Linearisation {
-    std::vector<char> slips;
-    Field normal;                 // n = p/g in slip, 0 in adhesion: what projects there needs no branch
-    std::vector<double> turning;  // D, 0 in adhesion
-
-    explicit Linearisation(std::size_t m) : slips(m), normal(m), turning(m) {}
-    // a -> a - (a . n) n
-    void project(Field& a) const;
-};
 
 // Solves (T + D/stiffness) z = r, T p = p(x) - p(x + step): backwards from the leading edges, element by element; p
 // between the centres by bilinear interpolation, and zero outside contact.

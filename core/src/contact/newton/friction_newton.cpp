@@ -1,4 +1,4 @@
-#include "steady_rolling.hpp"
+#include "friction_newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,10 @@ constexpr std::size_t most_steps = 50;            // in the history
 constexpr std::size_t history_values = 16 << 20;  // that its arrays may hold
 constexpr double on_bound = 1e-9;                 // relative distance from the bound that counts as being on it
 constexpr double start_self = 8;                  // times the self-influence: turns slip into traction for the division
-constexpr double sweep_self = 1.5;                // times the self-influence: of an element with its close neighbours
-constexpr double stiff_self = 2;                  // times the self-influence: turning stiffness that rules the Jacobian
 constexpr double far_off = 0.5;        // squared, relative: part of a step against the bounds at which it tells nothing
 constexpr double much_turned = 0.05;   // relative change of the tractions that makes linearised steps stale
 constexpr double negligible = 1e-12;   // traction over bound that counts as none
 constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction that is no reason to adhere
-constexpr double mostly_slip = 0.5;    // of the contact, from which one half of the preconditioner is enough
 constexpr int patience = 30;           // iterations without a better residual
 
 std::size_t capacity(std::size_t m) {
@@ -29,48 +26,31 @@ double root_mean_square(const Field& a) {
     return a.x.empty() ? 0 : std::sqrt(inner(a, a) / static_cast<double>(a.x.size()));
 }
 
-std::vector<double> times(double factor, std::vector<double> values) {
-    for (double& value : values) value *= factor;
-    return values;
-}
-
 }  // namespace
 
-SteadyRolling::SteadyRolling(const RollingBodies& bodies, const Contact& contact, const SolverSettings& settings,
-                             Observer& observer)
-    : influence_(bodies.influence),
-      change_(bodies.change),
+FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, const SolverSettings& settings,
+                               Observer& observer)
+    : compliance_(compliance),
       contact_(contact),
       g_(contact.bound),
       w_(contact.rigid),
       settings_(settings),
       observer_(observer),
       m_(contact.size()),
-      self_(tangential_diagonal(influence_, contact)),
       rms_w_(root_mean_square(w_)),
-      sweep_(bodies.grid, bodies.step_x, bodies.step_y, contact, times(sweep_self, self_)),
       history_(m_, capacity(m_)),
       law_(m_),
       before_(m_),
-      weight_(m_),
-      diagonal_(m_),
-      inverse_g_(m_),
       squared_bound_(dot(g_, g_)) {
-    for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_, &swept_}) *field = Field(m_);
-    for (std::size_t e = 0; e < m_; ++e) {
-        inverse_g_[e] = 1 / g_[e];
-        stiff_.push_back(stiff_self * self_[e] * sweep_.diagonal());
-        to_diagonal_.push_back(1 / (sweep_self * self_[e]));
-    }
-    full_in_ = Field(influence_.size());
-    full_out_ = Field(influence_.size());
+    for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_}) *field = Field(m_);
+    for (const double g : g_) inverse_g_.push_back(1 / g);
 }
 
-double SteadyRolling::size(std::size_t e) const {
+double FrictionNewton::size(std::size_t e) const {
     return std::sqrt(p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e]);
 }
 
-void SteadyRolling::start(const Field& estimate) {
+void FrictionNewton::start(const Field& estimate) {
     contact_.gather(estimate.x, p_.x);
     contact_.gather(estimate.y, p_.y);
     if (rms_w_ == 0) p_ = Field(m_);  // nothing drives them
@@ -87,11 +67,11 @@ void SteadyRolling::start(const Field& estimate) {
 }
 
 // As in TangCg: finds slip also when the bound has grown a little since the estimate.
-void SteadyRolling::find_division() {
+void FrictionNewton::find_division() {
     update_slip();
     bool moved = false;
     for (std::size_t e = 0; e < m_; ++e) {
-        const double stiffness = start_self * self_[e] * sweep_.diagonal();
+        const double stiffness = start_self * compliance_.self()[e];
         const double x = p_.x[e] - s_.x[e] / stiffness, y = p_.y[e] - s_.y[e] / stiffness;
         if (!(std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound))) continue;
         moved = moved || size(e) < g_[e] * (1 - on_bound);
@@ -100,7 +80,7 @@ void SteadyRolling::find_division() {
     if (moved) update_slip();
 }
 
-void SteadyRolling::let_slip(std::size_t e) {
+void FrictionNewton::let_slip(std::size_t e) {
     const double length = size(e);
     law_.slips[e] = length > 0;
     if (!law_.slips[e]) return;
@@ -108,19 +88,15 @@ void SteadyRolling::let_slip(std::size_t e) {
     p_.y[e] *= g_[e] / length;
 }
 
-void SteadyRolling::apply(const Field& in, Field& out) {
-    contact_.product(change_, in, full_in_, full_out_, out);
-}
-
-void SteadyRolling::update_slip() {
-    apply(p_, s_);
+void FrictionNewton::update_slip() {
+    compliance_.apply(p_, s_);
     for (std::size_t e = 0; e < m_; ++e) {
         s_.x[e] += w_.x[e];
         s_.y[e] += w_.y[e];
     }
 }
 
-bool SteadyRolling::iterate(int iterations) {
+bool FrictionNewton::iterate(int iterations) {
     double last_violation = 0, last_update = 0;
     for (int iteration = 0;; ++iteration) {
         observer_.throw_if_cancelled();
@@ -141,34 +117,31 @@ bool SteadyRolling::iterate(int iterations) {
     }
 }
 
-double SteadyRolling::relative_step() const {
+double FrictionNewton::relative_step() const {
     const double change = inner(step_, step_), zero = negligible * negligible * squared_bound_;
     return change > 0 ? std::sqrt(change / std::max({inner(p_, p_), change, zero})) : 0;
 }
 
-void SteadyRolling::report(double residual) {
+void FrictionNewton::report(double residual) {
     evidence_.residual = residual;
     evidence_.converged = !division_changed_ && residual <= settings_.tolerance;
     if (first_ == 0) first_ = residual;
     if (evidence_.iterations % 4 == 0)
         observer_.on_progress(
-            {"rolling", log_fraction(first_, residual, settings_.tolerance), evidence_.iterations, residual});
+            {compliance_.stage(), log_fraction(first_, residual, settings_.tolerance), evidence_.iterations, residual});
 }
 
-double SteadyRolling::violation() const {
+double FrictionNewton::violation() const {
     const double sum = inner(r_, r_) + pushes(m_, law_.normal, s_);
     return sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) / rms_w_ : 0;
 }
 
-void SteadyRolling::linearise() {
+void FrictionNewton::linearise() {
     linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.turning.data(), r_);
-    shifted_reciprocal(m_, law_.turning.data(), stiff_.data(), stiff_.data(), weight_.data());
-    for (std::size_t e = 0; e < m_; ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal_[e];
-    slipping_ = static_cast<std::size_t>(std::count(law_.slips.begin(), law_.slips.end(), 1));
-    sweep_.linearise(law_);
+    compliance_.linearise(law_);
 }
 
-void SteadyRolling::linearise_history() {
+void FrictionNewton::linearise_history() {
     const auto image = [this](const FieldView& step, const FieldView& response, const FieldView& result) {
         jacobian_times(m_, law_.normal, law_.turning.data(), step, response, result);
         const auto [inside, against] = step_parts(m_, law_.normal, step);
@@ -184,55 +157,21 @@ void SteadyRolling::linearise_history() {
     }
 }
 
-void SteadyRolling::find_step() {
+void FrictionNewton::find_step() {
     linearise_history();
     rest_ = r_;
     history_.minimise(rest_, step_);
     law_.project(step_);
-    precondition(rest_, z_);
+    using Residual = Compliance::Residual;
+    compliance_.precondition(rest_, z_, history_.size() == 0 ? Residual::first : Residual::later,
+                             evidence_.iterations);
     for (std::size_t e = 0; e < m_; ++e) {
         step_.x[e] += z_.x[e];
         step_.y[e] += z_.y[e];
     }
 }
 
-void SteadyRolling::precondition(const Field& r, Field& z) {
-    const bool mostly_slips = static_cast<double>(slipping_) > mostly_slip * static_cast<double>(m_);
-    const bool both = !mostly_slips || history_.size() == 0, sweep_first = evidence_.iterations % 2 == 1;
-    if (both || !sweep_first) {
-        divide_by_influence(r, z);
-        sweep_.solve(z, z);
-        if (!both) return;
-    }
-    Field& swept = both ? swept_ : z;
-    sweep_.solve(r, swept);
-    divide_by_influence(swept, swept);
-    law_.project(swept);
-    if (!both) return;
-    for (std::size_t e = 0; e < m_; ++e) {
-        z.x[e] = 0.5 * (z.x[e] + swept_.x[e]);
-        z.y[e] = 0.5 * (z.y[e] + swept_.y[e]);
-    }
-}
-
-void SteadyRolling::divide_by_influence(const Field& r, Field& q) {
-    const auto scatter = [&](const std::vector<double>& from, std::vector<double>& to) {
-        for (const Contact::Run& run : contact_.runs)
-            multiply(run.size, &weight_[run.first], &from[run.first], &to[run.grid_first]);
-    };
-    const auto gather = [&](const std::vector<double>& from, const std::vector<double>& rest, std::vector<double>& to) {
-        for (const Contact::Run& run : contact_.runs)
-            multiply_two(run.size, &weight_[run.first], &from[run.grid_first], &diagonal_[run.first], &rest[run.first],
-                         &to[run.first]);
-    };
-    scatter(r.x, full_in_.x);
-    scatter(r.y, full_in_.y);
-    influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    gather(full_out_.x, r.x, q.x);
-    gather(full_out_.y, r.y, q.y);
-}
-
-void SteadyRolling::take_step() {
+void FrictionNewton::take_step() {
     const FieldView change = history_.new_step(), response = history_.new_response();
     std::copy(p_.x.begin(), p_.x.end(), change.x);
     std::copy(p_.y.begin(), p_.y.end(), change.y);
@@ -247,7 +186,7 @@ void SteadyRolling::take_step() {
     division_changed_ = before_ != law_.slips;
 }
 
-bool SteadyRolling::made_progress() {
+bool FrictionNewton::made_progress() {
     if (evidence_.residual < best_) {
         best_ = evidence_.residual;
         without_progress_ = 0;

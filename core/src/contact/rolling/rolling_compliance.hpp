@@ -1,0 +1,44 @@
+// Steady rolling: K = C, the change of displacements over a step.
+#pragma once
+
+#include <vector>
+
+#include "contact/newton/compliance.hpp"
+#include "rolling.hpp"
+#include "rolling_sweep.hpp"
+
+namespace contactd {
+
+// C is not symmetric. Where the contact has a leading edge but no trailing one, C = A T with T p = p(x) - p(x + step),
+// and C^-1 = T^-1 A^-1; where it has a trailing edge only it is A^-1 T^-1. Adhesion has both, and the mean of the two
+// serves it twice as well as either alone, the more so for the first step, whose residual is smooth up to the edges.
+// Slip does not care: where it prevails the two take turns.
+class RollingCompliance final : public Compliance {
+   public:
+    RollingCompliance(const RollingBodies& bodies, const Contact& contact);
+
+    void apply(const Field& p, Field& u) override;
+    const std::vector<double>& self() const override { return self_; }
+    void linearise(const Linearisation& law) override;
+    void precondition(const Field& r, Field& z, Residual kind, int iteration) override;
+    std::string_view stage() const override { return "rolling"; }
+
+   private:
+    // q ~ A^-1 r where turning is easy, r over A's diagonal where it is not.
+    void divide_by_influence(const Field& r, Field& q);
+
+    const InfluenceOperator& influence_;
+    const StepOperator& change_;
+    const Contact& contact_;
+    const std::size_t m_;
+    const std::vector<double> influence_self_;  // of each element in contact, A's diagonal
+    RollingSweep sweep_;
+    const Linearisation* law_ = nullptr;
+    std::size_t slipping_ = 0;  // elements
+    Field swept_, full_in_, full_out_;
+    std::vector<double> weight_, diagonal_;  // of A^-1 in the preconditioner and of what stands in for it, per element
+    std::vector<double> stiff_, to_diagonal_;  // turning stiffness that rules the Jacobian; slip to traction of one
+    std::vector<double> self_;
+};
+
+}  // namespace contactd
