@@ -1,7 +1,6 @@
 #include "prescribed_force.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,7 +12,7 @@
 namespace contactd {
 namespace {
 
-using Pair = std::array<double, 2>;  // x, y
+using Matrix = Eigen::Matrix2d;
 
 constexpr double loosest = 1e-3;        // tolerance of the solver's first calls
 constexpr double expected_gain = 0.01;  // tolerance of a call over the last residual: that falls tenfold at least
@@ -24,42 +23,41 @@ constexpr double good_enough = 0.3;     // slope that a line search leaves, over
 constexpr int patience = 3;             // calls of Broyden's method that do not halve the residual
 constexpr double rounding = 1e-12;
 
-double dot_product(const Pair& a, const Pair& b) {
-    return a[0] * b[0] + a[1] * b[1];
-}
-double length(const Pair& a) {
-    return std::hypot(a[0], a[1]);
-}
-Pair difference(const Pair& a, const Pair& b) {
-    return {a[0] - b[0], a[1] - b[1]};
-}
-
-// A 2 x 2 matrix, times a vector from either side.
-using Matrix = std::array<Pair, 2>;
-Pair operator*(const Matrix& m, const Pair& a) {
-    return {dot_product(m[0], a), dot_product(m[1], a)};
-}
-Pair operator*(const Pair& a, const Matrix& m) {
-    return {a[0] * m[0][0] + a[1] * m[1][0], a[0] * m[0][1] + a[1] * m[1][1]};
-}
-
 struct Sample {
-    Pair w{}, slip{};  // rigid slip, and the one of the model for the force
-    Pair off{};        // force - prescribed, over the largest; zero where none is prescribed
+    Pair w = Pair::Zero(), slip = Pair::Zero();  // rigid slip, and the one of the model for the force
+    Pair off = Pair::Zero();                     // force - prescribed, over the largest; zero where none is prescribed
     double residual = std::numeric_limits<double>::infinity();
 };
+
+Pair free_components(const PrescribedForces& prescribed) {
+    return {prescribed.Fx ? 1 : 0, prescribed.Fy ? 1 : 0};
+}
+
+Pair wanted_force(const PrescribedForces& prescribed) {
+    return {prescribed.Fx.value_or(0), prescribed.Fy.value_or(0)};
+}
+
+// Force turned into the rigid slip, over its scale, that a sphere would have under it.
+Pair model_slip(const PrescribedForces& prescribed, const Pair& force) {
+    const Pair acting = force.cwiseProduct(free_components(prescribed));
+    const double size = acting.norm();
+    if (!(size > 0)) return Pair::Zero();
+    const double part = std::min(size / prescribed.largest, 1.0);
+    return (1 - std::pow(1 - part, 1 / prescribed.exponent)) / size * acting;
+}
 
 class Search {
    public:
     Search(const PrescribedForces& prescribed, const SolverSettings& settings, const SolveForForces& solve,
            Observer& observer)
-        : prescribed_(prescribed), settings_(settings), solve_(solve), observer_(observer) {
-        is_free_ = {prescribed.Fx.has_value(), prescribed.Fy.has_value()};
-        wanted_ = {prescribed.Fx.value_or(0), prescribed.Fy.value_or(0)};
-        check();
-        target_ = model_slip(wanted_);
-        scale_ = prescribed.scale > 0 ? prescribed.scale : 1;
-    }
+        : prescribed_(prescribed),
+          settings_(settings),
+          solve_(solve),
+          observer_(observer),
+          free_(free_components(prescribed)),
+          wanted_(wanted_force(prescribed)),
+          target_(model_slip(prescribed, wanted_)),
+          scale_(prescribed.scale > 0 ? prescribed.scale : 1) {}
 
     RigidSlipForForces find() {
         Sample last = call({prescribed_.wx, prescribed_.wy});
@@ -67,33 +65,10 @@ class Search {
         if (goes_on()) last = solve_by_model(last);
         if (goes_on()) last = descend(best_);
         if (!evidence_.converged && best_.residual < last.residual) last = call_once(best_.w, settings_.tolerance);
-        return {last.w[0], last.w[1], evidence_};
+        return {last.w.x(), last.w.y(), evidence_};
     }
 
    private:
-    void check() const {
-        const double force = length(wanted_);
-        if (!std::isfinite(force)) throw InvalidArgument(prescribed_.field, "is not a finite number");
-        const double most = largest_force_with_a_slip(prescribed_.largest, settings_);
-        if (force > 0 && force >= most)
-            throw InvalidArgument(prescribed_.field,
-                                  "is " + number_text(force) + " N; friction carries less than " +
-                                      number_text(prescribed_.largest) + " N, the sum of its bounds, and from " +
-                                      number_text(most) +
-                                      " N on all slips, so that no force tells one slip from a longer one");
-    }
-
-    // Force turned into the rigid slip, over its scale, that a sphere would have under it.
-    Pair model_slip(Pair force) const {
-        for (std::size_t i : {0u, 1u})
-            if (!is_free_[i]) force[i] = 0;
-        const double size = length(force);
-        if (!(size > 0)) return {};
-        const double part = std::min(size / prescribed_.largest, 1.0);
-        const double slip = 1 - std::pow(1 - part, 1 / prescribed_.exponent);
-        return {slip * force[0] / size, slip * force[1] / size};
-    }
-
     bool goes_on() const { return !evidence_.converged && calls_ < settings_.max_iterations; }
 
     // Again with the final tolerance where a looser one met the force already.
@@ -111,15 +86,14 @@ class Search {
 
     Sample call_once(const Pair& w, double tolerance) {
         observer_.throw_if_cancelled();
-        const ForcesAtSlip forces = solve_(w[0], w[1], tolerance);
+        const ForcesAtSlip found = solve_(w.x(), w.y(), tolerance);
+        const Pair force(found.Fx, found.Fy), off = (force - wanted_).cwiseProduct(free_);
         ++calls_;
-        Sample sample{w, model_slip({forces.Fx, forces.Fy}), {}, 0};
-        const Pair off = difference({forces.Fx, forces.Fy}, wanted_);
-        for (std::size_t i : {0u, 1u})
-            if (is_free_[i] && off[i] != 0) sample.off[i] = off[i] / prescribed_.largest;
-        sample.residual = length(sample.off);
+        Sample sample{w, model_slip(prescribed_, force)};
+        if (off != Pair::Zero()) sample.off = off / prescribed_.largest;
+        sample.residual = sample.off.norm();
         const bool is_met = sample.residual <= settings_.tolerance;
-        evidence_ = {calls_, sample.residual, is_met && tolerance <= settings_.tolerance && forces.converged, 0};
+        evidence_ = {calls_, sample.residual, is_met && tolerance <= settings_.tolerance && found.converged, 0};
         if (calls_ == 1) first_residual_ = sample.residual;
         observer_.on_progress(
             {"force", log_fraction(first_residual_, sample.residual, settings_.tolerance), calls_, sample.residual});
@@ -129,31 +103,22 @@ class Search {
     // An estimate far in full slip is no better than none.
     Sample leave_full_slip(const Sample& first) {
         const double full = 1 - std::pow(1 - full_slip, 1 / prescribed_.exponent);
-        if (length(first.slip) < full || length(target_) >= full) return first;
-        Pair w = first.w;
-        for (std::size_t i : {0u, 1u})
-            if (is_free_[i]) w[i] = -scale_ * target_[i];
-        return call(w);
+        if (first.slip.norm() < full || target_.norm() >= full) return first;
+        return call(first.w - free_.cwiseProduct(first.w) - scale_ * target_);
     }
 
     // Broyden's method on the model's slip, a nearly linear function of the rigid slip. Ends when it gets on slowly.
     Sample solve_by_model(Sample last) {
-        Matrix inverse{{{-scale_, 0}, {0, -scale_}}};  // of d(model slip)/dw
+        Matrix inverse = -scale_ * Matrix::Identity();  // of d(model slip)/dw
         double halved = best_.residual;
         for (int without_gain = 0; goes_on() && without_gain < patience;) {
-            const Pair from = last.w, missing = difference(last.slip, target_);
-            Pair step = inverse * missing;
-            const double most = longest_step * std::max(length(from), scale_);
-            const double factor = std::min(1.0, most / std::max(length(step), rounding * most));
-            for (double& component : step) component *= -factor;
-            const Sample next = call({from[0] + step[0], from[1] + step[1]});
-            const Pair change = difference(next.slip, last.slip), expected = inverse * change;
-            const double denominator = dot_product(step, expected);
-            if (denominator > 0) {
-                const Pair row = step * inverse;
-                for (std::size_t i : {0u, 1u})
-                    for (std::size_t j : {0u, 1u}) inverse[i][j] += (step[i] - expected[i]) * row[j] / denominator;
-            }
+            Pair step = -inverse * (last.slip - target_);
+            const double most = longest_step * std::max(last.w.norm(), scale_);
+            step *= std::min(1.0, most / std::max(step.norm(), rounding * most));
+            const Sample next = call(last.w + step);
+            const Pair expected = inverse * (next.slip - last.slip);
+            const double denominator = step.dot(expected);
+            if (denominator > 0) inverse += ((step - expected) * (step.transpose() * inverse) / denominator).eval();
             ++without_gain;
             if (best_.residual <= 0.5 * halved) {
                 halved = best_.residual;
@@ -167,24 +132,23 @@ class Search {
     // The forces are the gradient of a concave potential of the rigid slip, at least of a shift: BFGS with line
     // searches finds its highest point from anywhere, also where the potential is nearly flat.
     Sample descend(Sample at) {
-        Matrix inverse{{{scale_, 0}, {0, scale_}}};
+        Matrix inverse = scale_ * Matrix::Identity();
         while (goes_on()) {
             Pair direction = inverse * at.off;
-            if (!(dot_product(direction, at.off) > 0)) {
-                inverse = {{{scale_, 0}, {0, scale_}}};
+            if (!(direction.dot(at.off) > 0)) {
+                inverse = scale_ * Matrix::Identity();
                 direction = inverse * at.off;
             }
             const Sample next = search_line(at, direction);
-            const Pair step = difference(next.w, at.w), fall = difference(at.off, next.off);
-            const double curvature = dot_product(step, fall);
-            if (!(length(step) > 0)) break;
+            const Pair step = next.w - at.w, fall = at.off - next.off;
+            const double curvature = step.dot(fall);
+            if (!(step.norm() > 0)) break;
             if (curvature > 0) {
                 const Pair expected = inverse * fall;
-                const double factor = 1 + dot_product(fall, expected) / curvature;
-                for (std::size_t i : {0u, 1u})
-                    for (std::size_t j : {0u, 1u})
-                        inverse[i][j] +=
-                            (factor * step[i] * step[j] - step[i] * expected[j] - expected[i] * step[j]) / curvature;
+                const Matrix crossed = step * expected.transpose();
+                inverse +=
+                    ((1 + fall.dot(expected) / curvature) * step * step.transpose() - crossed - crossed.transpose()) /
+                    curvature;
             }
             at = next;
         }
@@ -193,23 +157,23 @@ class Search {
 
     // The slope (off, direction) falls along the line: brackets its zero and closes in by false position.
     Sample search_line(const Sample& start, const Pair& direction) {
-        const double first_slope = dot_product(start.off, direction);
+        const double first_slope = start.off.dot(direction);
         const double infinite = std::numeric_limits<double>::infinity();
-        double low = 0, high = infinite, low_slope = first_slope, high_slope = 0, length_ = 1;
+        double low = 0, high = infinite, low_slope = first_slope, high_slope = 0, length = 1;
         Sample last = start;
         while (goes_on()) {
-            last = call({start.w[0] + length_ * direction[0], start.w[1] + length_ * direction[1]});
-            const double slope = dot_product(last.off, direction);
+            last = call(start.w + length * direction);
+            const double slope = last.off.dot(direction);
             if (std::abs(slope) <= good_enough * first_slope) return last;
-            (slope > 0 ? low : high) = length_;
+            (slope > 0 ? low : high) = length;
             (slope > 0 ? low_slope : high_slope) = slope;
             if (high == infinite) {
-                length_ *= expansion;
+                length *= expansion;
                 continue;
             }
             if (high - low <= rounding * high) break;
             const double part = std::clamp(low_slope / (low_slope - high_slope), 0.1, 0.9);
-            length_ = low + part * (high - low);
+            length = low + part * (high - low);
         }
         return last;
     }
@@ -218,9 +182,8 @@ class Search {
     const SolverSettings& settings_;
     const SolveForForces& solve_;
     Observer& observer_;
-    std::array<bool, 2> is_free_;
-    Pair wanted_, target_{};  // force, and slip of the model for it
-    double scale_;
+    const Pair free_, wanted_, target_;  // components with a force are 1; force, and slip of the model for it
+    const double scale_;
     Sample best_;
     SolverEvidence evidence_;
     double tolerance_ = loosest;
@@ -234,8 +197,25 @@ double largest_force_with_a_slip(double largest, const SolverSettings& settings)
     return largest * (1 - std::min(settings.tolerance, loosest));
 }
 
+void require_reachable(const PrescribedForces& prescribed, const SolverSettings& settings) {
+    const double force = wanted_force(prescribed).norm();
+    if (!std::isfinite(force)) throw InvalidArgument(prescribed.field, "is not a finite number");
+    const double most = largest_force_with_a_slip(prescribed.largest, settings);
+    if (force > 0 && force >= most)
+        throw InvalidArgument(prescribed.field,
+                              "is " + number_text(force) + " N; friction carries less than " +
+                                  number_text(prescribed.largest) + " N, the sum of its bounds, and from " +
+                                  number_text(most) +
+                                  " N on all slips, so that no force tells one slip from a longer one");
+}
+
+Pair expected_rigid_slip(const PrescribedForces& prescribed) {
+    return -prescribed.scale * model_slip(prescribed, wanted_force(prescribed));
+}
+
 RigidSlipForForces find_rigid_slip(const PrescribedForces& prescribed, const SolverSettings& settings,
                                    const SolveForForces& solve, Observer& observer) {
+    require_reachable(prescribed, settings);
     const Stopwatch stopwatch;
     RigidSlipForForces result = Search(prescribed, settings, solve, observer).find();
     result.evidence.seconds = stopwatch.seconds();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "contact/support/pair.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/influence_operator.hpp"
 #include "contactd/observer.hpp"
@@ -46,11 +47,16 @@ struct RigidSlipForForces {
 /// reaches, the force of any slip that is long enough would do, to the tolerance of the search (or to 1e-3).
 double largest_force_with_a_slip(double largest, const SolverSettings& settings);
 
+/// Throws InvalidArgument naming `field` for forces that are not below largest_force_with_a_slip.
+void require_reachable(const PrescribedForces& prescribed, const SolverSettings& settings);
+
+/// By the usual shape of the force, for a contact at rest before (mm); zero along components without a force.
+Pair expected_rigid_slip(const PrescribedForces& prescribed);
+
 /// Broyden's method, and line searches where that gets on slowly: the force falls monotonically with the rigid slip.
 /// Ends where the forces are met to
 /// `settings.tolerance` of the largest force by a solution of that tolerance; otherwise returns the best it found, not
-/// converged. Throws InvalidArgument naming `field` for forces that are not below largest_force_with_a_slip, and
-/// Cancelled.
+/// converged. Throws as require_reachable, and Cancelled.
 RigidSlipForForces find_rigid_slip(const PrescribedForces& prescribed, const SolverSettings& settings,
                                    const SolveForForces& solve, Observer& observer);
 
