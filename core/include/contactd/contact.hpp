@@ -68,7 +68,7 @@ struct ContactEvidence {
     /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, the
     /// last relative change of the tractions.
     std::optional<SolverEvidence> outer;
-    std::optional<SolverEvidence> force;  ///< of the search for the motion: the last |F - prescribed| over the bound
+    std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - asked|/(sum g dx dy)
     std::optional<Discretisation> discretisation;  ///< of model full, where there is contact
 };
 

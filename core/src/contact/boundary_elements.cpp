@@ -167,7 +167,7 @@ class BoundaryElements {
         Values bound = now_.pressure;
         for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
         PartObserver part(observer, 0.3, 1);
-        tangential_ = step_->solve(now_.pressure, bound, now_.tangential, part);
+        tangential_ = step_->solve(now_.pressure, bound, now_.tangential, problem_.settings.tangential, part);
         now_.tangential.x = tangential_.traction_x;
         now_.tangential.y = tangential_.traction_y;
         auto& evidence = solution_.evidence.tangential;

@@ -11,6 +11,7 @@
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/solve_contact.hpp"
+#include "friction_solver.hpp"
 
 namespace contactd {
 
@@ -28,9 +29,11 @@ class TangentialStep {
     /// A new step begins: slip is counted from here.
     void begin(const Tractions& before);
 
-    /// Tractions and slip for a pressure and the bounds that friction makes of it. `estimate` is where to start.
+    /// Tractions and slip for a pressure and the bounds that friction makes of it. `estimate` is where to start; solves
+    /// of a step that follow the first know what that has learnt. Forces are met to the larger one of the tolerances of
+    /// `settings` and of the problem's outer settings.
     RollingSolution solve(std::span<const double> pressure, std::span<const double> bound, const Field& estimate,
-                          Observer& observer);
+                          const SolverSettings& settings, Observer& observer);
 
     /// As asked, with what prescribed forces made of it.
     const Motion& motion() const { return motion_; }
@@ -45,12 +48,20 @@ class TangentialStep {
     void add_coupling(std::span<const double> pressure, Field& rigid) const;
     void add_free_slip(std::span<const double> pressure, std::span<const double> bound, const Field& rest,
                        RollingSolution& solution) const;
-    PrescribedForces prescribed_forces(std::span<const double> bound) const;
+    PrescribedForces prescribed_forces(std::span<const double> bound);
     double reduce_to_bound(PrescribedForces& forces) const;
+    RollingSolution solve_for_motion(const Field& rest, std::span<const double> bound, const Field& estimate,
+                                     const SolverSettings& settings, Observer& observer);
     RollingSolution solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,
-                                    Observer& observer);
+                                    const SolverSettings& settings, Observer& observer);
+    FrictionSolution solve_at_once(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
+                                   const Field& estimate, const SolverSettings& settings, Observer& observer);
+    RollingSolution search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
+                           const Field& estimate, const SolverSettings& settings, Observer& observer);
     RollingSolution solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
                                const SolverSettings& settings, Observer& observer) const;
+    void continue_force_evidence(const SolverEvidence& next);
+    FrictionSolution ask_solver(const FrictionTask& task, Observer& observer);
 
     const ContactProblem& problem_;
     const ContactInfluence& influence_;
@@ -60,7 +71,9 @@ class TangentialStep {
     Tractions before_;
     Field history_;  // what slip owes to the step before
     std::optional<SolverEvidence> force_evidence_;
-    bool is_first_ = true;  // solve of this step
+    FrictionSolver solver_;
+    double slip_scale_ = 0;  // of the first solve of this step
+    bool is_first_ = true;   // solve of this step
 };
 
 }  // namespace contactd

@@ -1,4 +1,5 @@
-// What Newton's method on the friction law has to know of the bodies: slip for tractions, and about the inverse of that.
+// What Newton's method on the friction law has to know of the bodies: slip for tractions, and about the inverse of
+// that.
 #pragma once
 
 #include <string_view>

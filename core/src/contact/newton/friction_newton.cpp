@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/support/traction_loops.hpp"
 
@@ -16,53 +17,95 @@ constexpr double far_off = 0.5;        // squared, relative: part of a step agai
 constexpr double much_turned = 0.05;   // relative change of the tractions that makes linearised steps stale
 constexpr double negligible = 1e-12;   // traction over bound that counts as none
 constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction that is no reason to adhere
+constexpr double nearly_met = 0.3;     // violation of the law from which on forces have a say
 constexpr int patience = 30;           // iterations without a better residual
 
 std::size_t capacity(std::size_t m) {
     return std::clamp<std::size_t>(history_values / (6 * std::max<std::size_t>(m, 1)), 6, most_steps);
 }
 
-double root_mean_square(const Field& a) {
-    return a.x.empty() ? 0 : std::sqrt(inner(a, a) / static_cast<double>(a.x.size()));
-}
-
 }  // namespace
 
-FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, const SolverSettings& settings,
-                               Observer& observer)
+FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, const std::optional<ForcesGiven>& forces)
     : compliance_(compliance),
       contact_(contact),
       g_(contact.bound),
       w_(contact.rigid),
-      settings_(settings),
-      observer_(observer),
       m_(contact.size()),
-      rms_w_(root_mean_square(w_)),
       history_(m_, capacity(m_)),
       law_(m_),
       before_(m_),
-      squared_bound_(dot(g_, g_)) {
+      inverse_g_(m_) {
     for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_}) *field = Field(m_);
-    for (const double g : g_) inverse_g_.push_back(1 / g);
+    if (!forces) return;
+    border_.emplace(*forces, m_);
+    hold_rigid_slips(*forces);
+}
+
+// A rigid slip is a step like others: no traction, and one unit of slip everywhere.
+void FrictionNewton::hold_rigid_slips(const ForcesGiven& forces) {
+    for (const std::size_t k : {0u, 1u}) {
+        if (!forces.given[k]) continue;
+        const FieldView step = history_.new_step(), response = history_.new_response();
+        for (const FieldView& field : {step, response}) {
+            std::fill_n(field.x, m_, 0.0);
+            std::fill_n(field.y, m_, 0.0);
+        }
+        std::fill_n(k == 0 ? response.x : response.y, m_, 1.0);
+        history_.accept(k == 0 ? Pair::UnitX() : Pair::UnitY());
+    }
+    history_.hold();
 }
 
 double FrictionNewton::size(std::size_t e) const {
     return std::sqrt(p_.x[e] * p_.x[e] + p_.y[e] * p_.y[e]);
 }
 
-void FrictionNewton::start(const Field& estimate) {
+void FrictionNewton::take_bounds() {
+    squared_bound_ = dot(g_, g_);
+    largest_ = std::accumulate(g_.begin(), g_.end(), 0.0);
+    for (std::size_t e = 0; e < m_; ++e) inverse_g_[e] = 1 / g_[e];
+}
+
+void FrictionNewton::start(const Field& estimate, const Pair& rigid) {
+    take_bounds();
     contact_.gather(estimate.x, p_.x);
     contact_.gather(estimate.y, p_.y);
+    rigid_ = rigid;
+    take_rigid_slip();
     if (rms_w_ == 0) p_ = Field(m_);  // nothing drives them
     for (std::size_t e = 0; e < m_; ++e)
         if (size(e) > g_[e]) let_slip(e);
-    std::fill(law_.slips.begin(), law_.slips.end(), false);
-    s_ = w_;
-    if (inner(p_, p_) > 0) find_division();
     history_.clear();
+    is_stale_ = true;
+    joined_ = false;
+    begin();
+}
+
+void FrictionNewton::go_on(const std::optional<ForcesGiven>& forces) {
+    take_bounds();
+    if (border_) border_->ask_for(*forces);
+    take_rigid_slip();
+    for (std::size_t e = 0; e < m_; ++e)
+        if (law_.slips[e] || size(e) > g_[e]) let_slip(e);
+    evidence_ = {};
+    first_ = 0;
+    begin();
+}
+
+void FrictionNewton::begin() {
+    before_ = law_.slips;
+    std::fill(law_.slips.begin(), law_.slips.end(), false);
+    if (inner(p_, p_) > 0) {
+        find_division();
+    } else {
+        update_slip();
+    }
     best_ = std::numeric_limits<double>::infinity();
     without_progress_ = 0;
     division_changed_ = false;
+    is_stale_ = is_stale_ || before_ != law_.slips;
+    if (border_) missing_ = border_->missing(p_);
     linearise();
 }
 
@@ -74,10 +117,22 @@ void FrictionNewton::find_division() {
         const double stiffness = start_self * compliance_.self()[e];
         const double x = p_.x[e] - s_.x[e] / stiffness, y = p_.y[e] - s_.y[e] / stiffness;
         if (!(std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound))) continue;
+        if (x * p_.x[e] + y * p_.y[e] <= 0) {
+            oppose_slip(e);
+            moved = true;
+            continue;
+        }
         moved = moved || size(e) < g_[e] * (1 - on_bound);
         let_slip(e);
     }
     if (moved) update_slip();
+}
+
+// An element that has just come into contact has no traction, and that of others may point along the slip.
+void FrictionNewton::oppose_slip(std::size_t e) {
+    p_.x[e] = -s_.x[e];
+    p_.y[e] = -s_.y[e];
+    let_slip(e);
 }
 
 void FrictionNewton::let_slip(std::size_t e) {
@@ -89,32 +144,43 @@ void FrictionNewton::let_slip(std::size_t e) {
 }
 
 void FrictionNewton::update_slip() {
-    compliance_.apply(p_, s_);
+    if (inner(p_, p_) > 0) {
+        compliance_.apply(p_, s_);
+    } else {
+        s_ = Field(m_);
+    }
     for (std::size_t e = 0; e < m_; ++e) {
-        s_.x[e] += w_.x[e];
-        s_.y[e] += w_.y[e];
+        s_.x[e] += w_.x[e] + rigid_.x();
+        s_.y[e] += w_.y[e] + rigid_.y();
     }
 }
 
-bool FrictionNewton::iterate(int iterations) {
+bool FrictionNewton::iterate(int iterations, const SolverSettings& settings, Observer& observer) {
     double last_violation = 0, last_update = 0;
     for (int iteration = 0;; ++iteration) {
-        observer_.throw_if_cancelled();
-        const double now = violation();
+        observer.throw_if_cancelled();
+        if (border_ && !joined_ && violation() <= nearly_met) join_forces();
+        const double law = violation(), now = std::hypot(law, joined_ ? force_residual() : 0);
         // The next step estimates the error of the tractions, but costs a preconditioner product; the last step tells
         // as much, since errors fall as violations do.
         if (iteration == 0) find_step();
         const double error = iteration == 0 ? relative_step() : last_update * now / last_violation;
-        report(std::max(now, error));
+        report(std::max(law, error), settings, observer);
         if (evidence_.converged || iteration == iterations || !made_progress()) return evidence_.converged;
         if (iteration > 0) find_step();
         last_violation = now;
         last_update = relative_step();
-        take_step();
+        take_step(settings.tolerance);
         linearise();
         turned_ += last_update;
         ++evidence_.iterations;
     }
+}
+
+void FrictionNewton::join_forces() {
+    joined_ = true;
+    is_stale_ = true;
+    force_weight_ = rms_w_ * std::sqrt(static_cast<double>(m_)) / largest_;
 }
 
 double FrictionNewton::relative_step() const {
@@ -122,13 +188,25 @@ double FrictionNewton::relative_step() const {
     return change > 0 ? std::sqrt(change / std::max({inner(p_, p_), change, zero})) : 0;
 }
 
-void FrictionNewton::report(double residual) {
-    evidence_.residual = residual;
-    evidence_.converged = !division_changed_ && residual <= settings_.tolerance;
+double FrictionNewton::force_residual() const {
+    return largest_ > 0 ? missing_.norm() / largest_ : 0;
+}
+
+void FrictionNewton::take_rigid_slip() {
+    const double sum = squares_with(m_, w_, rigid_.x(), rigid_.y());
+    rms_w_ = sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) : 0;
+}
+
+void FrictionNewton::report(double law_residual, const SolverSettings& settings, Observer& observer) {
+    const double force = force_residual();
+    evidence_.residual = law_residual;
+    evidence_.converged = !division_changed_ && law_residual <= settings.tolerance &&
+                          (!border_ || (joined_ && force <= border_->tolerance()));
+    const double residual = std::max(law_residual, force);
     if (first_ == 0) first_ = residual;
     if (evidence_.iterations % 4 == 0)
-        observer_.on_progress(
-            {compliance_.stage(), log_fraction(first_, residual, settings_.tolerance), evidence_.iterations, residual});
+        observer.on_progress({border_ ? "force" : compliance_.stage(),
+                              log_fraction(first_, residual, settings.tolerance), evidence_.iterations, residual});
 }
 
 double FrictionNewton::violation() const {
@@ -142,15 +220,20 @@ void FrictionNewton::linearise() {
 }
 
 void FrictionNewton::linearise_history() {
-    const auto image = [this](const FieldView& step, const FieldView& response, const FieldView& result) {
+    const auto image = [this](const FieldView& step, const FieldView& response, const Pair& rigid,
+                              const FieldView& result) -> Pair {
         jacobian_times(m_, law_.normal, law_.turning.data(), step, response, result);
         const auto [inside, against] = step_parts(m_, law_.normal, step);
-        if (against <= far_off * (inside + against)) return;
+        const bool rigid_stays = !joined_ && rigid != Pair::Zero();
+        if (against <= far_off * (inside + against) && !rigid_stays)
+            return joined_ ? Pair(force_weight_ * border_->sum_of_free(law_, step)) : Pair::Zero();
         std::fill_n(result.x, m_, 0.0);
         std::fill_n(result.y, m_, 0.0);
+        return Pair::Zero();
     };
-    if (division_changed_ || turned_ > much_turned) {
+    if (is_stale_ || division_changed_ || turned_ > much_turned) {
         history_.map_all(image);
+        is_stale_ = false;
         turned_ = 0;
     } else {
         history_.map_newest(image);
@@ -160,18 +243,23 @@ void FrictionNewton::linearise_history() {
 void FrictionNewton::find_step() {
     linearise_history();
     rest_ = r_;
-    history_.minimise(rest_, step_);
+    Pair missing = joined_ ? Pair(force_weight_ * missing_) : Pair::Zero();
+    rigid_step_ = history_.minimise(rest_, missing, step_);
     law_.project(step_);
     using Residual = Compliance::Residual;
-    compliance_.precondition(rest_, z_, history_.size() == 0 ? Residual::first : Residual::later,
-                             evidence_.iterations);
+    compliance_.precondition(rest_, z_, history_.size() == 0 ? Residual::first : Residual::later, evidence_.iterations);
+    if (joined_) {
+        border_->prepare(compliance_, law_, evidence_.iterations);
+        rigid_step_ += border_->correct(z_, missing_ - border_->sum(step_));
+    }
     for (std::size_t e = 0; e < m_; ++e) {
         step_.x[e] += z_.x[e];
         step_.y[e] += z_.y[e];
     }
+    if (joined_) law_.project(step_);
 }
 
-void FrictionNewton::take_step() {
+void FrictionNewton::take_step(double tolerance) {
     const FieldView change = history_.new_step(), response = history_.new_response();
     std::copy(p_.x.begin(), p_.x.end(), change.x);
     std::copy(p_.y.begin(), p_.y.end(), change.y);
@@ -179,16 +267,24 @@ void FrictionNewton::take_step() {
     std::copy(s_.y.begin(), s_.y.end(), response.y);
     std::copy(law_.slips.begin(), law_.slips.end(), before_.begin());
     move_tractions(m_, step_, g_.data(), on_bound, p_, law_.slips.data());
+    if (joined_) {
+        rigid_ += rigid_step_;
+        take_rigid_slip();
+    }
     update_slip();
-    const double push = accepted_push * settings_.tolerance * rms_w_;
+    const double push = accepted_push * tolerance * rms_w_;
     take_differences(m_, p_, s_, push, g_.data(), law_.slips.data(), change, response);
-    history_.accept();
+    history_.accept(rigid_step_);
     division_changed_ = before_ != law_.slips;
+    if (!border_) return;
+    border_->division_changed(before_, law_.slips);
+    missing_ = border_->missing(p_);
 }
 
 bool FrictionNewton::made_progress() {
-    if (evidence_.residual < best_) {
-        best_ = evidence_.residual;
+    const double residual = std::max(evidence_.residual, force_residual());
+    if (residual < best_) {
+        best_ = residual;
         without_progress_ = 0;
     } else if (++without_progress_ > patience) {
         return false;

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "compliance.hpp"
 #include "contact/support/contact_elements.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
+#include "force_border.hpp"
 #include "secant_history.hpp"
 
 namespace contactd {
@@ -15,56 +17,78 @@ namespace contactd {
 // One product K p an iteration. The linear equations are never solved: each step combines the steps made so far by
 // least squares with one of the preconditioner, so that the iteration becomes GMRES once the division stands. K need
 // not be symmetric: nothing is minimised, and there is no conjugacy.
+//
+// Where forces are given, w has a uniform part that is unknown. It stays as it is until the law is nearly met, then
+// forces and law are solved at once.
 class FrictionNewton {
    public:
-    FrictionNewton(Compliance& compliance, const Contact& contact, const SolverSettings& settings, Observer& observer);
+    // `contact` may get other bounds and another rigid slip between solves, but no other elements.
+    FrictionNewton(Compliance& compliance, const Contact& contact, const std::optional<ForcesGiven>& forces = {});
 
-    void start(const Field& estimate);
+    // Zero tractions are no estimate. `rigid` is the uniform part of w, which is not in the contact's.
+    void start(const Field& estimate, const Pair& rigid = Pair::Zero());
+    // The contact has other bounds or another rigid slip, and the forces along the same components may be others: goes
+    // on from the tractions as they are, and with the steps made so far.
+    void go_on(const std::optional<ForcesGiven>& forces);
     // At most `iterations`; true when converged. Ends early when it makes no more progress.
-    bool iterate(int iterations);
+    bool iterate(int iterations, const SolverSettings& settings, Observer& observer);
     const SolverEvidence& evidence() const { return evidence_; }
 
     const Field& tractions() const { return p_; }
     const Field& slip() const { return s_; }
     const std::vector<char>& slips() const { return law_.slips; }
+    const Pair& rigid() const { return rigid_; }
+    // What is missing of the forces, over the largest that friction carries.
+    double force_residual() const;
 
    private:
     double size(std::size_t e) const;
+    void take_bounds();
+    void begin();
+    void hold_rigid_slips(const ForcesGiven& forces);
     void update_slip();
     void let_slip(std::size_t e);
+    void oppose_slip(std::size_t e);
     void find_division();
     double relative_step() const;
-    void report(double residual);
+    void take_rigid_slip();
+    void report(double law_residual, const SolverSettings& settings, Observer& observer);
 
+    // From here on the rigid slip changes, too.
+    void join_forces();
     // Tangents, turning stiffness and residual at the present tractions.
     void linearise();
     // What the Jacobian makes of the steps made so far; of all of them when the division or the tangents have changed.
     void linearise_history();
     // Root mean square violation of the law over that of w.
     double violation() const;
-    // The next step, into step_.
+    // The next step, into step_ and rigid_step_.
     void find_step();
     // Tractions after the step, brought to their bounds; the division and the slip with them.
-    void take_step();
+    void take_step(double tolerance);
     bool made_progress();
 
     Compliance& compliance_;
     const Contact& contact_;
     const std::vector<double>& g_;
     const Field& w_;
-    const SolverSettings& settings_;
-    Observer& observer_;
     const std::size_t m_;
-    const double rms_w_;
+    std::optional<ForceBorder> border_;
+    bool joined_ = false;
     SecantHistory history_;
     Linearisation law_;
     SolverEvidence evidence_;
     Field p_, s_, r_, rest_, step_, z_;
+    Pair rigid_ = Pair::Zero(), rigid_step_ = Pair::Zero();
     std::vector<char> before_;  // the division before the last step
     std::vector<double> inverse_g_;
-    double squared_bound_;  // sum of g^2
+    Pair missing_ = Pair::Zero();             // of the forces
+    double rms_w_ = 0;                        // root mean square of w, with its uniform part
+    double squared_bound_ = 0, largest_ = 0;  // sums of g^2 and g
+    double force_weight_ = 0;                 // makes errors of the forces weigh as those of the law
     bool division_changed_ = false;
-    double turned_ = 0;  // relative change of the tractions since the history was linearised
+    bool is_stale_ = false;  // what the Jacobian makes of the steps
+    double turned_ = 0;      // relative change of the tractions since the history was linearised
     double best_ = std::numeric_limits<double>::infinity(), first_ = 0;
     int without_progress_ = 0;
 };

@@ -16,6 +16,8 @@ SecantHistory::SecantHistory(std::size_t m, std::size_t capacity)
     : m_(m),
       capacity_(capacity + 1),
       values_(std::make_unique_for_overwrite<double[]>(capacity_ * parts * 2 * m)),
+      rigid_(capacity_),
+      forces_(capacity_),
       products_(capacity_ * capacity_),
       factor_(capacity_ * capacity_),
       right_(capacity_),
@@ -23,42 +25,51 @@ SecantHistory::SecantHistory(std::size_t m, std::size_t capacity)
     used_.reserve(capacity_);
 }
 
-void SecantHistory::accept() {
+void SecantHistory::clear() {
+    size_ = held_;
+    first_ = 0;
+}
+
+void SecantHistory::accept(const Pair& rigid) {
+    rigid_[slot(size_)] = rigid;
     if (size_ + 1 < capacity_)
         ++size_;
     else
-        first_ = (first_ + 1) % capacity_;
+        first_ = (first_ + 1) % (capacity_ - held_);
 }
 
 void SecantHistory::update_products(std::size_t j) {
     for (std::size_t i = 0; i <= j; ++i) {
-        const double value = dot_product(2 * m_, view(slot(i), image_part).x, view(slot(j), image_part).x);
+        const double value = dot_product(2 * m_, view(slot(i), image_part).x, view(slot(j), image_part).x) +
+                             forces_[slot(i)].dot(forces_[slot(j)]);
         product(slot(i), slot(j)) = value;
         product(slot(j), slot(i)) = value;
     }
 }
 
-double SecantHistory::product_with(std::size_t slot_index, const Field& r) {
+double SecantHistory::product_with(std::size_t slot_index, const Field& r, const Pair& forces) {
     const FieldView image = view(slot_index, image_part);
-    if (knows_newest_) return dot_product(m_, image.x, r.x.data()) + dot_product(m_, image.y, r.y.data());
+    const double of_forces = forces_[slot_index].dot(forces);
+    if (knows_newest_) return dot_product(m_, image.x, r.x.data()) + dot_product(m_, image.y, r.y.data()) + of_forces;
     const std::size_t newest_slot = slot(size_ - 1);
     const FieldView newest = view(newest_slot, image_part);
     const TwoProducts x = dot_products(m_, image.x, newest.x, r.x.data()),
                       y = dot_products(m_, image.y, newest.y, r.y.data());
-    product(slot_index, newest_slot) = x.b + y.b;
-    product(newest_slot, slot_index) = x.b + y.b;
-    return x.c + y.c;
+    const double with_newest = x.b + y.b + forces_[slot_index].dot(forces_[newest_slot]);
+    product(slot_index, newest_slot) = with_newest;
+    product(newest_slot, slot_index) = with_newest;
+    return x.c + y.c + of_forces;
 }
 
 // Normal equations by Cholesky, newest step first so that old ones are dropped where steps depend on each other. What
 // rounding costs in them the next iteration repairs.
-void SecantHistory::minimise(Field& r, Field& d) {
+Pair SecantHistory::minimise(Field& r, Pair& forces, Field& d) {
     std::fill(d.x.begin(), d.x.end(), 0.0);
     std::fill(d.y.begin(), d.y.end(), 0.0);
     used_.clear();
     for (std::size_t age = 0; age < size_; ++age) {
         const std::size_t j = slot(size_ - 1 - age);
-        const double with_r = product_with(j, r), length_squared = product(j, j);
+        const double with_r = product_with(j, r, forces), length_squared = product(j, j);
         if (!(length_squared > 0)) continue;
         const std::size_t row = used_.size();
         double* factors = &factor_[row * capacity_];
@@ -83,9 +94,15 @@ void SecantHistory::minimise(Field& r, Field& d) {
         right_[row] /= factor_[row * capacity_ + row];
     }
     knows_newest_ = true;
-    for (std::size_t row = 0; row < used_.size(); ++row) right_[row] *= scale_[row];
+    Pair rigid = Pair::Zero();
+    for (std::size_t row = 0; row < used_.size(); ++row) {
+        right_[row] *= scale_[row];
+        forces -= right_[row] * forces_[used_[row]];
+        rigid += right_[row] * rigid_[used_[row]];
+    }
     add(image_part, -1, r);
     add(step_part, 1, d);
+    return rigid;
 }
 
 // to += sign sum right_j part_j, four at a time: what is added to is read and written less often.

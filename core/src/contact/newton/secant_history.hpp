@@ -6,25 +6,31 @@
 #include <vector>
 
 #include "contact/support/contact_elements.hpp"
+#include "contact/support/pair.hpp"
 
 namespace contactd {
 
 // A vector field on the elements of the contact, somewhere in memory.
 using FieldView = MutableVectors;
 
+// Steps are changes of the tractions, and of the uniform rigid slip where that is unknown, too. Residuals are fields,
+// and two numbers for the forces that are missing. Both pairs are zero where no forces are given.
 class SecantHistory {
    public:
     SecantHistory(std::size_t m, std::size_t capacity);
 
-    void clear() { size_ = 0; }
-    std::size_t size() const { return size_; }
+    // All steps so far stay for good.
+    void hold() { held_ = size_; }
+    void clear();
+    std::size_t size() const { return size_ - held_; }  // without those that stay
 
     // A new step and its response; the oldest one goes when there is no room. Write to both before accept().
     FieldView new_step() { return view(slot(size_), step_part); }
     FieldView new_response() { return view(slot(size_), response_part); }
-    void accept();
+    void accept(const Pair& rigid);
 
-    // image_j = f(step_j, response_j), for all steps or for the newest only, and their inner products.
+    // forces_j, image_j = f(step_j, response_j, rigid_j), for all steps or for the newest only, and their inner
+    // products.
     template <class F>
     void map_all(const F& f) {
         for (std::size_t j = 0; j < size_; ++j) {
@@ -39,32 +45,36 @@ class SecantHistory {
         knows_newest_ = false;  // minimise() reads all images anyway
     }
 
-    // r -> r - sum c_j image_j of least length, d = sum c_j step_j.
-    void minimise(Field& r, Field& d);
+    // r -> r - sum c_j image_j and forces -> forces - sum c_j forces_j of least length together; d = sum c_j step_j.
+    // Returns sum c_j rigid_j.
+    Pair minimise(Field& r, Pair& forces, Field& d);
 
    private:
     enum Part : std::size_t { step_part, response_part, image_part, parts };
 
-    std::size_t slot(std::size_t j) const { return (first_ + j) % capacity_; }
+    // Behind the steps that stay the others go round.
+    std::size_t slot(std::size_t j) const { return j < held_ ? j : held_ + (first_ + j - held_) % (capacity_ - held_); }
     FieldView view(std::size_t slot_index, Part part) const {
         double* x = values_.get() + (slot_index * parts + part) * 2 * m_;
         return {x, x + m_};
     }
     template <class F>
     void map(std::size_t j, const F& f) {
-        f(view(slot(j), step_part), view(slot(j), response_part), view(slot(j), image_part));
+        const std::size_t at = slot(j);
+        forces_[at] = f(view(at, step_part), view(at, response_part), rigid_[at], view(at, image_part));
     }
     void update_products(std::size_t j);
     // image_j . r, and where it is not known yet, image_j . image_newest.
-    double product_with(std::size_t slot_index, const Field& r);
+    double product_with(std::size_t slot_index, const Field& r, const Pair& forces);
     void add(Part part, double sign, Field& to) const;
     double& product(std::size_t a, std::size_t b) { return products_[a * capacity_ + b]; }
 
-    std::size_t m_, capacity_, size_ = 0, first_ = 0;
+    std::size_t m_, capacity_, size_ = 0, held_ = 0, first_ = 0;
     // Slots, one more than used: the new one is written there. One block that is not filled: most solves use little.
     std::unique_ptr<double[]> values_;
-    std::vector<double> products_;  // by slots
-    bool knows_newest_ = true;      // their products with the newest image
+    std::vector<Pair> rigid_, forces_;  // of steps and of images, by slots
+    std::vector<double> products_;      // by slots
+    bool knows_newest_ = true;          // their products with the newest image
     std::vector<double> factor_, right_, scale_;
     std::vector<std::size_t> used_;
 };

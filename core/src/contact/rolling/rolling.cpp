@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse_start.hpp"
 #include "contact/newton/friction_newton.hpp"
 #include "operators/restriction.hpp"
 #include "rolling_compliance.hpp"
@@ -13,8 +14,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double coarse_tolerance = 1e-2;  // of an estimate, which has the coarser grid's error anyway
-constexpr int most_coarse_iterations = 40;
 constexpr std::size_t smallest_to_coarsen = 1000;  // elements in contact
 // From this many elements in contact on, a coarser grid gives a better start than an estimate whose residual is larger
 // than this over the number of elements along the contact.
@@ -78,44 +77,6 @@ void march(const RollingBodies& bodies, std::span<const double> bound, std::span
     }
 }
 
-// Tractions found on coarser grids, roughly; nothing where there are none.
-Field estimate_on_coarser_grid(const RollingBodies& bodies, std::span<const double> bound,
-                               std::span<const double> rigid_x, std::span<const double> rigid_y,
-                               const SolverSettings& settings, Observer& observer) {
-    Field estimate(bodies.grid.size());
-    const CoarserGrid* coarse_grid = bodies.influence.coarser();
-    const StepOperator* change = bodies.change.coarser();
-    if (coarse_grid == nullptr || change == nullptr) return estimate;
-    const InfluenceOperator& influence = coarse_grid->influence();
-    const int along_x = coarse_grid->along_x(), along_y = coarse_grid->along_y();
-    Grid grid = bodies.grid;
-    grid.dx *= along_x;
-    grid.dy *= along_y;
-    grid.nx = (grid.nx + along_x - 1) / along_x;
-    grid.ny = (grid.ny + along_y - 1) / along_y;
-    if (influence.size() != grid.size() || change->size() != grid.size()) return estimate;
-    const RollingBodies coarser{influence, *change, grid, bodies.step_x, bodies.step_y};
-    const auto to_coarser = [&](std::span<const double> fine) {
-        Values coarse(grid.size());
-        coarse_grid->average(fine, coarse);
-        return coarse;
-    };
-    const Values g = to_coarser(bound), wx = to_coarser(rigid_x), wy = to_coarser(rigid_y);
-    const SolverSettings rough{std::max(settings.tolerance, coarse_tolerance), settings.max_iterations};
-    const Contact contact(g, wx, wy);
-    SilentObserver silent(observer);
-    RollingCompliance compliance(coarser, contact);
-    FrictionNewton solver(compliance, contact, rough, silent);
-    solver.start(estimate_on_coarser_grid(coarser, g, wx, wy, settings, observer));
-    if (!solver.iterate(most_coarse_iterations)) return estimate;
-    Field coarse(grid.size());
-    contact.scatter(solver.tractions().x, coarse.x);
-    contact.scatter(solver.tractions().y, coarse.y);
-    coarse_grid->interpolate(coarse.x, estimate.x);
-    coarse_grid->interpolate(coarse.y, estimate.y);
-    return estimate;
-}
-
 RollingSolution solution_of(const FrictionNewton& solver, const Contact& contact, std::size_t n) {
     RollingSolution result;
     for (Values* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y}) values->resize(n);
@@ -138,22 +99,25 @@ RollingSolution solve_steady(const RollingBodies& bodies, std::span<const double
     const std::size_t n = bodies.grid.size();
     const Contact contact(bound, rigid_x, rigid_y);
     RollingCompliance compliance(bodies, contact);
-    FrictionNewton solver(compliance, contact, settings, observer);
+    FrictionNewton solver(compliance, contact);
     Field estimate(n);
     std::copy(initial_x.begin(), initial_x.end(), estimate.x.begin());
     std::copy(initial_y.begin(), initial_y.end(), estimate.y.begin());
     bool started = false;
     if (contact.size() >= smallest_to_doubt && !(initial_x.empty() && initial_y.empty())) {
         solver.start(estimate);
-        solver.iterate(0);
+        solver.iterate(0, settings, observer);
         started = solver.evidence().residual * std::sqrt(static_cast<double>(contact.size())) <= poor_times_elements;
     }
     const bool has_estimate = contact.size() >= smallest_to_doubt ? started : !(initial_x.empty() && initial_y.empty());
     if (!has_estimate && contact.size() >= smallest_to_coarsen)
-        estimate = estimate_on_coarser_grid(bodies, bound, rigid_x, rigid_y, settings, observer);
+        estimate = start_on_coarser({bodies.influence, &bodies.change, bodies.grid, bodies.step_x, bodies.step_y},
+                                    contact, {}, Pair::Zero(), observer)
+                       .tractions;
     for (int round = 0;; ++round) {
         if (!started || round > 0) solver.start(estimate);
-        const bool converged = solver.iterate(settings.max_iterations - solver.evidence().iterations);
+        const bool converged =
+            solver.iterate(settings.max_iterations - solver.evidence().iterations, settings, observer);
         if (converged || solver.evidence().iterations >= settings.max_iterations || round == most_rounds) break;
         contact.scatter(solver.tractions().x, estimate.x);
         contact.scatter(solver.tractions().y, estimate.y);

@@ -23,6 +23,17 @@ inline double inner(const Field& a, const Field& b) {
     return dot_product(a.x.size(), a.x.data(), b.x.data()) + dot_product(a.y.size(), a.y.data(), b.y.data());
 }
 
+inline bool any(const Field& field) {
+    return inner(field, field) > 0;
+}
+
+inline void add(Field& to, const Field& from, double factor = 1) {
+    for (std::size_t i = 0; i < to.x.size(); ++i) {
+        to.x[i] += factor * from.x[i];
+        to.y[i] += factor * from.y[i];
+    }
+}
+
 // The elements of the contact area, 0..m-1, with everything the problem says of them.
 struct Contact {
     // Elements that lie side by side in the grid, first ... first + size - 1, the first of which is at grid_first

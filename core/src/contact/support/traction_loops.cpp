@@ -99,6 +99,37 @@ StepParts step_parts(std::size_t m, Vectors n, Vectors step) {
 }
 
 CONTACTD_WIDE
+Sums free_sums(std::size_t m, Vectors n, Vectors step) {
+    double sum_x = 0, sum_y = 0;
+#pragma omp simd reduction(+ : sum_x, sum_y)
+    for (std::size_t e = 0; e < m; ++e) {
+        const double along = step.x[e] * n.x[e] + step.y[e] * n.y[e];
+        sum_x += step.x[e] - along * n.x[e];
+        sum_y += step.y[e] - along * n.y[e];
+    }
+    return {sum_x, sum_y};
+}
+
+CONTACTD_WIDE
+Sums sums(std::size_t m, Vectors a) {
+    double x = 0, y = 0;
+#pragma omp simd reduction(+ : x, y)
+    for (std::size_t e = 0; e < m; ++e) {
+        x += a.x[e];
+        y += a.y[e];
+    }
+    return {x, y};
+}
+
+CONTACTD_WIDE
+double squares_with(std::size_t m, Vectors w, double x, double y) {
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t e = 0; e < m; ++e) sum += (w.x[e] + x) * (w.x[e] + x) + (w.y[e] + y) * (w.y[e] + y);
+    return sum;
+}
+
+CONTACTD_WIDE
 double pushes(std::size_t m, Vectors n, Vectors s) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)

@@ -52,6 +52,16 @@ struct StepParts {
 };
 StepParts step_parts(std::size_t m, Vectors n, Vectors step);
 
+/// Sums of both components of a step, of what of it is free.
+struct Sums {
+    double x = 0, y = 0;
+};
+Sums free_sums(std::size_t m, Vectors n, Vectors step);
+/// Sums of both components.
+Sums sums(std::size_t m, Vectors a);
+/// The sum of squares of w with (x, y) added to it.
+double squares_with(std::size_t m, Vectors w, double x, double y);
+
 /// The sum over slip of the squares of s . n where that is positive: slip along the traction.
 double pushes(std::size_t m, Vectors n, Vectors s);
 

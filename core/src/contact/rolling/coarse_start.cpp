@@ -1,0 +1,78 @@
+#include "coarse_start.hpp"
+
+#include "contact/newton/friction_newton.hpp"
+#include "contact/support/solver_support.hpp"
+#include "contact/tangential/shift_compliance.hpp"
+#include "rolling_compliance.hpp"
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double coarse_tolerance = 1e-2;  // of an estimate, which has the coarser grid's error anyway
+constexpr int most_coarse_iterations = 40;
+
+std::optional<FrictionBodies> coarser(const FrictionBodies& bodies) {
+    const CoarserGrid* coarse = bodies.influence.coarser();
+    const StepOperator* change = bodies.change == nullptr ? nullptr : bodies.change->coarser();
+    if (coarse == nullptr || (bodies.change != nullptr && change == nullptr)) return {};
+    Grid grid = bodies.grid;
+    grid.dx *= coarse->along_x();
+    grid.dy *= coarse->along_y();
+    grid.nx = (grid.nx + coarse->along_x() - 1) / coarse->along_x();
+    grid.ny = (grid.ny + coarse->along_y() - 1) / coarse->along_y();
+    if (coarse->influence().size() != grid.size() || (change != nullptr && change->size() != grid.size())) return {};
+    return FrictionBodies{coarse->influence(), change, grid, bodies.step_x, bodies.step_y};
+}
+
+}  // namespace
+
+std::unique_ptr<Compliance> compliance_of(const FrictionBodies& bodies, const Contact& contact) {
+    if (bodies.change == nullptr) return std::make_unique<ShiftCompliance>(bodies.influence, contact);
+    const RollingBodies rolling{bodies.influence, *bodies.change, bodies.grid, bodies.step_x, bodies.step_y};
+    return std::make_unique<RollingCompliance>(rolling, contact);
+}
+
+FrictionStart start_on_coarser(const FrictionBodies& fine, const Contact& contact,
+                               const std::optional<ForcesGiven>& forces, const Pair& uniform,
+                               const Observer& observer) {
+    const FrictionStart none{Field(fine.grid.size()), uniform};
+    const std::optional<FrictionBodies> bodies = coarser(fine);
+    if (!bodies) return none;
+    const CoarserGrid& grid = *fine.influence.coarser();
+    const auto to_coarser = [&](const Values& on_contact) {
+        Values whole(fine.grid.size()), coarse(bodies->grid.size());
+        contact.scatter(on_contact, whole);
+        grid.average(whole, coarse);
+        return coarse;
+    };
+    // Means of the rigid slip are over elements in contact: beyond it is not known here.
+    const Values share = to_coarser(Values(contact.size(), 1.0));
+    const auto mean = [&](const Values& on_contact) {
+        Values values = to_coarser(on_contact);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] /= share[i] > 0 ? share[i] : 1;
+        return values;
+    };
+    const Contact coarse(to_coarser(contact.bound), mean(contact.rigid.x), mean(contact.rigid.y));
+    std::optional<ForcesGiven> coarse_forces = forces;
+    if (coarse_forces) {
+        coarse_forces->sum /= grid.ratio();
+        coarse_forces->tolerance = coarse_tolerance;
+    }
+    const auto compliance = compliance_of(*bodies, coarse);
+    FrictionNewton newton(*compliance, coarse, coarse_forces);
+    const FrictionStart start = start_on_coarser(*bodies, coarse, coarse_forces, uniform, observer);
+    newton.start(start.tractions, start.uniform);
+    SilentObserver silent(observer);
+    if (!newton.iterate(most_coarse_iterations, {coarse_tolerance, most_coarse_iterations}, silent)) return none;
+    Field tractions(bodies->grid.size());
+    coarse.scatter(newton.tractions().x, tractions.x);
+    coarse.scatter(newton.tractions().y, tractions.y);
+    FrictionStart found{Field(fine.grid.size()), newton.rigid()};
+    grid.interpolate(tractions.x, found.tractions.x);
+    grid.interpolate(tractions.y, found.tractions.y);
+    return found;
+}
+
+}  // namespace contactd

@@ -1,0 +1,32 @@
+// A shift, or a step of a transient: K = A.
+#pragma once
+
+#include <vector>
+
+#include "contact/newton/compliance.hpp"
+#include "contactd/influence_operator.hpp"
+
+namespace contactd {
+
+// The preconditioner is that of TangCg: where A rules it is the operator's own, scaled on both sides, where turning
+// rules it is the diagonal, in between it is their mean.
+class ShiftCompliance final : public Compliance {
+   public:
+    ShiftCompliance(const InfluenceOperator& influence, const Contact& contact);
+
+    void apply(const Field& p, Field& u) override;
+    const std::vector<double>& self() const override { return self_; }
+    void linearise(const Linearisation& law) override;
+    void precondition(const Field& r, Field& z, Residual kind, int iteration) override;
+    std::string_view stage() const override { return "tangential"; }
+
+   private:
+    const InfluenceOperator& influence_;
+    const Contact& contact_;
+    const std::vector<double> self_;  // of each element in contact, A's diagonal
+    const Linearisation* law_ = nullptr;
+    std::vector<double> scale_, diagonal_;  // of the operator's preconditioner and of what stands in for it
+    Field full_in_, full_out_;
+};
+
+}  // namespace contactd
