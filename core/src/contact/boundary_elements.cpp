@@ -10,6 +10,7 @@
 #include "contact/tangential/friction_law.hpp"
 #include "hertz_start.hpp"
 #include "tangential_step.hpp"
+#include "turn_tolerances.hpp"
 
 namespace contactd {
 namespace {
@@ -122,52 +123,54 @@ class BoundaryElements {
         const bool repeats = coupled || (step_ && problem_.friction->kinetic);
         if (repeats) solution_.evidence.outer = SolverEvidence{};
         const Stopwatch stopwatch;
+        TurnTolerances tolerances(problem_, coupled && !problem_.friction->kinetic);
         for (int iteration = 1;; ++iteration) {
             const Tractions last = now_;
             IterationObserver part(observer, iteration, repeats ? 0.3 : 1);
-            if ((first && iteration == 1) || coupled) solve_normal_contact(part);
+            if ((first && iteration == 1) || coupled) solve_normal_contact(tolerances.normal(), part);
             if (!step_) return;
-            solve_tangential_contact(part);
+            solve_tangential_contact(tolerances.tangential(), part);
             if (!repeats) return;
             const double change = std::max(relative_change(now_, last), follow_slip_law());
-            const bool converged = change <= problem_.settings.outer.tolerance;
+            const bool converged = change <= problem_.settings.outer.tolerance && tolerances.are_final();
             solution_.evidence.outer = {iteration, change, converged, stopwatch.seconds()};
             if (converged || iteration == problem_.settings.outer.max_iterations) return;
+            tolerances.follow(change);
         }
     }
 
-    void solve_normal_contact(Observer& observer) {
+    void solve_normal_contact(const SolverSettings& settings, Observer& observer) {
         Values gap = distance_;
-        if (step_ && influence_.coupled()) {
+        if (step_ && influence_.coupled() && inner(now_.tangential, now_.tangential) > 0) {
             Values uz(n_);
             influence_.normal_of_tangential(now_.tangential.x, now_.tangential.y, uz);
             for (std::size_t i = 0; i < n_; ++i) gap[i] += uz[i];
         }
         PartObserver part(observer, 0, step_ ? 0.3 : 1);
-        NormalSolution normal = solve_under_load(gap, part);
+        NormalSolution normal = solve_under_load(gap, settings, part);
         now_.pressure = std::move(normal.pressure);
         continue_with(solution_.evidence.normal, normal.evidence);
     }
 
-    NormalSolution solve_under_load(Values& gap, Observer& observer) {
+    NormalSolution solve_under_load(Values& gap, const SolverSettings& settings, Observer& observer) {
         const Values closed_form = std::exchange(hertz_, {});  // later pressures are nearer
         if (problem_.Fn) {
             NormalSolution normal = solve_normal_force(influence_, gap, *problem_.Fn / problem_.grid.element_area(),
-                                                       problem_.settings.normal, now_.pressure, observer, closed_form);
+                                                       settings, now_.pressure, observer, closed_form);
             solution_.approach = normal.approach;
             return normal;
         }
         solution_.approach = *problem_.approach;
         for (double& h : gap) h -= *problem_.approach;
-        return solve_normal(influence_, gap, problem_.settings.normal, now_.pressure, observer, closed_form);
+        return solve_normal(influence_, gap, settings, now_.pressure, observer, closed_form);
     }
 
-    void solve_tangential_contact(Observer& observer) {
+    void solve_tangential_contact(const SolverSettings& settings, Observer& observer) {
         const Values& mu = slip_law_ ? slip_law_->mu() : static_mu_;
         Values bound = now_.pressure;
         for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
         PartObserver part(observer, 0.3, 1);
-        tangential_ = step_->solve(now_.pressure, bound, now_.tangential, problem_.settings.tangential, part);
+        tangential_ = step_->solve(now_.pressure, bound, now_.tangential, settings, part);
         now_.tangential.x = tangential_.traction_x;
         now_.tangential.y = tangential_.traction_y;
         auto& evidence = solution_.evidence.tangential;

@@ -142,6 +142,37 @@ TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
     CHECK(*solution.frictional_power > 0);
 }
 
+// Solved to the end in every turn, the normal problem would take as many iterations in each as in the first.
+TEST_CASE("turns are not solved better than the next one changes them", "[dissimilar]") {
+    ContactProblem problem = sphere(rigid_on_soft, 0.3);
+    problem.approach.reset();
+    problem.Fn = 8;
+    problem.motion = GENERATE(Motion{Shift{.rigid_shift = {0.003, -0.001}}}, Motion{Rolling{.xi = 0.02, .phi = 1e-3}},
+                              Motion{Shift{.force = {-1, {}}}}, Motion{Rolling{.phi = 1e-3, .force = {-1, 0.5}}});
+    ContactProblem without = problem;
+    without.friction.reset();
+    const ContactSolution solution = solve_half_spaces(problem), normal = solve_half_spaces(without);
+    REQUIRE(solution.converged());
+    REQUIRE(solution.evidence.outer->iterations >= 4);
+    CHECK(solution.evidence.normal.iterations <
+          solution.evidence.outer->iterations * normal.evidence.normal.iterations / 2);
+    CHECK(solution.evidence.tangential->iterations < 8 * solution.evidence.outer->iterations);
+}
+
+TEST_CASE("bodies that differ meet the forces that are given, steadily, by shifts and in transients", "[dissimilar]") {
+    ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
+    problem.approach.reset();
+    problem.Fn = 5;
+    problem.motion =
+        GENERATE(Motion{Shift{.force = {-1, 0.4}}}, Motion{Rolling{.phi = 1e-3, .force = {-1, 0.4}}},
+                 Motion{Rolling{.phi = 1e-3, .kind = RollingKind::transient, .steps = 2, .force = {-1, 0.4}}});
+    const ContactSolution solution = solve_half_spaces(problem);
+    REQUIRE(solution.converged());
+    CHECK_THAT(solution.forces.Fx, WithinAbs(-1, 1e-5));
+    CHECK_THAT(solution.forces.Fy, WithinAbs(0.4, 1e-5));
+    CHECK(solution.evidence.force->iterations >= solution.evidence.outer->iterations);
+}
+
 TEST_CASE("an outer loop that is cut short says so", "[dissimilar]") {
     ContactProblem problem = sphere(rigid_on_soft, 0.4);
     problem.settings.outer.max_iterations = 1;

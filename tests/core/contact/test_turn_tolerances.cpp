@@ -1,0 +1,43 @@
+#include <catch2/catch_test_macros.hpp>
+
+#include "contact/turn_tolerances.hpp"
+
+using namespace contactd;
+
+TEST_CASE("turns are solved the better the less they change, and the last ones as asked for", "[dissimilar]") {
+    const ContactSetup setup;
+    TurnTolerances tolerances(setup, true);
+    CHECK_FALSE(tolerances.are_final());
+    SolverSettings normal = tolerances.normal(), tangential = tolerances.tangential();
+    for (const double change : {1.0, 0.05, 0.06, 3e-3, 2e-4, 1e-5}) {
+        tolerances.follow(change);
+        CHECK(tolerances.normal().tolerance <= normal.tolerance);
+        CHECK(tolerances.tangential().tolerance <= tangential.tolerance);
+        CHECK(tolerances.normal().tolerance >= setup.settings.normal.tolerance);
+        CHECK(tolerances.normal().tolerance < change);
+        CHECK(tolerances.tangential().tolerance < change);
+        normal = tolerances.normal();
+        tangential = tolerances.tangential();
+    }
+    tolerances.follow(1e-6);
+    CHECK(tolerances.are_final());
+    tolerances.follow(1e-2);
+    CHECK(tolerances.are_final());
+}
+
+TEST_CASE("turns that may not be loose are solved as asked for from the first on", "[dissimilar]") {
+    const ContactSetup setup;
+    TurnTolerances tolerances(setup, false);
+    CHECK(tolerances.are_final());
+    tolerances.follow(0.5);
+    CHECK(tolerances.are_final());
+}
+
+TEST_CASE("tolerances that are asked for are not tightened", "[dissimilar]") {
+    ContactSetup setup;
+    setup.settings.normal.tolerance = setup.settings.tangential.tolerance = 0.1;
+    TurnTolerances tolerances(setup, true);
+    CHECK(tolerances.are_final());
+    tolerances.follow(1e-3);
+    CHECK(tolerances.are_final());
+}
