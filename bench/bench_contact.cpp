@@ -67,17 +67,15 @@ void shift_problem(benchmark::State& state) {
     run(state, on_ellipse(size_of(state), shift()));
 }
 
-void shift_by_force(benchmark::State& state) {
-    Shift motion = shift();
-    motion.force.Fx = -8000;
-    motion.force.Fy = -3000;
-    run(state, on_ellipse(size_of(state), motion));
+template <class M>
+Motion by_force(M motion, double Fx, double Fy) {
+    motion.force.Fx = Fx;
+    motion.force.Fy = Fy;
+    return motion;
 }
 
-void shift_of_unlike_bodies(benchmark::State& state) {
-    ContactProblem problem = on_ellipse(size_of(state), shift());
-    problem.bodies.lower.material = {41000, 0.1};
-    run(state, problem);
+void shift_by_force(benchmark::State& state) {
+    run(state, on_ellipse(size_of(state), by_force(shift(), -8000, -3000)));
 }
 
 void steady_rolling(benchmark::State& state) {
@@ -98,22 +96,44 @@ void steady_rolling_warm(benchmark::State& state) {
 }
 
 void steady_rolling_by_force(benchmark::State& state) {
-    Rolling motion = rolling();
-    motion.force.Fx = -8000;
-    motion.force.Fy = -6000;
-    run(state, on_ellipse(size_of(state), motion));
+    run(state, on_ellipse(size_of(state), by_force(rolling(), -8000, -6000)));
+}
+
+ContactProblem on_softer_body(int n, const Motion& motion) {
+    ContactProblem problem = on_ellipse(n, motion);
+    problem.bodies.lower.material = {41000, 0.1};
+    return problem;
+}
+
+void shift_of_unlike_bodies(benchmark::State& state) {
+    run(state, on_softer_body(size_of(state), shift()));
+}
+
+void shift_of_unlike_bodies_by_force(benchmark::State& state) {
+    run(state, on_softer_body(size_of(state), by_force(shift(), -8000, -3000)));
+}
+
+void rolling_of_unlike_bodies(benchmark::State& state) {
+    run(state, on_softer_body(size_of(state), rolling()));
+}
+
+void rolling_of_unlike_bodies_by_force(benchmark::State& state) {
+    run(state, on_softer_body(size_of(state), by_force(rolling(), -8000, -6000)));
 }
 
 void sizes(benchmark::internal::Benchmark* rows) {
-    rows->ArgName("n")->Arg(25)->Arg(50)->Unit(benchmark::kMicrosecond);
+    rows->ArgName("n")->Arg(25)->Arg(50)->Arg(100)->Unit(benchmark::kMicrosecond);
 }
 
 BENCHMARK(shift_problem)->Apply(sizes);
 BENCHMARK(shift_by_force)->Apply(sizes);
 BENCHMARK(shift_of_unlike_bodies)->Apply(sizes);
+BENCHMARK(shift_of_unlike_bodies_by_force)->Apply(sizes);
 BENCHMARK(steady_rolling)->Apply(sizes);
 BENCHMARK(steady_rolling_warm)->Apply(sizes);
 BENCHMARK(steady_rolling_by_force)->Apply(sizes);
+BENCHMARK(rolling_of_unlike_bodies)->Apply(sizes);
+BENCHMARK(rolling_of_unlike_bodies_by_force)->Apply(sizes);
 
 }  // namespace
 
