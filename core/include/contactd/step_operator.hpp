@@ -9,6 +9,15 @@
 
 namespace contactd {
 
+/// z ~ (C + added)^-1 r for both tangential components at once, where an amount > 0 (mm^3/N) is added to the diagonal;
+/// any approximation serves. Safe to use from several threads at once.
+class StepInverse {
+   public:
+    virtual ~StepInverse() = default;
+    virtual void tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
+                            std::span<double> zy) const = 0;
+};
+
 /// C = A - A', where A' gives the displacements at the points one step ahead of the elements. Spans have size()
 /// entries, in the element order of the grid. Implementations are safe to use from several threads at once.
 class StepOperator {
@@ -25,6 +34,8 @@ class StepOperator {
     /// About what it takes in memory, with all that it will make when that is first needed.
     virtual std::size_t bytes() const = 0;
 
+    /// What makes solves on many elements quicker, or null where it cannot be had.
+    virtual std::shared_ptr<const StepInverse> inverse(double /*added*/) const { return nullptr; }
     /// The same step on the elements of a box, as ElementBoxes::influence, or null where it cannot be had.
     virtual std::shared_ptr<const StepOperator> on(const ElementBox& /*box*/) const { return nullptr; }
     /// The same step (in mm) on the grid of InfluenceOperator::coarser(), or null. Lives as long as this one.

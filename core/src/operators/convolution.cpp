@@ -18,11 +18,6 @@
 namespace contactd {
 namespace {
 
-// The inverse of a convolution decays as rho^-3, so opposite edges hardly feel each other without any padding.
-int preconditioner_size(int n) {
-    return n == 1 ? 1 : 2 * smooth_size((n + 1) / 2);
-}
-
 // The symbol of a half-space stays above 0.08 times the diagonal even for elements of 1:1000. This part of the diagonal
 // is its least value here: the reciprocal stays positive where truncation or errors of the table made it negative.
 constexpr double smallest_symbol = 0.02;
@@ -61,6 +56,11 @@ Interval convenient_interval(Interval needed, int all, int margin) {
 int padded_size(int n) {
     if (n == 1) return 1;
     return smooth_size(n) == n ? 2 * n : smooth_size(2 * n - 1);
+}
+
+// The inverse of a convolution with the coefficients of elastic bodies decays as rho^-3.
+int periodic_size(int n) {
+    return n == 1 ? 1 : 2 * smooth_size((n + 1) / 2);
 }
 
 /// On elements of twice the size.
@@ -125,7 +125,7 @@ struct ConvolutionOperator::Impl {
         : nx(table_.nx),
           ny(table_.ny),
           product(nx, ny, padded_size(nx), padded_size(ny)),
-          inverse(nx, ny, preconditioner_size(nx), preconditioner_size(ny)),
+          inverse(nx, ny, periodic_size(nx), periodic_size(ny)),
           table(std::move(table_)),
           coupled(contactd::coupling(table) > coupling_tolerance),
           coarsening(nx, ny) {}

@@ -10,6 +10,7 @@
 #include "lazy.hpp"
 #include "padded_fft.hpp"
 #include "padded_size.hpp"
+#include "periodic_inverse.hpp"
 
 namespace contactd {
 namespace {
@@ -44,6 +45,7 @@ struct ShiftedOperator::Impl {
     Lazy<Tangential> tangential;
     Lazy<Coupling> coupling;
     Lazy<std::unique_ptr<ShiftedOperator>> coarse;
+    Lazy<std::unique_ptr<PeriodicInverses>> inverses;
     KeptBoxes<StepOperator> boxes;
 
     explicit Impl(ShiftedTable table_)
@@ -89,6 +91,10 @@ void ShiftedOperator::tangential_of_normal(std::span<const double> pz, std::span
     }
     std::fill(ux.begin(), ux.end(), 0.0);
     std::fill(uy.begin(), uy.end(), 0.0);
+}
+
+std::shared_ptr<const StepInverse> ShiftedOperator::inverse(double added) const {
+    return impl_->inverses.get([&] { return std::make_unique<PeriodicInverses>(impl_->table); })->get(added);
 }
 
 std::shared_ptr<const StepOperator> ShiftedOperator::on(const ElementBox& box) const {

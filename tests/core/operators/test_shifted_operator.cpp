@@ -1,8 +1,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
 #include <random>
 
+#include "contactd/given_ics.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/half_space_cases.hpp"
 #include "operators/convolution.hpp"
@@ -147,4 +149,50 @@ TEST_CASE("shifted operator on a box takes the offsets that fit into it", "[shif
 
     check_equal(ux, dense_product(cropped(table, 6, 5), Axis::x, Axis::x, p));
     check_equal(uy, dense_product(cropped(table, 6, 5), Axis::y, Axis::x, p));
+}
+
+TEST_CASE("the inverse of a step with something added undoes its product away from the border", "[shifted]") {
+    const auto [nx, ny] = GENERATE(std::pair{40, 40}, std::pair{64, 1}, std::pair{31, 50});
+    CAPTURE(nx, ny);
+    const Material material{3, 0.3};
+    const Grid grid = Grid::centred(nx, ny, 1, 0.7);
+    const IcTable body = half_space_table(analytic(material, 1, 0.7, nx, ny)), pair = pair_of(body, body);
+    const ShiftedOperator change(
+        change_over_step(pair, shifted_half_spaces({{material, material}, LoadShape::constant}, grid, 0.8, 0.3)));
+    const double added = GENERATE(0.3, 2.0) * pair(Axis::x, Axis::x, 0, 0);
+    const std::size_t n = change.size();
+    Values rx = random_values(n, 1), ry = random_values(n, 2), zx(n), zy(n), ux(n), uy(n);
+
+    change.inverse(added)->tangential(rx, ry, zx, zy);
+
+    change.tangential(zx, zy, ux, uy);
+    double error = 0, size = 0;
+    for (int iy = 0; iy < ny; ++iy)
+        for (int ix = nx / 4; ix < 3 * nx / 4; ++ix) {
+            if (ny > 1 && (iy < ny / 4 || iy >= 3 * ny / 4)) continue;
+            const auto i = static_cast<std::size_t>(iy * nx + ix);
+            error += std::pow(ux[i] + added * zx[i] - rx[i], 2) + std::pow(uy[i] + added * zy[i] - ry[i], 2);
+            size += rx[i] * rx[i] + ry[i] * ry[i];
+        }
+    CHECK(std::sqrt(error / size) < 0.1);
+}
+
+TEST_CASE("an inverse is one for the shift it was made for", "[shifted]") {
+    const ShiftedOperator shifted(random_table(6, 5));
+    CHECK(shifted.inverse(2.0) == shifted.inverse(2.0));
+    CHECK(shifted.inverse(2.0) != shifted.inverse(3.0));
+}
+
+TEST_CASE("inverses of rough tables stay bounded by what is added", "[shifted]") {
+    const ShiftedOperator shifted(random_table(9, 7));  // of no sign
+    const std::size_t n = shifted.size();
+    const Values r = random_values(n, 4);
+    Values zx(n), zy(n);
+    shifted.inverse(0.5)->tangential(r, r, zx, zy);
+    double size = 0, bound = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        size += zx[i] * zx[i] + zy[i] * zy[i];
+        bound += 2 * r[i] * r[i];
+    }
+    CHECK(std::sqrt(size) <= 2 / 0.5 * std::sqrt(bound) * (1 + 1e-12));
 }

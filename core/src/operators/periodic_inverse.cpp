@@ -1,0 +1,89 @@
+#include "periodic_inverse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "padded_size.hpp"
+
+namespace contactd {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Least eigenvalue of the symmetric part, in units of what is added: that of C is not negative but for truncation and
+// errors of tables.
+constexpr double least_part = 0.5;
+
+struct Pair {
+    Complex xx, xy, yx, yy;
+};
+
+Complex at(const PaddedFft::ComplexSymbol& symbol, std::size_t i) {
+    return {symbol.real[i], symbol.imag[i]};
+}
+
+void store(const Complex& value, PaddedFft::ComplexSymbol& symbol, std::size_t i) {
+    symbol.real[i] = value.real();
+    symbol.imag[i] = value.imag();
+}
+
+double least_eigenvalue(const Pair& m) {
+    const double mean = 0.5 * (m.xx.real() + m.yy.real()), half = 0.5 * (m.xx.real() - m.yy.real());
+    return mean - std::sqrt(half * half + std::norm(0.5 * (m.xy + std::conj(m.yx))));
+}
+
+}  // namespace
+
+class PeriodicInverses::Inverse final : public StepInverse {
+   public:
+    Inverse(std::shared_ptr<const PaddedFft> fft, Symbols symbols)
+        : fft_(std::move(fft)), symbols_(std::move(symbols)) {}
+
+    void tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
+                    std::span<double> zy) const override {
+        fft_->apply(PaddedFft::ComplexPairSymbols{symbols_.xx, symbols_.xy, symbols_.yx, symbols_.yy}, rx, ry, zx, zy);
+    }
+
+   private:
+    const std::shared_ptr<const PaddedFft> fft_;
+    const Symbols symbols_;
+};
+
+PeriodicInverses::PeriodicInverses(const ShiftedTable& table)
+    : fft_(std::make_shared<const PaddedFft>(table.nx, table.ny, periodic_size(table.nx), periodic_size(table.ny))) {
+    using enum Axis;
+    const auto symbol = [&](Axis i, Axis j) {
+        return fft_->symbol(
+            PaddedFft::SignedKernel{&table.values[table.index(i, j, 1 - table.nx, 1 - table.ny)], table.nx, table.ny});
+    };
+    symbols_ = {symbol(x, x), symbol(x, y), symbol(y, x), symbol(y, y)};
+}
+
+std::shared_ptr<const StepInverse> PeriodicInverses::get(double added) const {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [key, made] : kept_)
+        if (key == added) return made;
+    if (kept_.size() == most_kept) kept_.pop_front();
+    kept_.emplace_back(added, std::make_shared<const Inverse>(fft_, inverted(added)));
+    return kept_.back().second;
+}
+
+PeriodicInverses::Symbols PeriodicInverses::inverted(double added) const {
+    const double factor = fft_->norm_factor(), diagonal = factor * added, least = least_part * diagonal;
+    Symbols result = symbols_;
+    for (std::size_t i = 0; i < symbols_.xx.real.size(); ++i) {
+        Pair m{at(symbols_.xx, i) + diagonal, at(symbols_.xy, i), at(symbols_.yx, i), at(symbols_.yy, i) + diagonal};
+        const double missing = std::max(least - least_eigenvalue(m), 0.0);
+        m.xx += missing;
+        m.yy += missing;
+        const Complex scale = factor * factor / (m.xx * m.yy - m.xy * m.yx);
+        store(scale * m.yy, result.xx, i);
+        store(-scale * m.xy, result.xy, i);
+        store(-scale * m.yx, result.yx, i);
+        store(scale * m.xx, result.yy, i);
+    }
+    return result;
+}
+
+}  // namespace contactd

@@ -1,0 +1,37 @@
+// The inverse of a convolution with something added to its diagonal, as if the grid were periodic.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "contactd/step_operator.hpp"
+#include "influence/shifted_table.hpp"
+#include "padded_fft.hpp"
+
+namespace contactd {
+
+/// Makes them of one table, and keeps the last few. Safe to use from several threads at once.
+class PeriodicInverses {
+   public:
+    explicit PeriodicInverses(const ShiftedTable& table);
+
+    std::shared_ptr<const StepInverse> get(double added) const;
+
+   private:
+    struct Symbols {
+        PaddedFft::ComplexSymbol xx, xy, yx, yy;
+    };
+    class Inverse;
+
+    Symbols inverted(double added) const;
+
+    static constexpr std::size_t most_kept = 4;
+    std::shared_ptr<const PaddedFft> fft_;
+    Symbols symbols_;  // of the table
+    mutable std::mutex mutex_;
+    mutable std::deque<std::pair<double, std::shared_ptr<const StepInverse>>> kept_;  // the oldest first
+};
+
+}  // namespace contactd
