@@ -36,7 +36,7 @@ FrictionNewton::FrictionNewton(Compliance& compliance, const Contact& contact, c
       law_(m_),
       before_(m_),
       inverse_g_(m_) {
-    for (Field* field : {&p_, &s_, &r_, &rest_, &step_, &z_}) *field = Field(m_);
+    for (Field* field : {&p_, &s_, &slip_of_, &r_, &rest_, &step_, &z_}) *field = Field(m_);
     if (!forces) return;
     border_.emplace(*forces, m_);
     hold_rigid_slips(*forces);
@@ -96,22 +96,20 @@ void FrictionNewton::go_on(const std::optional<ForcesGiven>& forces) {
 void FrictionNewton::begin() {
     before_ = law_.slips;
     std::fill(law_.slips.begin(), law_.slips.end(), false);
-    if (inner(p_, p_) > 0) {
-        find_division();
-    } else {
-        update_slip();
-    }
+    slip_of_ = p_;
+    division_changed_ = find_division();
     best_ = std::numeric_limits<double>::infinity();
     without_progress_ = 0;
-    division_changed_ = false;
     is_stale_ = is_stale_ || before_ != law_.slips;
     if (border_) missing_ = border_->missing(p_);
     linearise();
 }
 
-// As in TangCg: finds slip also when the bound has grown a little since the estimate.
-void FrictionNewton::find_division() {
+// As in TangCg: finds slip also when the bound has grown a little since the estimate. The slip remains that of the
+// estimate, which the first step makes good.
+bool FrictionNewton::find_division() {
     update_slip();
+    if (!any(p_)) return false;
     bool moved = false;
     for (std::size_t e = 0; e < m_; ++e) {
         const double stiffness = start_self * compliance_.self()[e];
@@ -125,7 +123,7 @@ void FrictionNewton::find_division() {
         moved = moved || size(e) < g_[e] * (1 - on_bound);
         let_slip(e);
     }
-    if (moved) update_slip();
+    return moved;
 }
 
 // An element that has just come into contact has no traction, and that of others may point along the slip.
@@ -261,8 +259,8 @@ void FrictionNewton::find_step() {
 
 void FrictionNewton::take_step(double tolerance) {
     const FieldView change = history_.new_step(), response = history_.new_response();
-    std::copy(p_.x.begin(), p_.x.end(), change.x);
-    std::copy(p_.y.begin(), p_.y.end(), change.y);
+    std::copy(slip_of_.x.begin(), slip_of_.x.end(), change.x);
+    std::copy(slip_of_.y.begin(), slip_of_.y.end(), change.y);
     std::copy(s_.x.begin(), s_.x.end(), response.x);
     std::copy(s_.y.begin(), s_.y.end(), response.y);
     std::copy(law_.slips.begin(), law_.slips.end(), before_.begin());
@@ -272,6 +270,7 @@ void FrictionNewton::take_step(double tolerance) {
         take_rigid_slip();
     }
     update_slip();
+    slip_of_ = p_;
     const double push = accepted_push * tolerance * rms_w_;
     take_differences(m_, p_, s_, push, g_.data(), law_.slips.data(), change, response);
     history_.accept(rigid_step_);

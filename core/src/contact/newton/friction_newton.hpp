@@ -49,7 +49,7 @@ class FrictionNewton {
     void update_slip();
     void let_slip(std::size_t e);
     void oppose_slip(std::size_t e);
-    void find_division();
+    bool find_division();  // true when tractions moved to their bounds
     double relative_step() const;
     void take_rigid_slip();
     void report(double law_residual, const SolverSettings& settings, Observer& observer);
@@ -78,7 +78,7 @@ class FrictionNewton {
     SecantHistory history_;
     Linearisation law_;
     SolverEvidence evidence_;
-    Field p_, s_, r_, rest_, step_, z_;
+    Field p_, s_, slip_of_, r_, rest_, step_, z_;  // s is the slip of slip_of
     Pair rigid_ = Pair::Zero(), rigid_step_ = Pair::Zero();
     std::vector<char> before_;  // the division before the last step
     std::vector<double> inverse_g_;

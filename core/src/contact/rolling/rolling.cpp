@@ -18,7 +18,7 @@ constexpr std::size_t smallest_to_coarsen = 1000;  // elements in contact
 // From this many elements in contact on, a coarser grid gives a better start than an estimate whose residual is larger
 // than this over the number of elements along the contact.
 constexpr std::size_t smallest_to_doubt = 4000;
-constexpr double poor_times_elements = 3;
+constexpr double poor_times_elements = 10;
 constexpr int most_rounds = 2;            // of marching on and trying again
 constexpr int most_steps = 120;           // of one march
 constexpr double march_tolerance = 1e-4;  // a start for the direct iteration needs no more
@@ -158,8 +158,9 @@ RigidSlip rigid_slip(const Grid& grid, const Rolling& rolling, double dq) {
 }
 
 RigidSlip rigid_slip(const Grid& grid, const Shift& shift) {
-    const auto& [x, y] = shift.rigid_shift;
-    return rigid_slip(grid, Rolling{.xi = x, .eta = y, .phi = shift.rotation, .spin_offset = 0}, 1);
+    return rigid_slip(
+        grid, Rolling{.xi = shift.rigid_shift.x, .eta = shift.rigid_shift.y, .phi = shift.rotation, .spin_offset = 0},
+        1);
 }
 
 RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<const double> bound,

@@ -1,6 +1,7 @@
 #include "rolling_compliance.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "contact/support/traction_loops.hpp"
 
@@ -10,6 +11,9 @@ namespace {
 constexpr double sweep_self = 1.5;   // times the self-influence: of an element with its close neighbours
 constexpr double stiff_self = 2;     // times the self-influence: turning stiffness that rules the Jacobian
 constexpr double mostly_slip = 0.5;  // of the contact, from which one half of the preconditioner is enough
+// Levels save iterations, each of which costs more, where there are many elements and nearly all of them slip.
+constexpr std::size_t smallest_with_levels = 4000;
+constexpr double part_with_levels = 0.6;
 
 std::vector<double> times(double factor, std::vector<double> values) {
     for (double& value : values) value *= factor;
@@ -47,11 +51,33 @@ void RollingCompliance::linearise(const Linearisation& law) {
     for (std::size_t e = 0; e < m_; ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal_[e];
     slipping_ = static_cast<std::size_t>(std::count(law.slips.begin(), law.slips.end(), 1));
     sweep_.linearise(law);
+    linearise_levels();
+}
+
+void RollingCompliance::linearise_levels() {
+    uses_levels_ = false;
+    if (m_ < smallest_with_levels || slip_part() < part_with_levels) return;
+    if (!levels_) {
+        const double self = std::accumulate(self_.begin(), self_.end(), 0.0) / static_cast<double>(m_);
+        levels_ = TurningLevels::make(change_, contact_, self);
+        if (!levels_) return;
+    }
+    levels_->linearise(*law_);
+    uses_levels_ = true;
+}
+
+double RollingCompliance::slip_part() const {
+    return static_cast<double>(slipping_) / static_cast<double>(m_);
 }
 
 void RollingCompliance::precondition(const Field& r, Field& z, Residual kind, int iteration) {
-    const bool mostly_slips = static_cast<double>(slipping_) > mostly_slip * static_cast<double>(m_);
-    const bool both = !mostly_slips || kind == Residual::first, sweep_first = iteration % 2 == 1;
+    if (!uses_levels_ || slipping_ < m_) precondition_by_halves(r, z, kind, iteration);
+    if (uses_levels_) levels_->solve_slip(*law_, r, z);
+}
+
+void RollingCompliance::precondition_by_halves(const Field& r, Field& z, Residual kind, int iteration) {
+    const bool both = uses_levels_ || slip_part() <= mostly_slip || kind == Residual::first;
+    const bool sweep_first = iteration % 2 == 1;
     if (both || !sweep_first) {
         divide_by_influence(r, z);
         sweep_.solve(z, z);

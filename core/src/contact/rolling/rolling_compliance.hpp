@@ -1,18 +1,21 @@
 // Steady rolling: K = C, the change of displacements over a step.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/newton/compliance.hpp"
 #include "rolling.hpp"
 #include "rolling_sweep.hpp"
+#include "turning_levels.hpp"
 
 namespace contactd {
 
 // C is not symmetric. Where the contact has a leading edge but no trailing one, C = A T with T p = p(x) - p(x + step),
 // and C^-1 = T^-1 A^-1; where it has a trailing edge only it is A^-1 T^-1. Adhesion has both, and the mean of the two
 // serves it twice as well as either alone, the more so for the first step, whose residual is smooth up to the edges.
-// Slip does not care: where it prevails the two take turns.
+// Slip does not care: where it prevails the two take turns. Where nearly all of many elements slip they have levels of
+// their own, and what both halves make of the whole contact is for adhesion only.
 class RollingCompliance final : public Compliance {
    public:
     RollingCompliance(const RollingBodies& bodies, const Contact& contact);
@@ -24,6 +27,9 @@ class RollingCompliance final : public Compliance {
     std::string_view stage() const override { return "rolling"; }
 
    private:
+    void linearise_levels();
+    double slip_part() const;
+    void precondition_by_halves(const Field& r, Field& z, Residual kind, int iteration);
     // q ~ A^-1 r where turning is easy, r over A's diagonal where it is not.
     void divide_by_influence(const Field& r, Field& q);
 
@@ -33,6 +39,8 @@ class RollingCompliance final : public Compliance {
     const std::size_t m_;
     const std::vector<double> influence_self_;  // of each element in contact, A's diagonal
     RollingSweep sweep_;
+    std::unique_ptr<TurningLevels> levels_;  // null until they are of use
+    bool uses_levels_ = false;
     const Linearisation* law_ = nullptr;
     std::size_t slipping_ = 0;  // elements
     Field swept_, full_in_, full_out_;

@@ -1,5 +1,6 @@
 #include "traction_loops.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "operators/wide.hpp"
@@ -47,6 +48,18 @@ void multiply_two(std::size_t m, const double* __restrict factor, const double* 
     // out and b may be the same
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e] + other[e] * b[e];
+}
+
+CONTACTD_WIDE
+void add_product(std::size_t m, const double* __restrict factor, const double* __restrict a, double* __restrict to) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) to[e] += factor[e] * a[e];
+}
+
+CONTACTD_WIDE
+void take_where(std::size_t m, const char* __restrict chosen, const double* __restrict a, double* __restrict to) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) to[e] = chosen[e] != 0 ? a[e] : to[e];
 }
 
 CONTACTD_WIDE
@@ -207,6 +220,21 @@ CONTACTD_WIDE
 void shifted_reciprocal(std::size_t m, const double* a, const double* added, const double* numerator,
                         double* __restrict out) {
     for (std::size_t e = 0; e < m; ++e) out[e] = numerator[e] / (added[e] + a[e]);
+}
+
+CONTACTD_WIDE
+void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, const double* __restrict stiffness,
+                  double* __restrict first, double* __restrict second, double* __restrict local) {
+    const double to_unit = 1 / unit, self = passages.local_diagonal;
+    const double low = passages.to_second * passages.to_second, high = passages.to_local * passages.to_local;
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const double d = stiffness[e] * to_unit, square = d * d;
+        const double lowest = low / (low + square), beyond = square / (high + square);
+        first[e] = std::sqrt(lowest);
+        second[e] = std::sqrt(std::max(1 - lowest - beyond, 0.0));
+        local[e] = beyond * to_unit / (d + self);
+    }
 }
 
 CONTACTD_WIDE

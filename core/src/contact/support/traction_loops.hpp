@@ -35,6 +35,11 @@ void multiply(std::size_t m, const double* factor, const double* a, double* out)
 void multiply_two(std::size_t m, const double* factor, const double* a, const double* other, const double* b,
                   double* out);
 
+/// to += factor a
+void add_product(std::size_t m, const double* factor, const double* a, double* to);
+/// to = a where chosen
+void take_where(std::size_t m, const char* chosen, const double* a, double* to);
+
 /// a -> a - (a . n) n
 void project_out(std::size_t m, Vectors n, MutableVectors a);
 
@@ -83,6 +88,15 @@ MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const ch
 
 /// out = numerator/(added + a)
 void shifted_reciprocal(std::size_t m, const double* a, const double* added, const double* numerator, double* out);
+
+/// Stiffnesses at which one level passes into the next, and what an element adds where it is alone; in units.
+struct LevelPassages {
+    double to_second, to_local, local_diagonal;
+};
+/// Shares of two levels and of what is beyond, for stiffnesses D of d units: first^2 = 1/(1 + (d/to_second)^2), beyond
+/// b = 1 - 1/(1 + (d/to_local)^2), second^2 the rest to 1; local = b/((d + local_diagonal) unit).
+void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, const double* stiffness, double* first,
+                  double* second, double* local);
 
 /// After a step to p and s: slip ends where s . p > push g, and the tractions and slips of before become what the step
 /// changed of them.

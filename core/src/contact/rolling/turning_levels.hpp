@@ -1,0 +1,45 @@
+// What the preconditioner of steady rolling does with elements in slip where the contact has many.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "contact/support/contact_elements.hpp"
+#include "contactd/step_operator.hpp"
+#include "rolling_sweep.hpp"
+
+namespace contactd {
+
+// C + D is a convolution but for the turning stiffness D, which spans two orders of magnitude over the contact. So
+//
+//     J^-1 r ~ sum over j of q_j (C + d_j)^-1 q_j r + q r/(D + d)
+//
+// with two levels d_j of D, and what is beyond them, where C matters little. q_j^2 and q say how near D is to each;
+// they sum to 1. Adhesion, D = 0, belongs to the lowest level: it is how slip here feels slip there. C is of order
+// zero, so that the levels, in units of its diagonal, and the iterations do not depend on the size of the elements.
+class TurningLevels {
+   public:
+    // `unit`: about what C has on its diagonal (mm^3/N). Null where C has no inverses.
+    static std::unique_ptr<TurningLevels> make(const StepOperator& change, const Contact& contact, double unit);
+
+    // To be called when division or stiffness have changed.
+    void linearise(const Linearisation& linearisation);
+    // z ~ J^-1 r where elements slip; elsewhere z stays as it is.
+    void solve_slip(const Linearisation& linearisation, const Field& r, Field& z);
+
+   private:
+    static constexpr std::size_t count = 2;
+    using Inverses = std::array<std::shared_ptr<const StepInverse>, count>;
+
+    TurningLevels(Inverses inverses, std::size_t elements, const Contact& contact, double unit);
+
+    const Inverses inverses_;
+    const Contact& contact_;
+    const double unit_;
+    std::array<std::vector<double>, count> weight_;  // q_j of each element
+    std::vector<double> local_;                      // q/(D + d)
+    Field full_in_, full_out_, sum_;
+};
+
+}  // namespace contactd
