@@ -59,8 +59,20 @@ void run(benchmark::State& state, const ContactProblem& problem) {
                              [&] { return evidence_of(solve_contact(problem, influence, observer)); });
 }
 
+ContactSolution solved(const ContactProblem& problem) {
+    Observer observer;
+    const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
+    return solve_contact(problem, make_influence(problem, pair), observer);
+}
+
 int size_of(const benchmark::State& state) {
     return static_cast<int>(state.range(0));
+}
+
+void normal_by_force(benchmark::State& state) {
+    ContactProblem problem = on_ellipse(size_of(state), {});
+    problem.friction.reset();
+    run(state, problem);
 }
 
 void shift_problem(benchmark::State& state) {
@@ -85,14 +97,31 @@ void steady_rolling(benchmark::State& state) {
 // Creepages 5 % larger than those of the step before, whose pressures and tractions are the start.
 void steady_rolling_warm(benchmark::State& state) {
     ContactProblem problem = on_ellipse(size_of(state), rolling());
-    Observer observer;
-    const IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
-    const ContactSolution last = solve_contact(problem, make_influence(problem, pair), observer);
+    const ContactSolution last = solved(problem);
     problem.initial.pressure = last.pressure;
     problem.initial.traction_x = last.traction_x;
     problem.initial.traction_y = last.traction_y;
     problem.motion = rolling(1.05);
     run(state, problem);
+}
+
+// Creepages 5 % larger than those of the steady state that the step starts from.
+void transient_step(benchmark::State& state) {
+    ContactProblem problem = on_ellipse(size_of(state), rolling());
+    const ContactSolution last = solved(problem);
+    problem.previous = {last.pressure, last.traction_x, last.traction_y};
+    Rolling motion = rolling(1.05);
+    motion.kind = RollingKind::transient;
+    problem.motion = motion;
+    run(state, problem);
+}
+
+// Ten steps from rest in one problem.
+void transient_march(benchmark::State& state) {
+    Rolling motion = rolling();
+    motion.kind = RollingKind::transient;
+    motion.steps = 10;
+    run(state, on_ellipse(size_of(state), motion));
 }
 
 void steady_rolling_by_force(benchmark::State& state) {
@@ -124,13 +153,20 @@ void rolling_of_unlike_bodies_by_force(benchmark::State& state) {
 void sizes(benchmark::internal::Benchmark* rows) {
     rows->ArgName("n")->Arg(25)->Arg(50)->Arg(100)->Unit(benchmark::kMicrosecond);
 }
+void more_sizes(benchmark::internal::Benchmark* rows) {
+    sizes(rows);
+    rows->Arg(200);
+}
 
+BENCHMARK(normal_by_force)->Apply(more_sizes);
 BENCHMARK(shift_problem)->Apply(sizes);
 BENCHMARK(shift_by_force)->Apply(sizes);
 BENCHMARK(shift_of_unlike_bodies)->Apply(sizes);
 BENCHMARK(shift_of_unlike_bodies_by_force)->Apply(sizes);
-BENCHMARK(steady_rolling)->Apply(sizes);
-BENCHMARK(steady_rolling_warm)->Apply(sizes);
+BENCHMARK(steady_rolling)->Apply(more_sizes);
+BENCHMARK(steady_rolling_warm)->Apply(more_sizes);
+BENCHMARK(transient_step)->Apply(sizes);
+BENCHMARK(transient_march)->Apply(sizes);
 BENCHMARK(steady_rolling_by_force)->Apply(sizes);
 BENCHMARK(rolling_of_unlike_bodies)->Apply(sizes);
 BENCHMARK(rolling_of_unlike_bodies_by_force)->Apply(sizes);
