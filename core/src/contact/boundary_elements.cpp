@@ -65,8 +65,7 @@ class BoundaryElements {
           influence_(*influence.here),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
-          now_(first_estimate(problem)),
-          hertz_(hertz_start(problem)) {
+          now_(first_estimate(problem)) {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
@@ -153,7 +152,9 @@ class BoundaryElements {
     }
 
     NormalSolution solve_under_load(Values& gap, const SolverSettings& settings, Observer& observer) {
-        const Values closed_form = std::exchange(hertz_, {});  // later pressures are nearer
+        PressureEstimate closed_form;
+        if (!has_pressures_) closed_form = [this] { return hertz_start(problem_); };
+        has_pressures_ = true;
         if (problem_.Fn) {
             NormalSolution normal = solve_normal_force(influence_, gap, *problem_.Fn / problem_.grid.element_area(),
                                                        settings, now_.pressure, observer, closed_form);
@@ -232,8 +233,8 @@ class BoundaryElements {
     const Values distance_;
     std::optional<TangentialStep> step_;
     Tractions now_;
-    Values hertz_;      // where normal contact may start, until it has
-    Values static_mu_;  // per element
+    bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
+    Values static_mu_;            // per element
     std::optional<SlipLawIteration> slip_law_;
     RollingSolution tangential_;
     struct {

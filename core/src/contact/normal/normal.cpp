@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -17,8 +17,7 @@ using Values = std::vector<double>;
 
 constexpr double coarse_tolerance = 1e-4;
 constexpr double poor_estimate = 0.3;             // relative error from which a coarser grid gives a better start
-constexpr double poor_beside_closed_form = 2e-2;  // the same of a closed form
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double poor_beside_closed_form = 4e-3;  // the same of a closed form
 constexpr double rounding = 1e-14;
 
 struct Task {
@@ -32,9 +31,9 @@ bool any_pressure(std::span<const double> p) {
 }
 
 struct Start {
-    Values pressure;                  // may be empty
-    bool set_is_good = false;         // as of Norm::start
-    double largest_error = infinity;  // beyond it something else is the better start
+    Values pressure;                              // may be empty
+    bool set_is_good = false;                     // as of Norm::start
+    std::function<bool(double error)> is_poor{};  // something else is the better start; null: nothing is
 };
 
 std::optional<NormalSolution> solve_from(const Task& task, Start start, Observer& observer);
@@ -70,7 +69,7 @@ Values estimate_on_coarser_grid(const Task& task, const Observer& observer) {
 
 NormalSolution solve_from_coarser(const Task& task, Observer& observer) {
     if (task.influence.coarser() == nullptr) return *solve_from(task, {}, observer);
-    return *solve_from(task, {estimate_on_coarser_grid(task, observer), true}, observer);
+    return *solve_from(task, {estimate_on_coarser_grid(task, observer), true, {}}, observer);
 }
 
 // Elements outside the box that overlap under the pressures within it.
@@ -104,7 +103,8 @@ std::optional<NormalSolution> solve_from(const Task& task, Start start, Observer
         NormProblem problem = task.problem;
         problem.distance = distance;
         Norm norm(restriction.influence(), problem, settings, observer);
-        if (norm.start(restriction.crop(solution.pressure), start.set_is_good) > start.largest_error) return {};
+        const double error = norm.start(restriction.crop(solution.pressure), start.set_is_good);
+        if (start.is_poor && start.is_poor(error)) return {};
         solution.evidence = norm.solve();
         iterations += solution.evidence.iterations;
         solution.evidence.iterations = iterations;
@@ -117,29 +117,33 @@ std::optional<NormalSolution> solve_from(const Task& task, Start start, Observer
         needed = united(restriction.box(), outside);
         settings.max_iterations = std::max(task.settings.max_iterations - iterations, 0);
         start.set_is_good = false;
-        start.largest_error = infinity;
+        start.is_poor = nullptr;
     }
 }
 
-NormalSolution solve_from_best(const Task& task, std::span<const double> initial, std::span<const double> closed_form,
+NormalSolution solve_from_best(const Task& task, std::span<const double> initial, const PressureEstimate& closed_form,
                                Observer& observer) {
-    const double poor = task.influence.coarser() != nullptr ? poor_estimate : infinity;
-    const bool has_closed_form = any_pressure(closed_form);
+    const auto is_poor = [&](double error) { return error > poor_estimate && task.influence.coarser() != nullptr; };
+    Values known;
+    const auto is_known = [&] {
+        if (closed_form) known = closed_form();
+        return any_pressure(known);
+    };
     if (any_pressure(initial)) {
-        const double largest_error = has_closed_form ? poor_beside_closed_form : poor;
-        if (auto solution = solve_from(task, {{initial.begin(), initial.end()}, false, largest_error}, observer))
+        const auto is_poor_beside = [&](double error) {
+            return (error > poor_beside_closed_form && is_known()) || is_poor(error);
+        };
+        if (auto solution = solve_from(task, {{initial.begin(), initial.end()}, false, is_poor_beside}, observer))
             return *std::move(solution);
     }
-    if (has_closed_form)
-        if (auto solution = solve_from(task, {{closed_form.begin(), closed_form.end()}, false, poor}, observer))
-            return *std::move(solution);
+    if (any_pressure(known) || (!any_pressure(initial) && is_known()))
+        if (auto solution = solve_from(task, {std::move(known), false, is_poor}, observer)) return *std::move(solution);
     return solve_from_coarser(task, observer);
 }
 
-NormalSolution solve(const Task& task, std::span<const double> initial, std::span<const double> closed_form,
+NormalSolution solve(const Task& task, std::span<const double> initial, const PressureEstimate& closed_form,
                      Observer& observer) {
     if (!initial.empty()) require_size(initial, task.influence.size(), "initial.pressure");
-    if (!closed_form.empty()) require_size(closed_form, task.influence.size(), "closed_form");
     const Stopwatch stopwatch;
     NormalSolution solution = solve_from_best(task, initial, closed_form, observer);
     solution.evidence.seconds = stopwatch.seconds();
@@ -150,14 +154,14 @@ NormalSolution solve(const Task& task, std::span<const double> initial, std::spa
 
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
                             const SolverSettings& settings, std::span<const double> initial, Observer& observer,
-                            std::span<const double> closed_form) {
+                            const PressureEstimate& closed_form) {
     require_size(gap, influence.size(), "gap");
     return solve({influence, {gap, {}}, settings}, initial, closed_form, observer);
 }
 
 NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
-                                  Observer& observer, std::span<const double> closed_form) {
+                                  Observer& observer, const PressureEstimate& closed_form) {
     require_size(undeformed_distance, influence.size(), "undeformed_distance");
     if (!(pressure_sum >= 0) || !std::isfinite(pressure_sum))
         throw InvalidArgument("Fn", "must be finite and not negative: bodies in contact do not pull at each other");

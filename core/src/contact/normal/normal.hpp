@@ -1,6 +1,7 @@
 // NORM (Kalker 1990; paper section 4.1; Vollebregt 2014): normal contact by an active set around conjugate gradients.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,17 @@ struct NormalSolution {
     SolverEvidence evidence;       ///< residual: ||A p + h||_rms / ||h||_rms over the contact (section 4.1)
 };
 
+/// Makes an estimate of the pressures where it is asked to; empty where it has none. May be null.
+using PressureEstimate = std::function<std::vector<double>()>;
+
 /// Finds p >= 0 with A_zz p + h = 0 where p > 0 and A_zz p + h >= 0 elsewhere. `gap` is h with the approach subtracted
-/// (mm, negative where the undeformed bodies overlap), one entry per element; `initial` is empty or an estimate of p,
-/// and so is `closed_form`, which takes its place where that is near and `initial` is not.
+/// (mm, negative where the undeformed bodies overlap), one entry per element; `initial` is empty or an estimate of p.
+/// Where that is not near, `closed_form` is asked for one.
 /// No overlap gives p = 0, converged. A solution that missed the tolerance says so in its evidence.
 /// Throws Cancelled through the observer and InvalidArgument for arrays of the wrong size.
 NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const double> gap,
                             const SolverSettings& settings, std::span<const double> initial, Observer& observer,
-                            std::span<const double> closed_form = {});
+                            const PressureEstimate& closed_form = {});
 
 /// The same with the force prescribed: finds p and the approach delta with sum(p) = `pressure_sum`, which is
 /// Fn / element area, for the gap h = `undeformed_distance` - delta (mm). There is always a solution: at most, all
@@ -31,7 +35,7 @@ NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const 
 /// Throws also InvalidArgument ("Fn") for a negative force or one that is not finite.
 NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
-                                  Observer& observer, std::span<const double> closed_form = {});
+                                  Observer& observer, const PressureEstimate& closed_form = {});
 
 /// Elements with pressure in the first or last column or row: where there are any, the contact may reach beyond the
 /// potential contact area, and the solution is that of bodies cut off there.
