@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/newton/friction_newton.hpp"
+#include "contact/rolling/newton_solution.hpp"
 #include "contact/support/solver_support.hpp"
-#include "operators/restriction.hpp"
 
 namespace contactd {
 namespace {
@@ -73,20 +72,9 @@ class FrictionSolver::Area {
 
     FrictionSolution solution() const {
         FrictionSolution result;
-        const auto on_grid = [&](const Values& on_contact) {
-            Values box(bodies_.grid.size());
-            contact_.scatter(on_contact, box);
-            return paste(box);
-        };
-        result.traction_x = on_grid(newton_.tractions().x);
-        result.traction_y = on_grid(newton_.tractions().y);
-        result.slip_x = on_grid(newton_.slip().x);
-        result.slip_y = on_grid(newton_.slip().y);
-        std::vector<ElementState> division(bodies_.grid.size(), ElementState::exterior);
-        for (std::size_t e = 0; e < contact_.size(); ++e)
-            division[contact_.elements[e]] = newton_.slips()[e] ? ElementState::slip : ElementState::adhesion;
-        result.element_division = paste(division);
-        result.evidence = newton_.evidence();
+        RollingSolution& found = result;
+        found = solution_of(newton_, contact_, bodies_.grid.size());
+        if (!is_whole_) found = whole_of(found, restriction_, size_);
         result.uniform = newton_.rigid();
         result.force_residual = newton_.force_residual();
         return result;
@@ -95,13 +83,6 @@ class FrictionSolver::Area {
    private:
     Values crop(std::span<const double> whole) const {
         return is_whole_ ? Values(whole.begin(), whole.end()) : restriction_.crop(whole);
-    }
-    template <class Value>
-    std::vector<Value> paste(const std::vector<Value>& part) const {
-        if (is_whole_) return part;
-        std::vector<Value> whole(size_);
-        restriction_.paste(part, whole);
-        return whole;
     }
 
     const std::size_t size_;

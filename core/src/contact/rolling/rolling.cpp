@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "coarse_start.hpp"
-#include "contact/newton/friction_newton.hpp"
-#include "operators/restriction.hpp"
+#include "newton_solution.hpp"
 #include "rolling_compliance.hpp"
 #include "types/number_text.hpp"
 
@@ -77,20 +76,6 @@ void march(const RollingBodies& bodies, std::span<const double> bound, std::span
     }
 }
 
-RollingSolution solution_of(const FrictionNewton& solver, const Contact& contact, std::size_t n) {
-    RollingSolution result;
-    for (Values* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y}) values->resize(n);
-    contact.scatter(solver.tractions().x, result.traction_x);
-    contact.scatter(solver.tractions().y, result.traction_y);
-    contact.scatter(solver.slip().x, result.slip_x);
-    contact.scatter(solver.slip().y, result.slip_y);
-    result.element_division.assign(n, ElementState::exterior);
-    for (std::size_t e = 0; e < contact.size(); ++e)
-        result.element_division[contact.elements[e]] = solver.slips()[e] ? ElementState::slip : ElementState::adhesion;
-    result.evidence = solver.evidence();
-    return result;
-}
-
 // On all elements of the grid.
 RollingSolution solve_steady(const RollingBodies& bodies, std::span<const double> bound,
                              std::span<const double> rigid_x, std::span<const double> rigid_y,
@@ -124,21 +109,6 @@ RollingSolution solve_steady(const RollingBodies& bodies, std::span<const double
         march(bodies, bound, rigid_x, rigid_y, estimate, observer);
     }
     return solution_of(solver, contact, n);
-}
-
-RollingSolution whole_of(const RollingSolution& part, const Restriction& restriction, std::size_t n) {
-    RollingSolution whole;
-    const auto paste = [&](const auto& from, auto& to) {
-        to.resize(n);
-        restriction.paste(from, to);
-    };
-    paste(part.traction_x, whole.traction_x);
-    paste(part.traction_y, whole.traction_y);
-    paste(part.slip_x, whole.slip_x);
-    paste(part.slip_y, whole.slip_y);
-    paste(part.element_division, whole.element_division);
-    whole.evidence = part.evidence;
-    return whole;
 }
 
 }  // namespace
