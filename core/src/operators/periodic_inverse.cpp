@@ -15,7 +15,8 @@ using Complex = std::complex<double>;
 // errors of tables.
 constexpr double least_part = 0.5;
 
-struct Pair {
+/// Of the two tangential components at one wavenumber.
+struct Block {
     Complex xx, xy, yx, yy;
 };
 
@@ -28,7 +29,7 @@ void store(const Complex& value, PaddedFft::ComplexSymbol& symbol, std::size_t i
     symbol.imag[i] = value.imag();
 }
 
-double least_eigenvalue(const Pair& m) {
+double least_eigenvalue(const Block& m) {
     const double mean = 0.5 * (m.xx.real() + m.yy.real()), half = 0.5 * (m.xx.real() - m.yy.real());
     return mean - std::sqrt(half * half + std::norm(0.5 * (m.xy + std::conj(m.yx))));
 }
@@ -73,7 +74,7 @@ PeriodicInverses::Symbols PeriodicInverses::inverted(double added) const {
     const double factor = fft_->norm_factor(), diagonal = factor * added, least = least_part * diagonal;
     Symbols result = symbols_;
     for (std::size_t i = 0; i < symbols_.xx.real.size(); ++i) {
-        Pair m{at(symbols_.xx, i) + diagonal, at(symbols_.xy, i), at(symbols_.yx, i), at(symbols_.yy, i) + diagonal};
+        Block m{at(symbols_.xx, i) + diagonal, at(symbols_.xy, i), at(symbols_.yx, i), at(symbols_.yy, i) + diagonal};
         const double missing = std::max(least - least_eigenvalue(m), 0.0);
         m.xx += missing;
         m.yy += missing;

@@ -23,8 +23,8 @@ class ShiftedOperator final : public StepOperator {
     bool coupled() const override;
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
     std::size_t bytes() const override { return size() * bytes_per_element; }
-    static constexpr std::size_t bytes_per_element =
-        600;  ///< table, symbols, inverses, coarser grids, some boxes; about
+    /// The table, symbols, inverses, coarser grids, and some boxes; about.
+    static constexpr std::size_t bytes_per_element = 600;
 
     std::shared_ptr<const StepInverse> inverse(double added) const override;
     std::shared_ptr<const StepOperator> on(const ElementBox& box) const override;
