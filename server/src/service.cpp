@@ -62,11 +62,20 @@ void Service::handle(CallPtr call) {
     if (!method || method->is_quick) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
     if (method->job) job_of(call, method->job, jobs_);
-    Turn turn = turn_of(call);
-    workers_.post(std::move(turn), [this, method, call = std::move(call)] {
+    auto work = [this, method, call] {
         call->check_deadline();
         if (!call->answered()) run(method, call);
-    });
+    };
+    const SessionPtr session = method->takes_turn ? session_of(call) : nullptr;
+    if (session) return session->take_turn(turn_of(call), std::move(work), workers_);
+    workers_.post(turn_of(call), std::move(work));
+}
+
+SessionPtr Service::session_of(const CallPtr& call) {
+    const auto& params = call->request.params;
+    const auto name = params.find("session");
+    if (name == params.end() || !name->is_string()) return nullptr;  // the schema says what is wrong
+    return sessions_.find_open(name->get_ref<const std::string&>());
 }
 
 void Service::run(const Method* method, const CallPtr& call) {

@@ -42,6 +42,8 @@ class Service {
 
    private:
     void run(const Method* method, const CallPtr& call);
+    /// The session that the call names; null when there is none.
+    SessionPtr session_of(const CallPtr& call);
 
     OpenCalls open_calls_;  // outlives every call
     Counters counters_;

@@ -146,6 +146,16 @@ def test_a_session_tells_its_step_after_the_requests_that_came_before(peer):
     assert peer.ask("session.close", {"session": session}).code == OK
 
 
+def test_steps_sent_without_awaiting_answers_run_in_their_order(peer):
+    session = peer.ask("session.open", SOLVE).result["session"]
+    numbers = list(range(1, 101))
+    for number in numbers:
+        peer.send("session.step", {"session": session, "step": number}, priority="low" if number % 3 else "high")
+    replies = [peer.reply() for _ in numbers]
+    assert [(reply.code, reply.result["step"]) for reply in replies] == [(OK, number) for number in numbers]
+    assert peer.ask("session.close", {"session": session}).code == OK
+
+
 def test_a_session_that_is_none_tells_nothing(peer):
     reply = peer.ask("session.info", {"session": "0" * 32})
     assert (reply.code, reply.reason) == (NOT_FOUND, "SESSION_UNKNOWN")

@@ -34,6 +34,7 @@ struct DaemonParts {
     /// Lets go of work that waits for calls which have been answered.
     void drop_abandoned() const {
         workers.drop_abandoned();
+        sessions.drop_abandoned();
         ics.drop_abandoned();
     }
 };

@@ -13,6 +13,7 @@ namespace contactd::server {
 struct Method {
     std::string_view name;                               ///< as on the wire
     bool is_quick = false;                               ///< runs in the I/O thread, all others in a worker
+    bool takes_turn = false;                             ///< in the session it names, in the order of arrival
     bool counts = !is_quick;                             ///< among the requests that wait for an answer
     proto::Priority priority = proto::Priority::normal;  ///< of requests that name none
     const char* job = nullptr;                           ///< what job.list calls it, where it is listed

@@ -1,5 +1,4 @@
 // session.*: the steps of a simulation.
-#include <functional>
 #include <string>
 #include <utility>
 
@@ -55,63 +54,46 @@ void open(const CallPtr& call, const DaemonParts& parts) {
 
 void step(const CallPtr& call, const DaemonParts& parts) {
     ++parts.counters.solves;
-    parts.sessions.find(name_in(call))
-        ->take_turn(
-            turn_of(call), [call, tools = parts.solve_tools()](Session& session) { session.step(call, tools); },
-            parts.workers);
+    parts.sessions.find(name_in(call))->step(call, parts.solve_tools());
 }
 
-/// Answers with what `work` returns, when the session's turn comes, unless it has been closed by then or nobody waits
-/// any more.
-void in_turn(const CallPtr& call, const DaemonParts& parts, std::function<json(Session&)> work) {
+SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
-    parts.sessions.find(name_in(call))
-        ->take_turn(
-            turn_of(call),
-            [call, work = std::move(work)](Session& session) {
-                guarded(call, [&] {
-                    if (call->answered()) return;
-                    if (session.closed()) throw session_unknown();
-                    call->succeed(work(session));
-                });
-            },
-            parts.workers);
+    return parts.sessions.find(name_in(call));
 }
 
 void info(const CallPtr& call, const DaemonParts& parts) {
-    in_turn(call, parts, [](Session& session) -> json {
-        const ContactProblem& problem = session.opened;
-        SessionInfo told;
-        told.step = session.state()->step;
-        told.lease_seconds = session.lease.count();
-        told.states = session.states();
-        told.bytes = session.bytes();
-        told.grid = problem.grid;
-        if (problem.friction)
-            told.motion = std::holds_alternative<Rolling>(problem.motion) ? MotionKind::rolling : MotionKind::shift;
-        told.ics = uses_of(problem, session.ics());
-        return proto::encode_session_info(told);
-    });
+    const SessionPtr session = session_of(call, parts);
+    const ContactProblem& problem = session->opened;
+    SessionInfo told;
+    told.step = session->state()->step;
+    told.lease_seconds = session->lease.count();
+    told.states = session->states();
+    told.bytes = session->bytes();
+    told.grid = problem.grid;
+    if (problem.friction)
+        told.motion = std::holds_alternative<Rolling>(problem.motion) ? MotionKind::rolling : MotionKind::shift;
+    told.ics = uses_of(problem, session->ics());
+    call->succeed(proto::encode_session_info(told));
 }
 
 void save(const CallPtr& call, const DaemonParts& parts) {
-    in_turn(call, parts, [&sessions = parts.sessions](Session& session) -> json {
-        const long long step = session.state()->step;
-        return {{"state", sessions.save(session)}, {"step", step}};
-    });
+    const SessionPtr session = session_of(call, parts);
+    const long long step = session->state()->step;
+    call->succeed({{"state", parts.sessions.save(*session)}, {"step", step}});
 }
 
 void restore(const CallPtr& call, const DaemonParts& parts) {
-    in_turn(call, parts, [call](Session& session) -> json {
-        SessionStatePtr state = session.saved(state_in(call));
-        const long long step = state->step;
-        session.set_state(std::move(state));
-        return {{"step", step}};
-    });
+    const SessionPtr session = session_of(call, parts);
+    SessionStatePtr state = session->saved(state_in(call));
+    const long long step = state->step;
+    session->set_state(std::move(state));
+    call->succeed({{"step", step}});
 }
 
 void forget(const CallPtr& call, const DaemonParts& parts) {
-    in_turn(call, parts, [call](Session& session) -> json { return {{"states", session.forget(state_in(call))}}; });
+    const SessionPtr session = session_of(call, parts);
+    call->succeed({{"states", session->forget(state_in(call))}});
 }
 
 void close(const CallPtr& call, const DaemonParts& parts) {
@@ -138,11 +120,11 @@ void list(const CallPtr& call, const DaemonParts& parts) {
 void add_session_methods(MethodTable& methods) {
     constexpr auto high = proto::Priority::high;
     methods.add({.name = "session.open", .handle = open});
-    methods.add({.name = "session.step", .priority = high, .job = "step", .handle = step});
-    methods.add({.name = "session.info", .priority = high, .handle = info});
-    methods.add({.name = "session.save", .priority = high, .handle = save});
-    methods.add({.name = "session.restore", .priority = high, .handle = restore});
-    methods.add({.name = "session.forget", .priority = high, .handle = forget});
+    methods.add({.name = "session.step", .takes_turn = true, .priority = high, .job = "step", .handle = step});
+    methods.add({.name = "session.info", .takes_turn = true, .priority = high, .handle = info});
+    methods.add({.name = "session.save", .takes_turn = true, .priority = high, .handle = save});
+    methods.add({.name = "session.restore", .takes_turn = true, .priority = high, .handle = restore});
+    methods.add({.name = "session.forget", .takes_turn = true, .priority = high, .handle = forget});
     methods.add({.name = "session.close", .is_quick = true, .handle = close});
     methods.add({.name = "session.list", .is_quick = true, .handle = list});
 }

@@ -1,5 +1,7 @@
 #include "session.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "contactd/contact_influence.hpp"
@@ -49,34 +51,47 @@ Session::Session(SessionSpec what, std::chrono::duration<double> lease_time, IcA
 
 // --- turns -----------------------------------------------------------------------------------------------------------
 
-void Session::take_turn(const Turn& turn, Work work, WorkerPool& workers) {
+void Session::take_turn(Turn turn, Work work, WorkerPool& workers) {
+    Waiting next{std::move(turn), std::move(work)};
     {
         const std::scoped_lock lock(mutex_);
         last_used_ = Clock::now();
-        // Never abandoned: what waits behind it in the session would be so, too.
-        if (busy_) return waiting_.push_back({{turn.client, turn.priority, {}, turn.user}, std::move(work)});
+        if (busy_) return waiting_.push_back(std::move(next));
         busy_ = true;
     }
-    run_turns(work, workers);
+    post_turn(std::move(next), workers);
 }
 
 // One at a time: in between the worker is free for others.
-void Session::run_turns(const Work& work, WorkerPool& workers) {
-    work(*this);
+void Session::post_turn(Waiting next, WorkerPool& workers) {
+    next.turn.abandoned = {};  // what waits behind it in the session would be so, too
+    workers.post(std::move(next.turn), [self = shared_from_this(), work = std::move(next.work), &workers] {
+        work();
+        self->end_turn(workers);
+    });
+}
+
+void Session::end_turn(WorkerPool& workers) {
     Waiting next;
     {
         const std::scoped_lock lock(mutex_);
         last_used_ = Clock::now();
-        if (waiting_.empty()) {
-            busy_ = false;
-            return;
-        }
+        busy_ = !waiting_.empty();
+        if (!busy_) return;
         next = std::move(waiting_.front());
         waiting_.pop_front();
     }
-    workers.post(next.turn, [self = shared_from_this(), then = std::move(next.work), &workers] {
-        self->run_turns(then, workers);
+    post_turn(std::move(next), workers);
+}
+
+void Session::drop_abandoned() {
+    std::deque<Waiting> dropped;  // destroyed after the lock: what they hold may be much
+    const std::scoped_lock lock(mutex_);
+    const auto unwanted = std::stable_partition(waiting_.begin(), waiting_.end(), [](const Waiting& waiting) {
+        return !waiting.turn.abandoned || !waiting.turn.abandoned();
     });
+    std::move(unwanted, waiting_.end(), std::back_inserter(dropped));
+    waiting_.erase(unwanted, waiting_.end());
 }
 
 // --- states ----------------------------------------------------------------------------------------------------------

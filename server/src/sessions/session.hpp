@@ -52,9 +52,11 @@ class Session : public std::enable_shared_from_this<Session> {
     const Clock::time_point created = Clock::now();
 
     // Requests of one session run one after another, in the order in which they come here; sessions run side by side.
-    using Work = std::function<void(Session&)>;  ///< must not throw
-    /// Runs `work` now when nothing else runs, else on a worker after what came before. Renews the lease.
-    void take_turn(const Turn& turn, Work work, WorkerPool& workers);
+    using Work = WorkerPool::Task;
+    /// Runs `work` on a worker, after what came before. Renews the lease.
+    void take_turn(Turn turn, Work work, WorkerPool& workers);
+    /// Drops what waits for its turn and was abandoned.
+    void drop_abandoned();
 
     /// In a turn: solves the step that `call` asks for, or answers it again. The session goes on only when `call` gets
     /// the solution: whatever fails leaves it as it was.
@@ -89,7 +91,8 @@ class Session : public std::enable_shared_from_this<Session> {
         Turn turn;
         Work work;
     };
-    void run_turns(const Work& work, WorkerPool& workers);
+    void post_turn(Waiting next, WorkerPool& workers);
+    void end_turn(WorkerPool& workers);
     void replay(const SessionState& state, const CallPtr& call) const;
     void solve_step(const SessionState& before, const CallPtr& call, const std::shared_ptr<Job>& job,
                     const SolveTools& tools);

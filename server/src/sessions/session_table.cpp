@@ -86,13 +86,20 @@ StatusError SessionTable::absent(const std::string& name) const {
             "The session has ended: no request used it within its lease. Open another one."};
 }
 
-SessionPtr SessionTable::find(const std::string& name) {
+SessionPtr SessionTable::find_open(const std::string& name) {
     expire(Clock::now());
     const std::scoped_lock lock(mutex_);
     const auto at = sessions_.find(name);
-    if (at == sessions_.end()) throw absent(name);
+    if (at == sessions_.end()) return nullptr;
     at->second->renew();
     return at->second;
+}
+
+SessionPtr SessionTable::find(const std::string& name) {
+    SessionPtr session = find_open(name);
+    if (session) return session;
+    const std::scoped_lock lock(mutex_);
+    throw absent(name);
 }
 
 SessionPtr SessionTable::remove(const std::string& name) {
@@ -144,6 +151,10 @@ void SessionTable::expire(Clock::time_point now) {
 SessionTable::Clock::time_point SessionTable::next_expiry() const {
     const std::scoped_lock lock(mutex_);
     return next_expiry_;
+}
+
+void SessionTable::drop_abandoned() const {
+    for (const SessionPtr& session : all()) session->drop_abandoned();
 }
 
 std::vector<SessionPtr> SessionTable::all() const {

@@ -31,6 +31,8 @@ class SessionTable {
     void check_room(std::size_t bytes) const;
     /// The name of the session: 128 random bits in hexadecimal. Throws as check_room.
     std::string add(SessionPtr session);
+    /// Renews the lease; null when there is no such session.
+    SessionPtr find_open(const std::string& name);
     /// Renews the lease. Throws StatusError (SESSION_UNKNOWN, SESSION_EXPIRED).
     SessionPtr find(const std::string& name);
     /// Closes the session. Throws as find.
@@ -42,6 +44,9 @@ class SessionTable {
     void expire(Clock::time_point now);
     /// When `expire` should be called, at the latest; never when there are no sessions.
     Clock::time_point next_expiry() const;
+
+    /// Drops what waits in sessions and was abandoned.
+    void drop_abandoned() const;
 
     /// In order of opening.
     std::vector<SessionPtr> all() const;

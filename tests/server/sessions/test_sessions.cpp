@@ -42,27 +42,25 @@ TEST_CASE("Turns of one session run one after another in the order they came, wh
     const auto one = session(), other = session();
     std::promise<void> begun, go_on, last;
     std::vector<int> order;
-    workers.post({}, [&] {
-        one->take_turn(
-            {},
-            [&](Session&) {
-                begun.set_value();
-                go_on.get_future().wait();
-                order.push_back(0);
-            },
-            workers);
-    });
+    one->take_turn(
+        {},
+        [&] {
+            begun.set_value();
+            go_on.get_future().wait();
+            order.push_back(0);
+        },
+        workers);
     begun.get_future().wait();
     for (int n = 1; n <= 20; ++n)
         one->take_turn(
             {},
-            [&order, &last, n](Session&) {
+            [&order, &last, n] {
                 order.push_back(n);
                 if (n == 20) last.set_value();
             },
             workers);
     std::promise<void> beside;
-    other->take_turn({}, [&](Session&) { beside.set_value(); }, workers);
+    other->take_turn({}, [&] { beside.set_value(); }, workers);
     beside.get_future().wait();
     go_on.set_value();
     last.get_future().wait();
@@ -71,23 +69,48 @@ TEST_CASE("Turns of one session run one after another in the order they came, wh
     CHECK(std::is_sorted(order.begin(), order.end()));
 }
 
+TEST_CASE("What waits in a session and was abandoned is dropped before its turn") {
+    SessionTable table(limits);
+    const SessionPtr one = session();
+    table.add(one);
+    WorkerPool workers(1);
+    std::promise<void> go_on, last;
+    std::vector<int> order;
+    one->take_turn({}, [&] { go_on.get_future().wait(); }, workers);
+    bool abandoned = false;
+    const auto held = std::make_shared<int>(1);
+    one->take_turn({"client", {}, [&] { return abandoned; }}, [&, held] { order.push_back(1); }, workers);
+    one->take_turn(
+        {},
+        [&] {
+            order.push_back(2);
+            last.set_value();
+        },
+        workers);
+    abandoned = true;
+    table.drop_abandoned();
+    CHECK(held.use_count() == 1);
+    go_on.set_value();
+    last.get_future().wait();
+
+    CHECK(order == std::vector{2});
+}
+
 TEST_CASE("What waits in a session goes with the workers") {
     const auto held = std::make_shared<int>(1);
     {
         WorkerPool workers(1);
         const auto one = session();
         std::promise<void> begun, go_on;
-        workers.post({}, [&] {
-            one->take_turn(
-                {},
-                [&](Session&) {
-                    begun.set_value();
-                    go_on.get_future().wait();
-                },
-                workers);
-        });
+        one->take_turn(
+            {},
+            [&] {
+                begun.set_value();
+                go_on.get_future().wait();
+            },
+            workers);
         begun.get_future().wait();
-        one->take_turn({}, [held](Session&) {}, workers);
+        one->take_turn({}, [held] {}, workers);
         auto stopping = std::async(std::launch::async, [&] { workers.stop(); });
         go_on.set_value();
         stopping.wait();
@@ -164,13 +187,17 @@ TEST_CASE("A session does not expire while it is used") {
     const SessionPtr busy = session(0.5s);
     table.add(busy);
     WorkerPool workers(1);
+    std::promise<void> used;
     busy->take_turn(
         {},
-        [&](Session&) {
+        [&] {
             table.expire(Session::Clock::now() + 60s);
             CHECK(table.all().size() == 1);
+            used.set_value();
         },
         workers);
+    used.get_future().wait();
+    workers.stop();
     table.expire(Session::Clock::now() + 120s);
 
     CHECK(table.all().empty());
