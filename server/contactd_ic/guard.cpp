@@ -19,8 +19,8 @@ namespace {
 
 constexpr int signal_base = 128;  // exit status of a program ended by signal n is 128 + n, as shells have it
 constexpr auto patience = std::chrono::seconds(2);
-constexpr auto heartbeat_interval = std::chrono::seconds(1);
-constexpr auto least_work = std::chrono::milliseconds(1);  // more than the guard itself needs for a heartbeat
+constexpr auto heartbeat_interval = std::chrono::milliseconds(250);  // a daemon may expect a sign of life each second
+constexpr auto least_work = std::chrono::milliseconds(1);            // more than the guard itself needs for a heartbeat
 
 sigset_t ending_signals() {
     sigset_t set;

@@ -35,8 +35,8 @@ class Guard {
     void watch_standard_input();
     /// From now on nothing ends the program: the result is there and said to be.
     void stand_down();
-    /// From now on says {"heartbeat": rank, "processes"} every second, and how far a long step should be. A program of
-    /// one process passes a second in which it used no processor time in silence: one that waits for something is
+    /// From now on says {"heartbeat": rank, "processes"} four times a second, and how far a long step should be.
+    /// A program of one process says nothing when it used no processor time meanwhile: one that waits for something is
     /// stuck. So is one whose step used far more than was expected of it: it spins. `progress` must outlive the guard.
     void beat(int rank, int processes, ProgressLines& progress);
     /// From now on the program ends when `processes` use more memory than `bytes` together.

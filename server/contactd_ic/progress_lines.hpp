@@ -17,8 +17,8 @@ class ProgressLines : public Observer {
     explicit ProgressLines(Lines& lines);
     void on_progress(const Progress& progress) override;
 
-    /// To be called once a second by another thread: says how far a long step should be by now, by the time it was
-    /// expected to take.
+    /// To be called several times a second by another thread: says how far a long step should be by now, by the time it
+    /// was expected to take.
     void tick();
     /// Whether the step at hand takes so long, many times what was expected of it, that it will never end.
     bool is_stuck() const;

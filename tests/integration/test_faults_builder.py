@@ -145,7 +145,8 @@ def test_a_builder_that_spins_without_getting_on_is_ended(daemons, background, k
 def test_a_long_factorisation_is_no_stall(daemons, background):
     daemon = daemons.start(builds={"stall_seconds": 1})
     with daemon.client() as client:
-        table = background(client.get_ic, STEEL, GRID, SIZES["medium"]).result(timeout=300)
+        ics = FemIcs(order=2, f=1.07, solver="direct")  # factorisations of more than a second each
+        table = background(client.get_ic, STEEL, GRID, ics).result(timeout=300)
         assert table.evidence.solver == "direct"
 
 

@@ -183,7 +183,7 @@ TEST_CASE("What would take far more memory than allowed is not begun", "[contact
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("field":"ics")") && ContainsSubstring("unknowns"));
 }
 
-TEST_CASE("A long step is reported once a second with the time that is left", "[contactd-ic]") {
+TEST_CASE("A long step is reported again and again with the time that is left", "[contactd-ic]") {
     const Folder folder;
     const std::string command = folder.redirected(program + " - --output table.h5 --exit-with-stdin");
     FILE* pipe = ::popen(command.c_str(), "w");
