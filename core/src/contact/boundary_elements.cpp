@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "closed_forms/undeformed_distance.hpp"
-#include "contact/normal/normal.hpp"
+#include "contact/normal/normal_solver.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
 #include "hertz_start.hpp"
@@ -65,7 +65,8 @@ class BoundaryElements {
           influence_(*influence.here),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
-          now_(first_estimate(problem)) {
+          now_(first_estimate(problem)),
+          normal_(influence_) {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
@@ -152,18 +153,18 @@ class BoundaryElements {
     }
 
     NormalSolution solve_under_load(Values& gap, const SolverSettings& settings, Observer& observer) {
-        PressureEstimate closed_form;
-        if (!has_pressures_) closed_form = [this] { return hertz_start(problem_); };
-        has_pressures_ = true;
+        NormalTask task{gap, {}, settings};
         if (problem_.Fn) {
-            NormalSolution normal = solve_normal_force(influence_, gap, *problem_.Fn / problem_.grid.element_area(),
-                                                       settings, now_.pressure, observer, closed_form);
-            solution_.approach = normal.approach;
-            return normal;
+            task.pressure_sum = *problem_.Fn / problem_.grid.element_area();
+        } else {
+            for (double& h : gap) h -= *problem_.approach;
         }
-        solution_.approach = *problem_.approach;
-        for (double& h : gap) h -= *problem_.approach;
-        return solve_normal(influence_, gap, settings, now_.pressure, observer, closed_form);
+        NormalSolution normal =
+            has_pressures_ ? normal_.solve_again(task, now_.pressure, observer)
+                           : normal_.solve(task, now_.pressure, [this] { return hertz_start(problem_); }, observer);
+        has_pressures_ = true;
+        solution_.approach = problem_.Fn ? normal.approach : *problem_.approach;
+        return normal;
     }
 
     void solve_tangential_contact(const SolverSettings& settings, Observer& observer) {
@@ -233,6 +234,7 @@ class BoundaryElements {
     const Values distance_;
     std::optional<TangentialStep> step_;
     Tractions now_;
+    NormalSolver normal_;
     bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
     Values static_mu_;            // per element
     std::optional<SlipLawIteration> slip_law_;

@@ -48,7 +48,7 @@ Norm::Norm(const InfluenceOperator& influence, const NormProblem& problem, const
       problem_(problem),
       h_(problem.distance),
       settings_(settings),
-      observer_(observer),
+      observer_(&observer),
       n_(problem.distance.size()),
       self_(largest(influence.diagonal(Axis::z))) {
     for (Values* values : {&p_, &u_, &r_, &z_, &v_, &q_, &best_p_, &best_u_}) values->resize(n_);
@@ -68,18 +68,64 @@ double Norm::start(std::span<const double> estimate, bool set_is_good) {
         take_multiple_of(estimate);
     }
     for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = p_[i] > 0;
-    if (problem_.pressure_sum) weigh_sum();
     watch();
     find_approach();
     check_ = advance(0);
     return check_.reference > 0 ? check_.error() : std::numeric_limits<double>::infinity();
 }
 
+void Norm::go_on(const NormProblem& problem, const SolverSettings& settings, Observer& observer) {
+    const bool same_sum = problem.pressure_sum == problem_.pressure_sum;
+    problem_ = problem;
+    h_ = problem.distance;
+    settings_ = settings;
+    observer_ = &observer;
+    set_is_good_ = false;
+    failures_ = 0;
+    steps_ = 0;
+    if (!same_sum) {
+        scale_to_sum(p_, u_);
+        last_p_.clear();
+    }
+    find_approach();
+    advance(0);
+    if (last_p_.empty()) {
+        last_p_ = p_;
+        last_u_ = u_;
+    } else {
+        go_along_last_change();
+    }
+    best_f_ = std::numeric_limits<double>::infinity();
+    watch();
+    check_ = advance(0);
+}
+
+// Turns of an iteration change the distance by ever smaller multiples of about the same field.
+void Norm::go_along_last_change() {
+    for (std::size_t i = 0; i < n_; ++i) {
+        v_[i] = p_[i] - last_p_[i];
+        q_[i] = u_[i] - last_u_[i];
+    }
+    last_p_ = p_;
+    last_u_ = u_;
+    double outside = 0;
+    for (std::size_t i = 0; i < n_; ++i) outside += (1 - in_contact_[i]) * std::abs(v_[i]);
+    const double curvature = dot(v_, q_);
+    if (outside > 0 || !(curvature > 0)) return;
+    const double alpha = dot(r_, v_) / curvature;
+    if (!(std::abs(alpha) < 1)) return;  // no such series; a change that is rounding only asks for huge multiples
+    for (std::size_t i = 0; i < n_; ++i) {
+        p_[i] += alpha * v_[i];
+        u_[i] += alpha * q_[i];
+    }
+    find_approach();
+}
+
 SolverEvidence Norm::solve() {
     SolverEvidence evidence;
     bool exhausted = false;  // no way down on this set
     for (int iteration = 0;; ++iteration) {
-        observer_.throw_if_cancelled();
+        observer_->throw_if_cancelled();
         const Check check = check_;
         report(iteration, check.residual());
         evidence.iterations = iteration;
@@ -164,7 +210,7 @@ Norm::Check Norm::advance(double alpha) {
 void Norm::report(int iteration, double residual) {
     if (iteration == 0) first_residual_ = residual;
     if (iteration % 4 != 0) return;
-    observer_.on_progress(
+    observer_->on_progress(
         {"normal", log_fraction(first_residual_, residual, settings_.tolerance), iteration, residual});
 }
 
@@ -234,8 +280,6 @@ bool Norm::change_set(Check check, bool change_all) {
     }
     if (!changed) return false;
     steps_ = 0;
-    const double size = dot(in_contact_, in_contact_);
-    if (problem_.pressure_sum && changed_elements_ > outdated * size) weigh_sum();
     if (problem_.pressure_sum) {
         find_approach();
         advance(0);
@@ -265,6 +309,7 @@ void Norm::projected_gradient_step() {
 // Where the sum is prescribed, the directions leave it: with E the projection that subtracts a multiple of the weights,
 // E A^-1 E' takes the place of A^-1.
 void Norm::weigh_sum() {
+    if (changed_elements_ <= outdated * dot(in_contact_, in_contact_)) return;
     influence_.precondition(Axis::z, in_contact_, weight_);
     for (double& weight : weight_) weight = std::max(weight, 0.0);
     changed_elements_ = 0;
@@ -285,7 +330,10 @@ void Norm::keep_sum_of_direction() {
 // The direction of conjugate gradients on the set and the way to go along it; zero when rounding or an indefinite table
 // leaves no way down. The approach follows.
 double Norm::choose_step() {
-    if (problem_.pressure_sum) keep_sum_of_residual();
+    if (problem_.pressure_sum) {
+        weigh_sum();
+        keep_sum_of_residual();
+    }
     influence_.precondition(Axis::z, r_, z_);
     if (problem_.pressure_sum) keep_sum_of_direction();
     const double *in = in_contact_.data(), *z = z_.data(), *q = q_.data(), *r = r_.data();

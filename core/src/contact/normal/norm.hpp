@@ -31,6 +31,9 @@ class Norm {
     // Takes the estimate and returns how far it is from a solution, in the measure of the stop test. `set_is_good`: the
     // elements with pressure are the best guess of the contact, for the estimate is too rough to show overlaps.
     double start(std::span<const double> estimate, bool set_is_good);
+    // Another distance, near the last one whose solution this has, or another sum where one is prescribed: goes on from
+    // there, along the change before where there was one.
+    void go_on(const NormProblem& problem, const SolverSettings& settings, Observer& observer);
     SolverEvidence solve();
 
     const std::vector<double>& pressure() const { return p_; }
@@ -63,26 +66,28 @@ class Norm {
     double f() const;
     void projected_gradient_step();
     double choose_step();
+    void go_along_last_change();
     void weigh_sum();
     void keep_sum_of_residual();
     void keep_sum_of_direction();
     void report(int iteration, double residual);
 
     const InfluenceOperator& influence_;
-    const NormProblem problem_;
-    const std::span<const double> h_;
-    const SolverSettings& settings_;
-    Observer& observer_;
+    NormProblem problem_;
+    std::span<const double> h_;
+    SolverSettings settings_;
+    Observer* observer_;
     const std::size_t n_;
-    const double self_;            // the largest influence of an element on itself: turns suction into a displacement
-    Values p_, u_;                 // u = A p
-    Values r_, z_, v_, q_;         // residual, preconditioned; direction, q = A v
-    Values in_contact_;            // 1 in the contact set, 0 outside
-    Values weight_;                // about A^-1 1 on the set: what a change of the approach does to the pressures
-    double changed_elements_ = 0;  // of the set since the weights were found
+    const double self_;     // the largest influence of an element on itself: turns suction into a displacement
+    Values p_, u_;          // u = A p
+    Values r_, z_, v_, q_;  // residual, preconditioned; direction, q = A v
+    Values in_contact_;     // 1 in the contact set, 0 outside
+    Values weight_;         // about A^-1 1 on the set: what a change of the approach does to the pressures
+    double changed_elements_ = std::numeric_limits<double>::infinity();  // of the set since the weights were found
     double approach_ = 0;
     Check check_;  // at the present pressures
     bool set_is_good_ = false;
+    Values last_p_, last_u_;  // the solution for the distance before, or empty
     Values best_p_, best_u_;
     double best_f_ = std::numeric_limits<double>::infinity();  // lowest at a change of the set
     int failures_ = 0;
