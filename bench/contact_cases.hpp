@@ -9,7 +9,7 @@
 
 #include "closed_forms/hertz.hpp"
 #include "contact/normal/normal.hpp"
-#include "contact/rolling/rolling.hpp"
+#include "contact/steady_rolling.hpp"
 #include "contact/tangential/tangential.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/half_space.hpp"

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/rolling/newton_solution.hpp"
+#include "contact/newton/friction_newton.hpp"
 #include "contact/support/solver_support.hpp"
+#include "operators/restriction.hpp"
 
 namespace contactd {
 namespace {
@@ -13,8 +14,40 @@ using Values = std::vector<double>;
 
 constexpr std::size_t smallest_to_coarsen = 1000;  // elements in contact
 // From there on, a coarser grid gives a better start than an estimate whose residual is larger than this over the
-// number of elements along the contact.
-constexpr double poor_times_elements = 3;
+// number of elements along the contact. With forces its rigid slip is found there, too.
+constexpr double poor_times_elements = 10, poor_times_elements_for_forces = 3;
+
+// On the `n` elements that the contact is part of.
+RollingSolution solution_of(const FrictionNewton& newton, const Contact& contact, std::size_t n) {
+    RollingSolution result;
+    for (std::vector<double>* values : {&result.traction_x, &result.traction_y, &result.slip_x, &result.slip_y})
+        values->resize(n);
+    contact.scatter(newton.tractions().x, result.traction_x);
+    contact.scatter(newton.tractions().y, result.traction_y);
+    contact.scatter(newton.slip().x, result.slip_x);
+    contact.scatter(newton.slip().y, result.slip_y);
+    result.element_division.assign(n, ElementState::exterior);
+    for (std::size_t e = 0; e < contact.size(); ++e)
+        result.element_division[contact.elements[e]] = newton.slips()[e] ? ElementState::slip : ElementState::adhesion;
+    result.evidence = newton.evidence();
+    return result;
+}
+
+// That of a box, on all `n` elements: exterior outside the box.
+RollingSolution whole_of(const RollingSolution& part, const Restriction& restriction, std::size_t n) {
+    RollingSolution whole;
+    const auto paste = [&](const auto& from, auto& to) {
+        to.resize(n);
+        restriction.paste(from, to);
+    };
+    paste(part.traction_x, whole.traction_x);
+    paste(part.traction_y, whole.traction_y);
+    paste(part.slip_x, whole.slip_x);
+    paste(part.slip_y, whole.slip_y);
+    paste(part.element_division, whole.element_division);
+    whole.evidence = part.evidence;
+    return whole;
+}
 
 }  // namespace
 
@@ -98,39 +131,36 @@ class FrictionSolver::Area {
 FrictionSolver::FrictionSolver(const FrictionBodies& bodies) : bodies_(bodies) {}
 FrictionSolver::~FrictionSolver() = default;
 
-FrictionSolution FrictionSolver::solve(const FrictionTask& task, Observer& observer) {
+void FrictionSolver::start(const FrictionTask& task, Observer& observer) {
     area_.reset();  // gives its memory to the next one
     area_ = std::make_unique<Area>(bodies_, task);
-    const bool may_coarsen = area_->elements() >= smallest_to_coarsen;
-    bool is_poor = !any(task.estimate);
-    if (!is_poor || !may_coarsen) area_->start(task);
-    if (!is_poor && may_coarsen) {
+    const bool may_coarsen = !task.estimate_is_good && area_->elements() >= smallest_to_coarsen;
+    if (!may_coarsen) return area_->start(task);
+    if (any(task.estimate)) {
+        area_->start(task);
         area_->newton().iterate(0, task.settings, observer);
         const double along = std::sqrt(static_cast<double>(area_->elements()));
-        is_poor = area_->newton().evidence().residual * along > poor_times_elements;
+        const double poor = task.forces ? poor_times_elements_for_forces : poor_times_elements;
+        if (area_->newton().evidence().residual * along <= poor) return;
     }
-    if (is_poor && may_coarsen) area_->start_on_coarser(task, observer);
-    return finish(task, observer);
+    area_->start_on_coarser(task, observer);
 }
 
-FrictionSolution FrictionSolver::solve_again(const FrictionTask& task, Observer& observer) {
-    if (area_ && area_->stands(task.bound)) {
-        area_->go_on(task);
-    } else {
-        area_.reset();
-        area_ = std::make_unique<Area>(bodies_, task);
-        area_->start(task);
-    }
-    return finish(task, observer);
-}
-
-FrictionSolution FrictionSolver::finish(const FrictionTask& task, Observer& observer) {
+FrictionSolution FrictionSolver::solve(const FrictionTask& task, Observer& observer) {
     const Stopwatch stopwatch;
+    if (area_ && area_->stands(task.bound))
+        area_->go_on(task);
+    else
+        start(task, observer);
     area_->newton().iterate(task.settings.max_iterations, task.settings, observer);
     FrictionSolution solution = area_->solution();
     solution.evidence.seconds = stopwatch.seconds();
     if (!solution.evidence.converged) area_.reset();  // what it has learnt is of no use
     return solution;
+}
+
+void FrictionSolver::forget() {
+    area_.reset();
 }
 
 }  // namespace contactd

@@ -20,6 +20,7 @@ struct FrictionTask {
     Pair uniform = Pair::Zero();        ///< an estimate of that (mm)
     const Field& estimate;              ///< of the tractions; zero is none
     SolverSettings settings;
+    bool estimate_is_good = false;  ///< is not left for tractions of a coarser grid
 };
 
 struct FrictionSolution : RollingSolution {
@@ -33,16 +34,22 @@ class FrictionSolver {
     explicit FrictionSolver(const FrictionBodies& bodies);
     ~FrictionSolver();
 
-    /// From the estimate, or where that is poor from tractions on a coarser grid. Converged means the law as of
-    /// solve_steady_rolling, and the forces.
+    /// From the estimate, or where that is poor from tractions on a coarser grid. While the contact area stands and the
+    /// last solve has converged: from its solution, with all that was learnt there.
+    ///
+    /// Converged means that the division stands as FrictionNewton has it, that |p| <= g everywhere and |p| = g in slip
+    /// hold exactly, that forces are met, and evidence.residual <= tolerance, the larger of
+    /// - the violation of the friction law, |s| in adhesion, |s x p|/g and s . p/g > 0 in slip, as a root mean square
+    ///   over the contact relative to that of w, and
+    /// - the estimated error of the tractions, the violation times an approximate inverse of the law's Jacobian,
+    ///   relative to the tractions.
     FrictionSolution solve(const FrictionTask& task, Observer& observer);
-    /// The same from the last solution, with all that was learnt there while the contact area stands and that solution
-    /// has converged; otherwise from the estimate.
-    FrictionSolution solve_again(const FrictionTask& task, Observer& observer);
+    /// The next solve has nothing to do with the last one.
+    void forget();
 
    private:
     class Area;
-    FrictionSolution finish(const FrictionTask& task, Observer& observer);
+    void start(const FrictionTask& task, Observer& observer);
 
     const FrictionBodies bodies_;
     std::unique_ptr<Area> area_;

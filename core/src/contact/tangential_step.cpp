@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/tangential/slip.hpp"
+#include "steady_rolling.hpp"
 
 namespace contactd {
 namespace {
@@ -57,9 +58,10 @@ RollingBodies TangentialStep::bodies() const {
 // knows no step before.
 void TangentialStep::begin(const Tractions& before) {
     before_ = before;
+    solver_.forget();
     is_first_ = true;
     history_ = Field(n_);
-    if (rolling() && rolling()->steady()) return;
+    if (is_steady()) return;
     Field u(n_);
     const auto add_product = [&](const auto& influence, double factor) {
         if (any(before.tangential)) {
@@ -81,7 +83,7 @@ void TangentialStep::add_coupling(std::span<const double> pressure, Field& rigid
         influence.tangential_of_normal(pressure, u.x, u.y);
         add(rigid, u);
     };
-    if (rolling() && rolling()->steady())
+    if (is_steady())
         add_product(*influence_.change);
     else
         add_product(*influence_.here);
@@ -103,16 +105,14 @@ RollingSolution TangentialStep::solve_for_motion(const Field& rest, std::span<co
                                                  Observer& observer) {
     Field rigid = rigid_slip();
     add(rigid, rest);
-    if (!influence_.here->coupled()) return solve_with(rigid, bound, estimate, settings, observer);
-    FrictionSolution solution = ask_solver({bound, rigid, {}, Pair::Zero(), estimate, settings}, observer);
-    if (solution.evidence.converged) return solution;
-    RollingSolution other = solve_with(rigid, bound, estimate, settings, observer);
-    other.evidence.iterations += solution.evidence.iterations;
+    const FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings};
+    const FrictionSolution found = solver_.solve(task, observer);
+    const int left = settings.max_iterations - found.evidence.iterations;
+    if (found.evidence.converged || left <= 0) return found;
+    if (is_steady()) return march_to_steady_state(friction_bodies(problem_, influence_), task, found, observer);
+    RollingSolution other = solve_with(rigid, bound, estimate, {settings.tolerance, left}, observer);
+    other.evidence.iterations += found.evidence.iterations;
     return other;
-}
-
-FrictionSolution TangentialStep::ask_solver(const FrictionTask& task, Observer& observer) {
-    return is_first_ ? solver_.solve(task, observer) : solver_.solve_again(task, observer);
 }
 
 // The solvers know the elements that friction may hold; where there is contact without friction the surfaces slip too.
@@ -124,7 +124,7 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     if (first == n_) return;
     Field slip = rigid_slip(), u(n_);
     add(slip, rest);
-    if (rolling() && rolling()->steady())
+    if (is_steady())
         influence_.change->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
     else
         influence_.here->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
@@ -143,8 +143,7 @@ RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const d
         x = estimate.x;
         y = estimate.y;
     }
-    if (rolling() && rolling()->steady())
-        return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
+    if (is_steady()) return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
     RollingSolution solution;
     static_cast<TangentialSolution&>(solution) =
         solve_tangential(*influence_.here, bound, rigid.x, rigid.y, settings, x, y, observer);

@@ -43,6 +43,7 @@ class TangentialStep {
 
    private:
     const Rolling* rolling() const { return std::get_if<Rolling>(&motion_); }
+    bool is_steady() const { return rolling() && rolling()->steady(); }
     Field rigid_slip() const;
     RollingBodies bodies() const;
     void add_coupling(std::span<const double> pressure, Field& rigid) const;
@@ -57,11 +58,10 @@ class TangentialStep {
     FrictionSolution solve_at_once(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                                    const Field& estimate, const SolverSettings& settings, Observer& observer);
     RollingSolution search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
-                           const Field& estimate, const SolverSettings& settings, Observer& observer);
+                           const Field& estimate, Observer& observer);
     RollingSolution solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
                                const SolverSettings& settings, Observer& observer) const;
     void continue_force_evidence(const SolverEvidence& next);
-    FrictionSolution ask_solver(const FrictionTask& task, Observer& observer);
 
     const ContactProblem& problem_;
     const ContactInfluence& influence_;

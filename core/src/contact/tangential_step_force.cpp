@@ -51,7 +51,7 @@ RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<con
     const FrictionSolution at_once = solve_at_once(forces, rest, bound, estimate, settings, observer);
     RollingSolution solution = at_once;
     if (!at_once.evidence.converged) {
-        solution = search(forces, rest, bound, estimate, settings, observer);
+        solution = search(forces, rest, bound, estimate, observer);
         solution.evidence.iterations += at_once.evidence.iterations;
         solution.evidence.seconds += at_once.evidence.seconds;
     }
@@ -78,7 +78,7 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
     const ForcesGiven given{{forces.Fx.has_value(), forces.Fy.has_value()},
                             Pair(forces.Fx.value_or(0), forces.Fy.value_or(0)) / problem_.grid.element_area(),
                             is_loose ? std::max(tolerance, settings.tolerance) : tolerance};
-    solution = ask_solver({bound, rigid, given, start, estimate, settings}, observer);
+    solution = solver_.solve({bound, rigid, given, start, estimate, settings}, observer);
     motion_ = asked;
     if (!solution.evidence.converged) return solution;
     motion_ = with_translation(motion_, (known + solution.uniform) / unit_);
@@ -87,8 +87,9 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
     return solution;
 }
 
+// As exactly as the problem asks for, also in loose turns: near the bound, rough forces tell nothing of the motion.
 RollingSolution TangentialStep::search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
-                                       const Field& estimate, const SolverSettings& settings, Observer& observer) {
+                                       const Field& estimate, Observer& observer) {
     RollingSolution solution;
     SolverEvidence all;  // of the tangential solves together
     const Field* start = &estimate;
@@ -98,7 +99,7 @@ RollingSolution TangentialStep::search(const PrescribedForces& forces, const Fie
         Field rigid = rigid_slip();
         add(rigid, rest);
         SilentObserver silent(observer);
-        SolverSettings one = settings;
+        SolverSettings one = problem_.settings.tangential;
         if (tolerance > problem_.settings.outer.tolerance) one.tolerance = std::max(one.tolerance, tolerance);
         solution = solve_with(rigid, bound, *start, one, silent);
         last.x = solution.traction_x;

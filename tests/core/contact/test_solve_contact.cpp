@@ -267,7 +267,7 @@ TEST_CASE("friction that falls with slip carries less than its static coefficien
     }
 }
 
-TEST_CASE("friction work of a wrong sign is stated as it is", "[contact]") {
+TEST_CASE("friction takes work also where a solver was stopped at tractions of a wrong start", "[contact]") {
     ContactProblem problem = cattaneo_problem(20);
     const auto there = solve_half_spaces(problem);
     CHECK(*there.frictional_work > 0);
@@ -275,10 +275,10 @@ TEST_CASE("friction work of a wrong sign is stated as it is", "[contact]") {
     problem.initial.traction_x = there.traction_x;  // of the way there, along the slip of the way back
     problem.initial.traction_y = there.traction_y;
     problem.motion = Shift{.rigid_shift = {.x = -0.00817}};
-    problem.settings.tangential.max_iterations = 1;
+    problem.settings.tangential.max_iterations = GENERATE(1, 2, 3);
     const auto back = solve_half_spaces(problem);
     CHECK_FALSE(back.converged());
-    CHECK(*back.frictional_work < -0.1 * *there.frictional_work);
+    CHECK(*back.frictional_work >= 0);
 }
 
 TEST_CASE("friction that never falls because the velocity was left out is warned of", "[contact]") {

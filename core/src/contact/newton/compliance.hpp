@@ -25,6 +25,9 @@ class Compliance {
     // do changes from iteration to iteration.
     virtual void precondition(const Field& r, Field& z, Residual kind, int iteration) = 0;
 
+    // Whether a traction slips far from where it acts, too, so that to move some of them spoils the slip of all.
+    virtual bool is_far_reaching() const = 0;
+
     // Progress is told under this name.
     virtual std::string_view stage() const = 0;
 };

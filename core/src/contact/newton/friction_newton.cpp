@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t most_steps = 50;            // in the history
 constexpr std::size_t history_values = 16 << 20;  // that its arrays may hold
 constexpr double on_bound = 1e-9;                 // relative distance from the bound that counts as being on it
+constexpr double far_moved = 1e-2;                // relative change by moves to the bounds that asks for the slip anew
 constexpr double start_self = 8;                  // times the self-influence: turns slip into traction for the division
 constexpr double far_off = 0.5;        // squared, relative: part of a step against the bounds at which it tells nothing
 constexpr double much_turned = 0.05;   // relative change of the tractions that makes linearised steps stale
@@ -97,7 +98,11 @@ void FrictionNewton::begin() {
     before_ = law_.slips;
     std::fill(law_.slips.begin(), law_.slips.end(), false);
     slip_of_ = p_;
-    division_changed_ = find_division();
+    changed_ = find_division();
+    if (changed_ > 0 && compliance_.is_far_reaching() && moved() > far_moved) {
+        update_slip();
+        slip_of_ = p_;
+    }
     best_ = std::numeric_limits<double>::infinity();
     without_progress_ = 0;
     is_stale_ = is_stale_ || before_ != law_.slips;
@@ -105,22 +110,30 @@ void FrictionNewton::begin() {
     linearise();
 }
 
+// Of the tractions since the slip was found, relative.
+double FrictionNewton::moved() const {
+    double change = 0;
+    for (std::size_t e = 0; e < m_; ++e)
+        change += std::pow(p_.x[e] - slip_of_.x[e], 2) + std::pow(p_.y[e] - slip_of_.y[e], 2);
+    return std::sqrt(change / inner(p_, p_));
+}
+
 // As in TangCg: finds slip also when the bound has grown a little since the estimate. The slip remains that of the
 // estimate, which the first step makes good.
-bool FrictionNewton::find_division() {
+std::size_t FrictionNewton::find_division() {
     update_slip();
-    if (!any(p_)) return false;
-    bool moved = false;
+    if (!any(p_)) return 0;
+    std::size_t moved = 0;
     for (std::size_t e = 0; e < m_; ++e) {
         const double stiffness = start_self * compliance_.self()[e];
         const double x = p_.x[e] - s_.x[e] / stiffness, y = p_.y[e] - s_.y[e] / stiffness;
         if (!(std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound))) continue;
         if (x * p_.x[e] + y * p_.y[e] <= 0) {
             oppose_slip(e);
-            moved = true;
+            ++moved;
             continue;
         }
-        moved = moved || size(e) < g_[e] * (1 - on_bound);
+        moved += size(e) < g_[e] * (1 - on_bound);
         let_slip(e);
     }
     return moved;
@@ -161,7 +174,7 @@ bool FrictionNewton::iterate(int iterations, const SolverSettings& settings, Obs
         const double law = violation(), now = std::hypot(law, joined_ ? force_residual() : 0);
         // The next step estimates the error of the tractions, but costs a preconditioner product; the last step tells
         // as much, since errors fall as violations do.
-        if (iteration == 0) find_step();
+        if (iteration == 0 && !has_step_) find_step();
         const double error = iteration == 0 ? relative_step() : last_update * now / last_violation;
         report(std::max(law, error), settings, observer);
         if (evidence_.converged || iteration == iterations || !made_progress()) return evidence_.converged;
@@ -178,6 +191,7 @@ bool FrictionNewton::iterate(int iterations, const SolverSettings& settings, Obs
 void FrictionNewton::join_forces() {
     joined_ = true;
     is_stale_ = true;
+    has_step_ = false;
     force_weight_ = rms_w_ * std::sqrt(static_cast<double>(m_)) / largest_;
 }
 
@@ -198,13 +212,17 @@ void FrictionNewton::take_rigid_slip() {
 void FrictionNewton::report(double law_residual, const SolverSettings& settings, Observer& observer) {
     const double force = force_residual();
     evidence_.residual = law_residual;
-    evidence_.converged = !division_changed_ && law_residual <= settings.tolerance &&
+    evidence_.converged = division_stands(settings.tolerance) && law_residual <= settings.tolerance &&
                           (!border_ || (joined_ && force <= border_->tolerance()));
     const double residual = std::max(law_residual, force);
     if (first_ == 0) first_ = residual;
     if (evidence_.iterations % 4 == 0)
         observer.on_progress({border_ ? "force" : compliance_.stage(),
                               log_fraction(first_, residual, settings.tolerance), evidence_.iterations, residual});
+}
+
+bool FrictionNewton::division_stands(double tolerance) const {
+    return static_cast<double>(changed_) <= tolerance * static_cast<double>(m_);
 }
 
 double FrictionNewton::violation() const {
@@ -215,6 +233,7 @@ double FrictionNewton::violation() const {
 void FrictionNewton::linearise() {
     linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.turning.data(), r_);
     compliance_.linearise(law_);
+    has_step_ = false;
 }
 
 void FrictionNewton::linearise_history() {
@@ -229,7 +248,7 @@ void FrictionNewton::linearise_history() {
         std::fill_n(result.y, m_, 0.0);
         return Pair::Zero();
     };
-    if (is_stale_ || division_changed_ || turned_ > much_turned) {
+    if (is_stale_ || changed_ > 0 || turned_ > much_turned) {
         history_.map_all(image);
         is_stale_ = false;
         turned_ = 0;
@@ -255,6 +274,7 @@ void FrictionNewton::find_step() {
         step_.y[e] += z_.y[e];
     }
     if (joined_) law_.project(step_);
+    has_step_ = true;
 }
 
 void FrictionNewton::take_step(double tolerance) {
@@ -274,7 +294,8 @@ void FrictionNewton::take_step(double tolerance) {
     const double push = accepted_push * tolerance * rms_w_;
     take_differences(m_, p_, s_, push, g_.data(), law_.slips.data(), change, response);
     history_.accept(rigid_step_);
-    division_changed_ = before_ != law_.slips;
+    changed_ = 0;
+    for (std::size_t e = 0; e < m_; ++e) changed_ += before_[e] != law_.slips[e];
     if (!border_) return;
     border_->division_changed(before_, law_.slips);
     missing_ = border_->missing(p_);

@@ -30,7 +30,8 @@ class FrictionNewton {
     // The contact has other bounds or another rigid slip, and the forces along the same components may be others: goes
     // on from the tractions as they are, and with the steps made so far.
     void go_on(const std::optional<ForcesGiven>& forces);
-    // At most `iterations`; true when converged. Ends early when it makes no more progress.
+    // At most `iterations`; true when converged: law and forces hold to the tolerance, and no larger part of the
+    // elements than that has just changed between adhesion and slip. Ends early when it makes no more progress.
     bool iterate(int iterations, const SolverSettings& settings, Observer& observer);
     const SolverEvidence& evidence() const { return evidence_; }
 
@@ -49,7 +50,8 @@ class FrictionNewton {
     void update_slip();
     void let_slip(std::size_t e);
     void oppose_slip(std::size_t e);
-    bool find_division();  // true when tractions moved to their bounds
+    std::size_t find_division();  // how many tractions moved to their bounds
+    double moved() const;
     double relative_step() const;
     void take_rigid_slip();
     void report(double law_residual, const SolverSettings& settings, Observer& observer);
@@ -60,6 +62,7 @@ class FrictionNewton {
     void linearise();
     // What the Jacobian makes of the steps made so far; of all of them when the division or the tangents have changed.
     void linearise_history();
+    bool division_stands(double tolerance) const;
     // Root mean square violation of the law over that of w.
     double violation() const;
     // The next step, into step_ and rigid_step_.
@@ -86,9 +89,10 @@ class FrictionNewton {
     double rms_w_ = 0;                        // root mean square of w, with its uniform part
     double squared_bound_ = 0, largest_ = 0;  // sums of g^2 and g
     double force_weight_ = 0;                 // makes errors of the forces weigh as those of the law
-    bool division_changed_ = false;
-    bool is_stale_ = false;  // what the Jacobian makes of the steps
-    double turned_ = 0;      // relative change of the tractions since the history was linearised
+    std::size_t changed_ = 0;                 // elements, in the last step
+    bool has_step_ = false;                   // step_ is for the tractions as they are
+    bool is_stale_ = false;                   // what the Jacobian makes of the steps
+    double turned_ = 0;                       // relative change of the tractions since the history was linearised
     double best_ = std::numeric_limits<double>::infinity(), first_ = 0;
     int without_progress_ = 0;
 };

@@ -1,5 +1,5 @@
-// Rolling contact: tractions under Coulomb friction while particles travel through a given contact area (Kalker 1990,
-// chapter 5). A step in time is a shift problem (tangential.hpp); here is the steady state.
+// Rolling contact: particles travel through a given contact area (Kalker 1990, chapter 5). What they slip, and what
+// tractions they carry.
 #pragma once
 
 #include <span>
@@ -9,7 +9,6 @@
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/influence_operator.hpp"
-#include "contactd/observer.hpp"
 #include "contactd/step_operator.hpp"
 
 namespace contactd {
@@ -30,21 +29,6 @@ RigidSlip rigid_slip(const Grid& grid, const Shift& shift);
 struct RollingSolution : TangentialSolution {
     std::vector<double> slip_x, slip_y;  ///< over the step (mm), 0 outside contact; over dq, the relative slip
 };
-
-/// The steady state, p_previous = p: s = w + C p, found directly. Converged means that the division stands, |p| <= g
-/// everywhere and |p| = g in slip hold exactly, and
-/// evidence.residual <= tolerance, the larger of
-/// - the violation of the friction law, |s| in adhesion, |s x p|/g and s . p/g > 0 in slip, as a root mean square over
-///   the contact relative to that of w, and
-/// - the estimated error of the tractions, the violation times an approximate inverse of the law's Jacobian, relative
-///   to the tractions.
-/// When the direct iteration does not get there, the transient marches on from what it found, and it tries again;
-/// evidence.iterations counts those of the direct kind. Errors as of solve_tangential; also throws InvalidArgument for
-/// a step or grid that does not fit.
-RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<const double> bound,
-                                     std::span<const double> rigid_x, std::span<const double> rigid_y,
-                                     const SolverSettings& settings, std::span<const double> initial_x,
-                                     std::span<const double> initial_y, Observer& observer);
 
 /// Resultants of tractions on the upper body.
 struct TangentialForces {

@@ -24,6 +24,7 @@ class RollingCompliance final : public Compliance {
     const std::vector<double>& self() const override { return self_; }
     void linearise(const Linearisation& law) override;
     void precondition(const Field& r, Field& z, Residual kind, int iteration) override;
+    bool is_far_reaching() const override { return false; }
     std::string_view stage() const override { return "rolling"; }
 
    private:

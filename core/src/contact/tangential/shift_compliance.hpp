@@ -18,6 +18,7 @@ class ShiftCompliance final : public Compliance {
     const std::vector<double>& self() const override { return self_; }
     void linearise(const Linearisation& law) override;
     void precondition(const Field& r, Field& z, Residual kind, int iteration) override;
+    bool is_far_reaching() const override { return true; }
     std::string_view stage() const override { return "tangential"; }
 
    private:
