@@ -356,7 +356,7 @@ class ContactProblem:
         lower_ics: The same of the lower body; None, and `lower` None too: as the upper one.
         friction: Friction and the motion; None: frictionless.
         normal: Stop test of NORM, for the pressures.
-        tangential: Stop test of TangCG or steady rolling, for the tractions.
+        tangential: Stop test of Newton's method on the friction law, for the tractions.
         initial: Where the solvers start: tractions of a similar problem.
         Fn: Normal force (N), >= 0, instead of the approach, which is found then.
         model: "full": boundary elements; "hertz": closed forms of elliptic contact; "fastsim": Hertzian contact and

@@ -313,9 +313,9 @@ class ContactEvidence:
     Attributes:
         normal: NORM, which finds the pressures.
         ics: Where the coefficients came from, by "upper", "lower" or "pair".
-        tangential: TangCG or Newton's method on the friction law, which find the tractions.
-        outer: The loop that bodies that differ and kinetic friction need; its residual is the last relative change of
-            tractions.
+        tangential: Newton's method on the friction law, and TangCG where that stopped, which find the tractions.
+        outer: The loop that bodies that differ and kinetic friction need; its residual is what further turns
+            would change of the tractions, relative; of kinetic friction the last change.
         force: How the motion of a prescribed force was found: iterations of Newton's method on motion and tractions, and
             solves of a search where that failed; its residual is the error of the force over the friction bound.
         discretisation: What the size of the elements costs; of model "full", where there is contact.

@@ -65,8 +65,8 @@ struct Forces {
 struct ContactEvidence {
     SolverEvidence normal;
     std::optional<SolverEvidence> tangential;
-    /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, the
-    /// last relative change of the tractions.
+    /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, and
+    /// what further ones would change of the tractions, relative; with a slip law the last change.
     std::optional<SolverEvidence> outer;
     std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - asked|/(sum g dx dy)
     std::optional<Discretisation> discretisation;  ///< of model full, where there is contact

@@ -71,6 +71,7 @@ class BoundaryElements {
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
         for (std::size_t i = 0; i < n_; ++i) static_mu_.push_back(friction.mu_of(i));
+        bound_ = bound_of(static_mu_);
         if (friction.kinetic) slip_law_.emplace(*friction.kinetic, static_mu_);
     }
 
@@ -126,16 +127,17 @@ class BoundaryElements {
         TurnTolerances tolerances(problem_, coupled && !problem_.friction->kinetic);
         for (int iteration = 1;; ++iteration) {
             const Tractions last = now_;
+            const bool solved_finally = tolerances.are_final();
             IterationObserver part(observer, iteration, repeats ? 0.3 : 1);
             if ((first && iteration == 1) || coupled) solve_normal_contact(tolerances.normal(), part);
             if (!step_) return;
             solve_tangential_contact(tolerances.tangential(), part);
             if (!repeats) return;
-            const double change = std::max(relative_change(now_, last), follow_slip_law());
-            const bool converged = change <= problem_.settings.outer.tolerance && tolerances.are_final();
-            solution_.evidence.outer = {iteration, change, converged, stopwatch.seconds()};
+            tolerances.follow(std::max(relative_change(now_, last), follow_slip_law()));
+            const double left = tolerances.left();
+            const bool converged = left <= problem_.settings.outer.tolerance && solved_finally;
+            solution_.evidence.outer = {iteration, left, converged, stopwatch.seconds()};
             if (converged || iteration == problem_.settings.outer.max_iterations) return;
-            tolerances.follow(change);
         }
     }
 
@@ -168,16 +170,34 @@ class BoundaryElements {
     }
 
     void solve_tangential_contact(const SolverSettings& settings, Observer& observer) {
-        const Values& mu = slip_law_ ? slip_law_->mu() : static_mu_;
-        Values bound = now_.pressure;
-        for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
+        Values bound = bound_of(slip_law_ ? slip_law_->mu() : static_mu_);
+        keep_at_bound(bound);
+        bound_ = std::move(bound);
         PartObserver part(observer, 0.3, 1);
-        tangential_ = step_->solve(now_.pressure, bound, now_.tangential, settings, part);
+        tangential_ = step_->solve(now_.pressure, bound_, now_.tangential, settings, part);
         now_.tangential.x = tangential_.traction_x;
         now_.tangential.y = tangential_.traction_y;
         auto& evidence = solution_.evidence.tangential;
         if (!evidence) evidence = SolverEvidence{};
         continue_with(*evidence, tangential_.evidence);
+    }
+
+    Values bound_of(const Values& mu) const {
+        Values bound = now_.pressure;
+        for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
+        return bound;
+    }
+
+    // Tractions that were at their bound stay there, so that the estimate knows where there was slip.
+    void keep_at_bound(const Values& bound) {
+        constexpr double on_bound = 1e-9;
+        auto& [x, y] = now_.tangential;
+        for (std::size_t i = 0; i < n_; ++i) {
+            const double size = std::hypot(x[i], y[i]);
+            if (!(bound_[i] > 0 && size >= bound_[i] * (1 - on_bound))) continue;
+            x[i] *= bound[i] / size;
+            y[i] *= bound[i] / size;
+        }
     }
 
     /// How far the coefficients of friction were from those that the slip asks for; they follow it.
@@ -237,6 +257,7 @@ class BoundaryElements {
     NormalSolver normal_;
     bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
     Values static_mu_;            // per element
+    Values bound_;                // of the tractions as they are
     std::optional<SlipLawIteration> slip_law_;
     RollingSolution tangential_;
     struct {

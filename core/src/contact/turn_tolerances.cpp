@@ -5,18 +5,27 @@
 namespace contactd {
 namespace {
 
-constexpr double first_normal = 1e-3, first_tangential = 5e-2;
-constexpr double normal_part = 0.005, tangential_part = 0.06;  // of the expected change
+constexpr double first_normal = 3e-3, first_tangential = 0.1;
+constexpr double normal_part = 0.01, tangential_part = 0.2;  // of the expected change
 constexpr double least_rate = 0.03, largest_rate = 0.3, first_rate = 0.05;
+// Rates that tell what is left: smaller ones may be luck, and larger ones are no sign of a series that ends. Of the
+// last two the smaller one counts: what a turn left unsolved is made up for by the next one, and adds to its change.
+constexpr double least_sure_rate = 0.1, largest_sure_rate = 0.5;
 
 void tighten(SolverSettings& settings, double tolerance, const SolverSettings& last) {
     settings.tolerance = std::clamp(tolerance, last.tolerance, std::max(settings.tolerance, last.tolerance));
 }
 
+// The sum of a geometric series behind `change`.
+double sum_behind(double change, double rate) {
+    rate = std::max(rate, least_sure_rate);
+    return rate <= largest_sure_rate ? change * rate / (1 - rate) : change;
+}
+
 }  // namespace
 
 TurnTolerances::TurnTolerances(const ContactSetup& setup, bool loose)
-    : setup_(setup), normal_(setup.settings.normal), tangential_(setup.settings.tangential) {
+    : setup_(setup), loose_(loose), normal_(setup.settings.normal), tangential_(setup.settings.tangential) {
     if (!loose) return;
     normal_.tolerance = std::max(normal_.tolerance, first_normal);
     tangential_.tolerance = std::max(tangential_.tolerance, first_tangential);
@@ -27,13 +36,20 @@ bool TurnTolerances::are_final() const {
 }
 
 void TurnTolerances::follow(double change) {
-    const double rate =
-        last_change_ && *last_change_ > 0 ? std::clamp(change / *last_change_, least_rate, largest_rate) : first_rate;
-    last_change_ = change;
-    const double expected = rate * change;
-    const bool is_last = expected <= setup_.settings.outer.tolerance;
-    tighten(normal_, is_last ? 0 : normal_part * expected, setup_.settings.normal);
-    tighten(tangential_, is_last ? 0 : tangential_part * expected, setup_.settings.tangential);
+    const bool is_first = change_ == 0;
+    const double last = is_first ? 1 : change / change_;
+    sure_rate_ = std::min(rate_, last);
+    rate_ = last;
+    change_ = change;
+    const double next = change * (is_first ? first_rate : std::clamp(rate_, least_rate, largest_rate));
+    const double after_next = is_first ? next : sum_behind(next, sure_rate_);
+    const bool is_last = after_next <= setup_.settings.outer.tolerance;
+    tighten(normal_, is_last ? 0 : normal_part * next, setup_.settings.normal);
+    tighten(tangential_, is_last ? 0 : tangential_part * next, setup_.settings.tangential);
+}
+
+double TurnTolerances::left() const {
+    return loose_ ? sum_behind(change_, sure_rate_) : change_;
 }
 
 }  // namespace contactd

@@ -1,7 +1,5 @@
-// How exactly normal and tangential contact are solved in their turns between bodies that differ.
+// How exactly normal and tangential contact are solved in their turns between bodies that differ, and when these end.
 #pragma once
-
-#include <optional>
 
 #include "contactd/contact_setup.hpp"
 
@@ -20,11 +18,15 @@ class TurnTolerances {
     bool are_final() const;
     /// A turn has changed the tractions by that much, relative.
     void follow(double change);
+    /// What is left to change, relative, as far as the last two turns tell; the last change where they do not.
+    double left() const;
 
    private:
     const ContactSetup& setup_;
+    const bool loose_;
     SolverSettings normal_, tangential_;
-    std::optional<double> last_change_;
+    double change_ = 0, rate_ = 1;  // of the last turn, to that of the turn before
+    double sure_rate_ = 1;          // the smaller one of the last two rates
 };
 
 }  // namespace contactd

@@ -1,8 +1,10 @@
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include "contact/turn_tolerances.hpp"
 
 using namespace contactd;
+using Catch::Matchers::WithinRel;
 
 TEST_CASE("turns are solved the better the less they change, and the last ones as asked for", "[dissimilar]") {
     const ContactSetup setup;
@@ -40,4 +42,35 @@ TEST_CASE("tolerances that are asked for are not tightened", "[dissimilar]") {
     CHECK(tolerances.are_final());
     tolerances.follow(1e-3);
     CHECK(tolerances.are_final());
+}
+
+TEST_CASE("what is left to change is the rest of the series that changes make", "[dissimilar]") {
+    const ContactSetup setup;
+    TurnTolerances tolerances(setup, true);
+    tolerances.follow(1);
+    CHECK(tolerances.left() == 1);  // nothing is known yet
+    tolerances.follow(0.2);
+    CHECK_THAT(tolerances.left(), WithinRel(0.05, 1e-12));  // 0.04 + 0.008 + ...
+    tolerances.follow(0.2 * 0.3);                           // slower by what the turn before left
+    CHECK_THAT(tolerances.left(), WithinRel(0.06 * 0.25, 1e-12));
+    tolerances.follow(0.06 * 1e-3);  // luck
+    CHECK_THAT(tolerances.left(), WithinRel(0.06e-3 / 9, 1e-12));
+}
+
+TEST_CASE("changes that do not get smaller by half say nothing of those to come", "[dissimilar]") {
+    const ContactSetup setup;
+    TurnTolerances tolerances(setup, true);
+    tolerances.follow(1);
+    tolerances.follow(0.8);
+    CHECK(tolerances.left() == 0.8);
+    tolerances.follow(0.6);
+    CHECK(tolerances.left() == 0.6);
+}
+
+TEST_CASE("of turns that are not loose the last change is what is left", "[dissimilar]") {
+    const ContactSetup setup;
+    TurnTolerances tolerances(setup, false);
+    tolerances.follow(1);
+    tolerances.follow(1e-3);
+    CHECK(tolerances.left() == 1e-3);
 }
