@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/newton/friction_newton.hpp"
+#include "contact/rolling/coarse_start.hpp"
 #include "contact/support/solver_support.hpp"
 #include "operators/restriction.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "contact/newton/force_border.hpp"
-#include "contact/rolling/coarse_start.hpp"
+#include "contact/rolling/friction_bodies.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"

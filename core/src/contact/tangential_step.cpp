@@ -57,7 +57,6 @@ RollingBodies TangentialStep::bodies() const {
 // Particles had the displacements A' p_before of where they were, and A' = A - C; of a shift C is zero. A steady state
 // knows no step before.
 void TangentialStep::begin(const Tractions& before) {
-    before_ = before;
     solver_.forget();
     is_first_ = true;
     history_ = Field(n_);

@@ -68,7 +68,6 @@ class TangentialStep {
     const std::size_t n_;
     Motion motion_;
     double unit_ = 1;
-    Tractions before_;
     Field history_;  // what slip owes to the step before
     std::optional<SolverEvidence> force_evidence_;
     FrictionSolver solver_;

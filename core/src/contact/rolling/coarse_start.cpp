@@ -2,8 +2,6 @@
 
 #include "contact/newton/friction_newton.hpp"
 #include "contact/support/solver_support.hpp"
-#include "contact/tangential/shift_compliance.hpp"
-#include "rolling_compliance.hpp"
 
 namespace contactd {
 namespace {
@@ -27,12 +25,6 @@ std::optional<FrictionBodies> coarser(const FrictionBodies& bodies) {
 }
 
 }  // namespace
-
-std::unique_ptr<Compliance> compliance_of(const FrictionBodies& bodies, const Contact& contact) {
-    if (bodies.change == nullptr) return std::make_unique<ShiftCompliance>(bodies.influence, contact);
-    const RollingBodies rolling{bodies.influence, *bodies.change, bodies.grid, bodies.step_x, bodies.step_y};
-    return std::make_unique<RollingCompliance>(rolling, contact);
-}
 
 FrictionStart start_on_coarser(const FrictionBodies& fine, const Contact& contact,
                                const std::optional<ForcesGiven>& forces, const Pair& uniform,

@@ -1,0 +1,25 @@
+// The bodies as Newton's method on the friction law takes them, whether they shift or roll.
+#pragma once
+
+#include <memory>
+
+#include "contact/newton/compliance.hpp"
+#include "contact/support/contact_elements.hpp"
+#include "contactd/grid.hpp"
+#include "contactd/influence_operator.hpp"
+#include "contactd/step_operator.hpp"
+
+namespace contactd {
+
+/// What slip owes to tractions: C of steady rolling where there is a `change`, otherwise A.
+struct FrictionBodies {
+    const InfluenceOperator& influence;
+    const StepOperator* change;
+    Grid grid;
+    double step_x = 0, step_y = 0;  ///< as of RollingBodies, where there is a `change`
+};
+
+/// The bodies' operators and the contact outlive it.
+std::unique_ptr<Compliance> compliance_of(const FrictionBodies& bodies, const Contact& contact);
+
+}  // namespace contactd
