@@ -30,4 +30,27 @@ StatusCode code_named(std::string_view name) {
 StatusError::StatusError(StatusCode code, std::string_view reason, std::string message)
     : StatusError(Status{code, std::move(message), std::string(reason), {}, 0}) {}
 
+StatusError invalid_field(std::string field, const std::string& problem, std::string_view why) {
+    Status status{StatusCode::invalid_argument, field + " " + problem, std::string(why), {}, 0};
+    status.violations.push_back({std::move(field), problem});
+    return StatusError(std::move(status));
+}
+
+Status status_of(const std::exception& error) {
+    if (const auto* known = dynamic_cast<const StatusError*>(&error)) return known->status();
+    if (const auto* invalid = dynamic_cast<const InvalidArgument*>(&error)) {
+        const std::string problem = std::string(error.what()).substr(invalid->field().size() + 1);
+        return invalid_field(invalid->field(), problem).status();
+    }
+    if (dynamic_cast<const Cancelled*>(&error))
+        return {StatusCode::cancelled, error.what(), std::string(reason::job_cancelled), {}, 0};
+    if (dynamic_cast<const std::bad_alloc*>(&error))
+        return {StatusCode::resource_exhausted,
+                "There is not enough memory for this request.",
+                std::string(reason::limit_exceeded),
+                {},
+                0};
+    return {StatusCode::internal, error.what(), std::string(reason::unexpected), {}, 0};
+}
+
 }  // namespace contactd

@@ -14,7 +14,7 @@
 #include "config/socket_file.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_store.hpp"
-#include "ics/build/builder_programs.hpp"
+#include "operation/builder_programs.hpp"
 #include "operation/http_listener.hpp"
 
 namespace contactd::server {

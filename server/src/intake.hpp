@@ -7,8 +7,8 @@
 
 #include "access/rate_limit.hpp"
 #include "config/config.hpp"
+#include "engine/jobs/worker_pool.hpp"
 #include "jobs/call.hpp"
-#include "jobs/worker_pool.hpp"
 #include "service.hpp"
 #include "wire/answering_socket.hpp"
 #include "wire/open_calls.hpp"

@@ -2,14 +2,15 @@
 
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <utility>
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
-#include "ics/build/builder_programs.hpp"
-#include "ics/store/store_folder.hpp"
+#include "engine/ics/store/store_folder.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/all_methods.hpp"
+#include "operation/builder_programs.hpp"
 
 namespace contactd::server {
 
@@ -24,21 +25,22 @@ const Status& stopping_status() {
     return status;
 }
 
-IcStore open_store(const Config& config, Counters& counters) {
-    return IcStore(config.store.folder, [&counters](const std::string& sentence) {
-        ++counters.tables_set_aside;
-        spdlog::warn("store: {}", sentence);
-    });
+void log(engine::LogLevel level, const std::string& line) {
+    constexpr std::array levels{spdlog::level::info, spdlog::level::warn, spdlog::level::err};
+    spdlog::log(levels[static_cast<std::size_t>(level)], "{}", line);
 }
 
-IcService::Settings ic_settings(const Config& config) {
+engine::EngineSettings engine_settings(const Config& config) {
     const auto& builds = config.builds;
-    return {{builds.launcher, builds.program, builds.environment, builds.max_memory_bytes,
-             std::chrono::seconds(builds.stall_seconds), std::chrono::seconds(builds.max_seconds)},
-            builds.concurrent,
-            config.store.memory_budget_bytes,
-            config.store.disk_budget_bytes,
-            {builds.max_failures, std::chrono::seconds(builds.quarantine_seconds)}};
+    return {config.store.folder,
+            config.store.influence_budget_bytes,
+            {{builds.launcher, builds.program, builds.environment, builds.max_memory_bytes,
+              std::chrono::seconds(builds.stall_seconds), std::chrono::seconds(builds.max_seconds)},
+             builds.concurrent,
+             config.store.memory_budget_bytes,
+             config.store.disk_budget_bytes,
+             {builds.max_failures, std::chrono::seconds(builds.quarantine_seconds)},
+             log}};
 }
 
 }  // namespace
@@ -48,12 +50,12 @@ Service::Service(const Config& config)
                    config.security.per_user.open_requests}),
       methods_(all_methods()),
       request_metrics_(methods_.names()),
-      ics_(ic_settings(config), open_store(config, counters_), jobs_, counters_),
-      influences_(config.store.influence_budget_bytes),
+      engine_(engine_settings(config)),
       sessions_(config.sessions),
-      parts_{config, open_calls_, counters_, request_metrics_, health_, jobs_, ics_, influences_, sessions_, workers_},
+      parts_{config,  open_calls_,      counters_,      request_metrics_, health_,
+             engine_, engine_.tables(), engine_.jobs(), sessions_,        workers_},
       workers_(config.workers) {
-    count_store(counters_, config.store.folder);
+    engine::count_store(engine_.counters(), config.store.folder);
     for (const std::string& problem : building_problems(config)) spdlog::warn("{}", problem);
 }
 
@@ -61,7 +63,7 @@ void Service::handle(CallPtr call) {
     const Method* method = this->method(call->request.method);
     if (!method || method->is_quick) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
-    if (method->job) job_of(call, method->job, jobs_);
+    if (method->job) job_of(call, method->job, engine_.jobs());
     auto work = [this, method, call] {
         call->check_deadline();
         if (!call->answered()) run(method, call);
@@ -97,11 +99,11 @@ void Service::begin_drain() {
 
 void Service::begin_stop() {
     begin_drain();
-    for (const auto& job : jobs_.all()) job->cancel();
+    for (const auto& job : engine_.jobs().all()) job->cancel();
 }
 
 void Service::finish_stop() {
-    ics_.stop(stopping_status());
+    engine_.tables().stop(stopping_status());
     workers_.stop();
 }
 

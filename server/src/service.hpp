@@ -5,11 +5,8 @@
 #include <string>
 
 #include "config/config.hpp"
-#include "ics/cache/influence_cache.hpp"
-#include "ics/ic_service.hpp"
+#include "engine/engine.hpp"
 #include "jobs/call.hpp"
-#include "jobs/job.hpp"
-#include "jobs/worker_pool.hpp"
 #include "methods/method_table.hpp"
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
@@ -47,13 +44,11 @@ class Service {
 
     OpenCalls open_calls_;  // outlives every call
     Counters counters_;
-    JobTable jobs_;
     const MethodTable methods_;
     RequestMetrics request_metrics_;
     Health health_;
     std::atomic<bool> stopping_ = false;
-    IcService ics_;
-    InfluenceCache influences_;
+    engine::Engine engine_;
     SessionTable sessions_;
     const DaemonParts parts_;
     WorkerPool workers_;  // last: its threads use everything above

@@ -1,7 +1,5 @@
 #include "contactd/proto/status.hpp"
 
-#include <utility>
-
 #include "contactd/proto/object.hpp"
 
 namespace contactd::proto {
@@ -82,12 +80,6 @@ Status status_from_json(const nlohmann::json& json) {
         status.versions = versions_from(*details);
     }
     return status;
-}
-
-StatusError invalid_field(std::string field, const std::string& problem, std::string_view why) {
-    Status status{StatusCode::invalid_argument, field + " " + problem, std::string(why), {}, 0};
-    status.violations.push_back({std::move(field), problem});
-    return StatusError(std::move(status));
 }
 
 }  // namespace contactd::proto

@@ -131,21 +131,4 @@ Answer refusal(Route route, const std::string& id, const Status& status) {
             {}};
 }
 
-Status status_of(const std::exception& error) {
-    if (const auto* known = dynamic_cast<const proto::StatusError*>(&error)) return known->status();
-    if (const auto* invalid = dynamic_cast<const InvalidArgument*>(&error)) {
-        const std::string problem = std::string(error.what()).substr(invalid->field().size() + 1);
-        return proto::invalid_field(invalid->field(), problem).status();
-    }
-    if (dynamic_cast<const Cancelled*>(&error))
-        return {StatusCode::cancelled, error.what(), std::string(proto::reason::job_cancelled), {}, 0};
-    if (dynamic_cast<const std::bad_alloc*>(&error))
-        return {StatusCode::resource_exhausted,
-                "There is not enough memory for this request.",
-                std::string(proto::reason::limit_exceeded),
-                {},
-                0};
-    return {StatusCode::internal, error.what(), std::string(proto::reason::unexpected), {}, 0};
-}
-
 }  // namespace contactd::server

@@ -12,11 +12,14 @@
 
 #include "contactd/proto/message.hpp"
 #include "contactd/proto/status.hpp"
-#include "worker_pool.hpp"
+#include "engine/jobs/job.hpp"
+#include "engine/jobs/worker_pool.hpp"
 
 namespace contactd::server {
 
-class Job;
+using engine::Job;
+using engine::Turn;
+using engine::WorkerPool;
 
 /// Where the answer goes.
 struct Route {
@@ -110,8 +113,5 @@ Answer refusal(Route route, const std::string& id, const proto::Status& status);
 
 /// Runs `work`; what it throws becomes the answer of the call.
 void guarded(const CallPtr& call, const std::function<void()>& work);
-
-/// What a thrown exception means on the wire.
-proto::Status status_of(const std::exception& error);
 
 }  // namespace contactd::server

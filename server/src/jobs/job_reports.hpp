@@ -8,11 +8,23 @@
 #include <string>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "call.hpp"
 #include "contactd/observer.hpp"
-#include "job.hpp"
 
 namespace contactd::server {
+
+using engine::JobProgress;
+using engine::JobTable;
+
+/// As on the wire, proto/schema/progress.json.
+nlohmann::json to_json(const Job& job, const JobProgress& progress);
+
+/// Passes the progress of a build on to a call that waits for it.
+inline std::function<void(const Job&, const JobProgress&)> reports_to(const CallPtr& call) {
+    return [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); };
+}
 
 /// The job of a call, made when it is first asked for: of kind "solve", ..., listed from when the call begins to wait;
 /// cancelling it answers the call.

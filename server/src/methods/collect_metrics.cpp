@@ -3,7 +3,7 @@
 #include <prometheus/metric_family.h>
 
 #include "contactd/version.hpp"
-#include "ics/store/store_folder.hpp"
+#include "engine/ics/store/store_folder.hpp"
 #include "operation/about.hpp"
 
 namespace contactd::server {
@@ -24,12 +24,12 @@ prometheus::MetricFamily build_info() {
     return info;
 }
 
-MetricFamilies counted(const Counters& c) {
+MetricFamilies counted(const Counters& own, const engine::Counters& c) {
     return {
-        counter("contactd_requests_received_total", "Messages received, answered or not.", number(c.requests)),
-        gauge("contactd_open_requests", "Requests that wait for their answer.", number(c.open_requests)),
-        gauge("contactd_connections", "Connections of clients.", number(c.connections)),
-        gauge("contactd_outbox_bytes", "Answers that wait for clients who do not read.", number(c.outbox_bytes)),
+        counter("contactd_requests_received_total", "Messages received, answered or not.", number(own.requests)),
+        gauge("contactd_open_requests", "Requests that wait for their answer.", number(own.open_requests)),
+        gauge("contactd_connections", "Connections of clients.", number(own.connections)),
+        gauge("contactd_outbox_bytes", "Answers that wait for clients who do not read.", number(own.outbox_bytes)),
         counter("contactd_solves_total", "Contact problems solved, and whether every solver reached its tolerance.",
                 "converged", {{"true", number(c.solves_converged)}, {"false", number(c.solves_not_converged)}}),
         counter("contactd_solver_iterations_total", "Iterations of the solvers.", "solver",
@@ -59,14 +59,14 @@ void append(MetricFamilies& all, MetricFamilies more) {
 }  // namespace
 
 MetricFamilies collect_metrics(const DaemonParts& parts, bool look_at_store) {
-    if (look_at_store) count_store(parts.counters, parts.config.store.folder);
+    if (look_at_store) engine::count_store(parts.engine.counters(), parts.config.store.folder);
     MetricFamilies all{build_info()};
     append(all, parts.request_metrics.collect());
-    append(all, counted(parts.counters));
-    const IcCache::Usage tables = parts.ics.cache_usage();
-    const InfluenceCache::Usage operators = parts.influences.usage();
-    const bool store_usable =
-        parts.ics.store_problem().empty() && (!look_at_store || store_problem(parts.config.store.folder).empty());
+    append(all, counted(parts.counters, parts.engine.counters()));
+    const engine::IcCache::Usage tables = parts.ics.cache_usage();
+    const engine::InfluenceCache::Usage operators = parts.engine.influences().usage();
+    const bool store_usable = parts.ics.store_problem().empty() &&
+                              (!look_at_store || engine::store_problem(parts.config.store.folder).empty());
     append(all, {gauge("contactd_ready", "1 when requests are taken.", parts.health.not_ready().empty() ? 1 : 0),
                  gauge("contactd_store_usable", "1 when the store's folder can be read and written to.",
                        store_usable ? 1 : 0),

@@ -6,7 +6,7 @@
 #include "all_methods.hpp"
 #include "contact_solve_many.hpp"
 #include "contactd/subsurface.hpp"
-#include "ics/problem_tables.hpp"
+#include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 
@@ -20,7 +20,7 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     ++parts.counters.solves;
     ContactProblem problem = proto::decode_problem(request.params, request.frames);
     proto::check_frames_used(request.params, request.frames);  // after those that are missing
-    check(problem);
+    engine::check(problem);
     const auto job = job_of(call, "solve", parts.jobs);
     const auto reporter = std::make_shared<Reporter>(call, job);
     const Grid grid = problem.grid;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "contactd/error.hpp"
-#include "ics/problem_tables.hpp"
+#include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 
@@ -56,7 +56,7 @@ void solve_next(const BatchPtr& batch) {
     ContactProblem& problem = std::get<ContactProblem>(batch->problems[index]);
     try {
         if (batch->job->cancelled() || batch->call->answered()) throw Cancelled("The batch was cancelled.");
-        check(problem);
+        engine::check(problem);
         start(batch->tools, {batch->call, std::move(problem), batch->job, [](const Progress&) {},
                              [batch, index](const SolveReply& reply) { finish(batch, index, reply); }, failed});
     } catch (const std::exception& error) {

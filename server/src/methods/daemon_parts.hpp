@@ -2,11 +2,8 @@
 #pragma once
 
 #include "config/config.hpp"
-#include "ics/cache/influence_cache.hpp"
-#include "ics/ic_service.hpp"
+#include "engine/engine.hpp"
 #include "jobs/call.hpp"
-#include "jobs/job.hpp"
-#include "jobs/worker_pool.hpp"
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
 #include "operation/metrics.hpp"
@@ -23,14 +20,14 @@ struct DaemonParts {
     Counters& counters;
     RequestMetrics& request_metrics;
     Health& health;
-    JobTable& jobs;
-    IcService& ics;
-    InfluenceCache& influences;
+    engine::Engine& engine;
+    engine::IcService& ics;  ///< of the engine, as jobs
+    engine::JobTable& jobs;
     SessionTable& sessions;
     WorkerPool& workers;
     const Call::Clock::time_point started = Call::Clock::now();
 
-    SolveTools solve_tools() const { return {ics, workers, influences, jobs, counters}; }
+    SolveTools solve_tools() const { return {engine, workers}; }
     /// Lets go of work that waits for calls which have been answered.
     void drop_abandoned() const {
         workers.drop_abandoned();

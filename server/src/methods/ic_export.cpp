@@ -6,10 +6,15 @@
 
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
-#include "ics/ic_pair.hpp"
+#include "engine/ics/ic_pair.hpp"
+#include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 
 namespace contactd::server {
+
+using engine::IcAnswer;
+using engine::IcAnswers;
+
 namespace {
 
 /// A file on its way: first the tables of both bodies, then the worker.
@@ -73,16 +78,15 @@ void export_table(const CallPtr& call, const DaemonParts& parts) {
     work->format = wanted.format;
     work->specs.fill(wanted.spec);
     if (wanted.lower) work->specs[1].material = *wanted.lower;
-    validate_body(work->specs[0], "material");
-    validate_body(work->specs[1], "lower");
+    engine::validate_body(work->specs[0], "material");
+    engine::validate_body(work->specs[1], "lower");
     if (wanted.format == FileFormat::contact) check_size(wanted.spec, parts.config.limits.max_frame_bytes);
-    fetch_pair(
-        call, parts.ics, {work->specs[0], work->specs[1]},
-        [work, &workers = parts.workers](const IcAnswers& answers) {
-            work->answers = answers;
-            workers.post(turn_of(work->call), [work] { answer(work); });
-        },
-        [call](const proto::Status& status) { call->fail(status); });
+    fetch_pair(parts.ics, {work->specs[0], work->specs[1]},
+               {[work, &workers = parts.workers](const IcAnswers& answers) {
+                    work->answers = answers;
+                    workers.post(turn_of(work->call), [work] { answer(work); });
+                },
+                [call](const proto::Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
 }
 
 }  // namespace contactd::server

@@ -13,8 +13,8 @@ std::string name_of(const StoredTable& table) {
     return table.path.stem().string();
 }
 
-json to_json(const BuildQuarantine::Entry& entry) {
-    const std::chrono::duration<double> left = entry.until - BuildQuarantine::Clock::now();
+json to_json(const engine::BuildQuarantine::Entry& entry) {
+    const std::chrono::duration<double> left = entry.until - engine::BuildQuarantine::Clock::now();
     return {{"key", entry.key},
             {"nx", entry.nx},
             {"ny", entry.ny},
@@ -45,14 +45,15 @@ void list_tables(const CallPtr& call, const DaemonParts& parts) {
         last = name_of(table);
     }
     result["bytes"] = bytes;
-    for (const BuildQuarantine::Entry& entry : parts.ics.quarantined()) result["quarantined"].push_back(to_json(entry));
+    for (const engine::BuildQuarantine::Entry& entry : parts.ics.quarantined())
+        result["quarantined"].push_back(to_json(entry));
     call->succeed(result);
 }
 
 void delete_tables(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     const std::string key = call->request.params.at("key");
-    const IcService::Forgotten forgotten = parts.ics.forget(key);
+    const engine::IcService::Forgotten forgotten = parts.ics.forget(key);
     if (forgotten.tables == 0 && !forgotten.failures)
         throw proto::StatusError(
             proto::StatusCode::not_found, proto::reason::ic_unknown,

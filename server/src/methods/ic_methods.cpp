@@ -7,6 +7,7 @@
 #include "contactd/proto/ic_part.hpp"
 #include "ic_export.hpp"
 #include "ic_list.hpp"
+#include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 
 namespace contactd::server {
@@ -23,7 +24,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     validate(spec);
     const proto::IcPart part = proto::decode_ic_part(call->request.params, spec.ny);
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
-    const auto done = [call, spec, part](const IcAnswer& answer) {
+    const auto done = [call, spec, part](const engine::IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
             const IcTable table = table_for(*answer.record, spec);
@@ -36,9 +37,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
         });
     };
     parts.ics.request(spec,
-                      {done, [call](const Status& status) { call->fail(status); },
-                       [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); },
-                       turn_of(call)});
+                      {done, [call](const Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
 }
 
 }  // namespace

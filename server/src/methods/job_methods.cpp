@@ -16,7 +16,7 @@ namespace {
 void list_jobs(const CallPtr& call, const DaemonParts& parts) {
     json jobs = json::array();
     for (const auto& job : parts.jobs.all()) {
-        const JobProgress progress = job->progress();
+        const engine::JobProgress progress = job->progress();
         json entry = {{"job", job->name},
                       {"kind", job->kind},
                       {"state", job->running() ? "running" : "queued"},

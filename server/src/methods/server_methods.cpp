@@ -7,8 +7,8 @@
 #include "collect_metrics.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
-#include "ics/build/builder_programs.hpp"
 #include "operation/about.hpp"
+#include "operation/builder_programs.hpp"
 
 namespace contactd::server {
 
@@ -27,7 +27,8 @@ void info(const CallPtr& call, const DaemonParts& parts) {
     limits["max_session_states"] = parts.config.sessions.max_states;
     limits["max_lease_seconds"] = parts.config.sessions.max_lease_seconds;
     const Counters& counters = parts.counters;
-    const IcCache::Usage cache = parts.ics.cache_usage();
+    const engine::Counters& done = parts.engine.counters();
+    const engine::IcCache::Usage cache = parts.ics.cache_usage();
     call->succeed({{"version", version()},
                    {"commit", commit()},
                    {"protocol", proto::protocol_version},
@@ -38,15 +39,15 @@ void info(const CallPtr& call, const DaemonParts& parts) {
                     {{"requests", counters.requests.load()},
                      {"requests_failed", counters.requests_failed.load()},
                      {"solves", counters.solves.load()},
-                     {"builds_started", counters.builds_started.load()},
-                     {"builds_finished", counters.builds_finished.load()},
-                     {"builds_failed", counters.builds_failed.load()},
-                     {"builds_cancelled", counters.builds_cancelled.load()},
-                     {"builds_joined", counters.builds_joined.load()},
-                     {"memory_hits", counters.memory_hits.load()},
-                     {"disk_hits", counters.disk_hits.load()},
-                     {"closed_form", counters.closed_form.load()},
-                     {"tables_set_aside", counters.tables_set_aside.load()}}},
+                     {"builds_started", done.builds_started.load()},
+                     {"builds_finished", done.builds_finished.load()},
+                     {"builds_failed", done.builds_failed.load()},
+                     {"builds_cancelled", done.builds_cancelled.load()},
+                     {"builds_joined", done.builds_joined.load()},
+                     {"memory_hits", done.memory_hits.load()},
+                     {"disk_hits", done.disk_hits.load()},
+                     {"closed_form", done.closed_form.load()},
+                     {"tables_set_aside", done.tables_set_aside.load()}}},
                    {"cache", {{"tables", cache.entries}, {"bytes", cache.bytes}, {"budget_bytes", cache.budget_bytes}}},
                    {"queue",
                     {{"solves_waiting", parts.workers.waiting()},

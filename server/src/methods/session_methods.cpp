@@ -3,7 +3,8 @@
 #include <utility>
 
 #include "all_methods.hpp"
-#include "ics/problem_tables.hpp"
+#include "engine/ics/problem_tables.hpp"
+#include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 
 namespace contactd::server {
@@ -20,15 +21,15 @@ const std::string& state_in(const CallPtr& call) {
     return call->request.params["state"].get_ref<const std::string&>();
 }
 
-void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<double> lease, const IcAnswers& ics,
-                 InfluenceCache& influences, SessionTable& sessions) {
+void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<double> lease,
+                 const engine::IcAnswers& ics, const DaemonParts& parts) {
     if (call->answered()) return;
-    ContactInfluence influence = influence_of({spec.setup, spec.load}, ics, influences);
     SessionReply reply;
     reply.lease_seconds = lease.count();
     reply.bytes = session_bytes(spec.setup);
-    reply.ics = uses_of(spec.setup, ics);
-    reply.session = sessions.add(std::make_shared<Session>(std::move(spec), lease, ics, std::move(influence)));
+    reply.ics = engine::uses_of(spec.setup, ics);
+    SessionTable& sessions = parts.sessions;
+    reply.session = sessions.add(std::make_shared<Session>(parts.engine.open(std::move(spec), ics), lease));
     // Nobody knows the name of a session whose opening came too late.
     if (!call->succeed(proto::encode_session_reply(reply))) sessions.remove(reply.session);
 }
@@ -39,22 +40,24 @@ void open(const CallPtr& call, const DaemonParts& parts) {
     SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);
     const auto lease = parts.sessions.lease(spec.lease_seconds);
-    check_opening({spec.setup, spec.load});
+    engine::check_opening({spec.setup, spec.load});
     parts.sessions.check_room(session_bytes(spec.setup));  // before a build is started for it
-    const auto specs = specs_of(spec.setup);
-    const bool needs = needs_tables(spec.setup);
-    auto prepare = [call, spec = std::move(spec), lease, &parts](const IcAnswers& ics) {
+    const auto specs = engine::specs_of(spec.setup);
+    const bool needs = engine::needs_tables(spec.setup);
+    auto prepare = [call, spec = std::move(spec), lease, &parts](const engine::IcAnswers& ics) {
         parts.workers.post(turn_of(call), [call, spec, lease, ics, &parts] {
-            guarded(call, [&] { finish_open(call, spec, lease, ics, parts.influences, parts.sessions); });
+            guarded(call, [&] { finish_open(call, spec, lease, ics, parts); });
         });
     };
     if (!needs) return prepare({});
-    fetch_pair(call, parts.ics, specs, prepare, [call](const proto::Status& status) { call->fail(status); });
+    engine::fetch_pair(
+        parts.ics, specs,
+        {prepare, [call](const proto::Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
 }
 
 void step(const CallPtr& call, const DaemonParts& parts) {
     ++parts.counters.solves;
-    parts.sessions.find(name_in(call))->step(call, parts.solve_tools());
+    parts.sessions.find(name_in(call))->step(call, parts.engine);
 }
 
 SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
@@ -64,29 +67,29 @@ SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
 
 void info(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
-    const ContactProblem& problem = session->opened;
+    const ContactProblem& problem = session->opened();
     SessionInfo told;
-    told.step = session->state()->step;
+    told.step = session->state()->contact.step;
     told.lease_seconds = session->lease.count();
     told.states = session->states();
     told.bytes = session->bytes();
     told.grid = problem.grid;
     if (problem.friction)
         told.motion = std::holds_alternative<Rolling>(problem.motion) ? MotionKind::rolling : MotionKind::shift;
-    told.ics = uses_of(problem, session->ics());
+    told.ics = engine::uses_of(problem, session->ics());
     call->succeed(proto::encode_session_info(told));
 }
 
 void save(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
-    const long long step = session->state()->step;
+    const long long step = session->state()->contact.step;
     call->succeed({{"state", parts.sessions.save(*session)}, {"step", step}});
 }
 
 void restore(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
     SessionStatePtr state = session->saved(state_in(call));
-    const long long step = state->step;
+    const long long step = state->contact.step;
     session->set_state(std::move(state));
     call->succeed({{"step", step}});
 }
@@ -98,7 +101,7 @@ void forget(const CallPtr& call, const DaemonParts& parts) {
 
 void close(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = parts.sessions.remove(name_in(call));
-    call->succeed({{"step", session->state()->step}});
+    call->succeed({{"step", session->state()->contact.step}});
 }
 
 void list(const CallPtr& call, const DaemonParts& parts) {
@@ -108,10 +111,10 @@ void list(const CallPtr& call, const DaemonParts& parts) {
         sessions.push_back({{"age_seconds", std::chrono::duration<double>(now - session->created).count()},
                             {"idle_seconds", session->idle(now).count()},
                             {"lease_seconds", session->lease.count()},
-                            {"step", session->state()->step},
+                            {"step", session->state()->contact.step},
                             {"states", session->states()},
                             {"bytes", session->bytes()},
-                            {"elements", session->opened.grid.size()}});
+                            {"elements", session->opened().grid.size()}});
     call->succeed({{"sessions", std::move(sessions)}, {"bytes", parts.sessions.bytes()}});
 }
 

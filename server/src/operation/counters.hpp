@@ -1,4 +1,4 @@
-// What the daemon has done since it started; shown by server.info and among the metrics.
+// What the daemon has done since it started, beside its engine; shown by server.info and among the metrics.
 #pragma once
 
 #include <atomic>
@@ -10,27 +10,11 @@ struct Counters {
     Count requests = 0;
     Count requests_failed = 0;
     Count solves = 0;
-    Count builds_started = 0;
-    Count builds_finished = 0;
-    Count builds_failed = 0;
-    Count builds_cancelled = 0;
-    Count builds_joined = 0;
-    Count memory_hits = 0;
-    Count disk_hits = 0;
-    Count closed_form = 0;
-    Count tables_set_aside = 0;
-    Count solves_converged = 0;
-    Count solves_not_converged = 0;
-    Count normal_iterations = 0;
-    Count tangential_iterations = 0;
-    Count build_milliseconds = 0;
 
     // What is the case now.
     Count connections = 0;
     Count outbox_bytes = 0;
     Count open_requests = 0;
-    Count store_tables = 0;
-    Count store_bytes = 0;
 };
 
 }  // namespace contactd::server

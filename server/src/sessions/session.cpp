@@ -36,18 +36,10 @@ StatusError session_unknown() {
             "There is no such session: it was closed, or never opened here."};
 }
 
-Session::Session(SessionSpec what, std::chrono::duration<double> lease_time, IcAnswers ics, ContactInfluence influence)
-    : opened{std::move(what.setup), std::move(what.load)},
-      accept_unconverged(what.accept_unconverged),
-      lease(lease_time),
-      ics_(std::move(ics)),
-      problem_(opened),
-      influence_(std::move(influence)),
-      rolling_step_(step_of(opened)) {
-    auto start = std::make_shared<SessionState>();
-    start->tractions = opened.previous;
-    state_ = std::move(start);
-}
+Session::Session(std::unique_ptr<engine::ContactSteps> steps, std::chrono::duration<double> lease_time)
+    : lease(lease_time),
+      steps_(std::move(steps)),
+      state_(std::make_shared<const SessionState>(SessionState{steps_->start(), {}})) {}
 
 // --- turns -----------------------------------------------------------------------------------------------------------
 
@@ -160,11 +152,11 @@ std::chrono::duration<double> Session::idle(Clock::time_point now) const {
 }
 
 std::size_t Session::bytes() const {
-    return session_bytes(opened) + states() * state_bytes();
+    return session_bytes(opened()) + states() * state_bytes();
 }
 
 std::size_t Session::state_bytes() const {
-    return bytes_beside + opened.grid.size() * bytes_per_element_state;
+    return bytes_beside + opened().grid.size() * bytes_per_element_state;
 }
 
 }  // namespace contactd::server

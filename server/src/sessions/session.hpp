@@ -1,7 +1,6 @@
 // A session: the numbered steps of one simulation, of which each starts where the one before ended.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <deque>
@@ -9,16 +8,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "contactd/proto/session.hpp"
-#include "ics/ic_pair.hpp"
+#include "engine/engine.hpp"
 #include "jobs/call.hpp"
-#include "jobs/job.hpp"
-#include "jobs/worker_pool.hpp"
-#include "solves/solve_task.hpp"
 
 namespace contactd::server {
 
@@ -31,9 +26,7 @@ struct StepAnswer {
 
 /// Where a session is: all that a step leaves to the next one. Never changed, so that saving a state is holding it.
 struct SessionState {
-    long long step = 0;
-    SurfaceState tractions;
-    std::optional<Motion> motion;
+    engine::StepState contact;
     StepAnswer answer;
 };
 using SessionStatePtr = std::shared_ptr<const SessionState>;
@@ -42,12 +35,10 @@ class Session : public std::enable_shared_from_this<Session> {
    public:
     using Clock = std::chrono::steady_clock;
 
-    /// `influence` is that of the set-up, made of `ics`.
-    Session(SessionSpec spec, std::chrono::duration<double> lease, IcAnswers ics, ContactInfluence influence);
+    Session(std::unique_ptr<engine::ContactSteps> steps, std::chrono::duration<double> lease);
 
     /// What all steps have in common, and what holds for those that do not say it.
-    const ContactProblem opened;
-    const bool accept_unconverged;  ///< whether steps count that missed a tolerance
+    const ContactProblem& opened() const { return steps_->opened; }
     const std::chrono::duration<double> lease;
     const Clock::time_point created = Clock::now();
 
@@ -60,9 +51,9 @@ class Session : public std::enable_shared_from_this<Session> {
 
     /// In a turn: solves the step that `call` asks for, or answers it again. The session goes on only when `call` gets
     /// the solution: whatever fails leaves it as it was.
-    void step(const CallPtr& call, const SolveTools& tools);
+    void step(const CallPtr& call, engine::Engine& engine);
 
-    const IcAnswers& ics() const { return ics_; }
+    const engine::IcAnswers& ics() const { return steps_->ics(); }
     SessionStatePtr state() const;
     /// In a turn.
     void set_state(SessionStatePtr state);
@@ -95,15 +86,10 @@ class Session : public std::enable_shared_from_this<Session> {
     void end_turn(WorkerPool& workers);
     void replay(const SessionState& state, const CallPtr& call) const;
     void solve_step(const SessionState& before, const CallPtr& call, const std::shared_ptr<Job>& job,
-                    const SolveTools& tools);
-    void state_problem(const SessionState& before, const proto::Request& request);
-    void fit_influence(InfluenceCache& cache);
+                    engine::Engine& engine);
 
-    const IcAnswers ics_;
-    ContactProblem problem_;              // of the step that runs
-    ContactInfluence influence_;          // used in turns only, as problem_
-    std::array<double, 2> rolling_step_;  // that influence_ is for
-    mutable std::mutex mutex_;            // guards what follows
+    const std::unique_ptr<engine::ContactSteps> steps_;  // used in turns only
+    mutable std::mutex mutex_;                           // guards what follows
     SessionStatePtr state_;
     std::map<std::string, SessionStatePtr> states_;
     long long serial_ = 0;

@@ -3,18 +3,18 @@
 #include <thread>
 #include <utility>
 
-#include "contactd/solve_contact.hpp"
-#include "ics/problem_tables.hpp"
+#include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 
 namespace contactd::server {
 namespace {
 
+using engine::IcAnswers;
+
 /// A task and the tables of its bodies.
 struct Solve {
     SolveTask task;
-    InfluenceCache& influences;
-    Counters& counters;
+    engine::Engine& engine;
     IcAnswers ics;
 };
 using SolvePtr = std::shared_ptr<Solve>;
@@ -25,11 +25,7 @@ void solve(const SolvePtr& work) {
         JobObserver observer(task.call, task.job, task.progress);
         observer.throw_if_cancelled();
         task.job->set_running();
-        SolveReply reply;
-        reply.solution = solve_contact(task.problem, influence_of(task.problem, work->ics, work->influences), observer);
-        count(work->counters, reply.solution);
-        reply.ics = uses_of(task.problem, work->ics);
-        task.done(reply);
+        task.done(work->engine.solve(task.problem, work->ics, observer));
     } catch (const std::exception& error) {
         task.failed(status_of(error));
     }
@@ -37,28 +33,21 @@ void solve(const SolvePtr& work) {
 
 }  // namespace
 
-void count(Counters& counters, const ContactSolution& solution) {
-    ++(solution.converged() ? counters.solves_converged : counters.solves_not_converged);
-    counters.normal_iterations += solution.evidence.normal.iterations;
-    if (solution.evidence.tangential) counters.tangential_iterations += solution.evidence.tangential->iterations;
-}
-
 void start(const SolveTools& tools, SolveTask task) {
-    const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.influences, tools.counters, {}});
+    const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.engine, {}});
     // A worker that finds the tables at hand goes on by itself: another one would have to wake up first.
     const auto caller = work->task.in_caller ? std::this_thread::get_id() : std::thread::id();
     const auto queue = [work, caller, &workers = tools.workers] {
         if (std::this_thread::get_id() == caller) return solve(work);
         workers.post(turn_of(work->task.call), [work] { solve(work); });
     };
-    if (!needs_tables(work->task.problem)) return queue();
-    fetch_pair(
-        work->task.call, tools.ics, specs_of(work->task.problem),
-        [work, queue](const IcAnswers& answers) {
-            work->ics = answers;
-            queue();
-        },
-        work->task.failed);
+    if (!engine::needs_tables(work->task.problem)) return queue();
+    engine::fetch_pair(tools.engine.tables(), engine::specs_of(work->task.problem),
+                       {[work, queue](const IcAnswers& answers) {
+                            work->ics = answers;
+                            queue();
+                        },
+                        work->task.failed, reports_to(work->task.call), turn_of(work->task.call)});
 }
 
 }  // namespace contactd::server

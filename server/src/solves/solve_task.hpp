@@ -5,23 +5,16 @@
 #include <memory>
 
 #include "contactd/observer.hpp"
-#include "contactd/proto/codec.hpp"
-#include "ics/cache/influence_cache.hpp"
-#include "ics/ic_service.hpp"
+#include "contactd/solve_reply.hpp"
+#include "engine/engine.hpp"
 #include "jobs/call.hpp"
-#include "jobs/job.hpp"
-#include "jobs/worker_pool.hpp"
-#include "operation/counters.hpp"
 
 namespace contactd::server {
 
 /// What the daemon has for solving.
 struct SolveTools {
-    IcService& ics;
+    engine::Engine& engine;
     WorkerPool& workers;
-    InfluenceCache& influences;
-    JobTable& jobs;
-    Counters& counters;
 };
 
 struct SolveTask {
@@ -34,9 +27,6 @@ struct SolveTask {
     std::function<void(const proto::Status&)> failed;
     bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
 };
-
-/// Notes how a solve ended and what it took.
-void count(Counters& counters, const ContactSolution& solution);
 
 /// Returns at once, unless the task is solved by the caller.
 void start(const SolveTools& tools, SolveTask task);

@@ -12,6 +12,7 @@ namespace contactd::proto {
 
 // Every reply carries one, so that its words are the protocol's, too.
 using contactd::code_named;
+using contactd::invalid_field;
 using contactd::name_of;
 using contactd::Status;
 using contactd::StatusCode;
@@ -24,8 +25,5 @@ namespace reason = contactd::reason;
 nlohmann::json to_json(const Status& status);
 /// Throws StatusError (UNKNOWN) when `json` is no status.
 Status status_from_json(const nlohmann::json& json);
-
-/// INVALID_ARGUMENT for one field; the message reads "<field> <problem>".
-StatusError invalid_field(std::string field, const std::string& problem, std::string_view why = reason::field_invalid);
 
 }  // namespace contactd::proto

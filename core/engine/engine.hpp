@@ -1,0 +1,70 @@
+// What the daemon does behind its messages, for whoever wants it in his own process: tables, operators that are kept
+// between solves, solves, and the steps of a simulation. No sockets, no messages; threads and a folder of tables only
+// once a table is wanted that is not known in closed form.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+
+#include "contactd/contact.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/solve_reply.hpp"
+#include "engine/ics/cache/influence_cache.hpp"
+#include "engine/ics/ic_service.hpp"
+#include "engine/jobs/job.hpp"
+#include "engine/operation/counters.hpp"
+#include "engine/operation/log.hpp"
+#include "engine/steps/contact_steps.hpp"
+
+namespace contactd::engine {
+
+struct EngineSettings {
+    std::filesystem::path store_folder;                         ///< of the tables that finite elements made
+    std::size_t influence_budget_bytes = std::size_t{1} << 28;  ///< of operators that are kept between solves
+    IcService::Settings tables{};
+};
+
+/// Safe to use from several threads at once. What waits, waits in the thread that calls, and ends when its observer
+/// says so.
+class Engine {
+   public:
+    explicit Engine(EngineSettings settings);
+    ~Engine();
+
+    /// Throws InvalidArgument, Cancelled, StoreError, and StatusError where a table cannot be had.
+    SolveReply solve(const ContactProblem& problem, Observer& observer);
+    /// The table of one body (mm^3/N). Throws as solve.
+    IcReply table(const IcSpec& spec, Observer& observer);
+    /// The steps of a simulation. Throws as solve.
+    std::unique_ptr<ContactSteps> open(SessionSpec spec, Observer& observer);
+    /// One of them; see ContactSteps::solve.
+    ContactSolution solve(ContactSteps& steps, const StepState& before, const ContactSteps::Statement& statement,
+                          Observer& observer);
+
+    // For those who cannot wait: first the tables, then the solve with them.
+    /// Of tables by finite elements; opens the store when it is first asked for. Throws StoreError.
+    IcService& tables();
+    /// Of a valid problem, whose tables are at hand.
+    SolveReply solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer);
+    std::unique_ptr<ContactSteps> open(SessionSpec spec, const IcAnswers& ics);
+
+    JobTable& jobs() { return jobs_; }
+    Counters& counters() { return counters_; }
+    const InfluenceCache& influences() const { return influences_; }
+
+   private:
+    IcAnswer fetch(const IcSpec& spec, Observer& observer);
+    IcAnswers fetch(const ContactSetup& setup, Observer& observer);
+    void count(const ContactSolution& solution);
+
+    const EngineSettings settings_;
+    Counters counters_;
+    JobTable jobs_;
+    InfluenceCache influences_;
+    IcCache closed_forms_;  // of those who wait
+    std::mutex mutex_;      // guards what follows
+    std::unique_ptr<IcService> tables_;
+};
+
+}  // namespace contactd::engine

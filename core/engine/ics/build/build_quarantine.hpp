@@ -1,0 +1,58 @@
+// Tables whose builds failed again and again: answered at once with the last failure until told otherwise.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/ic_spec.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::engine {
+
+/// Thread-safe. Kept in memory: a restarted daemon tries again.
+class BuildQuarantine {
+   public:
+    using Clock = std::chrono::steady_clock;
+    struct Settings {
+        int failures = 2;                  ///< so many make a quarantine; 0: none ever
+        std::chrono::seconds lasts{3600};  ///< from the last failure
+        std::size_t most_entries = 1024;   ///< the oldest goes
+    };
+    struct Entry {
+        std::string key;
+        int nx = 0, ny = 0;
+        int max_iterations = 0;  ///< does not stand in the key, but a larger bound may well help
+        int failures = 0;
+        proto::Status last;
+        Clock::time_point until;
+    };
+
+    explicit BuildQuarantine(const Settings& settings) : settings_(settings) {}
+
+    void note_failure(const std::string& key, const IcSpec& spec, const proto::Status& status);
+    /// Forgets the failures of what a built table covers.
+    void note_success(const std::string& key, const IcSpec& spec);
+    /// What to answer a request for this table with, when its build, or that of a smaller one, failed too often.
+    std::optional<proto::Status> refusal(const std::string& key, const IcSpec& spec);
+    /// Forgets the failures of a key; true when there were any.
+    bool forget(const std::string& key);
+    /// Those in quarantine, the latest first.
+    std::vector<Entry> entries();
+
+   private:
+    void forget_old();
+    bool is_quarantined(const Entry& entry) const {
+        return settings_.failures > 0 && entry.failures >= settings_.failures;
+    }
+
+    const Settings settings_;
+    std::mutex mutex_;
+    std::list<Entry> entries_;  // the latest first
+};
+
+}  // namespace contactd::engine

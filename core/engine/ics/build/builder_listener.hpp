@@ -1,0 +1,53 @@
+// What a builder says: JSON lines on standard output, words on standard error, and perhaps a table it could not store.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "builder.hpp"
+#include "engine/jobs/job.hpp"
+
+namespace contactd::engine {
+
+class BuilderListener {
+   public:
+    using Clock = std::chrono::steady_clock;
+    using OnProgress = std::function<void(const JobProgress&)>;
+
+    /// A builder behind a launcher may wait for its machines: its silence counts from its first word.
+    BuilderListener(bool has_launcher, OnProgress on_progress)
+        : has_begun_(!has_launcher), on_progress_(std::move(on_progress)) {}
+
+    void hear_output(std::string_view bytes);
+    void hear_error(std::string_view bytes);
+
+    /// How long the quietest of the builder's processes has been silent.
+    Clock::duration silence() const;
+    /// The builder's own sentence when it gave one, else the end of what it wrote to standard error.
+    std::string complaint() const;
+    bool ran_out_of_memory() const { return out_of_memory_; }
+    /// The part of the request that the builder complains of; empty when it named none.
+    const std::string& field() const { return field_; }
+    /// What the builder printed because it could not write it.
+    BuiltTable take_table() { return awaited_ == 0 ? std::move(table_) : BuiltTable(); }
+
+   private:
+    void hear_line(std::string_view line);
+    void hear_heartbeat(const nlohmann::json& line);
+    void hear_progress(const nlohmann::json& line);
+
+    bool has_begun_;
+    const OnProgress on_progress_;
+    std::string line_, words_, complaint_, field_;
+    bool out_of_memory_ = false;
+    std::size_t awaited_ = 0;  ///< bytes of the table that are still to come
+    BuiltTable table_;
+    std::map<int, Clock::time_point> heard_{{0, Clock::now()}};  ///< by process
+};
+
+}  // namespace contactd::engine

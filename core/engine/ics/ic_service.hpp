@@ -1,0 +1,117 @@
+// Influence coefficients on request: memory cache, then store, then closed form or a build that everybody joins.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "contactd/ic_store.hpp"
+#include "contactd/proto/status.hpp"
+#include "contactd/table_lock.hpp"
+#include "engine/ics/build/build_quarantine.hpp"
+#include "engine/ics/build/builder.hpp"
+#include "engine/ics/cache/ic_cache.hpp"
+#include "engine/ics/store/store_keeper.hpp"
+#include "engine/jobs/job.hpp"
+#include "engine/jobs/worker_pool.hpp"
+#include "engine/operation/counters.hpp"
+#include "engine/operation/log.hpp"
+
+namespace contactd::engine {
+
+/// A dimensionless record that covers the request, and where it came from.
+struct IcAnswer {
+    std::shared_ptr<const IcRecord> record;
+    std::string key;
+    std::string origin;  ///< "closed_form", "memory", "disk" or "built"
+};
+
+/// As contactd::validate, but what is wrong with the material is wrong with the body that `name` names on the wire.
+void validate_body(const IcSpec& spec, const std::string& name);
+
+/// Who asked. Called from any thread, `done` or `failed` exactly once.
+struct IcCaller {
+    std::function<void(const IcAnswer&)> done;
+    std::function<void(const proto::Status&)> failed;
+    std::function<void(const Job&, const JobProgress&)> progress;
+    Turn turn{};  ///< of a build that the caller is the first to want; says whether the caller still waits
+
+    bool has_gone() const { return turn.abandoned && turn.abandoned(); }
+};
+
+class IcService {
+   public:
+    struct Settings {
+        BuilderCommand command;
+        int concurrent_builds = 1;
+        std::size_t memory_budget_bytes = 0;  ///< of tables in memory, and of those that wait for the disk
+        std::uintmax_t disk_budget_bytes = 0;
+        BuildQuarantine::Settings quarantine = {};
+        LogSink log = {};
+    };
+
+    IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters);
+    ~IcService();
+
+    /// Answers `caller` now or later. Takes milliseconds at most (disk, closed form): not for the I/O thread.
+    void request(const IcSpec& spec, IcCaller caller);
+
+    /// Tells the callers that do not wait any more to let go of what they hold; what they wanted is built all the same.
+    void drop_abandoned();
+
+    /// Ends running builds; their callers get `status`. No build starts afterwards.
+    void stop(const proto::Status& status);
+
+    struct Forgotten {
+        int tables = 0;
+        bool failures = false;
+    };
+    /// Removes the tables of a key from disk and memory, and forgets that its builds failed. Throws StoreError.
+    Forgotten forget(const std::string& key);
+
+    const IcStore& store() const { return keeper_.store(); }
+    std::vector<BuildQuarantine::Entry> quarantined() { return quarantine_.entries(); }
+    /// What keeps the store from being used, as a sentence; empty when all is well.
+    std::string store_problem() const { return keeper_.problem(); }
+    IcCache::Usage cache_usage() const { return cache_.usage(); }
+    int builds_waiting() const { return builders_.waiting(); }
+    int builds_running() const { return builders_.running(); }
+
+   private:
+    struct RequestInFlight;
+    using RequestPtr = std::shared_ptr<RequestInFlight>;
+
+    void answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin);
+    RequestPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
+    void look_up(const RequestPtr& request);
+    bool queue_build(const RequestPtr& request);
+    void build(const RequestPtr& request);
+    void wait_for_turn(const RequestPtr& request, TableLock& lock);
+    IcCache::Record run_build(const RequestPtr& request, const TableLock& lock);
+    void report(const RequestPtr& request, const JobProgress& progress);
+    std::vector<std::string> keys_in_flight();
+    int callers_of(const std::weak_ptr<RequestInFlight>& request);
+    void cancel_queued(const RequestPtr& request);
+    void complete(const RequestPtr& request, IcCache::Record record, const char* origin);
+    void fail(const RequestPtr& request, const proto::Status& status);
+    std::vector<IcCaller> close(const RequestPtr& request);
+    void fail_build(const RequestPtr& request, const proto::Status& status);
+    proto::Status cancelled_status();
+
+    const Settings settings_;
+    const Log log_;
+    StoreKeeper keeper_;
+    JobTable& jobs_;
+    Counters& counters_;
+    IcCache cache_;
+    BuildQuarantine quarantine_;
+    std::mutex mutex_;
+    std::vector<RequestPtr> in_flight_;  // looking up, queued or building
+    bool stopping_ = false;
+    proto::Status stop_status_;
+    WorkerPool builders_;  // last: its threads use everything above
+};
+
+}  // namespace contactd::engine

@@ -1,0 +1,88 @@
+#include "problem_tables.hpp"
+
+#include "contactd/ic_exchange.hpp"
+#include "contactd/version.hpp"
+
+namespace contactd::engine {
+namespace {
+
+std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
+    const Ics* ics = body.computed();
+    if (ics == nullptr) return {};
+    const Grid& grid = setup.grid;
+    return IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny};
+}
+
+BodyTable table_of(const ContactSetup& setup, const Body& body, const IcAnswer& answer) {
+    const Grid& grid = setup.grid;
+    if (const GivenIcs* given = body.given()) return cropped(given->table, grid.nx, grid.ny);
+    if (const auto spec = spec_of(setup, body)) return body_table(*answer.record, *spec);
+    return IcTable(grid.nx, grid.ny);
+}
+
+void check_tables(const ContactSetup& setup) {
+    if (!needs_tables(setup)) return;
+    const auto specs = specs_of(setup);
+    if (specs[0]) validate_body(*specs[0], "bodies.upper");
+    if (specs[1]) validate_body(*specs[1], "bodies.lower");
+}
+
+IcUse use_of(const GivenIcs& given) {
+    IcUse use{"given", ic_key(given), {}};
+    use.evidence.source = "table";
+    use.evidence.version = "contactd " + version();
+    return use;
+}
+
+std::optional<IcUse> use_of(const Body& body, const IcAnswer& answer) {
+    if (const GivenIcs* given = body.given()) return use_of(*given);
+    if (body.computed() == nullptr) return {};
+    return IcUse{answer.origin, answer.key, answer.record->evidence};
+}
+
+}  // namespace
+
+bool needs_tables(const ContactSetup& setup) {
+    if (setup.model != Model::full || setup.bodies.pair) return false;
+    return setup.bodies.upper.computed() != nullptr || setup.bodies.lower.computed() != nullptr;
+}
+
+std::array<std::optional<IcSpec>, 2> specs_of(const ContactSetup& setup) {
+    return {spec_of(setup, setup.bodies.upper), spec_of(setup, setup.bodies.lower)};
+}
+
+void check(const ContactProblem& problem) {
+    validate(problem);
+    check_tables(problem);
+}
+
+void check_opening(const ContactProblem& problem) {
+    validate_opening(problem);
+    check_tables(problem);
+}
+
+ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache) {
+    const Bodies& bodies = problem.bodies;
+    if (problem.model != Model::full) return {};
+    if (bodies.pair) return make_influence(problem, bodies.pair->table);
+    const auto make = [&] {
+        return make_influence(problem, table_of(problem, bodies.upper, ics[0]),
+                              table_of(problem, bodies.lower, ics[1]));
+    };
+    if (bodies.any_given()) return make();
+    return cache.of(influence_key(problem, ics[0].key, ics[1].key), make);
+}
+
+IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
+    IcUses uses;
+    if (setup.model != Model::full) return uses;
+    if (setup.bodies.pair) {
+        uses.pair = use_of(*setup.bodies.pair);
+        return uses;
+    }
+    uses.upper = use_of(setup.bodies.upper, ics[0]);
+    uses.lower = use_of(setup.bodies.lower, ics[1]);
+    return uses;
+}
+
+}  // namespace contactd::engine

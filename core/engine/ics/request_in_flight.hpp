@@ -1,0 +1,27 @@
+// One table being fetched, and everybody who waits for it: what the parts of IcService share.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ic_service.hpp"
+
+namespace contactd::engine {
+
+struct IcService::RequestInFlight {
+    IcSpec spec;  // dimensionless
+    std::string key;
+    std::shared_ptr<Job> job;  // null until it is known that a build is needed
+    std::vector<IcCaller> callers;
+
+    bool serves(const std::string& wanted, const IcSpec& other) const {
+        return key == wanted && spec.nx >= other.nx && spec.ny >= other.ny && !(job && job->cancelled());
+    }
+};
+
+inline proto::Status failure(proto::StatusCode code, std::string_view reason, std::string message) {
+    return {code, std::move(message), std::string(reason), {}, 0};
+}
+
+}  // namespace contactd::engine

@@ -1,0 +1,110 @@
+// Work that takes its time, builds, solves and stresses: what job.list shows and job.cancel ends.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace contactd::engine {
+
+struct JobProgress {
+    std::string stage = "queued";
+    double fraction = 0;
+    int iteration = 0;
+    double residual = 0;
+    std::optional<double> seconds_left = std::nullopt;  ///< an estimate, where there is one
+};
+
+class Job {
+   public:
+    /// `on_cancel` is called once, from whatever thread cancels, so that those who wait are answered at once. `callers`
+    /// counts the requests that wait for the job at present; without it there is one until the job ends.
+    Job(std::string job_name, std::string job_kind, std::function<void()> on_cancel, std::function<int()> callers = {})
+        : name(std::move(job_name)),
+          kind(std::move(job_kind)),
+          on_cancel_(std::move(on_cancel)),
+          callers_(std::move(callers)) {}
+
+    const std::string name;  ///< "build-3"
+    const std::string kind;  ///< "build", "solve", "subsurface" or "step"
+    const std::chrono::steady_clock::time_point created = std::chrono::steady_clock::now();
+
+    void cancel() {
+        if (!cancelled_.exchange(true)) on_cancel_();
+    }
+    bool cancelled() const { return cancelled_; }
+    /// Said before the callers are answered, so that none of them finds the job listed afterwards.
+    void end() { ended_ = true; }
+    bool ended() const { return ended_; }
+    void set_running() { running_ = true; }
+    bool running() const { return running_; }
+    int callers() const { return callers_ ? callers_() : 1; }
+
+    void set_progress(JobProgress progress) {
+        const std::scoped_lock lock(mutex_);
+        progress_ = std::move(progress);
+    }
+    JobProgress progress() const {
+        const std::scoped_lock lock(mutex_);
+        return progress_;
+    }
+
+   private:
+    const std::function<void()> on_cancel_;
+    const std::function<int()> callers_;
+    std::atomic<bool> cancelled_ = false;
+    std::atomic<bool> running_ = false;
+    std::atomic<bool> ended_ = false;
+    mutable std::mutex mutex_;
+    JobProgress progress_;
+};
+
+/// The jobs that are queued or running. Thread-safe; a job is listed until it ends or nobody holds it any more.
+class JobTable {
+   public:
+    /// As the constructor of Job; the name is the kind and a number.
+    std::shared_ptr<Job> create(const std::string& kind, std::function<void()> on_cancel,
+                                std::function<int()> callers = {}) {
+        const std::scoped_lock lock(mutex_);
+        forget_ended();
+        auto job = std::make_shared<Job>(kind + "-" + std::to_string(++serial_), kind, std::move(on_cancel),
+                                         std::move(callers));
+        jobs_.emplace(serial_, job);
+        return job;
+    }
+    /// In order of creation.
+    std::vector<std::shared_ptr<Job>> all() const {
+        const std::scoped_lock lock(mutex_);
+        std::vector<std::shared_ptr<Job>> jobs;
+        for (const auto& [serial, weak] : jobs_)
+            if (auto job = weak.lock(); job && !job->ended()) jobs.push_back(std::move(job));
+        return jobs;
+    }
+    /// Null when no job has that name.
+    std::shared_ptr<Job> find(const std::string& name) const {
+        for (auto& job : all())
+            if (job->name == name) return job;
+        return nullptr;
+    }
+
+   private:
+    /// Now and then, so that jobs cost the same however many there are.
+    void forget_ended() {
+        if (jobs_.size() < enough_) return;
+        std::erase_if(jobs_, [](const auto& entry) { return entry.second.expired(); });
+        enough_ = 2 * jobs_.size() + 16;
+    }
+
+    mutable std::mutex mutex_;
+    long long serial_ = 0;
+    std::size_t enough_ = 16;
+    std::map<long long, std::weak_ptr<Job>> jobs_;
+};
+
+}  // namespace contactd::engine

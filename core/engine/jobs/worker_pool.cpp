@@ -1,0 +1,126 @@
+#include "worker_pool.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace contactd::engine {
+
+WorkerPool::WorkerPool(int threads) {
+    for (int n = 0; n < threads; ++n) threads_.emplace_back([this] { work(); });
+}
+
+WorkerPool::~WorkerPool() {
+    stop();
+}
+
+void WorkerPool::post(Turn turn, Task task) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (stopping_) return;
+        auto& users = levels_[static_cast<std::size_t>(turn.priority)].users;
+        auto& client = line_of(line_of(users, std::move(turn.user)).parts, std::move(turn.client));
+        client.parts.push_back({std::move(task), std::move(turn.abandoned)});
+        ++waiting_;
+    }
+    changed_.notify_one();
+}
+
+void WorkerPool::drop_abandoned() {
+    std::vector<Waiting> dropped;  // destroyed after the lock: what they hold may be much
+    const std::scoped_lock lock(mutex_);
+    const auto is_empty = [](const auto& line) { return line.parts.empty(); };
+    const auto is_wanted = [](const Waiting& waiting) { return !waiting.abandoned || !waiting.abandoned(); };
+    for (Level& level : levels_) {
+        for (User& user : level.users) {
+            for (auto& [name, tasks] : user.parts) {
+                const auto unwanted = std::stable_partition(tasks.begin(), tasks.end(), is_wanted);
+                std::move(unwanted, tasks.end(), std::back_inserter(dropped));
+                tasks.erase(unwanted, tasks.end());
+            }
+            std::erase_if(user.parts, is_empty);
+        }
+        std::erase_if(level.users, is_empty);
+    }
+    waiting_ -= static_cast<int>(dropped.size());
+}
+
+void WorkerPool::stop() {
+    Levels dropped;
+    {
+        const std::scoped_lock lock(mutex_);
+        stopping_ = true;
+        waiting_ = 0;
+        dropped = std::exchange(levels_, {});
+    }
+    changed_.notify_all();
+    threads_.clear();  // joins
+}
+
+int WorkerPool::waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return waiting_;
+}
+
+int WorkerPool::running() const {
+    const std::scoped_lock lock(mutex_);
+    return running_;
+}
+
+WorkerPool::Level& WorkerPool::next_level() {
+    const auto has_tasks = [](const Level& level) { return !level.users.empty(); };
+    // Of several that have waited long enough the lowest first: it has waited longest.
+    const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
+        return has_tasks(level) && level.passed_over >= patience;
+    });
+    Level& next = overdue != levels_.rend() ? *overdue : *std::find_if(levels_.begin(), levels_.end(), has_tasks);
+    next.passed_over = 0;
+    for (Level* lower = &next + 1; lower != levels_.data() + levels_.size(); ++lower)
+        lower->passed_over = has_tasks(*lower) ? lower->passed_over + 1 : 0;
+    return next;
+}
+
+/// The line of that name, a new one at the end when there is none.
+template <class Part>
+WorkerPool::Line<Part>& WorkerPool::line_of(std::deque<Line<Part>>& lines, std::string name) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.name == name; });
+    return found != lines.end() ? *found : lines.emplace_back(Line<Part>{std::move(name), {}});
+}
+
+/// A task from the line at the front, which then goes behind all others.
+template <class Part, class Take>
+WorkerPool::Task WorkerPool::take_in_turn(std::deque<Line<Part>>& lines, const Take& take) {
+    Line<Part> line = std::move(lines.front());
+    lines.pop_front();
+    Task task = take(line.parts);
+    if (!line.parts.empty()) lines.push_back(std::move(line));
+    return task;
+}
+
+WorkerPool::Task WorkerPool::take_next() {
+    const auto first = [](std::deque<Waiting>& tasks) {
+        Task task = std::move(tasks.front().task);
+        tasks.pop_front();
+        return task;
+    };
+    Task task =
+        take_in_turn(next_level().users, [&](std::deque<Client>& clients) { return take_in_turn(clients, first); });
+    --waiting_;
+    return task;
+}
+
+void WorkerPool::work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [this] { return stopping_ || waiting_ > 0; });
+        if (stopping_) return;
+        Task task = take_next();
+        ++running_;
+        lock.unlock();
+        task();
+        task = nullptr;  // what it holds goes before the thread counts as idle
+        lock.lock();
+        --running_;
+    }
+}
+
+}  // namespace contactd::engine

@@ -1,0 +1,80 @@
+// A fixed number of threads and a queue of tasks in which clients take turns.
+#pragma once
+
+#include <array>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "contactd/proto/message.hpp"
+
+namespace contactd::engine {
+
+/// In whose name and how urgently a task waits.
+struct Turn {
+    std::string client;
+    proto::Priority priority = proto::Priority::normal;
+    std::function<bool()> abandoned{};  ///< nobody waits for the task any more; asked under the pool's lock
+    std::string user{};                 ///< who has the client, which may be one of many
+};
+
+/// Tasks of a higher priority go first, within a priority one task of each user in turn, and of a user one of each
+/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next.
+class WorkerPool {
+   public:
+    using Task = std::function<void()>;  ///< must not throw
+    static constexpr int patience = 16;
+
+    explicit WorkerPool(int threads);
+    /// Tasks that have not begun are dropped; running ones are waited for.
+    ~WorkerPool();
+
+    void post(Turn turn, Task task);
+    /// Drops the waiting tasks that were abandoned, and what they hold.
+    void drop_abandoned();
+    void stop();  ///< what the destructor does; may be called before it
+
+    int waiting() const;
+    int running() const;
+
+   private:
+    struct Waiting {
+        Task task;
+        std::function<bool()> abandoned;
+    };
+    template <class Part>
+    struct Line {
+        std::string name;
+        std::deque<Part> parts;  // never empty; the one at the front is the next
+    };
+    using Client = Line<Waiting>;
+    using User = Line<Client>;
+    struct Level {
+        std::deque<User> users;
+        int passed_over = 0;
+    };
+    using Levels = std::array<Level, 3>;  // by priority, the highest first
+
+    template <class Part>
+    static Line<Part>& line_of(std::deque<Line<Part>>& lines, std::string name);
+    template <class Part, class Take>
+    static Task take_in_turn(std::deque<Line<Part>>& lines, const Take& take);
+
+    void work();
+    Level& next_level();
+    Task take_next();
+
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    Levels levels_;
+    int waiting_ = 0;
+    int running_ = 0;
+    bool stopping_ = false;
+    std::vector<std::jthread> threads_;
+};
+
+}  // namespace contactd::engine

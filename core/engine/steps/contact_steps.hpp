@@ -1,0 +1,60 @@
+// The numbered steps of one simulation, each of which starts where the one before ended.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "contactd/observer.hpp"
+#include "contactd/session.hpp"
+#include "engine/ics/cache/influence_cache.hpp"
+#include "engine/ics/ic_pair.hpp"
+
+namespace contactd::engine {
+
+/// Where a simulation is: all that a step leaves to the next one. Whoever holds a state has saved it.
+struct StepState {
+    long long step = 0;
+    SurfaceState tractions;
+    std::optional<Motion> motion;
+};
+
+/// Solves steps from a state; which state that is, its user knows. For one call at a time.
+class ContactSteps {
+   public:
+    /// `influence` is that of the set-up, made of `ics`.
+    ContactSteps(SessionSpec spec, IcAnswers ics, ContactInfluence influence);
+
+    /// What all steps have in common, and what holds for those that do not say it.
+    const ContactProblem opened;
+    const bool accept_unconverged;  ///< whether steps count that missed a tolerance
+
+    StepState start() const { return {0, opened.previous, {}}; }
+
+    /// Lays what a step says over the problem, which is as opened. `last` is the motion of the step before: the
+    /// creepage it found for a prescribed force is the estimate now, unless the step names another.
+    using Statement = std::function<void(const std::optional<Motion>& last, ContactProblem& problem)>;
+    /// The step after `before`. Operators for another rolling step than before come from `cache`. Throws as
+    /// solve_contact, what the statement throws, and StatusError (NOT_CONVERGED) unless such steps count.
+    ContactSolution solve(const StepState& before, const Statement& statement, InfluenceCache& cache,
+                          Observer& observer);
+    /// Where that leads; takes the tractions of the solution.
+    static StepState after(const StepState& before, ContactSolution&& solution);
+
+    const IcAnswers& ics() const { return ics_; }
+
+   private:
+    void fit_influence(InfluenceCache& cache);
+
+    const IcAnswers ics_;
+    ContactProblem problem_;  // of the step that runs
+    ContactInfluence influence_;
+    std::array<double, 2> rolling_step_;  // that influence_ is for
+};
+
+/// The statement of a step in typed words, as `session.step` has it on the wire. Throws InvalidArgument naming the
+/// field when gap, load or friction are missing.
+void lay_over(const StepInput& input, const std::optional<Motion>& last, ContactProblem& problem);
+
+}  // namespace contactd::engine

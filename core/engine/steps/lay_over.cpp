@@ -1,0 +1,53 @@
+#include "contactd/error.hpp"
+#include "engine/steps/contact_steps.hpp"
+
+namespace contactd::engine {
+namespace {
+
+/// What the step before found for a prescribed force.
+void take_estimates(const Motion& last, Motion& motion) {
+    const auto* before = std::get_if<Rolling>(&last);
+    auto* rolling = std::get_if<Rolling>(&motion);
+    if (!before || !rolling) return;
+    if (before->force.Fx && rolling->force.Fx) rolling->xi = before->xi;
+    if (before->force.Fy && rolling->force.Fy) rolling->eta = before->eta;
+}
+
+void lay_load(const StepInput& input, ContactProblem& problem) {
+    if (input.approach && input.Fn)
+        throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
+    if (input.approach || input.Fn) {
+        problem.approach = input.approach;
+        problem.Fn = input.Fn;
+    } else if (!problem.approach && !problem.Fn) {
+        throw InvalidArgument("approach", "is missing; the opening named neither it nor Fn, so every step must");
+    }
+}
+
+void lay_friction(const StepInput& input, ContactProblem& problem) {
+    if (!input.friction && !input.motion && input.rigid_slip.empty()) return;
+    if (!problem.friction && !input.friction)
+        throw InvalidArgument("friction.mu",
+                              "is missing; a step that names friction must say it where the opening named none");
+    if (input.friction) {
+        const auto kinetic = problem.friction ? problem.friction->kinetic : std::nullopt;
+        problem.friction = input.friction;
+        if (!problem.friction->kinetic) problem.friction->kinetic = kinetic;
+    }
+    if (input.motion) problem.motion = *input.motion;
+    if (!input.rigid_slip.empty()) problem.rigid_slip = input.rigid_slip;
+}
+
+}  // namespace
+
+void lay_over(const StepInput& input, const std::optional<Motion>& last, ContactProblem& problem) {
+    lay_load(input, problem);
+    if (input.gap)
+        problem.gap = input.gap;
+    else if (!problem.gap)
+        throw InvalidArgument("gap", "is missing; the opening named none, so every step must");
+    lay_friction(input, problem);
+    if (last && problem.friction && !input.motion) take_estimates(*last, problem.motion);
+}
+
+}  // namespace contactd::engine

@@ -1,0 +1,149 @@
+#include <atomic>
+#include <catch2/catch_test_macros.hpp>
+#include <future>
+
+#include "engine/jobs/worker_pool.hpp"
+
+using contactd::engine::Turn;
+using contactd::engine::WorkerPool;
+using contactd::proto::Priority;
+
+TEST_CASE("Every task that was posted is run") {
+    std::atomic<int> ran = 0;
+    std::promise<void> last;
+    WorkerPool pool(3);
+    for (int n = 0; n < 100; ++n)
+        pool.post({}, [&] {
+            if (++ran == 100) last.set_value();
+        });
+
+    last.get_future().wait();
+    CHECK(ran == 100);
+}
+
+TEST_CASE("Stopping waits for the running task, drops the waiting ones and what they hold") {
+    WorkerPool pool(1);
+    std::promise<void> begun, go_on;
+    std::atomic<bool> ended = false, dropped_ran = false;
+    const auto held = std::make_shared<int>(1);
+    pool.post({}, [&] {
+        begun.set_value();
+        go_on.get_future().wait();
+        ended = true;
+    });
+    begun.get_future().wait();
+    pool.post({}, [&, held] { dropped_ran = true; });
+    CHECK(pool.running() == 1);
+    CHECK(pool.waiting() == 1);
+
+    auto stopping = std::async(std::launch::async, [&] { pool.stop(); });
+    while (pool.waiting() > 0) std::this_thread::yield();
+    go_on.set_value();
+    stopping.wait();
+
+    CHECK(ended);
+    CHECK_FALSE(dropped_ran);
+    CHECK(held.use_count() == 1);
+    pool.post({}, [&] { dropped_ran = true; });  // after the end: ignored
+    CHECK_FALSE(dropped_ran);
+}
+
+namespace {
+
+/// A pool of one thread that is busy until it is let go; then it runs what was posted, which leaves its name.
+class Stalled {
+   public:
+    Stalled() {
+        pool.post({}, [this] {
+            begun_.set_value();
+            go_on_.get_future().wait();
+        });
+        begun_.get_future().wait();
+    }
+    void post(const std::string& name, Turn turn) {
+        ++expected_;
+        pool.post(std::move(turn), [this, name] { order_.push_back(name); });
+    }
+    std::vector<std::string> order() {
+        std::promise<void> done;
+        // Behind everything: even a starved task comes before the last of as many as there are.
+        for (int n = 0; n <= WorkerPool::patience * expected_; ++n) pool.post({"last", Priority::low}, [] {});
+        pool.post({"last", Priority::low}, [&] { done.set_value(); });
+        go_on_.set_value();
+        done.get_future().wait();
+        return order_;
+    }
+
+    WorkerPool pool{1};
+
+   private:
+    std::promise<void> begun_, go_on_;
+    std::vector<std::string> order_;
+    int expected_ = 0;
+};
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("Clients take turns, however much one of them has posted") {
+    Stalled stalled;
+    for (const char* name : {"a1", "a2", "a3", "a4"}) stalled.post(name, {"a", Priority::normal});
+    stalled.post("b1", {"b", Priority::normal});
+    stalled.post("c1", {"c", Priority::normal});
+    stalled.post("b2", {"b", Priority::normal});
+
+    CHECK(stalled.order() == Names{"a1", "b1", "c1", "a2", "b2", "a3", "a4"});
+}
+
+TEST_CASE("Users take turns, however many clients one of them has, and their clients among themselves") {
+    Stalled stalled;
+    const auto post = [&](const std::string& name, const std::string& client, const std::string& user) {
+        stalled.post(name, {client, Priority::normal, {}, user});
+    };
+    for (const char* client : {"p", "q", "r"}) {
+        post(std::string("many-") + client + "1", client, "many");
+        post(std::string("many-") + client + "2", client, "many");
+    }
+    post("one-1", "s", "one");
+    post("one-2", "s", "one");
+
+    CHECK(stalled.order() == Names{"many-p1", "one-1", "many-q1", "one-2", "many-r1", "many-p2", "many-q2", "many-r2"});
+}
+
+TEST_CASE("A higher priority overtakes") {
+    Stalled stalled;
+    stalled.post("low", {"a", Priority::low});
+    stalled.post("normal", {"a", Priority::normal});
+    stalled.post("high", {"b", Priority::high});
+
+    CHECK(stalled.order() == Names{"high", "normal", "low"});
+}
+
+TEST_CASE("What was passed over often enough goes next") {
+    Stalled stalled;
+    stalled.post("low", {"a", Priority::low});
+    stalled.post("normal", {"a", Priority::normal});
+    for (int n = 0; n < 2 * WorkerPool::patience; ++n) stalled.post("high", {"b", Priority::high});
+
+    Names wanted(WorkerPool::patience, "high");
+    wanted.insert(wanted.end(), {"low", "normal"});
+    wanted.insert(wanted.end(), WorkerPool::patience, "high");
+    CHECK(stalled.order() == wanted);
+}
+
+TEST_CASE("What was abandoned is dropped with what it holds, and the rest is run") {
+    Stalled stalled;
+    const auto held = std::make_shared<int>(1);
+    bool abandoned = false;
+    stalled.pool.post({"a", Priority::normal, [&] { return abandoned; }}, [held] {});
+    stalled.post("kept", {"a", Priority::normal, [] { return false; }});
+
+    stalled.pool.drop_abandoned();
+    CHECK(stalled.pool.waiting() == 2);
+    abandoned = true;
+    stalled.pool.drop_abandoned();
+    CHECK(stalled.pool.waiting() == 1);
+    CHECK(held.use_count() == 1);
+    CHECK(stalled.order() == Names{"kept"});
+}
