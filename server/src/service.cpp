@@ -68,6 +68,7 @@ void Service::handle(CallPtr call) {
         call->check_deadline();
         if (!call->answered()) run(method, call);
     };
+    if (method->queue) return method->queue(call, parts_);
     const SessionPtr session = method->takes_turn ? session_of(call) : nullptr;
     if (session) return session->take_turn(turn_of(call), std::move(work), workers_);
     workers_.post(turn_of(call), std::move(work));

@@ -1,5 +1,6 @@
 // What opens a session and what steps it, up to the problem to be solved: read, or refused with a status in words.
 #include "contactd/proto/session.hpp"
+#include "contactd/proto/codec.hpp"
 
 #include "contactd/error.hpp"
 #include "contactd/proto/schema.hpp"
@@ -43,7 +44,7 @@ std::vector<ContactProblem> sessions() {
 }
 
 void check_step(const Request& request) {
-    decode_fields(request.params);
+    decode_fields(request.params, {});
     for (const ContactProblem& opened : sessions()) {
         std::optional<Motion> last;
         if (opened.friction) last = opened.motion;

@@ -102,10 +102,21 @@ int Client::delete_ic(const std::string& key, const CallOptions& options) {
 
 namespace {
 
-void check_size(const SolveReply& reply, const ContactProblem& problem) {
-    if (reply.solution.pressure.size() != problem.grid.size())
-        throw ProtocolError("The daemon's answer has " + std::to_string(reply.solution.pressure.size()) +
-                            " pressures; the grid has " + std::to_string(problem.grid.size()) + " elements.");
+/// All arrays of an answer have the size of one, which is that of the grid; only slip may be missing.
+void check_size(const SolveReply& reply, const ContactProblem& problem, const SolutionFields& fields) {
+    const auto& [solution, ics] = reply;
+    const auto check = [&](SolutionField field, const char* what, std::size_t size) {
+        if (size == problem.grid.size() || std::find(fields.begin(), fields.end(), field) == fields.end()) return;
+        throw ProtocolError("The daemon's answer has " + std::to_string(size) + " " + what + "; the grid has " +
+                            std::to_string(problem.grid.size()) + " elements.");
+    };
+    check(SolutionField::pressure, "pressures", solution.pressure.size());
+    check(SolutionField::traction_x, "tractions along x", solution.traction_x.size());
+    check(SolutionField::traction_y, "tractions along y", solution.traction_y.size());
+    check(SolutionField::element_division, "elements in its division", solution.element_division.size());
+    if (!problem.friction) return;
+    check(SolutionField::slip_x, "slips along x", solution.slip_x.size());
+    check(SolutionField::slip_y, "slips along y", solution.slip_y.size());
 }
 
 void validate_each(std::span<const ContactProblem> problems) {
@@ -121,23 +132,24 @@ void validate_each(std::span<const ContactProblem> problems) {
 
 }  // namespace
 
-SolveReply Client::solve(const ContactProblem& problem, const CallOptions& options) {
+SolveReply Client::solve(const ContactProblem& problem, const CallOptions& options, const SolutionFields& fields) {
     validate(problem);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    json params = proto::encode_problem(problem, arrays);
+    json params = proto::encode_problem(problem, arrays, fields);
     const Reply reply =
         impl_->call("contact.solve", std::move(params), arrays.take_frames(), options, wait_of(problem));
     return decoded([&] {
         SolveReply result = proto::decode_solve_reply(reply.result, reply.frames);
-        check_size(result, problem);
+        check_size(result, problem, fields);
         return result;
     });
 }
 
-std::vector<ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> problems, const CallOptions& options) {
+std::vector<ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> problems, const CallOptions& options,
+                                              const SolutionFields& fields) {
     validate_each(problems);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
-    json params = proto::encode_problems(problems, arrays);
+    json params = proto::encode_problems(problems, arrays, fields);
     const bool builds = std::any_of(problems.begin(), problems.end(),
                                     [](const auto& problem) { return wait_of(problem) == Wait::for_build; });
     const Reply reply = impl_->call("contact.solve_many", std::move(params), arrays.take_frames(), options,
@@ -148,7 +160,7 @@ std::vector<ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> pr
             throw ProtocolError("The daemon's answer has " + std::to_string(results.size()) + " solutions; " +
                                 std::to_string(problems.size()) + " problems were sent.");
         for (std::size_t i = 0; i < results.size(); ++i)
-            if (const auto* solved = std::get_if<SolveReply>(&results[i])) check_size(*solved, problems[i]);
+            if (const auto* solved = std::get_if<SolveReply>(&results[i])) check_size(*solved, problems[i], fields);
         return results;
     });
 }

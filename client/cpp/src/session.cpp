@@ -53,12 +53,18 @@ class Session::Impl {
     }
 
     StepReply step(const StepInput& input, const CallOptions& options);
-    void go_to(long long step) { step_ = step; }
+    static std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options);
+    void go_to(long long step) { step_ = asked_ = step; }
 
     const SessionReply& told() const { return told_; }
     long long step_number() const { return step_; }
 
    private:
+    /// The number of what `input` says.
+    long long number_of(const StepInput& input) {
+        if (!input.again || asked_ == 0) asked_ = step_ + 1;
+        return asked_;
+    }
     void check_process() const {
         if (process_ == ::getpid()) return;
         throw ConcurrencyError("This session belongs to process " + std::to_string(process_) + ", from which process " +
@@ -70,6 +76,7 @@ class Session::Impl {
     const Grid grid_;
     const SessionReply told_;
     long long step_;
+    long long asked_ = step_;  // the number that was asked for last
     bool open_ = true;
     const int process_;
     std::atomic<int> user_ = 0;
@@ -97,12 +104,47 @@ StepReply Session::Impl::step(const StepInput& input, const CallOptions& options
     check_process();
     const OneAtATime turn(user_, in_use);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    const json params = proto::encode_step(told_.session, step_ + 1, input, grid_, arrays);
+    const json params = proto::encode_step(told_.session, number_of(input), input, grid_, arrays);
     const std::vector<std::string> frames = arrays.take_frames();
     const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options); });
     StepReply step = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, grid_); });
     step_ = step.step;
     return step;
+}
+
+std::vector<StepOrStatus> Session::Impl::step_many(std::span<const SessionStep> steps, const CallOptions& options) {
+    std::vector<std::unique_ptr<const OneAtATime>> turns;
+    std::vector<proto::StepAsked> asked;
+    std::vector<Grid> grids;
+    Client& client = steps.front().session.impl_->client_;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        Impl& session = *steps[i].session.impl_;
+        const std::string field = "steps[" + std::to_string(i) + "].session";
+        for (std::size_t k = 0; k < i; ++k)
+            if (&steps[k].session == &steps[i].session)
+                throw InvalidArgument(field,
+                                      "is that of steps[" + std::to_string(k) + "]; each takes one step at a time");
+        if (&session.client_ != &client)
+            throw InvalidArgument(field, "is of another client than steps[0].session; all must be of one");
+        session.check_process();
+        turns.push_back(std::make_unique<const OneAtATime>(session.user_, in_use));
+        asked.push_back({session.told_.session, session.number_of(steps[i].input), steps[i].input, session.grid_});
+        grids.push_back(session.grid_);
+    }
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
+    const json params = proto::encode_steps(asked, arrays);
+    const std::vector<std::string> frames = arrays.take_frames();
+    const Reply reply = insist([&] { return client.impl_->call("session.step_many", params, frames, options); });
+    std::vector<StepOrStatus> replies =
+        decoded([&] { return proto::decode_step_replies(reply.result, reply.frames, grids); });
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        if (const auto* step = std::get_if<StepReply>(&replies[i])) steps[i].session.impl_->step_ = step->step;
+    return replies;
+}
+
+std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options) {
+    if (steps.empty()) return {};
+    return Session::Impl::step_many(steps, options);
 }
 
 Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -99,6 +99,14 @@ struct ContactSolution {
     }
 };
 
+/// The arrays of a solution.
+enum class SolutionField { element_division, pressure, traction_x, traction_y, slip_x, slip_y };
+/// Those that an answer shall hold.
+using SolutionFields = std::vector<SolutionField>;
+inline const SolutionFields all_solution_fields{SolutionField::element_division, SolutionField::pressure,
+                                                SolutionField::traction_x,       SolutionField::traction_y,
+                                                SolutionField::slip_x,           SolutionField::slip_y};
+
 /// Of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);
 

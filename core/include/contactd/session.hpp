@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "contactd/contact.hpp"
 #include "contactd/ic_reply.hpp"
+#include "contactd/status.hpp"
 
 namespace contactd {
 
@@ -40,22 +42,25 @@ struct SessionInfo {
     IcUses ics{};
 };
 
-/// The arrays that an answer may hold.
-enum class SolutionField { element_division, pressure, traction_x, traction_y, slip_x, slip_y };
-
 /// What a step says; what it leaves out is as the session was opened.
 struct StepInput {
     std::optional<double> approach{}, Fn{};  ///< one at most
     std::optional<Gap> gap{};
     std::optional<FrictionLaw> friction{};
-    std::optional<Motion> motion{};       ///< whole: all its fields are sent
-    RigidSlip rigid_slip{};               ///< empty: as before
-    std::vector<SolutionField> fields{};  ///< wanted back
+    std::optional<Motion> motion{};  ///< whole: all its fields are sent
+    RigidSlip rigid_slip{};          ///< empty: as before
+    /// The step asked for last is asked for anew: where it was solved it is taken back first. So an integrator tries a
+    /// step until it is content.
+    bool again = false;
+    SolutionFields fields{};  ///< wanted back
 };
 
 struct StepReply {
     long long step = 0;
     ContactSolution solution;  ///< its arrays are empty unless they were asked for
 };
+
+/// Of many steps each has its solution, or says why there is none.
+using StepOrStatus = std::variant<StepReply, Status>;
 
 }  // namespace contactd

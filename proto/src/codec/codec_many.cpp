@@ -54,11 +54,11 @@ json encode_failure(const Status& status) {
     return {{"status", to_json(status)}};
 }
 
-json encode_one(const ReplyOrStatus& outcome, const Grid& grid, ArrayWriter& arrays) {
+json encode_one(const ReplyOrStatus& outcome, const Grid& grid, ArrayWriter& arrays, const SolutionFields& fields) {
     if (const auto* status = std::get_if<Status>(&outcome)) return encode_failure(*status);
     const std::size_t frames = arrays.frame_count();
     try {
-        json result = encode_solve_reply(std::get<SolveReply>(outcome), grid, arrays);
+        json result = encode_solve_reply(std::get<SolveReply>(outcome), grid, arrays, fields);
         return {{"status", to_json(Status{})}, {"result", std::move(result)}};
     } catch (const Error& error) {
         arrays.drop_frames_beyond(frames);
@@ -68,9 +68,9 @@ json encode_one(const ReplyOrStatus& outcome, const Grid& grid, ArrayWriter& arr
 
 }  // namespace
 
-json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays) {
+json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays, const SolutionFields& fields) {
     json list = json::array();
-    for (const ContactProblem& problem : problems) list.push_back(encode_problem(problem, arrays));
+    for (const ContactProblem& problem : problems) list.push_back(encode_problem(problem, arrays, fields));
     return {{"problems", std::move(list)}};
 }
 
@@ -82,9 +82,11 @@ std::vector<ProblemOrStatus> decode_problems(const json& params, const std::vect
     return problems;
 }
 
-json encode_solve_replies(std::span<const ReplyOrStatus> replies, std::span<const Grid> grids, ArrayWriter& arrays) {
+json encode_solve_replies(std::span<const ReplyOrStatus> replies, std::span<const Grid> grids, ArrayWriter& arrays,
+                          std::span<const SolutionFields> fields) {
     json solutions = json::array();
-    for (std::size_t i = 0; i < replies.size(); ++i) solutions.push_back(encode_one(replies[i], grids[i], arrays));
+    for (std::size_t i = 0; i < replies.size(); ++i)
+        solutions.push_back(encode_one(replies[i], grids[i], arrays, fields.empty() ? all_solution_fields : fields[i]));
     return {{"solutions", std::move(solutions)}};
 }
 

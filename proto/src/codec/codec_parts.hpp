@@ -109,9 +109,12 @@ void decode_summary(const nlohmann::json& result, ContactSolution& solution);
 nlohmann::json encode_evidence(const ContactEvidence& evidence);
 ContactEvidence decode_contact_evidence(const nlohmann::json& source);
 /// `element_division` of a result.
-nlohmann::json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays);
-std::vector<ElementState> decode_division(const nlohmann::json& result, const std::vector<std::string>& frames,
-                                          const std::vector<std::size_t>& shape);
+/// Adds those of `fields` that the solution has.
+void encode_arrays(const ContactSolution& solution, const SolutionFields& fields, const Grid& grid, ArrayWriter& arrays,
+                   nlohmann::json& result);
+/// Reads those that there are; an empty `shape` is that of the first one. Throws StatusError (ARRAY_INVALID).
+void decode_arrays(const nlohmann::json& result, const std::vector<std::string>& frames, std::vector<std::size_t> shape,
+                   ContactSolution& solution);
 
 /// `ics` of a result.
 nlohmann::json encode_uses(const IcUses& uses);

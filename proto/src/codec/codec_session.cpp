@@ -13,33 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Words<SolutionField, 6> field_names{{{"element_division", SolutionField::element_division},
-                                               {"pressure", SolutionField::pressure},
-                                               {"traction_x", SolutionField::traction_x},
-                                               {"traction_y", SolutionField::traction_y},
-                                               {"slip_x", SolutionField::slip_x},
-                                               {"slip_y", SolutionField::slip_y}}};
-
 constexpr Words<MotionKind, 2> motions{{{"shift", MotionKind::shift}, {"rolling", MotionKind::rolling}}};
-
-/// An array of doubles of a solution; Solution may be const.
-template <class Solution>
-auto* array_of(SolutionField field, Solution& solution) {
-    switch (field) {
-        case SolutionField::pressure:
-            return &solution.pressure;
-        case SolutionField::traction_x:
-            return &solution.traction_x;
-        case SolutionField::traction_y:
-            return &solution.traction_y;
-        case SolutionField::slip_x:
-            return &solution.slip_x;
-        case SolutionField::slip_y:
-            return &solution.slip_y;
-        default:
-            throw Error("Bytes are no doubles.");
-    }
-}
 
 /// All components of the force are said, so that none of session.open stays by accident.
 void say_force(json& motion) {
@@ -129,7 +103,8 @@ json encode_step(const std::string& session, long long step, const StepInput& in
         if (input.motion) say_force(friction.contains("rolling") ? friction["rolling"] : friction);
         params["friction"] = std::move(friction);
     }
-    for (const SolutionField field : input.fields) params["fields"].push_back(word_for(field_names, field));
+    if (input.again) params["again"] = true;
+    if (!input.fields.empty()) params["fields"] = encode_fields(input.fields);
     return params;
 }
 
@@ -152,26 +127,12 @@ void apply_step(const json& params, const std::vector<std::string>& frames, cons
     if (last && problem.friction) take_estimates(params.value("friction", json::object()), *last, problem.motion);
 }
 
-std::vector<SolutionField> decode_fields(const json& params) {
-    std::vector<SolutionField> fields;
-    for (const json& name : params.value("fields", json::array())) fields.push_back(meaning_of(name, field_names));
-    return fields;
-}
-
-json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid,
-                       const std::vector<SolutionField>& fields, ArrayWriter& arrays) {
+json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid, const SolutionFields& fields,
+                       ArrayWriter& arrays) {
     json result = encode_summary(solution, grid);
     result["step"] = step;
     result["evidence"] = encode_evidence(solution.evidence);
-    for (const SolutionField field : fields) {
-        const std::string name(word_for(field_names, field));
-        if (result.contains(name)) continue;  // asked for twice
-        if (field == SolutionField::element_division) {
-            result[name] = encode_division(solution, grid, arrays);
-        } else if (const auto* values = array_of(field, solution); !values->empty()) {  // slip needs friction
-            result[name] = arrays.write(std::span<const double>(*values), shape_of(grid));
-        }
-    }
+    encode_arrays(solution, fields, grid, arrays, result);
     return result;
 }
 
@@ -180,14 +141,7 @@ StepReply decode_step_reply(const json& result, const std::vector<std::string>& 
     reply.step = result["step"].get<long long>();
     decode_summary(result, reply.solution);
     reply.solution.evidence = decode_contact_evidence(result["evidence"]);
-    for (const auto& [name, field] : field_names) {
-        if (!result.contains(name)) continue;
-        if (field == SolutionField::element_division)
-            reply.solution.element_division = decode_division(result, frames, shape_of(grid));
-        else
-            *array_of(field, reply.solution) =
-                read_array(result[std::string(name)], frames, shape_of(grid), std::string(name));
-    }
+    decode_arrays(result, frames, shape_of(grid), reply.solution);
     return reply;
 }
 

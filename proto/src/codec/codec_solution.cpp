@@ -8,7 +8,6 @@ namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
-using Shape = std::vector<std::size_t>;
 
 json encode_solver_evidence(const SolverEvidence& evidence) {
     return object({{"iterations", evidence.iterations},
@@ -61,25 +60,6 @@ template <class Solution>
 auto dissipation_of(Solution& solution) {
     return std::array{std::pair("frictional_work", &solution.frictional_work),
                       std::pair("frictional_power", &solution.frictional_power)};
-}
-
-std::vector<unsigned char> bytes_of(const std::vector<ElementState>& states) {
-    std::vector<unsigned char> bytes;
-    bytes.reserve(states.size());
-    for (const ElementState state : states) bytes.push_back(static_cast<unsigned char>(state));
-    return bytes;
-}
-
-std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
-    std::vector<ElementState> states;
-    states.reserve(bytes.size());
-    for (const unsigned char byte : bytes) {
-        if (byte > static_cast<unsigned char>(ElementState::slip))
-            throw invalid_field("element_division", "holds " + std::to_string(byte) + "; it must be 0, 1 or 2",
-                                reason::array_invalid);
-        states.push_back(static_cast<ElementState>(byte));
-    }
-    return states;
 }
 
 json encode_totals(const ContactSolution& solution) {
@@ -174,49 +154,19 @@ ContactEvidence decode_contact_evidence(const json& source) {
     return evidence;
 }
 
-json encode_division(const ContactSolution& solution, const Grid& grid, ArrayWriter& arrays) {
-    const std::vector<unsigned char> division = bytes_of(solution.element_division);
-    return arrays.write(std::span<const unsigned char>(division), shape_of(grid));
-}
-
-std::vector<ElementState> decode_division(const json& result, const std::vector<std::string>& frames,
-                                          const std::vector<std::size_t>& shape) {
-    return states_of(read_byte_array(result["element_division"], frames, shape, "element_division"));
-}
-
-json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays) {
-    const ContactSolution& solution = reply.solution;
-    json result = encode_summary(solution, grid);
-    result["evidence"] = encode_evidence(solution.evidence);
+json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays, const SolutionFields& fields) {
+    json result = encode_summary(reply.solution, grid);
+    result["evidence"] = encode_evidence(reply.solution.evidence);
     result["evidence"]["ics"] = encode_uses(reply.ics);
-    const auto add = [&](const char* name, const std::vector<double>& values) {
-        result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
-    };
-    result["element_division"] = encode_division(solution, grid, arrays);
-    add("pressure", solution.pressure);
-    add("traction_x", solution.traction_x);
-    add("traction_y", solution.traction_y);
-    if (!solution.slip_x.empty()) add("slip_x", solution.slip_x);
-    if (!solution.slip_y.empty()) add("slip_y", solution.slip_y);
+    encode_arrays(reply.solution, fields, grid, arrays, result);
     return result;
 }
 
 SolveReply decode_solve_reply(const json& result, const std::vector<std::string>& frames) {
     SolveReply reply;
-    ContactSolution& solution = reply.solution;
-    decode_summary(result, solution);
-    const Shape shape = claimed_shape(result["pressure"], 2);
-    if (shape.size() != 2)
-        throw invalid_field("pressure", "has " + std::to_string(shape.size()) + " dimensions; it must have 2",
-                            reason::array_invalid);
-    const auto array = [&](const char* name) { return read_array(result[name], frames, shape, name); };
-    solution.pressure = array("pressure");
-    solution.traction_x = array("traction_x");
-    solution.traction_y = array("traction_y");
-    if (result.contains("slip_x")) solution.slip_x = array("slip_x");
-    if (result.contains("slip_y")) solution.slip_y = array("slip_y");
-    solution.element_division = decode_division(result, frames, shape);
-    solution.evidence = decode_contact_evidence(result["evidence"]);
+    decode_summary(result, reply.solution);
+    decode_arrays(result, frames, {}, reply.solution);
+    reply.solution.evidence = decode_contact_evidence(result["evidence"]);
     reply.ics = decode_uses(result["evidence"]["ics"]);
     return reply;
 }

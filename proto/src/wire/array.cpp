@@ -234,6 +234,16 @@ std::vector<unsigned char> read_byte_array(const json& source, const std::vector
     return ArrayReader<unsigned char>(frames, shape, field).read(source);
 }
 
+void move_frames(json& message, std::size_t count) {
+    if (count == 0 || !message.is_structured()) return;
+    if (const auto reference = message.find("$array"); message.is_object() && reference != message.end()) {
+        json& frame = (*reference)["frame"];
+        frame = frame.get<std::size_t>() + count;
+        return;
+    }
+    for (json& child : message) move_frames(child, count);
+}
+
 void check_frames_used(const json& params, const std::vector<std::string>& frames) {
     std::vector<bool> used(frames.size());
     collect_frames(params, used);

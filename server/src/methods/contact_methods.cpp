@@ -1,4 +1,5 @@
 // contact.*: problems solved, and stresses under what was solved.
+#include <array>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -16,7 +17,7 @@ namespace {
 void solve(const CallPtr& call, const DaemonParts& parts) {
     const proto::Request& request = call->request;
     check_grid_limit(request.params, parts.config.max_grid_elements);
-    check_answer_fits({&request.params}, request.arrays, parts.config.limits);
+    check_answer_fits(std::array{array_answer(request.params)}, request.arrays, parts.config.limits);
     ++parts.counters.solves;
     ContactProblem problem = proto::decode_problem(request.params, request.frames);
     proto::check_frames_used(request.params, request.frames);  // after those that are missing
@@ -26,9 +27,11 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     const Grid grid = problem.grid;
     start(parts.solve_tools(), {call, std::move(problem), job,
                                 [reporter](const Progress& progress) { reporter->report(to_job_progress(progress)); },
-                                [call, job, grid](const SolveReply& reply) {
+                                [call, job, grid, fields = proto::decode_fields(request.params, all_solution_fields)](
+                                    const SolveReply& reply) {
                                     proto::ArrayWriter arrays(call->request.arrays);
-                                    const nlohmann::json result = proto::encode_solve_reply(reply, grid, arrays);
+                                    const nlohmann::json result =
+                                        proto::encode_solve_reply(reply, grid, arrays, fields);
                                     job->end();
                                     call->succeed(result, arrays.take_frames());
                                 },

@@ -18,6 +18,7 @@ struct Batch {
     std::shared_ptr<Job> job;
     std::vector<proto::ProblemOrStatus> problems;
     std::vector<Grid> grids;
+    std::vector<SolutionFields> fields;
     std::vector<ReplyOrStatus> replies{problems.size()};
     Reporter reporter{call, job};
     std::atomic<std::size_t> next = 0, finished = 0;
@@ -31,7 +32,7 @@ void answer(const BatchPtr& batch) {
     if (batch->call->answered()) return;
     guarded(batch->call, [&] {
         proto::ArrayWriter arrays(batch->call->request.arrays);
-        const nlohmann::json result = proto::encode_solve_replies(batch->replies, batch->grids, arrays);
+        const nlohmann::json result = proto::encode_solve_replies(batch->replies, batch->grids, arrays, batch->fields);
         batch->call->succeed(result, arrays.take_frames());
     });
 }
@@ -70,9 +71,13 @@ void solve_many(const CallPtr& call, const DaemonParts& parts) {
     const proto::Request& request = call->request;
     const nlohmann::json& stated = request.params.at("problems");
     check_grid_limits(stated, parts.config.max_grid_elements);
-    std::vector<const nlohmann::json*> each;
-    for (const nlohmann::json& problem : stated) each.push_back(&problem);
-    check_answer_fits(each, request.arrays, parts.config.limits);
+    std::vector<ArrayAnswer> answers;
+    std::vector<SolutionFields> fields;
+    for (const nlohmann::json& problem : stated) {
+        answers.push_back(array_answer(problem));
+        fields.push_back(proto::decode_fields(problem, all_solution_fields));
+    }
+    check_answer_fits(answers, request.arrays, parts.config.limits);
     parts.counters.solves += static_cast<long long>(stated.size());
     std::vector<proto::ProblemOrStatus> problems =
         proto::decode_problems(request.params, request.frames, parts.config.limits);
@@ -83,7 +88,8 @@ void solve_many(const CallPtr& call, const DaemonParts& parts) {
         grids.push_back(valid ? valid->grid : Grid{});
     }
     const auto job = job_of(call, "solve", parts.jobs);
-    const auto batch = BatchPtr(new Batch{call, parts.solve_tools(), job, std::move(problems), std::move(grids)});
+    const auto batch =
+        BatchPtr(new Batch{call, parts.solve_tools(), job, std::move(problems), std::move(grids), std::move(fields)});
     for (int thread = 0; thread < parts.config.workers; ++thread) solve_next(batch);
 }
 

@@ -34,12 +34,6 @@ std::size_t elements_in(const json& params) {
     return static_cast<std::size_t>(elements_of(params, max_grid_elements));
 }
 
-/// Bytes of the arrays in a result of contact.solve: element division, pressure, tractions and, with friction, slip.
-std::size_t result_bytes(const json& params) {
-    const std::size_t per_element = params.contains("friction") ? 1 + 5 * sizeof(double) : 1 + 3 * sizeof(double);
-    return per_element * elements_in(params);
-}
-
 }  // namespace
 
 void check_grid_limit(const json& params, std::size_t most) {
@@ -62,19 +56,27 @@ void check_grid_limits(const json& problems, std::size_t most) {
                                    proto::reason::limit_exceeded);
 }
 
-void check_answer_fits(const std::vector<const json*>& problems, proto::ArrayEncoding arrays,
-                       const MessageLimits& limits) {
+ArrayAnswer array_answer(const json& params) {
+    SolutionFields fields = proto::decode_fields(params, all_solution_fields);
+    if (!params.contains("friction"))
+        std::erase_if(fields, [](SolutionField f) { return f == SolutionField::slip_x || f == SolutionField::slip_y; });
+    return {std::move(fields), elements_in(params)};
+}
+
+void check_answer_fits(std::span<const ArrayAnswer> answers, proto::ArrayEncoding arrays, const MessageLimits& limits) {
     if (arrays == proto::ArrayEncoding::list) return;
     std::size_t total = 0, largest = 0;
-    for (const json* problem : problems) {
-        total += result_bytes(*problem);
-        largest = std::max(largest, elements_in(*problem) * sizeof(double));
-    }
+    for (const auto& [fields, elements] : answers)
+        for (const SolutionField field : fields) {
+            const std::size_t bytes = elements * (field == SolutionField::element_division ? 1 : sizeof(double));
+            total += bytes;
+            largest = std::max(largest, bytes);
+        }
     const auto refuse = [](std::size_t is, const char* what, std::size_t limit, const char* name) {
         throw proto::invalid_field("grid.nx",
                                    "and ny make an answer with " + std::to_string(is) + " bytes " + what +
                                        "; at most " + std::to_string(limit) + " are allowed (limits." + name +
-                                       "): take larger elements, or fewer problems at once",
+                                       "): ask for fewer fields, take larger elements, or fewer problems at once",
                                    proto::reason::answer_too_large);
     };
     if (largest > limits.max_frame_bytes) refuse(largest, "in one frame", limits.max_frame_bytes, "max_frame_bytes");

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
+#include "contactd/contact.hpp"
 #include "contactd/proto/message.hpp"
 
 namespace contactd::server {
@@ -14,10 +16,16 @@ void check_grid_limit(const nlohmann::json& params, std::size_t most);
 /// The same of the grids of all problems together.
 void check_grid_limits(const nlohmann::json& problems, std::size_t most);
 
-/// Throws StatusError (ANSWER_TOO_LARGE) when the solutions of `problems`, which keep to the limit of grids, could not
-/// be sent in one message: what could not be sent need not be solved. Lists have no size that is known before; they are
-/// checked when they go.
-void check_answer_fits(const std::vector<const nlohmann::json*>& problems, proto::ArrayEncoding arrays,
-                       const MessageLimits& limits);
+/// The arrays of a solution that are sent.
+struct ArrayAnswer {
+    SolutionFields fields;
+    std::size_t elements = 0;  ///< of the grid
+};
+/// Of contact.solve, of params that keep to the limit of grids; there is no slip without friction.
+ArrayAnswer array_answer(const nlohmann::json& params);
+
+/// Throws StatusError (ANSWER_TOO_LARGE) when the arrays could not be sent in one message: what could not be sent need
+/// not be solved. Lists have no size that is known before; they are checked when they go.
+void check_answer_fits(std::span<const ArrayAnswer> answers, proto::ArrayEncoding arrays, const MessageLimits& limits);
 
 }  // namespace contactd::server

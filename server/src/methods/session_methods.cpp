@@ -6,6 +6,7 @@
 #include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
+#include "session_step_many.hpp"
 
 namespace contactd::server {
 
@@ -57,7 +58,18 @@ void open(const CallPtr& call, const DaemonParts& parts) {
 
 void step(const CallPtr& call, const DaemonParts& parts) {
     ++parts.counters.solves;
-    parts.sessions.find(name_in(call))->step(call, parts.engine);
+    const SessionPtr session = parts.sessions.find(name_in(call));
+    if (call->answered()) return;
+    const std::shared_ptr<Job> job = job_of(call, "step", parts.jobs);
+    Reporter reporter(call, job);
+    const auto check_rest = [&] { proto::check_frames_used(call->request.params, call->request.frames); };
+    const auto send = [&](const StepAnswer& answer) {
+        job->end();
+        return call->succeed(answer.result, answer.frames);
+    };
+    session->step(
+        {call->request.params, call, job, [&](const JobProgress& p) { reporter.report(p); }, check_rest, send},
+        parts.engine);
 }
 
 SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
@@ -69,7 +81,7 @@ void info(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
     const ContactProblem& problem = session->opened();
     SessionInfo told;
-    told.step = session->state()->contact.step;
+    told.step = session->state()->contact->step;
     told.lease_seconds = session->lease.count();
     told.states = session->states();
     told.bytes = session->bytes();
@@ -82,14 +94,14 @@ void info(const CallPtr& call, const DaemonParts& parts) {
 
 void save(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
-    const long long step = session->state()->contact.step;
+    const long long step = session->state()->contact->step;
     call->succeed({{"state", parts.sessions.save(*session)}, {"step", step}});
 }
 
 void restore(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
     SessionStatePtr state = session->saved(state_in(call));
-    const long long step = state->contact.step;
+    const long long step = state->contact->step;
     session->set_state(std::move(state));
     call->succeed({{"step", step}});
 }
@@ -101,7 +113,7 @@ void forget(const CallPtr& call, const DaemonParts& parts) {
 
 void close(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = parts.sessions.remove(name_in(call));
-    call->succeed({{"step", session->state()->contact.step}});
+    call->succeed({{"step", session->state()->contact->step}});
 }
 
 void list(const CallPtr& call, const DaemonParts& parts) {
@@ -111,7 +123,7 @@ void list(const CallPtr& call, const DaemonParts& parts) {
         sessions.push_back({{"age_seconds", std::chrono::duration<double>(now - session->created).count()},
                             {"idle_seconds", session->idle(now).count()},
                             {"lease_seconds", session->lease.count()},
-                            {"step", session->state()->contact.step},
+                            {"step", session->state()->contact->step},
                             {"states", session->states()},
                             {"bytes", session->bytes()},
                             {"elements", session->opened().grid.size()}});
@@ -125,6 +137,7 @@ void add_session_methods(MethodTable& methods) {
     methods.add({.name = "session.open", .handle = open});
     methods.add({.name = "session.step", .takes_turn = true, .priority = high, .job = "step", .handle = step});
     methods.add({.name = "session.info", .takes_turn = true, .priority = high, .handle = info});
+    methods.add({.name = "session.step_many", .queue = queue_steps});
     methods.add({.name = "session.save", .takes_turn = true, .priority = high, .handle = save});
     methods.add({.name = "session.restore", .takes_turn = true, .priority = high, .handle = restore});
     methods.add({.name = "session.forget", .takes_turn = true, .priority = high, .handle = forget});

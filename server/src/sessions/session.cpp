@@ -13,8 +13,9 @@ using proto::StatusError;
 
 namespace {
 
-// Beside the operators: gap, friction and tractions of the problem, as opened and as solved, and the state.
-constexpr std::size_t bytes_per_element_problem = 300, bytes_per_element_state = 128, bytes_beside = 8192;
+// Beside the operators: gap, friction and tractions of the problem, as opened and as solved, and the state with what
+// was before it.
+constexpr std::size_t bytes_per_element_problem = 300, bytes_per_element_state = 152, bytes_beside = 8192;
 constexpr std::size_t bytes_per_element_table = 2 * 9 * sizeof(double);
 
 StatusError state_unknown() {
@@ -39,7 +40,8 @@ StatusError session_unknown() {
 Session::Session(std::unique_ptr<engine::ContactSteps> steps, std::chrono::duration<double> lease_time)
     : lease(lease_time),
       steps_(std::move(steps)),
-      state_(std::make_shared<const SessionState>(SessionState{steps_->start(), {}})) {}
+      state_(std::make_shared<const SessionState>(
+          SessionState{std::make_shared<const engine::StepState>(steps_->start()), nullptr, {}})) {}
 
 // --- turns -----------------------------------------------------------------------------------------------------------
 

@@ -13,7 +13,7 @@
 
 #include "contactd/proto/session.hpp"
 #include "engine/engine.hpp"
-#include "jobs/call.hpp"
+#include "jobs/job_reports.hpp"
 
 namespace contactd::server {
 
@@ -26,10 +26,21 @@ struct StepAnswer {
 
 /// Where a session is: all that a step leaves to the next one. Never changed, so that saving a state is holding it.
 struct SessionState {
-    engine::StepState contact;
+    std::shared_ptr<const engine::StepState> contact;
+    std::shared_ptr<const engine::StepState> before;  ///< where the last step started; null when there was none
     StepAnswer answer;
 };
 using SessionStatePtr = std::shared_ptr<const SessionState>;
+
+/// A step that a request asks for.
+struct StepRequest {
+    const nlohmann::json& params;  ///< of session.step, which have passed their schema
+    const CallPtr& call;           ///< has the frames that they refer to
+    const std::shared_ptr<Job>& job;
+    std::function<void(const JobProgress&)> report;
+    std::function<void()> check_rest;             ///< of the request, once the step's own fields have been read
+    std::function<bool(const StepAnswer&)> send;  ///< false when nobody wants the answer any more
+};
 
 class Session : public std::enable_shared_from_this<Session> {
    public:
@@ -49,9 +60,9 @@ class Session : public std::enable_shared_from_this<Session> {
     /// Drops what waits for its turn and was abandoned.
     void drop_abandoned();
 
-    /// In a turn: solves the step that `call` asks for, or answers it again. The session goes on only when `call` gets
-    /// the solution: whatever fails leaves it as it was.
-    void step(const CallPtr& call, engine::Engine& engine);
+    /// In a turn: sends the answer to a step, solved now or kept. The session goes on only when the answer was sent:
+    /// whatever fails leaves it as it was. Throws what failed.
+    void step(const StepRequest& request, engine::Engine& engine);
 
     const engine::IcAnswers& ics() const { return steps_->ics(); }
     SessionStatePtr state() const;
@@ -84,9 +95,9 @@ class Session : public std::enable_shared_from_this<Session> {
     };
     void post_turn(Waiting next, WorkerPool& workers);
     void end_turn(WorkerPool& workers);
-    void replay(const SessionState& state, const CallPtr& call) const;
-    void solve_step(const SessionState& before, const CallPtr& call, const std::shared_ptr<Job>& job,
-                    engine::Engine& engine);
+    void begin(const std::shared_ptr<Job>& job);
+    void solve_step(const std::shared_ptr<const engine::StepState>& before, std::size_t hash,
+                    const StepRequest& request, engine::Engine& engine);
 
     const std::unique_ptr<engine::ContactSteps> steps_;  // used in turns only
     mutable std::mutex mutex_;                           // guards what follows

@@ -2,7 +2,7 @@
 #include <functional>
 #include <utility>
 
-#include "jobs/job_reports.hpp"
+#include "contactd/proto/codec.hpp"
 #include "session.hpp"
 
 namespace contactd::server {
@@ -15,10 +15,10 @@ using proto::StatusError;
 namespace {
 
 /// Tells one request from another with the same number.
-std::size_t hash_of(const proto::Request& request) {
+std::size_t hash_of(const json& params, const std::vector<std::string>& frames) {
     const std::hash<std::string> hash;
-    std::size_t value = hash(proto::dump(request.params));
-    for (const std::string& frame : request.frames) value = value * 31 + hash(frame);
+    std::size_t value = hash(proto::dump(params));
+    for (const std::string& frame : frames) value = value * 31 + hash(frame);
     return value;
 }
 
@@ -35,7 +35,7 @@ StatusError out_of_order(long long is, long long last) {
 StatusError differs(long long step) {
     const std::string problem = "is " + std::to_string(step) +
                                 ", which was answered to another request; the next one is " + std::to_string(step + 1) +
-                                ", and session.restore goes back";
+                                ", and with again this one is solved anew";
     return StatusError(Status{StatusCode::failed_precondition,
                               "step " + problem + ".",
                               std::string(proto::reason::step_differs),
@@ -45,65 +45,59 @@ StatusError differs(long long step) {
 
 }  // namespace
 
-void Session::step(const CallPtr& call, engine::Engine& engine) {
-    if (call->answered()) return;
-    std::shared_ptr<Job> job;
-    Status status;
-    try {
-        const SessionStatePtr before = state();
-        const auto number = call->request.params["step"].get<long long>();
-        if (number == before->contact.step) return replay(*before, call);
-        if (number != before->contact.step + 1) throw out_of_order(number, before->contact.step);
-        call->outlive_client();  // who reconnects asks for the step again, and finds it done
-        job = job_of(call, "step", engine.jobs());
-        {
-            const std::scoped_lock lock(mutex_);
-            if (closed_) throw session_unknown();
-            job_ = job;
-        }
-        job->set_running();
-        solve_step(*before, call, job, engine);
-    } catch (const std::exception& error) {
-        status = status_of(error);
-    }
-    if (job) job->end();
-    {
+void Session::begin(const std::shared_ptr<Job>& job) {
+    const std::scoped_lock lock(mutex_);
+    if (closed_) throw session_unknown();
+    job_ = job;
+}
+
+void Session::step(const StepRequest& request, engine::Engine& engine) {
+    begin(request.job);
+    // Whatever happens, the job is not the session's any longer.
+    const std::shared_ptr<void> end(nullptr, [this](void*) {
         const std::scoped_lock lock(mutex_);
         job_.reset();
-    }
-    if (!status.ok()) call->fail(status);
+    });
+    const SessionStatePtr now = state();
+    const long long last = now->contact->step, number = request.params["step"].get<long long>();
+    const std::size_t hash = hash_of(request.params, request.call->request.frames);
+    if (number == last + 1) return solve_step(now->contact, hash, request, engine);
+    if (number != last || !now->before) throw out_of_order(number, last);
+    if (hash == now->answer.request)
+        request.send(now->answer);
+    else if (request.params.value("again", false))
+        solve_step(now->before, hash, request, engine);
+    else
+        throw differs(last);
 }
 
-void Session::replay(const SessionState& state, const CallPtr& call) const {
-    if (closed()) throw session_unknown();
-    if (hash_of(call->request) != state.answer.request) throw differs(state.contact.step);
-    call->succeed(state.answer.result, state.answer.frames);
-}
-
-void Session::solve_step(const SessionState& before, const CallPtr& call, const std::shared_ptr<Job>& job,
-                         engine::Engine& engine) {
-    const proto::Request& request = call->request;
+void Session::solve_step(const std::shared_ptr<const engine::StepState>& before, std::size_t hash,
+                         const StepRequest& request, engine::Engine& engine) {
+    const proto::Request& message = request.call->request;
     const auto statement = [&](const std::optional<Motion>& last, ContactProblem& problem) {
-        proto::apply_step(request.params, request.frames, last, problem);
-        proto::check_frames_used(request.params, request.frames);
+        proto::apply_step(request.params, message.frames, last, problem);
+        if (request.check_rest) request.check_rest();
     };
-    Reporter reporter(call, job);
-    JobObserver observer(call, job, [&](const Progress& progress) { reporter.report(to_job_progress(progress)); });
+    JobObserver observer(request.call, request.job,
+                         [&](const Progress& progress) { request.report(to_job_progress(progress)); });
+    request.call->outlive_client();  // who reconnects asks for the step again, and finds it done
+    request.job->set_running();
     observer.throw_if_cancelled();
-    ContactSolution solution = engine.solve(*steps_, before.contact, statement, observer);
+    ContactSolution solution = engine.solve(*steps_, *before, statement, observer);
 
     auto after = std::make_shared<SessionState>();
-    proto::ArrayWriter arrays(request.arrays);
-    after->answer.request = hash_of(request);
-    after->answer.result = proto::encode_step_reply(before.contact.step + 1, solution, opened().grid,
-                                                    proto::decode_fields(request.params), arrays);
+    proto::ArrayWriter arrays(message.arrays);
+    after->answer.request = hash;
+    after->answer.result = proto::encode_step_reply(before->step + 1, solution, opened().grid,
+                                                    proto::decode_fields(request.params, {}), arrays);
     after->answer.frames = arrays.take_frames();
-    after->contact = engine::ContactSteps::after(before.contact, std::move(solution));
-    job->end();
+    after->contact =
+        std::make_shared<const engine::StepState>(engine::ContactSteps::after(*before, std::move(solution)));
+    after->before = before;
     // First, since whoever has the answer may ask at once how far the session is.
     const SessionStatePtr last = state();
     set_state(after);
-    if (!call->succeed(after->answer.result, after->answer.frames)) set_state(last);
+    if (!request.send(after->answer)) set_state(last);
 }
 
 }  // namespace contactd::server

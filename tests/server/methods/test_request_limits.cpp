@@ -47,7 +47,9 @@ TEST_CASE("Solutions that could not be sent as frames are refused before they ar
     limits.max_frame_bytes = 800;
     limits.max_message_bytes = 2500;
     const auto refusal = [&](const std::vector<const json*>& problems, proto::ArrayEncoding arrays) {
-        return refusal_of([&] { check_answer_fits(problems, arrays, limits); });
+        std::vector<ArrayAnswer> answers;
+        for (const json* each : problems) answers.push_back(array_answer(*each));
+        return refusal_of([&] { check_answer_fits(answers, arrays, limits); });
     };
     using enum proto::ArrayEncoding;
     CHECK(refusal({&problem}, frame) == "taken");
@@ -56,4 +58,8 @@ TEST_CASE("Solutions that could not be sent as frames are refused before they ar
     CHECK(refusal({&problem, &problem}, list) == "taken");
     limits.max_frame_bytes = 799;
     CHECK(refusal({&problem}, frame) == "ANSWER_TOO_LARGE grid.nx");
+    json forces = problem, division = problem;
+    forces["fields"] = json::array();
+    division["fields"] = {"element_division"};
+    CHECK(refusal({&forces, &division}, frame) == "taken");
 }

@@ -32,7 +32,7 @@ std::string reason_of(const std::function<void()>& act) {
 
 SessionStatePtr state_at(long long step) {
     auto state = std::make_shared<SessionState>();
-    state->contact.step = step;
+    state->contact = std::make_shared<const engine::StepState>(engine::StepState{step, {}, {}});
     return state;
 }
 
@@ -127,8 +127,8 @@ TEST_CASE("A saved state stays what it was and can be forgotten") {
     one->set_state(state_at(6));
 
     CHECK(start != later);
-    CHECK(one->saved(start)->contact.step == 0);
-    CHECK(one->saved(later)->contact.step == 5);
+    CHECK(one->saved(start)->contact->step == 0);
+    CHECK(one->saved(later)->contact->step == 5);
     CHECK(one->forget(start) == 1);
     CHECK(reason_of([&] { one->saved(start); }) == "STATE_UNKNOWN");
     CHECK(reason_of([&] { one->forget(start); }) == "STATE_UNKNOWN");

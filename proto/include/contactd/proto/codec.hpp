@@ -31,28 +31,36 @@ IcEvidence decode_evidence(const nlohmann::json& json);
 
 // --- contact.solve ---------------------------------------------------------------------------------------------------
 nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays);
+/// The same, of whose solution only these are wanted.
+nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays, const SolutionFields& fields);
 /// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large (before anything of
 /// its size is allocated) and for arrays that do not fit; the rest is checked by contactd::validate. Of the models
 /// other than full, which do not use it, `ics` is not read.
 ContactProblem decode_problem(const nlohmann::json& params, const std::vector<std::string>& frames);
 
-nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays);
+/// The fields wanted back by a request that has passed its schema; `otherwise` where it names none.
+nlohmann::json encode_fields(const SolutionFields& fields);
+SolutionFields decode_fields(const nlohmann::json& params, const SolutionFields& otherwise);
+
+nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays,
+                                  const SolutionFields& fields = all_solution_fields);
 SolveReply decode_solve_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
 
 // --- contact.solve_many ----------------------------------------------------------------------------------------------
 using ProblemOrStatus = std::variant<ContactProblem, Status>;
 
-nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays);
+nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays,
+                               const SolutionFields& fields = all_solution_fields);
 /// `params` has passed its schema. Instead of a problem that decode_problem refuses comes the reason, with fields as of
 /// contact.solve. Throws StatusError (LIMIT_EXCEEDED) when the arrays of all problems together, a frame counted as
 /// often as it is named, have more than limits.max_array_elements: each problem gets arrays of its own.
 std::vector<ProblemOrStatus> decode_problems(const nlohmann::json& params, const std::vector<std::string>& frames,
                                              const MessageLimits& limits = {});
 
-/// `grids` are those of the problems; of one that failed it does not matter. A reply that cannot be sent, because a
-/// number in it is not finite, becomes INTERNAL.
+/// `grids` and `fields` are those of the problems; of one that failed they do not matter. Without `fields` all are
+/// sent. A reply that cannot be sent, because a number in it is not finite, becomes INTERNAL.
 nlohmann::json encode_solve_replies(std::span<const ReplyOrStatus> replies, std::span<const Grid> grids,
-                                    ArrayWriter& arrays);
+                                    ArrayWriter& arrays, std::span<const SolutionFields> fields = {});
 std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const std::vector<std::string>& frames);
 
 // --- contact.subsurface ----------------------------------------------------------------------------------------------

@@ -93,6 +93,9 @@ std::vector<double> read_array(const nlohmann::json& json, const std::vector<std
 std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const std::vector<std::string>& frames,
                                            const std::vector<std::size_t>& shape, const std::string& field);
 
+/// Lets the arrays of `message` refer to frames that come `count` places later, behind those of another message.
+void move_frames(nlohmann::json& message, std::size_t count);
+
 /// Throws StatusError (ARRAY_INVALID) when no {"$array": ...} anywhere in `params` refers to one of the frames.
 void check_frames_used(const nlohmann::json& params, const std::vector<std::string>& frames);
 

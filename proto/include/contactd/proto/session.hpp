@@ -2,12 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "contactd/proto/message.hpp"
+#include "contactd/proto/status.hpp"
 #include "contactd/session.hpp"
 
 namespace contactd::proto {
@@ -35,10 +38,28 @@ nlohmann::json encode_step(const std::string& session, long long step, const Ste
 void apply_step(const nlohmann::json& params, const std::vector<std::string>& frames, const std::optional<Motion>& last,
                 ContactProblem& problem);
 
-std::vector<SolutionField> decode_fields(const nlohmann::json& params);
+/// Of several steps, by the schema of session.step_many.
+struct StepAsked {
+    std::string session;
+    long long step = 0;
+    const StepInput& input;
+    const Grid& grid;
+};
+nlohmann::json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays);
+
+/// A step's result with its frames, or why there is none.
+struct StepResult {
+    nlohmann::json result;
+    std::vector<std::string> frames;
+};
+using ResultOrStatus = std::variant<StepResult, Status>;
+/// Takes the frames, which then stand one behind the other in `frames`.
+nlohmann::json encode_step_results(std::vector<ResultOrStatus> results, std::vector<std::string>& frames);
+std::vector<StepOrStatus> decode_step_replies(const nlohmann::json& result, const std::vector<std::string>& frames,
+                                              std::span<const Grid> grids);
 
 nlohmann::json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid,
-                                 const std::vector<SolutionField>& fields, ArrayWriter& arrays);
+                                 const SolutionFields& fields, ArrayWriter& arrays);
 StepReply decode_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames, const Grid& grid);
 
 }  // namespace contactd::proto

@@ -103,13 +103,16 @@ class Client {
     int delete_ic(const std::string& key, const CallOptions& options = {});
 
     /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).
-    SolveReply solve(const ContactProblem& problem, const CallOptions& options = {});
+    /// Who wants forces only names no fields: arrays that were not asked for are empty.
+    SolveReply solve(const ContactProblem& problem, const CallOptions& options = {},
+                     const SolutionFields& fields = all_solution_fields);
 
     /// Solves 1 to 1000 contact problems at once, on all workers of the daemon. The answers have the order of the
     /// problems; instead of a solution comes the status of a problem that failed, which does not fail the others.
     /// Arrays that several problems have in common (tables, gaps) are sent once. Throws InvalidArgument naming
     /// problems[i].FIELD for one that cannot be solved as stated.
-    std::vector<ReplyOrStatus> solve_many(std::span<const ContactProblem> problems, const CallOptions& options = {});
+    std::vector<ReplyOrStatus> solve_many(std::span<const ContactProblem> problems, const CallOptions& options = {},
+                                          const SolutionFields& fields = all_solution_fields);
 
     /// Stresses inside a body under the tractions of a solution. The request's points and the stresses are in the frame
     /// of that body: z <= 0 is inside, for the upper one too. Throws InvalidArgument naming an array that does not fit

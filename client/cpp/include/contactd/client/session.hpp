@@ -11,7 +11,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "contactd/client/client.hpp"
 #include "contactd/session.hpp"
@@ -23,6 +25,20 @@ struct SavedState {
     std::string name;
     long long step = 0;  ///< number of the last step when it was saved
 };
+
+class Session;
+
+/// A step of one of several sessions.
+struct SessionStep {
+    Session& session;
+    StepInput input;
+};
+
+/// Solves the next step of each session, all of one client, in one message and on all workers of the daemon: the
+/// contacts of a vehicle. The answers have the order of the steps; one that fails leaves its session as it was and does
+/// not fail the others. With `input.again` all are tried anew, those that failed too. Throws what Session::step does,
+/// and InvalidArgument when sessions are of several clients, or one stands twice.
+std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options = {});
 
 /// Belongs to the thread of its client, and to the process that opened or joined it: elsewhere, and while another of
 /// its calls runs, a call throws ConcurrencyError. Steps are numbered here: one whose answer does not come
@@ -67,6 +83,7 @@ class Session {
     const IcUses& ics() const;      ///< where the influence coefficients came from
 
    private:
+    friend std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options);
     class Impl;
     explicit Session(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

@@ -1,0 +1,112 @@
+#include "session_step_many.hpp"
+#include "contactd/proto/codec.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+#include "contactd/proto/schema.hpp"
+#include "contactd/proto/session.hpp"
+#include "jobs/job_reports.hpp"
+#include "request_limits.hpp"
+
+namespace contactd::server {
+namespace {
+
+using nlohmann::json;
+
+/// Several steps of one call.
+struct Batch {
+    CallPtr call;
+    const DaemonParts& parts;
+    std::vector<SessionPtr> sessions;  // null where there is none
+    std::vector<proto::ResultOrStatus> results{sessions.size()};
+    std::once_flag checked{};
+    std::atomic<bool> refused = false;
+    std::atomic<std::size_t> finished = 0;
+
+    const json& params(std::size_t index) const { return call->request.params["steps"][index]; }
+};
+using BatchPtr = std::shared_ptr<Batch>;
+
+/// Of the whole message, by whichever step comes first.
+void check(Batch& batch) {
+    const proto::Request& request = batch.call->request;
+    proto::check_params(request.method, request.params);
+    proto::check_frames_used(request.params, request.frames);
+    std::vector<ArrayAnswer> answers;
+    for (std::size_t i = 0; i < batch.sessions.size(); ++i)
+        if (batch.sessions[i])
+            answers.push_back({proto::decode_fields(batch.params(i), {}), batch.sessions[i]->opened().grid.size()});
+    check_answer_fits(answers, request.arrays, batch.parts.config.limits);
+}
+
+void answer(Batch& batch) {
+    guarded(batch.call, [&] {
+        std::vector<std::string> frames;
+        const json result = proto::encode_step_results(std::move(batch.results), frames);
+        batch.call->succeed(result, std::move(frames));
+    });
+}
+
+proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
+    const std::shared_ptr<Job> job = batch.parts.jobs.create("step", [] {});
+    proto::ResultOrStatus result;
+    const auto send = [&](const StepAnswer& answer) {
+        result = proto::StepResult{answer.result, answer.frames};
+        return !batch.call->answered();
+    };
+    try {
+        if (!batch.sessions[index]) throw session_unknown();
+        batch.sessions[index]->step(
+            {batch.params(index), batch.call, job, [&](const JobProgress& p) { job->set_progress(p); }, {}, send},
+            batch.parts.engine);
+    } catch (const std::exception& error) {
+        result = status_of(error);
+    }
+    job->end();
+    return result;
+}
+
+void take(const BatchPtr& batch, std::size_t index) {
+    batch->call->check_deadline();
+    if (batch->call->answered()) return;
+    std::call_once(batch->checked, [&] {
+        try {
+            check(*batch);
+        } catch (const std::exception& error) {
+            batch->refused = true;
+            batch->call->fail(status_of(error));
+        }
+    });
+    if (batch->refused) return;
+    batch->results[index] = solved(*batch, index);
+    if (++batch->finished == batch->sessions.size()) answer(*batch);
+}
+
+}  // namespace
+
+void queue_steps(const CallPtr& call, const DaemonParts& parts) {
+    // The schema is checked by the first step: here only what tells whose turn it is.
+    const auto steps = call->request.params.find("steps");
+    std::vector<SessionPtr> sessions(1);
+    if (steps != call->request.params.end() && steps->is_array() && !steps->empty()) {
+        sessions.clear();
+        for (const json& step : *steps) {
+            const bool named = step.is_object() && step.contains("session") && step["session"].is_string();
+            sessions.push_back(named ? parts.sessions.find_open(step["session"].get_ref<const std::string&>())
+                                     : nullptr);
+        }
+    }
+    parts.counters.solves += static_cast<long long>(sessions.size());
+    const auto batch = BatchPtr(new Batch{call, parts, std::move(sessions)});
+    for (std::size_t i = 0; i < batch->sessions.size(); ++i) {
+        auto work = [batch, i] { take(batch, i); };
+        if (batch->sessions[i])
+            batch->sessions[i]->take_turn(turn_of(call), std::move(work), parts.workers);
+        else
+            parts.workers.post(turn_of(call), std::move(work));
+    }
+}
+
+}  // namespace contactd::server
