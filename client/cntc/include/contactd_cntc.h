@@ -1,0 +1,154 @@
+/* Contact problems by the functions of the CONTACT program's C library, solved by contactd in process.
+ *
+ * A program that calls that library for basic contact ("module 3") links this one instead. docs/cntc.md says of each
+ * function what is covered, and in which signs.
+ *
+ * Every argument is a pointer; nothing is returned. `ire` numbers a result element, `icp` a contact problem of it, from
+ * 1 on; -1 as `icp` of what sets something, or of cntc_calculate, stands for all of them. Arrays and strings come with
+ * their length. Arrays of elements have the index iy*mx + ix: x is fastest. Units are those of the flag 1933:
+ *
+ *     1934   mm, mm/s, N, N/mm^2     forces and tractions on body 1, the upper one (default)
+ *     1935   m, m/s, N, N/m^2        on body 2
+ *     1936   m, m/s, N, N/m^2        on body 1
+ *
+ * Angles are in rad everywhere. Velocities, creepages, shifts, slip and displacements are those of body 1 relative to
+ * body 2 in all three.
+ *
+ * What cannot be done is refused: with a sentence on standard error, the first time, and in contactd_cntc_last_error();
+ * cntc_calculate answers with the code as long as something that was set is refused, and numbers that do not exist are
+ * NaN. No null pointer, number, handle or order of calls ends the program. Functions may be called from any thread;
+ * result elements are independent.
+ *
+ * Fortran compilers that append an underscore find every name with one, too.
+ */
+#ifndef CONTACTD_CNTC_H
+#define CONTACTD_CNTC_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- what is contactd's own ----------------------------------------------------------------------------------- */
+
+/* Of this thread's last call of a function below: the sentence of its error, "" where there was none, valid until the
+ * next call; `*code`, unless `code` is null, is the error's code (0, or one of those of cntc_calculate). */
+const char* contactd_cntc_last_error(int* code);
+
+/* --- start and end -------------------------------------------------------------------------------------------- */
+
+/* `*ifcver` is the version of the interface, `*ierror` 0 or an error. No file is written: folders and names of the
+ * experiment mean nothing. Two older argument lists differ from the fourth on, which is not read. */
+void cntc_initializefirst(int* ifcver, int* ierror, int* ioutput, const char* wrkdir, const char* outdir,
+                          const char* expnam, int* len_wrkdir, int* len_outdir, int* len_expnam);
+void cntc_initializefirst_new(int* ifcver, int* ierror, int* ioutput, const char* wrkdir, const char* outdir,
+                              const char* expnam, int* len_wrkdir, int* len_outdir, int* len_expnam);
+/* `*imodul` is 3, basic contact. A result element that was not initialized is when something of it is first set. */
+void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char* outdir, int* len_outdir);
+/* Forgets a result element, or all of them. */
+void cntc_finalize(int* ire);
+void cntc_finalizelast(void);
+
+/* --- what to do: pairs of code and value ---------------------------------------------------------------------- */
+
+void cntc_setglobalflags(int* lenflg, int* params, int* values);
+void cntc_setflags(int* ire, int* icp, int* lenflg, int* params, int* values);
+void cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int* values);
+void cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* values);
+void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam, int* nreals, double* rparam);
+
+/* --- bodies and friction -------------------------------------------------------------------------------------- */
+
+/* imeth 0: [nu1, nu2, G1, G2]. */
+void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
+/* imeth 0: [fstat, fkin], which must be equal; 2 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0], f2 = memdst = 0. */
+void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params);
+/* itask 2: what the material was set to, 3: friction. */
+void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values);
+
+/* --- where the bodies may touch, and how far they are apart --------------------------------------------------- */
+
+void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
+void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
+void cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf);
+void cntc_gethertzcontact(int* ire, int* icp, int* lenarr, double* values);
+void cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values);
+void cntc_getnumelements(int* ire, int* icp, int* mx, int* my);
+void cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy);
+
+/* --- how they are pressed, and how they move ------------------------------------------------------------------ */
+
+void cntc_setpenetration(int* ire, int* icp, double* pen);
+void cntc_setnormalforce(int* ire, int* icp, double* fn);
+void cntc_settimestep(int* ire, int* icp, double* dt);
+void cntc_setreferencevelocity(int* ire, int* icp, double* veloc);
+void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq);
+void cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi);
+void cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy);
+void cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy);
+void cntc_getpenetration(int* ire, int* icp, double* pen);
+void cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi);
+void cntc_getreferencevelocity(int* ire, int* icp, double* veloc);
+
+/* --- the solution --------------------------------------------------------------------------------------------- */
+
+/* `*ierror` is 0, the number of elements in contact at the border of the potential contact area, or negative:
+ * -27, -28  the normal, the tangential solver did not converge; -29 it stopped above the tolerance (the best that was
+ *           found can be read then);
+ * -31       no such result element or contact problem;
+ * -33, -34  friction, or the elements and steps, cannot be used;
+ * -39       another input cannot be used or was not set;
+ * -99       anything else. */
+void cntc_calculate(int* ire, int* icp, int* ierror);
+void cntc_getcontactforces(int* ire, int* icp, double* fn, double* fx, double* fy, double* mz);
+void cntc_getcontactpatchareas(int* ire, int* icp, double* contact, double* adhesion, double* slip);
+void cntc_getmaximumpressure(int* ire, int* icp, double* pnmax);
+void cntc_getmaximumtraction(int* ire, int* icp, double* ptmax);
+void cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* division);
+void cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, double* py);
+void cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy);
+void cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy);
+void cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* values);
+/* values[out + lenout * in]; out: fn, fx and fy over fstat fn, mz; in: pen, vx, vy, phi. */
+void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* values);
+void cntc_getcalculationtime(int* ire, int* icp, double* cpu, double* wall);
+void cntc_resetcalculationtime(int* ire, int* icp);
+
+/* --- stresses below the surface: z > 0 inside body 1, z < 0 inside body 2 ------------------------------------- */
+
+void subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, int* nz, double* x, double* y,
+                   double* z);
+void subs_calculate(int* ire, int* icp, int* ierror);
+void subs_getblocksize(int* ire, int* icp, int* iblk, int* nx, int* ny, int* nz);
+/* values[point + lenarr * column], the columns named by icol. */
+void subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* icol, double* values);
+
+/* --- not covered: an error, always ---------------------------------------------------------------------------- */
+
+void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int* ierror);
+void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
+void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max);
+/* Wheel on rail ("module 1"). */
+void cntc_setverticalforce(int* ire, double* fz);
+void cntc_setprofileinputfname(int* ire, const char* name, int* len_name, int* nints, int* iparam, int* nreals,
+                               double* rparam);
+void cntc_setprofileinputvalues(int* ire, int* npoint, double* values, int* nints, int* iparam, int* nreals,
+                                double* rparam);
+void cntc_settrackdimensions(int* ire, int* ztrack, int* nparam, double* rparam);
+void cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam);
+void cntc_setwheelsetposition(int* ire, int* ewheel, int* nparam, double* rparam);
+void cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam);
+void cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam);
+void cntc_getnumcontactpatches(int* ire, int* npatch);
+void cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values);
+void cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values);
+void cntc_getwheelsetposition(int* ire, int* lenarr, double* values);
+void cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values);
+void cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* lenarr, double* values);
+void cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
+                               double* values);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+#include "last_error.hpp"
+
+#include <atomic>
+#include <cstdio>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "edge/codes.hpp"
+#include "edge/exported.hpp"
+#include "edge/refused.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+struct LastError {
+    int code = 0;
+    std::string sentence;
+};
+
+LastError& last_error() {
+    thread_local LastError error;
+    return error;
+}
+
+std::atomic<bool> prints{true};
+
+/// Whether a sentence is new. Of a program that makes ever new ones no more than some are printed.
+bool is_new(const std::string& sentence) {
+    constexpr std::size_t most = 1000;
+    static std::mutex mutex;
+    static std::set<std::string> printed;
+    const std::scoped_lock lock(mutex);
+    return printed.size() < most && printed.insert(sentence).second;
+}
+
+}  // namespace
+
+void begin_call() noexcept {
+    last_error().code = 0;
+    last_error().sentence.clear();
+}
+
+int report(const char* function) noexcept {
+    LastError& error = last_error();
+    error.code = error_code::other;
+    try {
+        const Refused refused = refused_of_exception();
+        error.code = refused.code();
+        error.sentence = std::string(function) + ": " + refused.what();
+        if (prints && is_new(error.sentence)) std::fprintf(stderr, "contactd: %s\n", error.sentence.c_str());
+    } catch (...) {  // no memory for the sentence; the code stands
+    }
+    return error.code;
+}
+
+void print_errors(bool wanted) noexcept {
+    prints = wanted;
+}
+
+}  // namespace contactd::cntc
+
+extern "C" const char* contactd_cntc_last_error(int* code) {
+    const auto& error = contactd::cntc::last_error();
+    if (code != nullptr) *code = error.code;
+    return error.sentence.c_str();
+}

@@ -1,0 +1,16 @@
+// What became of a thread's last call.
+#pragma once
+
+namespace contactd::cntc {
+
+/// Forgets the error of this thread's last call: another one begins.
+void begin_call() noexcept;
+
+/// Keeps the exception that is being handled as the error of this thread's call, and prints its sentence where it was
+/// not printed before. Returns its code.
+int report(const char* function) noexcept;
+
+/// Whether errors are printed on standard error; they are unless somebody says no.
+void print_errors(bool wanted) noexcept;
+
+}  // namespace contactd::cntc

@@ -1,0 +1,32 @@
+#include "refused.hpp"
+
+#include <string_view>
+
+#include "edge/codes.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+int code_of(std::string_view field) {
+    if (field.starts_with("friction.mu") || field.starts_with("friction.kinetic")) return error_code::friction;
+    if (field.starts_with("grid") || field == "friction.rolling.dq") return error_code::discretisation;
+    return error_code::input;
+}
+
+}  // namespace
+
+Refused refused_of_exception() {
+    try {
+        throw;
+    } catch (const Refused& refused) {
+        return refused;
+    } catch (const InvalidArgument& error) {
+        return {code_of(error.field()), error.what()};
+    } catch (const std::exception& error) {
+        return {error_code::other, error.what()};
+    } catch (...) {
+        return {error_code::other, "Something went wrong that says nothing of itself."};
+    }
+}
+
+}  // namespace contactd::cntc

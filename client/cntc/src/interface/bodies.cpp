@@ -1,0 +1,114 @@
+// What the bodies are made of, and the friction between them.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "interface/entry.hpp"
+
+using namespace contactd;
+using namespace contactd::cntc;
+
+namespace {
+
+MaterialPair elastic(const std::vector<double>& given, const Units& units) {
+    const MaterialPair pair{{given[2] * units.stress(), given[0]}, {given[3] * units.stress(), given[1]}};
+    validate(pair.upper, "body 1", true);
+    validate(pair.lower, "body 2", true);
+    return pair;
+}
+
+[[noreturn]] void refuse_friction(const std::string& sentence) {
+    throw Refused(error_code::friction, sentence);
+}
+
+enum Law { coulomb = 0, keep = 1, linear = 2, exponential = 4 };
+
+FrictionLaw coulomb_of(const std::vector<double>& given) {
+    if (given[0] != given[1])
+        refuse_friction(
+            "fstat and fkin differ; a friction that falls at once to another value has no solution here. "
+            "Give the same, or a law that falls with the slip velocity (2 or 4).");
+    if (given[0] < 0) refuse_friction("fstat is negative.");
+    return {{given[0]}};
+}
+
+/// fkin + f1 max(0, 1 - v/(2 s1)), or fkin + f1 2^(-v/s1): the slope that s1 stands for, in core's words.
+FrictionLaw falling_of(int law, const std::vector<double>& given) {
+    const double fkin = given[0], f1 = given[1], s1 = given[2], f2 = given[3], memory = given[5];
+    if (f2 != 0) refuse_friction("f2 is not 0; contactd's laws fall by one term.");
+    if (memory != 0) refuse_friction("memdst is not 0; contactd's friction has no memory.");
+    if (fkin < 0 || f1 < 0) refuse_friction("fkin or f1 is negative.");
+    if (f1 == 0) return {{fkin}};
+    if (!(s1 > 0)) refuse_friction("s1 must be positive.");
+    const bool is_linear = law == linear;
+    return {{fkin + f1},
+            KineticFriction{is_linear ? SlipLaw::linear : SlipLaw::exponential, fkin,
+                            is_linear ? 2 * s1 : s1 / std::numbers::ln2}};
+}
+
+/// Parameters that are lengths or velocities, in mm.
+std::vector<double> in_mm(int law, std::vector<double> parameters, double length) {
+    if (law == coulomb) return parameters;
+    for (const std::size_t i : {2, 4, 5, 6}) parameters[i] *= length;
+    return parameters;
+}
+
+GivenFriction friction_of(int method, const double* params, const int* nparam, const Units& units) {
+    if (method != coulomb && method != linear && method != exponential)
+        refuse_friction("Method " + std::to_string(method) +
+                        " is asked for; contactd has 0, 2 and 4, the same over the contact.");
+    const std::size_t count = method == coulomb ? 2 : 7;
+    auto given = numbers(params, nparam, static_cast<int>(count), "params");
+    given.resize(count);
+    given = in_mm(method, given, units.length);
+    return {method, given, method == coulomb ? coulomb_of(given) : falling_of(method, given)};
+}
+
+std::vector<double> material_back(const Settings& settings) {
+    if (!settings.materials) throw Refused(error_code::input, "No material was set.");
+    const auto& [upper, lower] = *settings.materials;
+    const double stress = settings.units.stress();
+    return {upper.nu, lower.nu, upper.G / stress, lower.G / stress};
+}
+
+std::vector<double> friction_back(const Settings& settings) {
+    if (!settings.friction) throw Refused(error_code::input, "No friction was set.");
+    return in_mm(settings.friction->method, settings.friction->parameters, 1 / settings.units.length);
+}
+
+}  // namespace
+
+extern "C" void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
+    set("cntc_setmaterialparameters", ire, icp, "material", [&](Settings& settings) {
+        const int method = integer(imeth, "imeth");
+        if (method != 0)
+            throw Refused(error_code::input,
+                          "Method " + std::to_string(method) + " is asked for; contactd has elastic bodies here, 0.");
+        settings.materials = elastic(numbers(rparam, nparam, 4, "rparam"), settings.units);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setmaterialparameters)
+
+extern "C" void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params) {
+    set("cntc_setfrictionmethod", ire, icp, "friction", [&](Settings& settings) {
+        const int method = integer(imeth, "imeth");
+        if (method == keep && settings.friction) return;
+        settings.friction = friction_of(method, params, nparam, settings.units);
+        settings.digits.set(flag::friction_law, method);
+        settings.refused.erase("flag " + std::to_string(flag::friction_law));
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setfrictionmethod)
+
+extern "C" void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values) {
+    clear(values, lenarr);
+    get("cntc_getparameters", ire, icp, [&](const ContactCase& problem) {
+        constexpr int material = 2, friction = 3;
+        const int task = integer(itask, "itask");
+        if (task != material && task != friction)
+            throw Refused(error_code::input, "itask is " + std::to_string(task) + "; it is 2 or 3.");
+        const auto found = task == material ? material_back(problem.settings) : friction_back(problem.settings);
+        std::ranges::copy(found, room(values, lenarr, found.size(), "values").begin());
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getparameters)

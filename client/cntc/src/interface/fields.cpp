@@ -1,0 +1,171 @@
+// What is a number an element.
+#include <algorithm>
+#include <cmath>
+
+#include "closed_forms/undeformed_distance.hpp"
+#include "contact/rolling/rolling.hpp"
+#include "interface/entry.hpp"
+
+using namespace contactd;
+using namespace contactd::cntc;
+
+namespace {
+
+using Values = std::vector<double>;
+
+/// Core's numbers in the caller's units; nothing of an array that core leaves empty is zero.
+void fill(const Values& found, double unit, std::span<double> out, std::size_t elements) {
+    for (std::size_t i = 0; i < elements; ++i) out[i] = found.empty() ? 0 : found[i] / unit;
+}
+
+/// Where they are answered by one function or another.
+struct Field {
+    Values values;
+    double unit = 1;
+};
+
+bool rolls(const Solved& solved) {
+    return std::holds_alternative<Rolling>(solved.problem.motion);
+}
+
+/// Of slip: relative where the bodies roll, a length of shifts.
+double slip_unit(const Solved& solved, const Units& units) {
+    return rolls(solved) ? 1 : units.length;
+}
+
+/// Over the distance rolled.
+RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
+    RigidSlip slip = rigid_slip(grid, rolling, dq);
+    for (auto* component : {&slip.x, &slip.y})
+        for (double& s : *component) s /= dq;
+    return slip;
+}
+
+/// Of the motion as it was found, with what was given beside it.
+RigidSlip rigid_slip_of(const Solved& solved) {
+    const Grid& grid = solved.problem.grid;
+    if (!solved.solution.motion) return {};
+    const Motion& motion = *solved.solution.motion;
+    const auto* rolling = std::get_if<Rolling>(&motion);
+    RigidSlip slip = rolling ? relative_slip(grid, *rolling, step_length(*rolling, grid))
+                             : rigid_slip(grid, std::get<Shift>(motion));
+    const RigidSlip& extra = solved.problem.rigid_slip;
+    for (std::size_t i = 0; i < extra.x.size(); ++i) {
+        slip.x[i] += extra.x[i];
+        slip.y[i] += extra.y[i];
+    }
+    return slip;
+}
+
+/// As it has fallen with the slip.
+Values friction_of(const Solved& solved) {
+    const ContactProblem& problem = solved.problem;
+    if (!problem.friction) return {};
+    const FrictionLaw& law = *problem.friction;
+    Values mu(problem.grid.size(), law.mu_of(0));
+    if (!law.kinetic) return mu;
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    const double per_slip = rolling ? rolling->velocity : 1 / std::get<Shift>(problem.motion).duration;
+    const KineticFriction& kinetic = *law.kinetic;
+    for (std::size_t i = 0; i < mu.size(); ++i) {
+        const double v =
+            std::hypot(solved.solution.slip_x[i], solved.solution.slip_y[i]) * per_slip / kinetic.slip_velocity;
+        const double share = kinetic.law == SlipLaw::linear ? std::max(0.0, 1 - v) : std::exp(-v);
+        mu[i] = kinetic.mu + (mu[i] - kinetic.mu) * share;
+    }
+    return mu;
+}
+
+/// Codes of cntc_getfielddata. Others are zero: there is no plasticity and no heat.
+Field field_of(int code, ContactCase& problem) {
+    const Solved& solved = solution_of(problem);
+    const ContactSolution& solution = solved.solution;
+    const Units& units = problem.settings.units;
+    const auto displacements = [&] { return problem.solver.displacements(solved.problem, solution); };
+    switch (code) {
+        case 1:
+            return {undeformed_distance(solved.problem), units.length};
+        case 2:
+            return {friction_of(solved)};
+        case 3:
+            return {solution.traction_x, units.body * units.stress()};
+        case 4:
+            return {solution.traction_y, units.body * units.stress()};
+        case 5:
+            return {solution.pressure, units.stress()};
+        case 7:
+            return {displacements().x, units.length};
+        case 8:
+            return {displacements().y, units.length};
+        case 9:
+            return {displacements().z, units.length};
+        case 15:
+            return {solution.slip_x, slip_unit(solved, units)};
+        case 16:
+            return {solution.slip_y, slip_unit(solved, units)};
+        case 22:
+            return {rigid_slip_of(solved).x, slip_unit(solved, units)};
+        case 23:
+            return {rigid_slip_of(solved).y, slip_unit(solved, units)};
+        default:
+            return {};
+    }
+}
+
+/// Several fields at a time, by their codes.
+template <std::size_t count>
+void get_fields(const char* function, const int* ire, const int* icp, const int* lenarr,
+                const std::array<int, count>& codes, const std::array<double*, count>& out) {
+    for (double* values : out) clear(values, lenarr);
+    get(function, ire, icp, [&](ContactCase& problem) {
+        const std::size_t elements = solution_of(problem).problem.grid.size();
+        std::array<std::span<double>, count> rooms;
+        for (std::size_t i = 0; i < count; ++i) rooms[i] = room(out[i], lenarr, elements, "an array of elements");
+        for (std::size_t i = 0; i < count; ++i) {
+            const Field field = field_of(codes[i], problem);
+            fill(field.values, field.unit, rooms[i], elements);
+        }
+    });
+}
+
+}  // namespace
+
+extern "C" void cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* division) {
+    constexpr int unknown = -1;
+    if (division != nullptr && lenarr != nullptr && *lenarr > 0) std::fill_n(division, *lenarr, unknown);
+    get("cntc_getelementdivision", ire, icp, [&](const ContactCase& problem) {
+        const auto& found = solution_of(problem).solution.element_division;
+        require(division, "division");
+        const int length = integer(lenarr, "lenarr");
+        if (length < 0 || static_cast<std::size_t>(length) < found.size())
+            throw Refused(error_code::input, "division has " + std::to_string(length) + " values; " +
+                                                 std::to_string(found.size()) + " are needed.");
+        std::ranges::transform(found, division, [](ElementState state) { return static_cast<int>(state); });
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getelementdivision)
+
+extern "C" void cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, double* py) {
+    get_fields<3>("cntc_gettractions", ire, icp, lenarr, {5, 3, 4}, {pn, px, py});
+}
+CONTACTD_FORTRAN_NAME(cntc_gettractions)
+
+extern "C" void cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy) {
+    get_fields<2>("cntc_getmicroslip", ire, icp, lenarr, {15, 16}, {sx, sy});
+}
+CONTACTD_FORTRAN_NAME(cntc_getmicroslip)
+
+extern "C" void cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy) {
+    get_fields<3>("cntc_getdisplacements", ire, icp, lenarr, {9, 7, 8}, {un, ux, uy});
+}
+CONTACTD_FORTRAN_NAME(cntc_getdisplacements)
+
+extern "C" void cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* values) {
+    clear(values, lenarr);
+    if (ifld == nullptr) {
+        get("cntc_getfielddata", ire, icp, [&](const ContactCase&) { require(ifld, "ifld"); });
+        return;
+    }
+    get_fields<1>("cntc_getfielddata", ire, icp, lenarr, {*ifld}, {values});
+}
+CONTACTD_FORTRAN_NAME(cntc_getfielddata)

@@ -1,0 +1,169 @@
+// Where the bodies may touch, and how far they are apart.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "interface/entry.hpp"
+
+using namespace contactd;
+using namespace contactd::cntc;
+
+namespace {
+
+[[noreturn]] void refuse_option(const char* name, int option, const char* covered) {
+    throw Refused(error_code::discretisation,
+                  std::string(name) + " is " + std::to_string(option) + "; contactd has " + covered + ".");
+}
+
+struct Elements {
+    int mx, my;
+};
+
+Elements elements(const std::vector<double>& given) {
+    const Elements result{whole(given[0], "mx"), whole(given[1], "my")};
+    if (result.mx < 1 || result.my < 1 || static_cast<double>(result.mx) * result.my > double{max_grid_elements})
+        throw Refused(error_code::discretisation, "There are " + std::to_string(result.mx) + " x " +
+                                                      std::to_string(result.my) + " elements; 1 to " +
+                                                      std::to_string(max_grid_elements) + " are possible.");
+    return result;
+}
+
+HertzArea hertz_area(int option, const std::vector<double>& given, const Units& units) {
+    const auto [mx, my] = elements(given);
+    const double first_unit = option == -3 || option == -5 ? units.length : units.curvature();
+    const double second_unit = option == -1 ? units.curvature() : option == -2 ? 1 : units.length;
+    return {option,
+            mx,
+            my,
+            positive(given[2], "the first curvature or semi-axis") * first_unit,
+            positive(given[3], "the second curvature, ratio, semi-axis or half width") * second_unit,
+            positive(given[4], "scale")};
+}
+
+/// Along one axis: the lower edge and the size of an element (mm).
+struct Interval {
+    double low, size;
+};
+
+/// From the numbers of cntc_setpotcontact: `from` is an edge or a centre, `to` the other one or the size.
+Interval interval(int option, int elements, double from, double to) {
+    const bool of_centres = option >= 3, by_size = option == 1 || option == 3;
+    if (option == 4 && elements < 2)
+        throw Refused(error_code::discretisation,
+                      "The centres of the first and the last element tell no size where there is but one.");
+    const double size = by_size ? to : (to - from) / (of_centres ? elements - 1 : elements);
+    return {of_centres ? from - size / 2 : from, size};
+}
+
+Grid potential_contact(int option, const std::vector<double>& given, const Units& units) {
+    const auto [mx, my] = elements(given);
+    const Interval x = interval(option, mx, given[2] * units.length, given[4] * units.length);
+    const Interval y = interval(option, my, given[3] * units.length, given[5] * units.length);
+    const Grid grid{mx, my, x.size, y.size, x.low, y.low};
+    validate(grid, "grid");
+    return grid;
+}
+
+Distance distance_of(int base, const double* prmudf, const int* nparam, const Units& units) {
+    constexpr int quadratic = 1, of_elements = 9;
+    if (base != quadratic && base != of_elements)
+        throw Refused(error_code::input, "ibase is " + std::to_string(base) + "; contactd has 1 and 9.");
+    auto given = numbers(prmudf, nparam, base == quadratic ? 6 : 1, "prmudf");
+    if (base == of_elements) {
+        for (double& h : given) h *= units.length;
+        return given;
+    }
+    Quadratic h;
+    const double curved = units.curvature(), flat = 1;
+    const std::array<double, 6> scales{curved, curved, curved, flat, flat, units.length};
+    for (std::size_t i = 0; i < scales.size(); ++i) h.b[i] = given[i] * scales[i];
+    return h;
+}
+
+/// As many of the numbers as the caller has room for.
+template <std::size_t count>
+void fill(const std::array<double, count>& found, double* values, const int* lenarr) {
+    const auto out = room(values, lenarr, 1, "values");
+    std::copy_n(found.begin(), std::min(count, out.size()), out.begin());
+}
+
+}  // namespace
+
+extern "C" void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
+    set("cntc_sethertzcontact", ire, icp, "potential contact", [&](Settings& settings) {
+        const int option = integer(ipotcn, "ipotcn");
+        if (option < -5 || option > -1) refuse_option("ipotcn", option, "the Hertz contacts -1 to -5");
+        settings.area = hertz_area(option, numbers(rparam, nparam, 5, "rparam"), settings.units);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_sethertzcontact)
+
+extern "C" void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
+    set("cntc_setpotcontact", ire, icp, "potential contact", [&](Settings& settings) {
+        const int option = integer(ipotcn, "ipotcn");
+        if (option < 1 || option > 4) refuse_option("ipotcn", option, "the potential contacts 1 to 4");
+        settings.area = potential_contact(option, numbers(rparam, nparam, 6, "rparam"), settings.units);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setpotcontact)
+
+extern "C" void cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf) {
+    set("cntc_setundeformeddistc", ire, icp, "undeformed distance", [&](Settings& settings) {
+        settings.distance = distance_of(integer(ibase, "ibase"), prmudf, nparam, settings.units);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setundeformeddistc)
+
+extern "C" void cntc_gethertzcontact(int* ire, int* icp, int* lenarr, double* values) {
+    clear(values, lenarr);
+    get("cntc_gethertzcontact", ire, icp, [&](const ContactCase& problem) {
+        const HertzResult hertz = hertz_of(problem.settings);
+        const Units& units = problem.settings.units;
+        const double a1 = hertz.a1 / units.curvature(), b1 = hertz.b1 / units.curvature();
+        const double a = hertz.axes.a / units.length, b = hertz.axes.b / units.length;
+        fill<10>({a1, b1, a, b, 2 / (a1 + b1), std::sqrt(a * b), hertz.scale, b, b, a / b}, values, lenarr);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_gethertzcontact)
+
+extern "C" void cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values) {
+    clear(values, lenarr);
+    get("cntc_getpotcontact", ire, icp, [&](const ContactCase& problem) {
+        const Grid grid = grid_of(problem.settings);
+        const double mm = problem.settings.units.length;
+        fill<6>({double(grid.nx), double(grid.ny), grid.x(0) / mm, grid.y(0) / mm, grid.dx / mm, grid.dy / mm}, values,
+                lenarr);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getpotcontact)
+
+extern "C" void cntc_getnumelements(int* ire, int* icp, int* mx, int* my) {
+    for (int* out : {mx, my})
+        if (out != nullptr) *out = 0;
+    get("cntc_getnumelements", ire, icp, [&](const ContactCase& problem) {
+        require(mx, "mx");
+        require(my, "my");
+        if (const auto* area = std::get_if<HertzArea>(&problem.settings.area)) {  // their numbers need no load
+            *mx = area->mx;
+            *my = area->my;
+            return;
+        }
+        const Grid grid = grid_of(problem.settings);
+        *mx = grid.nx;
+        *my = grid.ny;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getnumelements)
+
+extern "C" void cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy) {
+    clear(dx);
+    clear(dy);
+    get("cntc_getgriddiscretization", ire, icp, [&](const ContactCase& problem) {
+        require(dx, "dx");
+        require(dy, "dy");
+        const Grid grid = grid_of(problem.settings);
+        *dx = grid.dx / problem.settings.units.length;
+        *dy = grid.dy / problem.settings.units.length;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getgriddiscretization)

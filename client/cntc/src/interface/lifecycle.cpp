@@ -1,0 +1,52 @@
+// Start and end.
+#include "interface/entry.hpp"
+
+using namespace contactd::cntc;
+
+namespace {
+
+void start(const char* function, int* ifcver, int* ierror) {
+    const int code = answer(function, [&] { require(ierror, "ierror"); });
+    if (ifcver != nullptr) *ifcver = interface_version;
+    if (ierror != nullptr) *ierror = code;
+}
+
+}  // namespace
+
+// From the fourth argument on there are two lists, of which nothing is read.
+extern "C" void cntc_initializefirst(int* ifcver, int* ierror, int*, const char*, const char*, const char*, int*, int*,
+                                     int*) {
+    start("cntc_initializefirst", ifcver, ierror);
+}
+CONTACTD_FORTRAN_NAME(cntc_initializefirst)
+
+extern "C" void cntc_initializefirst_new(int* ifcver, int* ierror, int*, const char*, const char*, const char*, int*,
+                                         int*, int*) {
+    start("cntc_initializefirst_new", ifcver, ierror);
+}
+CONTACTD_FORTRAN_NAME(cntc_initializefirst_new)
+
+extern "C" void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char*, int*) {
+    const int code = answer("cntc_initialize", [&] {
+        require(ierror, "ierror");
+        constexpr int basic_contact = 3;
+        const int module = integer(imodul, "imodul");
+        Registry::of_process().initialize(number_of(ire), module == basic_contact);
+        if (module != basic_contact)
+            throw Refused(error_code::other,
+                          "Module " + std::to_string(module) + " was asked for; contactd has basic contact, module 3.");
+    });
+    if (ifcver != nullptr) *ifcver = interface_version;
+    if (ierror != nullptr) *ierror = code;
+}
+CONTACTD_FORTRAN_NAME(cntc_initialize)
+
+extern "C" void cntc_finalize(int* ire) {
+    answer("cntc_finalize", [&] { Registry::of_process().finalize(number_of(ire)); });
+}
+CONTACTD_FORTRAN_NAME(cntc_finalize)
+
+extern "C" void cntc_finalizelast(void) {
+    answer("cntc_finalizelast", [] { Registry::of_process().finalize_all(); });
+}
+CONTACTD_FORTRAN_NAME(cntc_finalizelast)

@@ -1,0 +1,141 @@
+// How the bodies are pressed, and how they move.
+#include "interface/entry.hpp"
+
+using namespace contactd;
+using namespace contactd::cntc;
+
+namespace {
+
+/// The motion that forces were found to need, where it was not set anew since.
+void take_found(const ContactCase& problem, GivenMotion& motion) {
+    if (!problem.current || !problem.solved->solution.motion || problem.settings.digits(flag::force) == 0) return;
+    const Motion& found = *problem.solved->solution.motion;
+    if (const auto* rolling = std::get_if<Rolling>(&found)) {
+        if (rolling->force.Fx) motion.vx = rolling->xi;
+        if (rolling->force.Fy) motion.vy = rolling->eta;
+        return;
+    }
+    const auto& shift = std::get<Shift>(found);
+    const double mm = problem.settings.units.length;
+    if (shift.force.Fx) motion.vx = shift.rigid_shift.x / mm;
+    if (shift.force.Fy) motion.vy = shift.rigid_shift.y / mm;
+}
+
+/// As it was set, in the units of now.
+GivenMotion in_units(GivenMotion motion, double length, bool rolls) {
+    const double change = motion.length / length;
+    if (rolls)
+        motion.phi /= change;
+    else {
+        motion.vx *= change;
+        motion.vy *= change;
+    }
+    motion.length = length;
+    return motion;
+}
+
+}  // namespace
+
+extern "C" void cntc_setpenetration(int* ire, int* icp, double* pen) {
+    set("cntc_setpenetration", ire, icp, "load", [&](Settings& settings) {
+        settings.pen = number(pen, "pen") * settings.units.length;
+        settings.digits.set(flag::normal, 0);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setpenetration)
+
+extern "C" void cntc_setnormalforce(int* ire, int* icp, double* fn) {
+    set("cntc_setnormalforce", ire, icp, "load", [&](Settings& settings) {
+        const double force = number(fn, "fn");
+        if (force < 0) throw Refused(error_code::input, "fn is negative; bodies do not pull at each other.");
+        settings.fn = force;
+        settings.digits.set(flag::normal, 1);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setnormalforce)
+
+extern "C" void cntc_settimestep(int* ire, int* icp, double* dt) {
+    set("cntc_settimestep", ire, icp, "time step",
+        [&](Settings& settings) { settings.time_step = positive(number(dt, "dt"), "dt"); });
+}
+CONTACTD_FORTRAN_NAME(cntc_settimestep)
+
+extern "C" void cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
+    set("cntc_setreferencevelocity", ire, icp, "velocity", [&](Settings& settings) {
+        settings.velocity = positive(number(veloc, "veloc"), "veloc") * settings.units.length;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setreferencevelocity)
+
+extern "C" void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
+    set("cntc_setrollingstepsize", ire, icp, "rolling step", [&](Settings& settings) {
+        const double angle = number(chi, "chi"), step = positive(number(dq, "dq"), "dq") * settings.units.length;
+        settings.chi = angle;
+        settings.dq = step;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setrollingstepsize)
+
+extern "C" void cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
+    set("cntc_setcreepages", ire, icp, "creepages", [&](Settings& settings) {
+        settings.motion = GivenMotion{number(vx, "vx"), number(vy, "vy"), number(phi, "phi"), settings.units.length};
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setcreepages)
+
+extern "C" void cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
+    set("cntc_settangentialforces", ire, icp, "tangential forces", [&](Settings& settings) {
+        const double body = settings.units.body;
+        settings.force = RelativeForce{body * number(fx, "fx"), body * number(fy, "fy")};
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_settangentialforces)
+
+extern "C" void cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy) {
+    set("cntc_setextrarigidslip", ire, icp, "rigid slip", [&](Settings& settings) {
+        auto x = numbers(wx, lenarr, 1, "wx"), y = numbers(wy, lenarr, 1, "wy");
+        settings.extra_slip = GivenSlip{std::move(x), std::move(y), settings.units.length};
+        settings.digits.set(flag::extra_slip, 9);
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_setextrarigidslip)
+
+extern "C" void cntc_getpenetration(int* ire, int* icp, double* pen) {
+    clear(pen);
+    get("cntc_getpenetration", ire, icp, [&](const ContactCase& problem) {
+        require(pen, "pen");
+        const Settings& settings = problem.settings;
+        const bool given = settings.digits(flag::normal) == 0 && settings.pen;
+        const double found = given ? *settings.pen : solution_of(problem).solution.approach;
+        *pen = found / settings.units.length;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getpenetration)
+
+extern "C" void cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
+    for (double* out : {vx, vy, phi}) clear(out);
+    get("cntc_getcreepages", ire, icp, [&](const ContactCase& problem) {
+        for (const double* out : {vx, vy, phi}) require(out, "a creepage");
+        const Settings& settings = problem.settings;
+        if (!settings.motion && settings.digits(flag::force) == 0)
+            throw Refused(error_code::input, "No creepages or shifts were set; call cntc_setcreepages.");
+        const bool rolls = settings.digits(flag::tangential) != 1;
+        GivenMotion motion = in_units(settings.motion.value_or(GivenMotion{}), settings.units.length, rolls);
+        take_found(problem, motion);
+        *vx = motion.vx;
+        *vy = motion.vy;
+        *phi = motion.phi;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getcreepages)
+
+extern "C" void cntc_getreferencevelocity(int* ire, int* icp, double* veloc) {
+    clear(veloc);
+    get("cntc_getreferencevelocity", ire, icp, [&](const ContactCase& problem) {
+        require(veloc, "veloc");
+        if (!problem.settings.velocity)
+            throw Refused(error_code::input, "No velocity was set; call cntc_setreferencevelocity.");
+        *veloc = *problem.settings.velocity / problem.settings.units.length;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getreferencevelocity)

@@ -1,0 +1,132 @@
+// Solves, and answers what is one number.
+#include <cmath>
+
+#include "interface/entry.hpp"
+
+using namespace contactd;
+using namespace contactd::cntc;
+
+namespace {
+
+/// Of many problems the first that failed, or the largest number of elements at the border.
+int calculate_all(int ire, int icp) {
+    int border = 0;
+    std::exception_ptr failed;
+    for (const CasePtr& problem : Registry::of_process().existing(ire, icp)) {
+        const std::scoped_lock lock(problem->mutex);
+        try {
+            border = std::max(border, calculate(*problem));
+        } catch (...) {
+            if (!failed) failed = std::current_exception();
+        }
+    }
+    if (failed) std::rethrow_exception(failed);
+    return border;
+}
+
+}  // namespace
+
+extern "C" void cntc_calculate(int* ire, int* icp, int* ierror) {
+    int border = 0;
+    const int code = answer("cntc_calculate", [&] {
+        border = calculate_all(number_of(ire), number_of(icp));
+        require(ierror, "ierror");
+    });
+    if (ierror != nullptr) *ierror = code < 0 ? code : border;
+}
+CONTACTD_FORTRAN_NAME(cntc_calculate)
+
+extern "C" void cntc_getcontactforces(int* ire, int* icp, double* fn, double* fx, double* fy, double* mz) {
+    for (double* out : {fn, fx, fy, mz}) clear(out);
+    get("cntc_getcontactforces", ire, icp, [&](const ContactCase& problem) {
+        for (const double* out : {fn, fx, fy, mz}) require(out, "a force");
+        const Forces& forces = solution_of(problem).solution.forces;
+        const Units& units = problem.settings.units;
+        *fn = forces.Fn;
+        *fx = units.body * forces.Fx;
+        *fy = units.body * forces.Fy;
+        *mz = units.body * forces.Mz / units.moment();
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getcontactforces)
+
+extern "C" void cntc_getcontactpatchareas(int* ire, int* icp, double* contact, double* adhesion, double* slip) {
+    for (double* out : {contact, adhesion, slip}) clear(out);
+    get("cntc_getcontactpatchareas", ire, icp, [&](const ContactCase& problem) {
+        for (const double* out : {contact, adhesion, slip}) require(out, "an area");
+        const Areas& area = solution_of(problem).solution.area;
+        const double unit = problem.settings.units.area();
+        *contact = area.contact / unit;
+        *adhesion = area.adhesion / unit;
+        *slip = area.slip / unit;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getcontactpatchareas)
+
+extern "C" void cntc_getmaximumpressure(int* ire, int* icp, double* pnmax) {
+    clear(pnmax);
+    get("cntc_getmaximumpressure", ire, icp, [&](const ContactCase& problem) {
+        require(pnmax, "pnmax");
+        *pnmax = solution_of(problem).solution.pmax / problem.settings.units.stress();
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getmaximumpressure)
+
+extern "C" void cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
+    clear(ptmax);
+    get("cntc_getmaximumtraction", ire, icp, [&](const ContactCase& problem) {
+        require(ptmax, "ptmax");
+        const ContactSolution& solution = solution_of(problem).solution;
+        double largest = 0;
+        for (std::size_t i = 0; i < solution.traction_x.size(); ++i)
+            largest = std::max(largest, std::hypot(solution.traction_x[i], solution.traction_y[i]));
+        *ptmax = largest / problem.settings.units.stress();
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getmaximumtraction)
+
+extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* values) {
+    if (lenout != nullptr && lenin != nullptr && *lenout > 0 && values != nullptr)
+        for (int in = 0; in < *lenin; ++in) clear(values + static_cast<std::ptrdiff_t>(in) * *lenout, lenout);
+    get("cntc_getsensitivities", ire, icp, [&](const ContactCase& problem) {
+        const int outs = integer(lenout, "lenout"), ins = integer(lenin, "lenin");
+        require(values, "values");
+        if (outs < 1 || ins < 1 || outs > 4 || ins > 4)
+            throw Refused(error_code::input, "lenout and lenin are " + std::to_string(outs) + " and " +
+                                                 std::to_string(ins) + "; they are 1 to 4.");
+        const Solved& solved = solution_of(problem);
+        if (!solved.sensitivities)
+            throw Refused(error_code::input, "No sensitivities were asked for; set flag 1988 before the solve.");
+        const Units& units = problem.settings.units;
+        const bool rolls = std::holds_alternative<Rolling>(solved.problem.motion);
+        const std::array out_units{1.0, units.body, units.body, units.body / units.moment()};
+        const std::array in_units{units.length, rolls ? 1 : units.length, rolls ? 1 : units.length,
+                                  rolls ? units.curvature() : 1};
+        for (int in = 0; in < ins; ++in)
+            for (int out = 0; out < outs; ++out)
+                values[in * outs + out] = (*solved.sensitivities)[out][in] * out_units[out] * in_units[in];
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getsensitivities)
+
+extern "C" void cntc_getcalculationtime(int* ire, int* icp, double* cpu, double* wall) {
+    clear(cpu);
+    clear(wall);
+    get("cntc_getcalculationtime", ire, icp, [&](const ContactCase& problem) {
+        require(cpu, "cpu");
+        require(wall, "wall");
+        *cpu = problem.time.cpu;
+        *wall = problem.time.wall;
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_getcalculationtime)
+
+extern "C" void cntc_resetcalculationtime(int* ire, int* icp) {
+    answer("cntc_resetcalculationtime", [&] {
+        for (const CasePtr& problem : Registry::of_process().existing(number_of(ire), number_of(icp))) {
+            const std::scoped_lock lock(problem->mutex);
+            problem->time = {};
+        }
+    });
+}
+CONTACTD_FORTRAN_NAME(cntc_resetcalculationtime)

@@ -1,0 +1,163 @@
+#include "area.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "closed_forms/hertz.hpp"
+#include "edge/arguments.hpp"
+#include "edge/codes.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+const MaterialPair& materials_of(const Settings& settings) {
+    if (!settings.materials) throw Refused(error_code::input, "No material was set; call cntc_setmaterialparameters.");
+    return *settings.materials;
+}
+
+/// The radius of a curvature a1, h = a1 x^2; a flat direction has none.
+double radius(double curvature) {
+    return curvature == 0 ? std::numeric_limits<double>::infinity() : 1 / (2 * curvature);
+}
+
+double curvature(double radius) {
+    return 1 / (2 * radius);
+}
+
+/// What the load makes of Hertz's contact.
+struct Load {
+    bool by_force;
+    double compliance;  ///< 1/E* (mm^2/N)
+    double value;       ///< force (N) or approach (mm)
+
+    explicit Load(const Settings& settings)
+        : by_force(settings.digits(flag::normal) == 1), compliance(materials_of(settings).normal_compliance()) {
+        const auto& given = by_force ? settings.fn : settings.pen;
+        if (!given)
+            throw Refused(error_code::input, by_force ? "No normal force was set; call cntc_setnormalforce."
+                                                      : "No penetration was set; call cntc_setpenetration.");
+        value = *given;
+        if (!(value > 0))
+            throw Refused(error_code::input,
+                          "A Hertz contact has no size without load, so that its elements cannot be made; use "
+                          "cntc_setpotcontact where bodies may part.");
+    }
+
+    Paraboloid radii(const SemiAxes& axes) const {
+        return by_force ? radii_of_force(axes, compliance, value) : radii_of_approach(axes, value);
+    }
+    HertzContact contact(const Paraboloid& gap) const {
+        return by_force ? hertz_of_force(gap, compliance, value) : hertz_of_approach(gap, compliance, value);
+    }
+};
+
+HertzResult by_curvatures(const HertzArea& area, const Load& load) {
+    const HertzContact contact = load.contact({radius(area.first), radius(area.second)});
+    return {area.first, area.second, {contact.a, contact.b}, area.scale};
+}
+
+/// Semi-axes in the ratio a/b whose curvature along x is a1: curvatures go with their third or second power.
+HertzResult by_curvature_and_ratio(const HertzArea& area, const Load& load) {
+    const double of_unit = curvature(load.radii({area.second, 1}).Rx);
+    const double b = load.by_force ? std::cbrt(of_unit / area.first) : std::sqrt(of_unit / area.first);
+    const SemiAxes axes{area.second * b, b};
+    return {area.first, curvature(load.radii(axes).Ry), axes, area.scale};
+}
+
+HertzResult by_semi_axes(const HertzArea& area, const Load& load) {
+    const SemiAxes axes{area.first, area.second};
+    const Paraboloid gap = load.radii(axes);
+    return {curvature(gap.Rx), curvature(gap.Ry), axes, area.scale};
+}
+
+/// A cylinder pressed by P = Fn/(2 half width) per length: a^2 = 4 P R c/pi (Johnson, Contact Mechanics, 4.2(c)).
+HertzResult line_contact(const HertzArea& area, const Load& load) {
+    if (!load.by_force)
+        throw Refused(error_code::input,
+                      "The penetration of a line contact does not tell its width; prescribe the normal force.");
+    const double squared = 4 * load.value / (2 * area.second) * load.compliance / std::numbers::pi;  // a^2/R
+    const bool by_curvature = area.option == -4;
+    const double R = by_curvature ? radius(area.first) : area.first * area.first / squared;
+    return {curvature(R), 0, {std::sqrt(squared * R), area.second}, area.scale};
+}
+
+HertzResult hertz_of(const HertzArea& area, const Settings& settings) {
+    const Load load(settings);
+    switch (area.option) {
+        case -1:
+            return by_curvatures(area, load);
+        case -2:
+            return by_curvature_and_ratio(area, load);
+        case -3:
+            return by_semi_axes(area, load);
+        default:
+            return line_contact(area, load);
+    }
+}
+
+/// A line contact ends where it is said to end.
+Grid grid_of(const HertzArea& area, const HertzResult& hertz) {
+    const double scale_y = area.option >= -3 ? area.scale : 1;
+    return Grid::centred(area.mx, area.my, 2 * hertz.axes.a * area.scale / area.mx,
+                         2 * hertz.axes.b * scale_y / area.my);
+}
+
+const HertzArea* hertz_area(const Settings& settings) {
+    return std::get_if<HertzArea>(&settings.area);
+}
+
+Gap sampled(const Quadratic& quadratic, const Grid& grid) {
+    const auto& b = quadratic.b;
+    if (b[1] == 0 && b[3] == 0 && b[4] == 0 && b[5] == 0) return Paraboloid{radius(b[0]), radius(b[2])};
+    std::vector<double> h;
+    h.reserve(grid.size());
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+            const double x = grid.x(ix), y = grid.y(iy);
+            h.push_back(b[0] * x * x + b[1] * x * y + b[2] * y * y + b[3] * x + b[4] * y + b[5]);
+        }
+    return h;
+}
+
+Gap distance_on(const Grid& grid, const Settings& settings) {
+    if (!settings.distance)
+        throw Refused(error_code::input, "No undeformed distance was set; call cntc_setundeformeddistc.");
+    if (const auto* quadratic = std::get_if<Quadratic>(&*settings.distance)) return sampled(*quadratic, grid);
+    const auto& values = std::get<std::vector<double>>(*settings.distance);
+    if (values.size() != grid.size())
+        throw Refused(error_code::input, "The undeformed distance has " + std::to_string(values.size()) +
+                                             " values; there are " + std::to_string(grid.size()) + " elements.");
+    return values;
+}
+
+}  // namespace
+
+HertzResult hertz_of(const Settings& settings) {
+    const HertzArea* area = hertz_area(settings);
+    if (area == nullptr) throw Refused(error_code::input, "No Hertz contact was set; call cntc_sethertzcontact.");
+    return hertz_of(*area, settings);
+}
+
+Grid grid_of(const Settings& settings) {
+    if (const auto* grid = std::get_if<Grid>(&settings.area)) return *grid;
+    const HertzArea* area = hertz_area(settings);
+    if (area == nullptr)
+        throw Refused(error_code::discretisation,
+                      "No elements were set; call cntc_sethertzcontact or cntc_setpotcontact.");
+    return grid_of(*area, hertz_of(*area, settings));
+}
+
+Area area_of(const Settings& settings) {
+    const HertzArea* area = hertz_area(settings);
+    if (area == nullptr) {
+        const Grid grid = grid_of(settings);
+        return {grid, distance_on(grid, settings), {}};
+    }
+    const HertzResult hertz = hertz_of(*area, settings);
+    const Grid grid = grid_of(*area, hertz);
+    if (area->option == -3) return {grid, hertz.axes, hertz};
+    return {grid, Paraboloid{radius(hertz.a1), radius(hertz.b1)}, hertz};
+}
+
+}  // namespace contactd::cntc

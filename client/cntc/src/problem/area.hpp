@@ -1,0 +1,33 @@
+// Where the bodies may touch, and how far they are apart undeformed.
+#pragma once
+
+#include <optional>
+
+#include "contactd/gap.hpp"
+#include "contactd/grid.hpp"
+#include "problem/settings.hpp"
+
+namespace contactd::cntc {
+
+/// Hertz's contact, of which the elements are.
+struct HertzResult {
+    double a1 = 0, b1 = 0;  ///< curvatures (1/mm): h = a1 x^2 + b1 y^2
+    SemiAxes axes;          ///< (mm); of a line contact half its length along y
+    double scale = 0;
+};
+
+struct Area {
+    Grid grid;
+    Gap gap;
+    std::optional<HertzResult> hertz;  ///< where the elements follow from it
+};
+
+/// Where the elements lie: of a Hertz contact it follows from the load, which must be set. Throws Refused, and
+/// InvalidArgument of Hertz's formulas.
+Grid grid_of(const Settings& settings);
+/// Throws Refused where the elements do not follow from a Hertz contact.
+HertzResult hertz_of(const Settings& settings);
+/// Both, with the undeformed distance.
+Area area_of(const Settings& settings);
+
+}  // namespace contactd::cntc

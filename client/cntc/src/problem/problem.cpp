@@ -1,0 +1,172 @@
+#include "problem.hpp"
+
+#include "edge/codes.hpp"
+#include "problem/area.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+enum Tangential { none = 0, shift = 1, transient = 2, steady = 3 };
+
+void require_nothing_refused(const Settings& settings) {
+    if (!settings.refused.empty()) throw settings.refused.begin()->second;
+}
+
+Ics coefficients(const Settings& settings) {
+    Ics ics;
+    if (settings.digits(flag::influence) == 3) ics.load_shape = LoadShape::bilinear;
+    return ics;
+}
+
+const GivenFriction& friction_of(const Settings& settings) {
+    if (!settings.friction) throw Refused(error_code::friction, "No friction was set; call cntc_setfrictionmethod.");
+    return *settings.friction;
+}
+
+/// Laws that fall with the slip velocity need to know it.
+void require_velocity(const Settings& settings, bool rolls) {
+    if (!friction_of(settings).law.kinetic) return;
+    if (rolls && !settings.velocity)
+        throw Refused(error_code::friction,
+                      "Friction falls with the slip velocity, and no velocity was set; call "
+                      "cntc_setreferencevelocity.");
+    if (!rolls && !settings.time_step)
+        throw Refused(error_code::friction,
+                      "Friction falls with the slip velocity, and no time step was set; call cntc_settimestep.");
+}
+
+Force force_of(const Settings& settings, const ContactProblem& problem,
+               const std::function<double(const ContactProblem&)>& normal_force) {
+    const int prescribed = settings.digits(flag::force);
+    if (prescribed == 0) return {};
+    if (!settings.force)
+        throw Refused(error_code::input, "No tangential force was set; call cntc_settangentialforces.");
+    if (!problem.Fn && !problem.bodies.materials().quasi_identical())
+        throw Refused(error_code::input,
+                      "Tangential forces are relative to the normal force, which is not known before the solve where "
+                      "the penetration is prescribed and the bodies differ; prescribe the normal force.");
+    const double unit = friction_of(settings).law.mu[0] * (problem.Fn ? *problem.Fn : normal_force(problem));
+    Force force;
+    force.Fx = settings.force->x * unit;
+    if (prescribed == 2) force.Fy = settings.force->y * unit;
+    return force;
+}
+
+Motion shift_of(const Settings& settings, const GivenMotion& given, const Force& force) {
+    Shift motion;
+    motion.rigid_shift = {given.vx * given.length, given.vy * given.length};
+    motion.rotation = given.phi;
+    motion.duration = settings.time_step.value_or(motion.duration);
+    motion.force = force;
+    return motion;
+}
+
+Motion rolling_of(const Settings& settings, const GivenMotion& given, const Force& force, const Grid& grid) {
+    Rolling motion;
+    motion.xi = given.vx;
+    motion.eta = given.vy;
+    motion.phi = given.phi / given.length;
+    motion.chi = settings.chi;
+    motion.spin_offset = spin_offset;
+    motion.velocity = settings.velocity.value_or(motion.velocity);
+    motion.force = force;
+    motion.dq = grid.dx;
+    if (settings.digits(flag::tangential) == steady) return motion;
+    if (!settings.dq)
+        throw Refused(error_code::discretisation, "No rolling step was set; call cntc_setrollingstepsize.");
+    motion.kind = RollingKind::transient;
+    motion.dq = *settings.dq;
+    return motion;
+}
+
+RigidSlip extra_slip(const Settings& settings, bool rolls) {
+    if (settings.digits(flag::extra_slip) == 0) return {};
+    if (!settings.extra_slip)
+        throw Refused(error_code::input, "No rigid slip of the elements was set; call cntc_setextrarigidslip.");
+    RigidSlip slip{settings.extra_slip->x, settings.extra_slip->y};
+    if (!rolls)
+        for (auto* component : {&slip.x, &slip.y})
+            for (double& s : *component) s *= settings.extra_slip->length;
+    return slip;
+}
+
+void add_friction(ContactProblem& problem, const Settings& settings,
+                  const std::function<double(const ContactProblem&)>& normal_force) {
+    const int kind = settings.digits(flag::tangential);
+    if (kind == none) return;
+    const bool rolls = kind != shift;
+    const GivenFriction& friction = friction_of(settings);
+    if (settings.digits(flag::friction_law) != friction.method)
+        throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
+    require_velocity(settings, rolls);
+    const Force force = force_of(settings, problem, normal_force);
+    if (!settings.motion && settings.digits(flag::force) != 2)
+        throw Refused(error_code::input, "No creepages or shifts were set; call cntc_setcreepages.");
+    const GivenMotion given = settings.motion.value_or(GivenMotion{});
+    problem.friction = friction.law;
+    problem.motion = rolls ? rolling_of(settings, given, force, problem.grid) : shift_of(settings, given, force);
+    problem.rigid_slip = extra_slip(settings, rolls);
+}
+
+SurfaceState state_of(const ContactSolution& solution) {
+    return {solution.pressure, solution.traction_x, solution.traction_y};
+}
+
+/// The motion that a force made of the last case is where the search for the next one starts.
+void estimate_motion(ContactProblem& problem, const Motion& found) {
+    if (auto* next = std::get_if<Rolling>(&problem.motion)) {
+        const auto* last = std::get_if<Rolling>(&found);
+        if (last == nullptr) return;
+        if (next->force.Fx) next->xi = last->xi;
+        if (next->force.Fy) next->eta = last->eta;
+        return;
+    }
+    auto& next = std::get<Shift>(problem.motion);
+    const auto* last = std::get_if<Shift>(&found);
+    if (last == nullptr) return;
+    if (next.force.Fx) next.rigid_shift.x = last->rigid_shift.x;
+    if (next.force.Fy) next.rigid_shift.y = last->rigid_shift.y;
+}
+
+void continue_from(ContactProblem& problem, const Settings& settings, const LastCase& last) {
+    const Grid &now = problem.grid, &before = last.problem.grid;
+    if (settings.digits(flag::estimate) == 3 && now.nx == before.nx && now.ny == before.ny) {
+        problem.initial = state_of(last.solution);
+        if (last.solution.motion) estimate_motion(problem, *last.solution.motion);
+    }
+    const int kind = settings.digits(flag::tangential);
+    if (settings.digits(flag::previous) != 0 || (kind != shift && kind != transient)) return;
+    if (now != before)
+        throw Refused(error_code::discretisation,
+                      "The case continues from one on other elements (flag 1970 is 0); keep the elements, or start "
+                      "anew.");
+    problem.previous = state_of(last.solution);
+}
+
+}  // namespace
+
+ContactProblem problem_of(const Settings& settings, const LastCase* last,
+                          const std::function<double(const ContactProblem&)>& normal_force) {
+    require_nothing_refused(settings);
+    if (!settings.materials) throw Refused(error_code::input, "No material was set; call cntc_setmaterialparameters.");
+    Area area = area_of(settings);
+    ContactProblem problem;
+    problem.grid = area.grid;
+    problem.gap = std::move(area.gap);
+    problem.bodies = Bodies::of(*settings.materials, coefficients(settings));
+    problem.settings = settings.solvers;
+    if (settings.digits(flag::normal) == 1) {
+        if (!settings.fn) throw Refused(error_code::input, "No normal force was set; call cntc_setnormalforce.");
+        problem.Fn = settings.fn;
+    } else {
+        if (!settings.pen) throw Refused(error_code::input, "No penetration was set; call cntc_setpenetration.");
+        problem.approach = settings.pen;
+    }
+    validate(problem);
+    add_friction(problem, settings, normal_force);
+    if (last != nullptr) continue_from(problem, settings, *last);
+    validate(problem);
+    return problem;
+}
+
+}  // namespace contactd::cntc

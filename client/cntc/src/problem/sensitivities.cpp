@@ -1,0 +1,84 @@
+#include "sensitivities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "closed_forms/undeformed_distance.hpp"
+#include "edge/arguments.hpp"
+#include "edge/codes.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+constexpr double step_size = 1e-4;  // of what an input is measured in
+
+using Outputs = std::array<double, 4>;
+
+/// Approach and motion prescribed as they were found, and solved as well as it goes.
+ContactProblem held(const ContactProblem& problem, const ContactSolution& solution) {
+    ContactProblem result = problem;
+    if (const auto paraboloid = paraboloid_of(problem)) result.gap = *paraboloid;
+    result.Fn.reset();
+    result.approach = solution.approach;
+    if (solution.motion) result.motion = *solution.motion;
+    std::visit([](auto& motion) { motion.force = {}; }, result.motion);
+    result.initial = {solution.pressure, solution.traction_x, solution.traction_y};
+    result.settings.normal.tolerance = std::min(result.settings.normal.tolerance, 1e-11);
+    result.settings.tangential.tolerance = std::min(result.settings.tangential.tolerance, 1e-9);
+    result.settings.outer.tolerance = std::min(result.settings.outer.tolerance, 1e-9);
+    return result;
+}
+
+/// The approach, or one of the motion's three numbers.
+double& input(ContactProblem& problem, int in) {
+    if (in == 0) return *problem.approach;
+    if (auto* rolling = std::get_if<Rolling>(&problem.motion))
+        return in == 1 ? rolling->xi : in == 2 ? rolling->eta : rolling->phi;
+    auto& shift = std::get<Shift>(problem.motion);
+    return in == 1 ? shift.rigid_shift.x : in == 2 ? shift.rigid_shift.y : shift.rotation;
+}
+
+/// What the inputs are measured in: the approach in itself, motions in what makes forces of the size of mu Fn.
+double unit_of(const ContactProblem& problem, const ContactSolution& solution, int in) {
+    if (in == 0) return std::abs(solution.approach);
+    const double size = std::sqrt(std::max(solution.area.contact, problem.grid.element_area()) / std::numbers::pi);
+    const MaterialPair bodies = problem.bodies.materials();
+    const double compliance = 0.5 * (1 / bodies.upper.G + 1 / bodies.lower.G);
+    const double shift = problem.friction->mu_of(0) * solution.forces.Fn * compliance / size;  // (mm)
+    const double along = std::holds_alternative<Rolling>(problem.motion) ? shift / size : shift;
+    return in == 3 ? along / size : along;
+}
+
+Outputs outputs(const ContactProblem& problem, ContactSolver& solver) {
+    const ContactSolution solution = solver.solve(problem);
+    if (!solution.converged())
+        throw Refused(error_code::tolerance,
+                      "The sensitivities' solves stopped above their tolerance; the forces stand.");
+    const Forces& forces = solution.forces;
+    const double bound = problem.friction ? problem.friction->mu_of(0) * forces.Fn : 0;
+    const auto relative = [&](double force) { return bound > 0 ? force / bound : 0; };
+    return {forces.Fn, relative(forces.Fx), relative(forces.Fy), forces.Mz};
+}
+
+}  // namespace
+
+Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution& solution, ContactSolver& solver,
+                            bool tangential) {
+    const bool rubs = tangential && problem.friction && problem.friction->mu_of(0) > 0 && solution.forces.Fn > 0;
+    ContactProblem base = held(problem, solution);
+    if (!rubs) base.friction.reset();
+    Sensitivities result;
+    for (auto& row : result) row.fill(nothing);
+    for (int in = 0; in < (rubs ? 4 : 1); ++in) {
+        const double unit = unit_of(problem, solution, in), h = step_size * (unit > 0 ? unit : 1);
+        ContactProblem ahead = base, behind = base;
+        input(ahead, in) += h;
+        input(behind, in) -= h;
+        const Outputs more = outputs(ahead, solver), less = outputs(behind, solver);
+        for (int out = 0; out < (rubs ? 4 : 1); ++out) result[out][in] = (more[out] - less[out]) / (2 * h);
+    }
+    return result;
+}
+
+}  // namespace contactd::cntc

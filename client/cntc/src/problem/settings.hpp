@@ -1,0 +1,92 @@
+// What a program has set of a contact problem, as plain values in mm, N, s, rad.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "contactd/contact_setup.hpp"
+#include "contactd/friction.hpp"
+#include "contactd/grid.hpp"
+#include "contactd/material.hpp"
+#include "edge/refused.hpp"
+#include "problem/control_digits.hpp"
+#include "problem/units.hpp"
+
+namespace contactd::cntc {
+
+/// By curvatures or semi-axes; the elements divide `scale` times the box of Hertz's contact area.
+struct HertzArea {
+    int option = 0;      ///< -1 to -5
+    int mx = 0, my = 0;  ///< numbers of elements
+    double first = 0;    ///< curvature a1 (1/mm) or semi-axis a (mm), by the option
+    double second = 0;   ///< curvature b1 (1/mm), a/b, semi-axis b or half width (mm)
+    double scale = 0;
+};
+
+/// b1 x^2 + b2 x y + b3 y^2 + b4 x + b5 y + b6 (mm).
+struct Quadratic {
+    std::array<double, 6> b{};
+};
+
+/// Undeformed distance of a grid that is set itself.
+using Distance = std::variant<Quadratic, std::vector<double>>;
+
+/// Creepages and spin, or shift and rotation: which of them, the flags of the solve tell. So numbers are as they came.
+struct GivenMotion {
+    double vx = 0, vy = 0, phi = 0;
+    double length = 1;  ///< (mm), unit of lengths in them
+};
+
+/// The same, an element each.
+struct GivenSlip {
+    std::vector<double> x, y;
+    double length = 1;
+};
+
+/// Tangential force over fstat Fn, on the upper body.
+struct RelativeForce {
+    double x = 0, y = 0;
+};
+
+/// Friction as it was set, in mm and s, and what core makes of it.
+struct GivenFriction {
+    int method = 0;
+    std::vector<double> parameters;
+    FrictionLaw law;
+};
+
+/// Points of a block for stresses: numbers of elements or coordinates (mm), as `kind` says.
+struct GivenBlock {
+    int kind = 0;
+    std::vector<double> x, y, z;
+
+    bool operator==(const GivenBlock&) const = default;
+};
+
+struct Settings {
+    Units units = units_mm_on_body_1;
+    ControlDigits digits;
+    ContactSettings solvers;
+    std::map<int, double> metadata;
+    std::optional<MaterialPair> materials;
+    std::optional<GivenFriction> friction;
+    std::variant<std::monostate, HertzArea, Grid> area;
+    std::optional<Distance> distance;
+    std::optional<double> pen, fn;    ///< (mm), (N)
+    std::optional<double> time_step;  ///< (s)
+    std::optional<double> velocity;   ///< (mm/s)
+    double chi = 0;                   ///< (rad)
+    std::optional<double> dq;         ///< (mm)
+    std::optional<GivenMotion> motion;
+    std::optional<RelativeForce> force;
+    std::optional<GivenSlip> extra_slip;
+    std::map<int, GivenBlock> blocks;
+    /// What was set and cannot be used, by what it is: no solve while there is any.
+    std::map<std::string, Refused> refused;
+};
+
+}  // namespace contactd::cntc

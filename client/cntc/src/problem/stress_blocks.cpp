@@ -1,0 +1,188 @@
+#include "stress_blocks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "contactd/subsurface.hpp"
+#include "edge/arguments.hpp"
+#include "edge/codes.hpp"
+
+namespace contactd::cntc {
+namespace {
+
+bool all_centres(int kind) {
+    return kind == 1 || kind == 5;
+}
+bool range_of_elements(int kind) {
+    return kind == 2 || kind == 6;
+}
+bool layers(int kind) {
+    return kind <= 3;
+}
+
+std::vector<double> across(int kind, const GivenArray& given, double length, const char* name) {
+    if (all_centres(kind)) return {};
+    auto values = numbers(given.values, given.count, range_of_elements(kind) ? 3 : 1, name);
+    if (kind == 9)
+        for (double& x : values) x *= length;
+    else
+        for (const double number : values) whole(number, name);
+    return values;
+}
+
+std::vector<double> depths(int kind, const GivenArray& given, double length) {
+    auto values = numbers(given.values, given.count, layers(kind) ? 3 : 1, "z");
+    if (!layers(kind)) {
+        for (double& z : values) z *= length;
+        return values;
+    }
+    const int count = whole(values[0], "nz");
+    constexpr int most = 100'000;
+    if (count < 1 || count > most)
+        throw Refused(error_code::input, "A block has 1 to " + std::to_string(most) + " layers.");
+    std::vector<double> z;
+    for (int k = 0; k < count; ++k) z.push_back((values[1] + k * values[2]) * length);
+    return z;
+}
+
+/// Coordinates along one axis, of which `centre(i)` is that of the i-th of `count` elements.
+template <class Centre>
+std::vector<double> coordinates(int kind, const std::vector<double>& given, int count, const Centre& centre) {
+    if (kind == 9) return given;
+    std::vector<int> numbers;
+    if (all_centres(kind))
+        for (int i = 1; i <= count; ++i) numbers.push_back(i);
+    else if (range_of_elements(kind)) {
+        const int first = static_cast<int>(given[0]), step = static_cast<int>(given[1]);
+        const int last = static_cast<int>(given[2]);
+        if (step < 1 || last > count) throw Refused(error_code::input, "A block names elements that there are not.");
+        for (int i = first; i <= last; i += step) numbers.push_back(i);
+    } else
+        for (const double i : given) numbers.push_back(static_cast<int>(i));
+    std::vector<double> result;
+    for (const int i : numbers) {
+        if (i < 1 || i > count) throw Refused(error_code::input, "A block names elements that there are not.");
+        result.push_back(centre(i - 1));
+    }
+    return result;
+}
+
+constexpr std::array components{&SubsurfaceStress::xx,       &SubsurfaceStress::yy, &SubsurfaceStress::zz,
+                                &SubsurfaceStress::xy,       &SubsurfaceStress::xz, &SubsurfaceStress::yz,
+                                &SubsurfaceStress::von_mises};
+
+/// The layers of one body: whose frame is mirrored for the upper one, which turns xz and yz.
+void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
+    const bool upper = body == ContactBody::upper;
+    std::vector<std::size_t> layers;
+    StressBlock inside{block.points.x, block.points.y, {}};
+    for (std::size_t k = 0; k < block.points.z.size(); ++k) {
+        const double z = block.points.z[k];
+        if ((z >= 0) != upper) continue;
+        layers.push_back(k);
+        inside.z.push_back(upper ? 0 - z : z);
+    }
+    if (layers.empty()) return;
+    const ContactSolution& solution = solved.solution;
+    const MaterialPair bodies = solved.problem.bodies.materials();
+    Observer observer;
+    const SubsurfaceStress stress = subsurface_stress(
+        solved.problem.grid, tractions_on(body, solution.pressure, solution.traction_x, solution.traction_y),
+        upper ? bodies.upper.nu : bodies.lower.nu, inside, observer);
+    const std::size_t layer = inside.x.size() * inside.y.size();
+    for (const auto component : components) {
+        const bool turns = upper && (component == &SubsurfaceStress::xz || component == &SubsurfaceStress::yz);
+        for (std::size_t k = 0; k < layers.size(); ++k)
+            for (std::size_t i = 0; i < layer; ++i) {
+                const double value = (stress.*component)[k * layer + i];
+                (block.stress.*component)[layers[k] * layer + i] = turns ? 0 - value : value;
+            }
+    }
+}
+
+/// Eigenvalues of a symmetric matrix, largest first: the roots of its characteristic polynomial by cosines.
+std::array<double, 3> principal(const SubsurfaceStress& s, std::size_t i) {
+    const double mean = (s.xx[i] + s.yy[i] + s.zz[i]) / 3;
+    const double x = s.xx[i] - mean, y = s.yy[i] - mean, z = s.zz[i] - mean;
+    const double xy = s.xy[i], xz = s.xz[i], yz = s.yz[i];
+    const double radius = std::sqrt((x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
+    if (radius == 0) return {mean, mean, mean};
+    const double determinant = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
+    const double angle = std::acos(std::clamp(determinant / (2 * radius * radius * radius), -1.0, 1.0)) / 3;
+    const double first = mean + 2 * radius * std::cos(angle);
+    const double last = mean + 2 * radius * std::cos(angle + 2 * std::numbers::pi / 3);
+    return {first, 3 * mean - first - last, last};
+}
+
+double coordinate(const StressBlock& points, int axis, std::size_t i) {
+    const std::size_t nx = points.x.size(), ny = points.y.size();
+    if (axis == 0) return points.x[i % nx];
+    return axis == 1 ? points.y[i / nx % ny] : points.z[i / (nx * ny)];
+}
+
+double stress_of(const SubsurfaceStress& s, int column, std::size_t i) {
+    switch (column) {
+        case 7:
+            return (s.xx[i] + s.yy[i] + s.zz[i]) / 3;
+        case 8:
+            return s.von_mises[i];
+        case 9:
+            return principal(s, i)[0] - principal(s, i)[2];
+        case 10:
+        case 11:
+        case 12:
+            return principal(s, i)[static_cast<std::size_t>(column - 10)];
+        case 13:
+            return s.xx[i];
+        case 14:
+        case 16:
+            return s.xy[i];
+        case 15:
+        case 19:
+            return s.xz[i];
+        case 17:
+            return s.yy[i];
+        case 18:
+        case 20:
+            return s.yz[i];
+        default:
+            return s.zz[i];
+    }
+}
+
+}  // namespace
+
+GivenBlock read_block(int kind, const GivenArray& x, const GivenArray& y, const GivenArray& z, double length) {
+    constexpr std::array kinds{1, 2, 3, 5, 6, 7, 9};
+    if (std::ranges::find(kinds, kind) == kinds.end())
+        throw Refused(error_code::input, "isubs is " + std::to_string(kind) + "; it is 1, 2, 3, 5, 6, 7 or 9.");
+    return {kind, across(kind, x, length, "x"), across(kind, y, length, "y"), depths(kind, z, length)};
+}
+
+StressBlock block_points(const GivenBlock& block, const Grid& grid) {
+    return {coordinates(block.kind, block.x, grid.nx, [&](int i) { return grid.x(i); }),
+            coordinates(block.kind, block.y, grid.ny, [&](int i) { return grid.y(i); }), block.z};
+}
+
+SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
+    SolvedBlock result{block, block_points(block, solved.problem.grid), {}};
+    for (const auto component : components) (result.stress.*component).resize(result.points.size());
+    for (const ContactBody body : {ContactBody::upper, ContactBody::lower}) add_body(body, solved, result);
+    return result;
+}
+
+std::vector<double> block_column(const SolvedBlock& block, int column, const Units& units) {
+    if (column < 1 || column > 21 || (column >= 4 && column <= 6))
+        throw Refused(error_code::input, "Column " + std::to_string(column) +
+                                             " is asked for; contactd has 1 to 3 and 7 to 21, and no displacements "
+                                             "below the surface.");
+    std::vector<double> result(block.points.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = column <= 3 ? coordinate(block.points, column - 1, i) / units.length
+                                : stress_of(block.stress, column, i) / units.stress();
+    return result;
+}
+
+}  // namespace contactd::cntc
