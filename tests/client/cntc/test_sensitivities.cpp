@@ -1,0 +1,121 @@
+// Derivatives of the forces.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include "client/cntc/calls.hpp"
+
+using namespace contactd::cntc::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// Forces as sensitivities have them.
+std::array<double, 4> outputs(Case& contact) {
+    REQUIRE(contact.calculate() == 0);
+    const ContactForces f = contact.forces();
+    return {f.fn, f.fx / (0.3 * f.fn), f.fy / (0.3 * f.fn), f.mz};
+}
+
+std::size_t at(int out, int in) {
+    return static_cast<std::size_t>(4 * in + out);
+}
+
+}  // namespace
+
+TEST_CASE("sensitivities are how forces change with what moves the bodies") {
+    const int tangential = GENERATE(1, 3);
+    const int units = GENERATE(1934, 1935, 1936);
+    CAPTURE(tangential, units);
+    const double m = units == 1934 ? 1 : 1000;
+    const auto contact_at = [&](int ire, std::array<double, 4> inputs) {
+        Case contact(ire);
+        contact.flag(1933, units);
+        contact.flag(1972, tangential);
+        contact.material(0.28, 0.28, 82000 * m * m, 82000 * m * m);
+        contact.coulomb(0.3);
+        contact.potential(1, {25, 25, -6.6 / m, -4.4 / m, 13.2 / 25 / m, 8.8 / 25 / m});
+        contact.distance(1, {8e-4 * m, 0, 1.5e-3 * m, 0, 0, 0});
+        contact.tolerance(1e-10);
+        contact.penetration(inputs[0]);
+        contact.creepages(inputs[1], inputs[2], inputs[3]);
+        return contact;
+    };
+    const bool rolls = tangential == 3;
+    const std::array inputs{0.045 / m, rolls ? 0.001 : 0.006 / m, rolls ? 5e-4 : 0.003 / m, rolls ? 1e-4 * m : 1e-3};
+    Case contact = contact_at(1, inputs);
+    contact.flag(1988, 3);
+    const auto here = outputs(contact);
+    REQUIRE(std::abs(here[1]) > 0.1);
+    REQUIRE(std::abs(here[1]) < 0.9);
+
+    const Values found = contact.sensitivities();
+
+    for (int in = 0; in < 4; ++in) {
+        const double step = 2e-3 * inputs[static_cast<std::size_t>(in)];  // twenty times theirs
+        auto more = inputs, less = inputs;
+        more[static_cast<std::size_t>(in)] += step;
+        less[static_cast<std::size_t>(in)] -= step;
+        Case ahead = contact_at(2, more), behind = contact_at(3, less);
+        const auto up = outputs(ahead), down = outputs(behind);
+        for (int out = 0; out < 4; ++out) {
+            const auto o = static_cast<std::size_t>(out);
+            const double expected = (up[o] - down[o]) / (2 * step);
+            const double scale = out == 0 ? here[0] : out == 3 ? 0.3 * here[0] * 5 / m : 1;
+            const double unit = inputs[static_cast<std::size_t>(in)];
+            CAPTURE(out, in);
+            CHECK_THAT(found[at(out, in)] * unit, WithinAbs(expected * unit, 1e-2 * scale));
+        }
+    }
+    // More creepage, more force against it; deeper, more normal force.
+    const double body = units == 1935 ? -1 : 1;
+    CHECK(found[at(0, 0)] > 0);
+    CHECK(body * found[at(1, 1)] < 0);
+    CHECK(body * found[at(2, 2)] < 0);
+    CHECK(found[at(0, 1)] == 0);
+}
+
+TEST_CASE("sensitivities are the same whichever is prescribed") {
+    Case contact = wheel(1);
+    contact.flag(1988, 3);
+    contact.tolerance(1e-9);
+    REQUIRE(contact.calculate() == 0);
+    const Values by_force = contact.sensitivities();
+    const ContactForces forces = contact.forces();
+    contact.hertz(-1, {25, 25, contact.hertz_back()[0], contact.hertz_back()[1], 1.1});
+    contact.flag(1974, 2);
+    contact.tangential_forces(forces.fx / 15000, forces.fy / 15000);
+    REQUIRE(contact.calculate() == 0);
+
+    const Values found = contact.sensitivities();
+
+    for (std::size_t i = 0; i < 16; ++i) {
+        if (i == at(0, 1) || i == at(0, 2) || i == at(0, 3)) continue;
+        CHECK_THAT(found[i], WithinRel(by_force[i], 1e-3));
+    }
+}
+
+TEST_CASE("the normal problem alone has one sensitivity, Hertz's") {
+    Case contact = wheel(1);
+    contact.flag(1988, 2);
+    contact.hertz(-3, {75, 75, 6, 4, 1.1});
+    REQUIRE(contact.calculate() == 0);
+
+    const Values found = contact.sensitivities();
+
+    // Elements that enter the contact make steps of its force: of an element out of 75, at the least.
+    CHECK_THAT(found[0], WithinRel(1.5 * 50000 / contact.found_penetration(), 1.0 / 75));
+    for (std::size_t i = 1; i < 16; ++i) CHECK(std::isnan(found[i]));
+    CHECK(contact.sensitivities(1, 1) == Values{found[0]});
+}
+
+TEST_CASE("sensitivities that were not asked for are no numbers") {
+    Case contact = wheel(1);
+    REQUIRE(contact.calculate() == 0);
+
+    for (const double value : contact.sensitivities()) CHECK(std::isnan(value));
+
+    CHECK(last_code() == -39);
+    for (const double value : contact.sensitivities(5, 4)) CHECK(std::isnan(value));
+}
