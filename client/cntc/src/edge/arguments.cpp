@@ -56,14 +56,18 @@ double positive(double value, const char* name) {
 }
 
 std::vector<double> numbers(const double* values, const int* count, int least, const char* name) {
-    const int n = length_of(count, name);
-    require_length(n, static_cast<std::size_t>(least), name);
-    if (n > 0) require(values, name);
-    for (int i = 0; i < n; ++i)
+    require_length(length_of(count, name), static_cast<std::size_t>(least), name);
+    return list(values, count, *count, name);
+}
+
+std::vector<double> list(const double* values, const int* count, int size, const char* name) {
+    require_length(length_of(count, name), static_cast<std::size_t>(size), name);
+    if (size > 0) require(values, name);
+    for (int i = 0; i < size; ++i)
         if (!std::isfinite(values[i]))
             throw Refused(error_code::input,
                           std::string(name) + " holds " + number_text(values[i]) + "; its values must be finite.");
-    return {values, values + n};
+    return {values, values + size};
 }
 
 std::span<const int> integers(const int* values, const int* count, int least, const char* name) {

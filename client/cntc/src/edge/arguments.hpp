@@ -20,6 +20,8 @@ double positive(double value, const char* name);
 
 /// `count` numbers, all of them finite; `least` of them are needed.
 std::vector<double> numbers(const double* values, const int* count, int least, const char* name);
+/// A list of `size` numbers; what an array holds beyond them is not read.
+std::vector<double> list(const double* values, const int* count, int size, const char* name);
 std::span<const int> integers(const int* values, const int* count, int least, const char* name);
 
 /// An array to be filled, of which `least` numbers are needed. Whatever it is too short for is no number.

@@ -57,10 +57,8 @@ GivenFriction friction_of(int method, const double* params, const int* nparam, c
     if (method != coulomb && method != linear && method != exponential)
         refuse_friction("Method " + std::to_string(method) +
                         " is asked for; contactd has 0, 2 and 4, the same over the contact.");
-    const std::size_t count = method == coulomb ? 2 : 7;
-    auto given = numbers(params, nparam, static_cast<int>(count), "params");
-    given.resize(count);
-    given = in_mm(method, given, units.length);
+    const int count = method == coulomb ? 2 : 7;
+    const auto given = in_mm(method, list(params, nparam, count, "params"), units.length);
     return {method, given, method == coulomb ? coulomb_of(given) : falling_of(method, given)};
 }
 
@@ -84,7 +82,7 @@ extern "C" void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* 
         if (method != 0)
             throw Refused(error_code::input,
                           "Method " + std::to_string(method) + " is asked for; contactd has elastic bodies here, 0.");
-        settings.materials = elastic(numbers(rparam, nparam, 4, "rparam"), settings.units);
+        settings.materials = elastic(list(rparam, nparam, 4, "rparam"), settings.units);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setmaterialparameters)

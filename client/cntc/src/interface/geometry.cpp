@@ -68,11 +68,12 @@ Distance distance_of(int base, const double* prmudf, const int* nparam, const Un
     constexpr int quadratic = 1, of_elements = 9;
     if (base != quadratic && base != of_elements)
         throw Refused(error_code::input, "ibase is " + std::to_string(base) + "; contactd has 1 and 9.");
-    auto given = numbers(prmudf, nparam, base == quadratic ? 6 : 1, "prmudf");
     if (base == of_elements) {
+        auto given = numbers(prmudf, nparam, 1, "prmudf");
         for (double& h : given) h *= units.length;
         return given;
     }
+    const auto given = list(prmudf, nparam, 6, "prmudf");
     Quadratic h;
     const double curved = units.curvature(), flat = 1;
     const std::array<double, 6> scales{curved, curved, curved, flat, flat, units.length};
@@ -93,7 +94,7 @@ extern "C" void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* npara
     set("cntc_sethertzcontact", ire, icp, "potential contact", [&](Settings& settings) {
         const int option = integer(ipotcn, "ipotcn");
         if (option < -5 || option > -1) refuse_option("ipotcn", option, "the Hertz contacts -1 to -5");
-        settings.area = hertz_area(option, numbers(rparam, nparam, 5, "rparam"), settings.units);
+        settings.area = hertz_area(option, list(rparam, nparam, 5, "rparam"), settings.units);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_sethertzcontact)
@@ -102,7 +103,7 @@ extern "C" void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam,
     set("cntc_setpotcontact", ire, icp, "potential contact", [&](Settings& settings) {
         const int option = integer(ipotcn, "ipotcn");
         if (option < 1 || option > 4) refuse_option("ipotcn", option, "the potential contacts 1 to 4");
-        settings.area = potential_contact(option, numbers(rparam, nparam, 6, "rparam"), settings.units);
+        settings.area = potential_contact(option, list(rparam, nparam, 6, "rparam"), settings.units);
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setpotcontact)

@@ -43,7 +43,7 @@ extern "C" void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints,
             throw Refused(error_code::input, "gdigit is " + std::to_string(method) + "; it is 0 to 6.");
         if (method == keep) return;
         const auto ints = integers(iparam, nints, method == of_sensitivities ? 1 : 4, "iparam");
-        const auto reals = numbers(rparam, nreals, 1, "rparam");
+        const auto reals = list(rparam, nreals, 1, "rparam");
         if (method == of_sensitivities) return;  // theirs are contactd's own
         settings.solvers = with_bounds(with_tolerance(settings.solvers, reals[0]), ints[0], ints[3]);
     });

@@ -100,7 +100,7 @@ void add_friction(ContactProblem& problem, const Settings& settings,
         throw Refused(error_code::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
     require_velocity(settings, rolls);
     const Force force = force_of(settings, problem, normal_force);
-    if (!settings.motion && settings.digits(flag::force) != 2)
+    if (!settings.motion && settings.digits(flag::force) == 0)
         throw Refused(error_code::input, "No creepages or shifts were set; call cntc_setcreepages.");
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
     problem.friction = friction.law;
