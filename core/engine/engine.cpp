@@ -93,6 +93,8 @@ Engine::~Engine() = default;
 IcService& Engine::tables() {
     const std::scoped_lock lock(mutex_);
     if (!tables_) {
+        if (settings_.store_folder.empty())
+            throw StoreError("There is no folder for tables: set CONTACTD_STORE, or HOME.");
         const Log log(settings_.tables.log);
         IcStore store(settings_.store_folder, [this, log](const std::string& sentence) {
             ++counters_.tables_set_aside;

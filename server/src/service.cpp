@@ -54,7 +54,7 @@ Service::Service(const Config& config)
       sessions_(config.sessions),
       parts_{config,  open_calls_,      counters_,      request_metrics_, health_,
              engine_, engine_.tables(), engine_.jobs(), sessions_,        workers_},
-      workers_(config.workers) {
+      workers_(config.workers, config.spin) {
     engine::count_store(engine_.counters(), config.store.folder);
     for (const std::string& problem : building_problems(config)) spdlog::warn("{}", problem);
 }
@@ -70,8 +70,17 @@ void Service::handle(CallPtr call) {
     };
     if (method->queue) return method->queue(call, parts_);
     const SessionPtr session = method->takes_turn ? session_of(call) : nullptr;
+    if (is_at_once(*method, call)) {
+        if (!session) return work();
+        if (session->try_turn(work, workers_)) return;
+    }
     if (session) return session->take_turn(turn_of(call), std::move(work), workers_);
     workers_.post(turn_of(call), std::move(work));
+}
+
+/// Of one request at a time, the next one of a client that waits for each answer.
+bool Service::is_at_once(const Method& method, const CallPtr& call) {
+    return method.is_small && open_calls_.count() <= 1 && method.is_small(call, parts_);
 }
 
 SessionPtr Service::session_of(const CallPtr& call) {

@@ -39,6 +39,7 @@ class Service {
 
    private:
     void run(const Method* method, const CallPtr& call);
+    bool is_at_once(const Method& method, const CallPtr& call);
     /// The session that the call names; null when there is none.
     SessionPtr session_of(const CallPtr& call);
 

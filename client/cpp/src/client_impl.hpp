@@ -33,7 +33,7 @@ class Client::Impl {
     Impl(const std::string& endpoint, ClientOptions options)
         : options_(std::move(options)),
           connection_(endpoint, options_.connect_timeout, options_.limits,
-                      load_curve_keys(options_.server_key, options_.own_key)) {}
+                      load_curve_keys(options_.server_key, options_.own_key), options_.spin) {}
 
     Reply call(const std::string& method, json params, std::vector<std::string> frames, const CallOptions& options,
                Wait wait = Wait::for_answer) {

@@ -86,12 +86,13 @@ json call_envelope(const std::string& id, const std::string& method, json params
 }  // namespace
 
 Connection::Connection(std::string endpoint, milliseconds connect_timeout, MessageLimits limits,
-                       std::optional<CurveKeys> keys)
+                       std::optional<CurveKeys> keys, std::chrono::microseconds spin)
     : endpoint_(std::move(endpoint)),
       connect_timeout_(connect_timeout),
       limits_(limits),
       id_prefix_(random_prefix()),
       keys_(std::move(keys)),
+      spin_(spin),
       sockets_(std::make_unique<Sockets>()),
       process_(::getpid()) {
     connect();
@@ -234,6 +235,7 @@ void Connection::send(const std::string& envelope, const std::vector<std::string
                 throw ConnectionError("The daemon at " + endpoint_ + " went away.");
         }
         for (std::size_t i = 0; i < frames.size(); ++i) sockets_->socket.send(zmq::buffer(frames[i]), more(i + 1));
+        sent_ = Clock::now();
     } catch (const zmq::error_t& error) {
         throw ConnectionError("Sending to " + endpoint_ + " failed: " + error.what() + ".");
     }
@@ -248,7 +250,7 @@ std::vector<std::string> Connection::receive(Clock::time_point deadline) {
             sockets_->socket.set(zmq::sockopt::rcvtimeo, static_cast<int>(left.count()));
             std::vector<std::string> frames;
             zmq::message_t part;
-            if (!receive_part(part)) continue;
+            if (!look_for(part, deadline) && !receive_part(part)) continue;
             frames.push_back(part.to_string());
             while (part.more())  // the parts of a message arrive together
                 if (receive_part(part)) frames.push_back(part.to_string());
@@ -257,6 +259,13 @@ std::vector<std::string> Connection::receive(Clock::time_point deadline) {
     } catch (const zmq::error_t& error) {
         throw ConnectionError("Receiving from " + endpoint_ + " failed: " + error.what() + ".");
     }
+}
+
+/// Looks again and again for the time of spin_ from when the request was sent.
+bool Connection::look_for(zmq::message_t& part, Clock::time_point deadline) {
+    for (const auto end = std::min(sent_ + spin_, deadline); Clock::now() < end;)
+        if (sockets_->socket.recv(part, zmq::recv_flags::dontwait)) return true;
+    return false;
 }
 
 bool Connection::receive_part(zmq::message_t& part) {

@@ -32,7 +32,7 @@ class Connection {
    public:
     /// Throws ConnectionError.
     Connection(std::string endpoint, std::chrono::milliseconds connect_timeout, MessageLimits limits,
-               std::optional<CurveKeys> keys);
+               std::optional<CurveKeys> keys, std::chrono::microseconds spin);
     ~Connection();
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
@@ -65,6 +65,7 @@ class Connection {
     void send(const std::string& envelope, const std::vector<std::string>& frames);
     /// The frames of the next message, or none when `deadline` passes first.
     std::vector<std::string> receive(Clock::time_point deadline);
+    bool look_for(zmq::message_t& part, Clock::time_point deadline);
     /// False when the time is over or a signal came in between.
     bool receive_part(zmq::message_t& part);
     /// The envelope, when the message belongs to request `id`, else null.
@@ -77,6 +78,8 @@ class Connection {
     std::uint64_t calls_ = 0;
     int made_ = 0;  // sockets so far
     std::optional<CurveKeys> keys_;
+    const std::chrono::microseconds spin_;
+    Clock::time_point sent_{};  // when the last request went out
     std::unique_ptr<Sockets> sockets_;
     int process_;  // that sockets_ belong to
     std::atomic<int> user_ = 0;

@@ -5,7 +5,7 @@
 
 namespace contactd::engine {
 
-WorkerPool::WorkerPool(int threads) {
+WorkerPool::WorkerPool(int threads, std::chrono::microseconds spin) : spin_(spin) {
     for (int n = 0; n < threads; ++n) threads_.emplace_back([this] { work(); });
 }
 
@@ -108,6 +108,12 @@ WorkerPool::Task WorkerPool::take_next() {
     return task;
 }
 
+void WorkerPool::spin() const {
+    const auto end = std::chrono::steady_clock::now() + spin_;
+    while (waiting_ == 0 && !stopping_ && std::chrono::steady_clock::now() < end) {
+    }
+}
+
 void WorkerPool::work() {
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -120,6 +126,10 @@ void WorkerPool::work() {
         task = nullptr;  // what it holds goes before the thread counts as idle
         lock.lock();
         --running_;
+        if (spin_.count() == 0 || waiting_ > 0) continue;
+        lock.unlock();
+        spin();
+        lock.lock();
     }
 }
 

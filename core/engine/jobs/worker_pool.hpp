@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -29,7 +31,8 @@ class WorkerPool {
     using Task = std::function<void()>;  ///< must not throw
     static constexpr int patience = 16;
 
-    explicit WorkerPool(int threads);
+    /// A thread that has just worked looks for more for the time of `spin` before it sleeps.
+    explicit WorkerPool(int threads, std::chrono::microseconds spin = {});
     /// Tasks that have not begun are dropped; running ones are waited for.
     ~WorkerPool();
 
@@ -65,15 +68,17 @@ class WorkerPool {
     static Task take_in_turn(std::deque<Line<Part>>& lines, const Take& take);
 
     void work();
+    void spin() const;
     Level& next_level();
     Task take_next();
 
+    const std::chrono::microseconds spin_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     Levels levels_;
-    int waiting_ = 0;
+    std::atomic<int> waiting_ = 0;  // changed under the lock, as stopping_
     int running_ = 0;
-    bool stopping_ = false;
+    std::atomic<bool> stopping_ = false;
     std::vector<std::jthread> threads_;
 };
 

@@ -12,6 +12,7 @@
 #include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
 #include "endpoint_rules.hpp"
+#include "engine/environment.hpp"
 
 namespace contactd::server {
 namespace {
@@ -35,10 +36,8 @@ json with_defaults(const json& schema, json value) {
 }
 
 std::filesystem::path default_store_folder() {
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-        return std::filesystem::path(cache) / "contactd" / "store";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return std::filesystem::path(home) / ".cache" / "contactd" / "store";
+    const std::filesystem::path folder = engine::default_store_folder();
+    if (!folder.empty()) return folder;
     throw Error("store.folder is empty and neither XDG_CACHE_HOME nor HOME says where it could be; name a folder.");
 }
 
@@ -83,6 +82,7 @@ Config config_from_json(const json& given) {
         {security["per_user"]["requests_per_second"], security["per_user"]["burst"],
          security["per_user"]["open_requests"]}};
     config.workers = all["workers"];
+    config.spin = std::chrono::microseconds(all["spin_microseconds"].get<int>());
     const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
     config.store = {folder.empty() ? default_store_folder() : std::filesystem::path(folder),
                     all["store"]["memory_budget_bytes"], all["store"]["disk_budget_bytes"],
@@ -147,6 +147,7 @@ json to_json(const Config& config) {
                 {"burst", security.per_user.burst},
                 {"open_requests", security.per_user.open_requests}}}}},
             {"workers", config.workers},
+            {"spin_microseconds", config.spin.count()},
             {"store",
              {{"folder", config.store.folder.string()},
               {"memory_budget_bytes", config.store.memory_budget_bytes},

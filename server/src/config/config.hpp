@@ -1,6 +1,7 @@
 // The daemon's configuration: one JSON file, checked against configs/schema.json before anything runs.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -38,6 +39,7 @@ struct Config {
         } per_user;
     } security;
     int workers;
+    std::chrono::microseconds spin;
     struct {
         std::filesystem::path folder;
         std::size_t memory_budget_bytes;

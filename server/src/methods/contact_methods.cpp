@@ -14,6 +14,20 @@
 namespace contactd::server {
 namespace {
 
+/// Of parameters that have not passed their schema yet.
+bool is_small(const CallPtr& call, const DaemonParts&) {
+    const nlohmann::json& params = call->request.params;
+    const auto model = params.find("model"), grid = params.find("grid");
+    if (model == params.end() || grid == params.end() || !grid->is_object()) return false;
+    std::size_t elements = 1;
+    for (const char* side : {"nx", "ny"}) {
+        const auto count = grid->find(side);
+        if (count == grid->end() || !count->is_number_unsigned() || *count > 10'000) return false;
+        elements *= count->get<std::size_t>();
+    }
+    return is_small_solve(*model == "hertz" || *model == "fastsim" ? Model::hertz : Model::full, elements);
+}
+
 void solve(const CallPtr& call, const DaemonParts& parts) {
     const proto::Request& request = call->request;
     check_grid_limit(request.params, parts.config.max_grid_elements);
@@ -74,7 +88,7 @@ void subsurface(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_contact_methods(MethodTable& methods) {
-    methods.add({.name = "contact.solve", .job = "solve", .handle = solve});
+    methods.add({.name = "contact.solve", .job = "solve", .is_small = is_small, .handle = solve});
     methods.add({.name = "contact.solve_many", .priority = proto::Priority::low, .job = "solve", .handle = solve_many});
     methods.add({.name = "contact.subsurface", .job = "subsurface", .handle = subsurface});
 }

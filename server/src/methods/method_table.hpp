@@ -17,6 +17,9 @@ struct Method {
     bool counts = !is_quick;                             ///< among the requests that wait for an answer
     proto::Priority priority = proto::Priority::normal;  ///< of requests that name none
     const char* job = nullptr;                           ///< what job.list calls it, where it is listed
+    /// Whether the work of a call is so small that the I/O thread may do it when no other request is open: waking a
+    /// worker would take as long.
+    bool (*is_small)(const CallPtr& call, const DaemonParts& parts) = nullptr;
     /// Of a method whose work is that of several turns: hands it on from the I/O thread, in place of `handle`.
     void (*queue)(const CallPtr& call, const DaemonParts& parts) = nullptr;
     /// Answers the call now or later, or throws what becomes the answer. The parameters have passed their schema.

@@ -16,6 +16,11 @@ void check_grid_limit(const nlohmann::json& params, std::size_t most);
 /// The same of the grids of all problems together.
 void check_grid_limits(const nlohmann::json& problems, std::size_t most);
 
+/// Whether a solve by a quick model on that many elements takes no longer than waking a thread.
+inline bool is_small_solve(Model model, std::size_t elements) {
+    return model != Model::full && elements <= 2500;
+}
+
 /// The arrays of a solution that are sent.
 struct ArrayAnswer {
     SolutionFields fields;

@@ -72,6 +72,14 @@ void step(const CallPtr& call, const DaemonParts& parts) {
         parts.engine);
 }
 
+bool is_small_step(const CallPtr& call, const DaemonParts& parts) {
+    const auto& params = call->request.params;
+    const auto name = params.find("session");
+    if (name == params.end() || !name->is_string()) return false;
+    const SessionPtr session = parts.sessions.find_open(name->get_ref<const std::string&>());
+    return session && is_small_solve(session->opened().model, session->opened().grid.size());
+}
+
 SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     return parts.sessions.find(name_in(call));
@@ -135,9 +143,14 @@ void list(const CallPtr& call, const DaemonParts& parts) {
 void add_session_methods(MethodTable& methods) {
     constexpr auto high = proto::Priority::high;
     methods.add({.name = "session.open", .handle = open});
-    methods.add({.name = "session.step", .takes_turn = true, .priority = high, .job = "step", .handle = step});
+    methods.add({.name = "session.step",
+                 .takes_turn = true,
+                 .priority = high,
+                 .job = "step",
+                 .is_small = is_small_step,
+                 .handle = step});
     methods.add({.name = "session.info", .takes_turn = true, .priority = high, .handle = info});
-    methods.add({.name = "session.step_many", .queue = queue_steps});
+    methods.add({.name = "session.step_many", .priority = high, .queue = queue_steps});
     methods.add({.name = "session.save", .takes_turn = true, .priority = high, .handle = save});
     methods.add({.name = "session.restore", .takes_turn = true, .priority = high, .handle = restore});
     methods.add({.name = "session.forget", .takes_turn = true, .priority = high, .handle = forget});

@@ -56,6 +56,17 @@ void Session::take_turn(Turn turn, Work work, WorkerPool& workers) {
     post_turn(std::move(next), workers);
 }
 
+bool Session::try_turn(const Work& work, WorkerPool& workers) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (busy_) return false;
+        busy_ = true;
+    }
+    work();
+    end_turn(workers);
+    return true;
+}
+
 // One at a time: in between the worker is free for others.
 void Session::post_turn(Waiting next, WorkerPool& workers) {
     next.turn.abandoned = {};  // what waits behind it in the session would be so, too

@@ -57,6 +57,8 @@ class Session : public std::enable_shared_from_this<Session> {
     using Work = WorkerPool::Task;
     /// Runs `work` on a worker, after what came before. Renews the lease.
     void take_turn(Turn turn, Work work, WorkerPool& workers);
+    /// Runs `work` here and now when nothing runs or waits in the session; false when something does.
+    bool try_turn(const Work& work, WorkerPool& workers);
     /// Drops what waits for its turn and was abandoned.
     void drop_abandoned();
 

@@ -37,6 +37,7 @@ pollfd descriptor_of(void* socket) {
 AnsweringSocket::AnsweringSocket(zmq::context_t& context, const AccessControl& access, const Config& config,
                                  NoteAnswer note)
     : max_frames_(config.limits.max_frames),
+      spin_(config.spin),
       access_(access),
       note_(std::move(note)),
       socket_(context, zmq::socket_type::router),
@@ -83,7 +84,10 @@ bool AnsweringSocket::wait(int descriptor, std::span<void* const> others, long m
     std::vector<pollfd> items{{descriptor, POLLIN, 0}, {mailbox_.fd(), POLLIN, 0}};
     std::transform(sockets.begin(), sockets.end(), std::back_inserter(items), descriptor_of);
     held_.unlock();
-    const int ready = ::poll(items.data(), items.size(), static_cast<int>(milliseconds));
+    int ready = 0;
+    for (const auto end = received_ + spin_; ready == 0 && milliseconds != 0 && Clock::now() < end;)
+        ready = ::poll(items.data(), items.size(), 0);
+    if (ready == 0) ready = ::poll(items.data(), items.size(), static_cast<int>(milliseconds));
     held_.lock();
     return ready > 0 && (items.front().revents & POLLIN) != 0;
 }
@@ -106,6 +110,7 @@ std::optional<Message> AnsweringSocket::receive() {
         else
             message.frames.push_back(part.to_string());
     }
+    received_ = Clock::now();
     return message;
 }
 

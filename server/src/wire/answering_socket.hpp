@@ -63,7 +63,7 @@ class AnsweringSocket {
 
     /// Waits, without the lock, until a message or an answer has come, one of `others` or `descriptor` can be read, or
     /// it is time (negative: no time), or time to try again what a client had no room for. True when `descriptor` can
-    /// be read.
+    /// be read. After a message it looks for the next one before it sleeps (spin_microseconds).
     bool wait(int descriptor, std::span<void* const> others, long milliseconds);
     /// The next message that has arrived, if there is one.
     std::optional<Message> receive();
@@ -81,6 +81,7 @@ class AnsweringSocket {
     std::optional<RequestLine> send(Answer answer);
 
     const std::size_t max_frames_;
+    const std::chrono::microseconds spin_;
     const AccessControl& access_;
     const NoteAnswer note_;
     const std::thread::id owner_ = std::this_thread::get_id();
@@ -91,7 +92,8 @@ class AnsweringSocket {
     std::optional<SocketFile> file_;  // ZeroMQ leaves it
     Outbox outbox_;
     bool wakes_at_answers_ = false;
-    Clock::time_point sent_{};  // when the last answer went out
+    Clock::time_point sent_{};      // when the last answer went out
+    Clock::time_point received_{};  // when the last message came
 };
 
 }  // namespace contactd::server

@@ -20,6 +20,7 @@ TEST_CASE("An empty configuration gives the defaults, which are safe") {
 
     CHECK(config.endpoint == "tcp://127.0.0.1:5555");
     CHECK(config.workers == 2);
+    CHECK(config.spin.count() == 0);
     CHECK(config.builds.concurrent == 1);
     CHECK(config.builds.launcher.empty());
     CHECK(config.builds.program.filename() == "contactd-ic");

@@ -147,3 +147,16 @@ TEST_CASE("What was abandoned is dropped with what it holds, and the rest is run
     CHECK(held.use_count() == 1);
     CHECK(stalled.order() == Names{"kept"});
 }
+
+TEST_CASE("Threads that look for work before they sleep do all of it, and end when they are told") {
+    WorkerPool pool(2, std::chrono::seconds(1));
+    std::atomic<int> done = 0;
+    for (int n = 0; n < 100; ++n) {
+        pool.post({}, [&] { ++done; });
+        if (n % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    while (done < 100) std::this_thread::yield();
+    pool.stop();
+    CHECK(done == 100);
+    CHECK(pool.running() == 0);
+}
