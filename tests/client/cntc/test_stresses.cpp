@@ -224,3 +224,36 @@ TEST_CASE("displacements below the surface are no numbers, and leave other colum
     CHECK(std::isnan(values[1]));
     CHECK(values[2] == 1);
 }
+
+TEST_CASE("a block that is refused is not there, and no solve minds") {
+    Case contact = wheel(1);
+    Block block{contact};
+    block.add(9, {0}, {0}, {1});
+    const auto [kind, x, z] = GENERATE(table<int, Values, Values>({{4, {0}, {1}},
+                                                                   {9, {no_number}, {1}},
+                                                                   {9, {}, {1}},
+                                                                   {1, {}, {0, 0, 1}},
+                                                                   {1, {}, {2.5, 0, 1}},
+                                                                   {3, {1.5}, {1, 0, 1}}}));
+    block.add(kind, x, {1}, z);
+    CHECK(last_code() == -39);
+
+    CHECK(contact.calculate() == 0);
+    CHECK(block.calculate() == 0);
+    CHECK(block.size() == std::array{0, 0, 0});
+    CHECK(last_code() == -39);
+}
+
+TEST_CASE("blocks of elements that there are not, and of too many points, are refused") {
+    Case contact = wheel(1);
+    Block block{contact};
+    REQUIRE(contact.calculate() == 0);
+    const auto [kind, x, z] = GENERATE(table<int, Values, Values>({{3, {26}, {1, 0, 1}},
+                                                                   {3, {0}, {1, 0, 1}},
+                                                                   {2, {1, 0, 5}, {1, 0, 1}},
+                                                                   {2, {1, 1, 26}, {1, 0, 1}},
+                                                                   {9, Values(4000), {0, 1, 2, 3}}}));
+    block.add(kind, x, kind == 2 ? Values{1, 1, 2} : kind == 9 ? Values(4000) : Values{1}, z);
+    CHECK(last_code() == 0);
+    CHECK(block.calculate() == -39);
+}

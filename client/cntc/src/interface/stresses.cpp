@@ -39,13 +39,15 @@ void calculate_blocks(ContactCase& problem) {
 
 extern "C" void subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, int* nz, double* x,
                               double* y, double* z) {
-    const std::string part = iblk != nullptr ? "block " + std::to_string(*iblk) : "block";
-    set("subs_addblock", ire, icp, part.c_str(), [&](Settings& settings) {
+    answer("subs_addblock", [&] {
         const int number = integer(iblk, "iblk");
         if (number < 1) throw Refused(error_code::input, "Blocks are numbered from 1 on.");
-        // It and those with larger numbers are forgotten, whatever becomes of it.
-        settings.blocks.erase(settings.blocks.lower_bound(number), settings.blocks.end());
-        settings.blocks[number] = read_block(integer(isubs, "isubs"), {x, nx}, {y, ny}, {z, nz}, settings.units.length);
+        for_each_settings(ire, icp, [&](Settings& settings) {
+            // It and those with larger numbers are forgotten, whatever becomes of it.
+            settings.blocks.erase(settings.blocks.lower_bound(number), settings.blocks.end());
+            settings.blocks[number] =
+                read_block(integer(isubs, "isubs"), {x, nx}, {y, ny}, {z, nz}, settings.units.length);
+        });
     });
 }
 CONTACTD_FORTRAN_NAME(subs_addblock)

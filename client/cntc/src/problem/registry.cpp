@@ -19,8 +19,9 @@ void require_number(int ire) {
 
 }  // namespace
 
+// Never ended: a thread may still be at work when the process ends.
 Registry& Registry::of_process() {
-    static Registry registry;
+    static auto& registry = *new Registry;
     return registry;
 }
 

@@ -168,6 +168,10 @@ StressBlock block_points(const GivenBlock& block, const Grid& grid) {
 
 SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
     SolvedBlock result{block, block_points(block, solved.problem.grid), {}};
+    constexpr std::size_t most = 10'000'000;
+    if (result.points.size() > most)
+        throw Refused(error_code::input, "A block has " + std::to_string(result.points.size()) + " points; " +
+                                             std::to_string(most) + " are possible.");
     for (const auto component : components) (result.stress.*component).resize(result.points.size());
     for (const ContactBody body : {ContactBody::upper, ContactBody::lower}) add_body(body, solved, result);
     return result;
