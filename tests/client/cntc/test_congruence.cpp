@@ -227,3 +227,24 @@ TEST_CASE("every line of the table of creepages is that of solve_contact") {
     });
     CHECK(lines == 3220);
 }
+
+TEST_CASE("operators that are kept from other cases change no bit") {
+    Case kept = wheel(1);
+    kept.rolling_step(0, 0.7);
+    int fresh_ones = 1;
+    for (const int tangential : {3, 0, 3, 1, 2, 0, 2, 3, 1, 0})
+        for (const double nu : {0.28, 0.2}) {
+            CAPTURE(tangential, nu);
+            Case fresh = wheel(++fresh_ones);
+            fresh.rolling_step(0, 0.7);
+            for (Case* contact : {&kept, &fresh}) {
+                contact->flag(1972, tangential);
+                contact->material(nu, nu, 82000, 82000);
+                if (tangential == 1) contact->creepages(0.01, 0, 0);
+                if (tangential > 1) contact->creepages(0.002, 0.001, 1e-4);
+                REQUIRE(contact->calculate() == 0);
+            }
+            CHECK(kept.forces() == fresh.forces());
+            CHECK(kept.tractions().px == fresh.tractions().px);
+        }
+}

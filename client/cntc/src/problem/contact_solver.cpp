@@ -22,15 +22,17 @@ BodyTable table_of(const Grid& grid, const Body& body) {
 
 const ContactInfluence& ContactSolver::influence_of(const ContactProblem& problem) {
     const Grid& grid = problem.grid;
-    const Key key{grid.nx, grid.ny, grid.dx, grid.dy, problem.bodies, step_of(problem)};
-    if (key_ != key) {
-        key_.reset();
-        const Bodies& bodies = problem.bodies;
-        BodyTable upper = table_of(grid, bodies.upper);
-        BodyTable lower = bodies.lower == bodies.upper ? upper : table_of(grid, bodies.lower);
-        influence_ = make_influence(problem, std::move(upper), std::move(lower));
-        key_ = key;
-    }
+    const Key key{grid.nx, grid.ny, grid.dx, grid.dy, problem.bodies};
+    constexpr std::array<double, 2> none{};
+    const auto step = step_of(problem);
+    if (key_ == key && (step == step_ || step == none)) return influence_;  // with a step it serves without one, too
+    key_.reset();
+    const Bodies& bodies = problem.bodies;
+    BodyTable upper = table_of(grid, bodies.upper);
+    BodyTable lower = bodies.lower == bodies.upper ? upper : table_of(grid, bodies.lower);
+    influence_ = make_influence(problem, std::move(upper), std::move(lower));
+    key_ = key;
+    step_ = step;
     return influence_;
 }
 

@@ -23,12 +23,11 @@ class ContactSolver {
     Displacements displacements(const ContactProblem& problem, const ContactSolution& solution);
 
    private:
-    /// What operators depend on.
+    /// What operators depend on, beside the step.
     struct Key {
         int nx, ny;
         double dx, dy;
         Bodies bodies;
-        std::array<double, 2> step;
 
         bool operator==(const Key&) const = default;
     };
@@ -36,6 +35,7 @@ class ContactSolver {
     const ContactInfluence& influence_of(const ContactProblem& problem);
 
     std::optional<Key> key_;
+    std::array<double, 2> step_{};  ///< of rolling (mm)
     ContactInfluence influence_;
 };
 
