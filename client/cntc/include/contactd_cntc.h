@@ -37,7 +37,7 @@ const char* contactd_cntc_last_error(int* code);
 /* --- start and end -------------------------------------------------------------------------------------------- */
 
 /* `*ifcver` is the version of the interface, `*ierror` 0 or an error. No file is written: folders and names of the
- * experiment mean nothing. Two older argument lists differ from the fourth on, which is not read. */
+ * experiment mean nothing. Nothing from the fourth argument on is read: programs with shorter lists are served, too. */
 void cntc_initializefirst(int* ifcver, int* ierror, int* ioutput, const char* wrkdir, const char* outdir,
                           const char* expnam, int* len_wrkdir, int* len_outdir, int* len_expnam);
 void cntc_initializefirst_new(int* ifcver, int* ierror, int* ioutput, const char* wrkdir, const char* outdir,
