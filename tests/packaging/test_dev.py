@@ -165,7 +165,8 @@ def test_help_says_what_the_root_sees(machine):
 def test_the_readme_names_the_clients_that_there_are():
     (clients,) = re.findall(r"for clients in (.*?)\. ", (ROOT / "README.md").read_text())
     in_process = {"cntc"}  # needs no daemon
+    names = {"c": "C", "cpp": "C++", "python": "Python"}
     folders = {path.name for path in (ROOT / "client").iterdir() if path.is_dir()} - in_process
-    there = {name: {"cpp": "C++", "python": "Python"}[name] for name in folders}
-    assert clients == " and ".join(there[name] for name in sorted(there))
+    *others, last = [names[folder] for folder in sorted(folders)]
+    assert clients == f"{', '.join(others)} and {last}"
     assert not re.search(r"client \(.*shell\)", (ROOT / "docs" / "architecture.md").read_text())

@@ -1,0 +1,54 @@
+// contactd.h: contacts from their making to their end.
+#include <memory>
+
+#include "edge.hpp"
+
+using namespace contactd::c;
+
+std::int32_t contactd_new(contactd_connection* connection, contactd_contact** contact) {
+    return with(connection, [&](Connection& made_with) {
+        *given(contact, "contact") = nullptr;
+        *contact = contacts().add(std::make_shared<Contact>(made_with));
+    });
+}
+
+std::int32_t contactd_free(contactd_contact* contact) {
+    return with(contact, [&](Contact& ended) {
+        contacts().remove(contact);
+        ended.close();
+    });
+}
+
+std::int32_t contactd_start(contactd_contact* contact) {
+    return with(contact, [](Contact& started) { started.start(); });
+}
+
+std::int32_t contactd_step(contactd_contact* contact) {
+    return with(contact, [](Contact& stepping) { stepping.step(); });
+}
+
+std::int32_t contactd_cancel(contactd_contact* contact) {
+    std::shared_ptr<Contact> found;
+    try {
+        found = contacts().find(contact);
+        found->cancel();
+        return CONTACTD_OK;
+    } catch (...) {
+        return failed(contact, found.get());
+    }
+}
+
+std::int32_t contactd_save(contactd_contact* contact, std::int32_t* state) {
+    return with(contact, [&](Contact& saved) {
+        given(state, "state");
+        *state = saved.save();
+    });
+}
+
+std::int32_t contactd_restore(contactd_contact* contact, std::int32_t state) {
+    return with(contact, [&](Contact& restored) { restored.restore(state); });
+}
+
+std::int32_t contactd_forget(contactd_contact* contact, std::int32_t state) {
+    return with(contact, [&](Contact& forgetting) { forgetting.forget(state); });
+}

@@ -1,0 +1,150 @@
+// contactd.h: the set-up of a contact.
+#include "edge.hpp"
+
+using namespace contactd::c;
+using contactd::Body;
+using contactd::Coefficients;
+using contactd::Grid;
+using contactd::Ics;
+using contactd::Material;
+
+namespace {
+
+/// Calls `change` with the bodies that the word names.
+template <class Change>
+void each_body(Said& said, std::int32_t body, const Change& change) {
+    word(body, CONTACTD_BOTH, "body");
+    if (body != CONTACTD_LOWER) change(said.problem.bodies.upper);
+    if (body != CONTACTD_UPPER) change(said.problem.bodies.lower);
+}
+
+void set_coefficients(Said& said, std::int32_t body, const Coefficients& ics) {
+    each_body(said, body, [&](Body& changed) { changed.ics = ics; });
+    said.problem.bodies.pair.reset();
+}
+
+contactd::SolverSettings& settings_of(Said& said, std::int32_t solver) {
+    word(solver, CONTACTD_OUTER, "solver");
+    contactd::ContactSettings& settings = said.problem.settings;
+    if (solver == CONTACTD_NORMAL) return settings.normal;
+    return solver == CONTACTD_TANGENTIAL ? settings.tangential : settings.outer;
+}
+
+contactd::LoadShape load_shape_of(std::int32_t value) {
+    return static_cast<contactd::LoadShape>(word(value, CONTACTD_BILINEAR, "ics.load_shape"));
+}
+
+}  // namespace
+
+std::int32_t contactd_set_grid(contactd_contact* contact, std::int32_t nx, std::int32_t ny, double dx, double dy,
+                               double x0, double y0) {
+    return set_up(contact, "grid", [&](Said& said) {
+        const Grid grid{nx, ny, dx, dy, x0, y0};
+        validate(grid, "grid");
+        said.problem.grid = grid;
+    });
+}
+
+std::int32_t contactd_set_grid_centred(contactd_contact* contact, std::int32_t nx, std::int32_t ny, double dx,
+                                       double dy) {
+    return set_up(contact, "grid", [&](Said& said) {
+        const Grid grid = Grid::centred(nx, ny, dx, dy);
+        validate(grid, "grid");
+        said.problem.grid = grid;
+    });
+}
+
+std::int32_t contactd_set_material(contactd_contact* contact, std::int32_t body, double G, double nu) {
+    return set_up(contact, "material", [&](Said& said) {
+        const Material material{finite(G, "G"), finite(nu, "nu")};
+        each_body(said, body, [&](Body& changed) { changed.material = material; });
+    });
+}
+
+std::int32_t contactd_set_rigid(contactd_contact* contact, std::int32_t body) {
+    return set_up(contact, "material", [&](Said& said) {
+        each_body(said, body, [](Body& changed) { changed.material = Material::rigid(); });
+    });
+}
+
+std::int32_t contactd_set_half_space(contactd_contact* contact, std::int32_t body, std::int32_t load_shape) {
+    return set_up(contact, "coefficients", [&](Said& said) {
+        Ics ics;
+        ics.load_shape = load_shape_of(load_shape);
+        set_coefficients(said, body, ics);
+    });
+}
+
+std::int32_t contactd_set_fem(contactd_contact* contact, std::int32_t body, std::int32_t shape, std::int32_t load_shape,
+                              double accuracy, double L_over_h) {
+    return set_up(contact, "coefficients", [&](Said& said) {
+        Ics ics;
+        ics.source = contactd::IcSource::fem;
+        ics.body = static_cast<contactd::BodyShape>(word(shape, CONTACTD_BLOCK, "ics.body"));
+        ics.load_shape = load_shape_of(load_shape);
+        ics.accuracy = accuracy;
+        if (!(accuracy >= contactd::finest_accuracy && accuracy <= contactd::coarsest_accuracy))
+            throw contactd::InvalidArgument("ics.accuracy", "must lie in [1e-4, 0.1]");
+        if (finite(L_over_h, "ics.L_over_h") != 0) ics.fem.L_over_h = L_over_h;
+        set_coefficients(said, body, ics);
+    });
+}
+
+std::int32_t contactd_set_table(contactd_contact* contact, std::int32_t body, std::int32_t nx, std::int32_t ny,
+                                double dx, double dy, const double* values, std::int32_t count) {
+    return set_up(contact, "coefficients", [&](Said& said) {
+        word(body, CONTACTD_PAIR, "body");
+        std::vector<double> copied = array(values, count, "table");
+        if (nx < 1 || ny < 1 || copied.size() != 9 * static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny))
+            throw contactd::InvalidArgument("count", "is " + std::to_string(count) + "; it must be 9*nx*ny");
+        contactd::GivenIcs given{{}, finite(dx, "ics.dx"), finite(dy, "ics.dy")};
+        given.table.nx = nx;
+        given.table.ny = ny;
+        given.table.values = std::move(copied);
+        if (body == CONTACTD_PAIR)
+            said.problem.bodies.pair = std::move(given);
+        else
+            set_coefficients(said, body, given);
+    });
+}
+
+std::int32_t contactd_set_line_contact(contactd_contact* contact, double datum) {
+    return set_up(contact, "coefficients", [&](Said& said) {
+        Ics ics;
+        ics.line_contact = contactd::LineContactSpec{finite(datum, "ics.line_contact.datum")};
+        set_coefficients(said, CONTACTD_BOTH, ics);
+    });
+}
+
+std::int32_t contactd_set_model(contactd_contact* contact, std::int32_t model) {
+    return set_up(contact, "model", [&](Said& said) {
+        said.problem.model = static_cast<contactd::Model>(word(model, CONTACTD_FASTSIM, "model"));
+    });
+}
+
+std::int32_t contactd_set_tolerance(contactd_contact* contact, std::int32_t solver, double tolerance,
+                                    std::int32_t max_iterations) {
+    return set_up(contact, "tolerance",
+                  [&](Said& said) { settings_of(said, solver) = {finite(tolerance, "tolerance"), max_iterations}; });
+}
+
+std::int32_t contactd_set_accept_unconverged(contactd_contact* contact, std::int32_t accept) {
+    return set_up(contact, "tolerance", [&](Said& said) { said.accept_unconverged = word(accept, 1, "accept") != 0; });
+}
+
+std::int32_t contactd_set_previous(contactd_contact* contact, const double* pressure, const double* traction_x,
+                                   const double* traction_y, std::int32_t count) {
+    return set_up(contact, "history", [&](Said& said) {
+        said.problem.previous = {array(pressure, count, "previous.pressure"),
+                                 array(traction_x, count, "previous.traction_x"),
+                                 array(traction_y, count, "previous.traction_y")};
+    });
+}
+
+std::int32_t contactd_set_lease(contactd_contact* contact, double seconds) {
+    return set_up(contact, "lease", [&](Said& said) {
+        if (!(finite(seconds, "lease_seconds") > 0))
+            throw contactd::InvalidArgument("lease_seconds", "must be positive");
+        said.lease_seconds = seconds;
+    });
+}

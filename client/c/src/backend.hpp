@@ -1,0 +1,64 @@
+// Where contacts are solved: behind a daemon, or in process. What is above knows these classes only.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "contactd/session.hpp"
+
+namespace contactd::c {
+
+/// What a connection was told, for the contacts that are made later.
+struct Settings {
+    std::chrono::milliseconds connect_timeout{5'000}, timeout{60'000}, build_timeout{3'600'000};
+    std::filesystem::path server_key{}, own_key{};
+};
+
+/// How one call may end, and whom it tells.
+struct Control {
+    std::optional<std::chrono::milliseconds> timeout{};  ///< instead of the settings'
+    std::stop_token stop{};
+    /// What is being done and how far it is, 0..1; in the calling thread. May be empty.
+    std::function<void(const std::string& stage, double fraction)> on_progress{};
+};
+
+/// A contact that was opened. One thread at a time; calls that fail leave it as it was. Calls throw InvalidArgument,
+/// StatusError with the daemon's codes and reasons, and what failure.hpp knows beside.
+class OpenContact {
+   public:
+    virtual ~OpenContact() = default;
+    /// Arrays of the solution are empty unless `input.fields` names them.
+    virtual StepReply step(const StepInput& input, const Control& control) = 0;
+    /// Keeps where the contact is; the name of it.
+    virtual std::string save(const Control& control) = 0;
+    virtual void restore(const std::string& state, const Control& control) = 0;
+    virtual void forget(const std::string& state, const Control& control) = 0;
+    /// No other call follows.
+    virtual void close(const Control& control) = 0;
+    virtual const IcUses& ics() const = 0;
+};
+
+/// Any number of threads at a time.
+class Backend {
+   public:
+    virtual ~Backend() = default;
+    /// Returns when the tables lie ready. `spec` has passed validate_opening.
+    virtual std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
+                                              const Control& control) const = 0;
+    /// Throws when no contact can be solved there now.
+    virtual void ping(const Settings& settings) const = 0;
+};
+
+/// Of a daemon at `endpoint`. Throws InvalidArgument ("where") when it is no endpoint.
+std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint);
+
+/// In process. Defined once for each library: libcontactd has none, and throws StatusError (UNIMPLEMENTED).
+std::unique_ptr<Backend> make_local_backend();
+bool has_local_backend();
+
+}  // namespace contactd::c

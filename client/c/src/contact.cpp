@@ -1,0 +1,154 @@
+#include "contact.hpp"
+
+#include <utility>
+
+namespace contactd::c {
+namespace {
+
+StatusError wrong_order_of(const std::string& sentence) {
+    return {StatusCode::failed_precondition, wrong_order, sentence};
+}
+
+std::string percent(double fraction) {
+    return std::to_string(static_cast<int>(100 * fraction)) + " %";
+}
+
+}  // namespace
+
+Contact::Contact(const Connection& connection)
+    : user(0), backend_(connection.backend), settings_(connection.told().first), log_(connection.told().second) {}
+
+void Contact::require_set_up(const char* what) const {
+    if (started())
+        throw wrong_order_of(std::string("The contact was started, and its ") + what +
+                             " stays as it is; make another contact.");
+}
+
+void Contact::require_started() const {
+    if (!started()) throw wrong_order_of("The contact was not started yet; contactd_start comes first.");
+}
+
+template <class Ask>
+auto Contact::controlled(const Ask& ask) {
+    Control control;
+    {
+        const std::scoped_lock lock(mutex_);
+        stop_ = std::stop_source();
+        control.stop = stop_.get_token();
+    }
+    struct Ended {
+        Contact& contact;
+        ~Ended() {
+            const std::scoped_lock lock(contact.mutex_);
+            contact.stop_ = std::stop_source(std::nostopstate);
+        }
+    } const ended{*this};
+    return ask(control);
+}
+
+void Contact::start() {
+    require_set_up("set-up");
+    const SessionSpec spec = said.opening();
+    controlled([&](Control& control) {
+        if (log_)
+            control.on_progress = [this](const std::string& stage, double fraction) {
+                log_(CONTACTD_LOG_INFO,
+                     "Waiting for influence coefficients: " + stage + ", " + percent(fraction) + ".");
+            };
+        open_ = backend_->open(spec, settings_, control);
+    });
+    said.problem.previous = {};  // the contact has it now, and steps need not check it
+    said.changed = {};
+}
+
+void Contact::step() {
+    require_started();
+    auto result = std::make_shared<Result>();
+    result->fields = said.fields;
+    const StepInput input = said.step();
+    result->reply = controlled([&](Control& control) {
+        control.timeout = said.step_timeout;
+        return open_->step(input, control);
+    });
+    said.take_estimates(result->reply.solution.motion);
+    result_ = std::move(result);
+    if (!log_) return;
+    for (const std::string& warning : result_->reply.solution.warnings) log_(CONTACTD_LOG_WARNING, warning);
+}
+
+void Contact::close() {
+    if (!open_) return;
+    const std::unique_ptr<OpenContact> ended = std::move(open_);
+    try {
+        controlled([&](Control& control) { ended->close(control); });
+    } catch (const StatusError& error) {
+        if (error.status().code != StatusCode::not_found) throw;  // else it had ended before
+    }
+}
+
+std::int32_t Contact::save() {
+    require_started();
+    std::string name = controlled([&](Control& control) { return open_->save(control); });
+    saved_.emplace(++states_, Saved{std::move(name), result_, said.rolling});
+    return states_;
+}
+
+std::map<std::int32_t, Contact::Saved>::iterator Contact::saved(std::int32_t state) {
+    require_started();
+    const auto at = saved_.find(state);
+    if (at != saved_.end()) return at;
+    throw StatusError(Status{StatusCode::not_found,
+                             "The contact has no state " + std::to_string(state) +
+                                 "; contactd_save names those there are, until contactd_forget.",
+                             std::string(reason::state_unknown),
+                             {{"state", "is none"}},
+                             0});
+}
+
+void Contact::restore(std::int32_t state) {
+    const Saved& back = saved(state)->second;
+    controlled([&](Control& control) { open_->restore(back.name, control); });
+    result_ = back.result;
+    if (said.force.Fx) said.rolling.xi = back.rolling.xi;
+    if (said.force.Fy) said.rolling.eta = back.rolling.eta;
+}
+
+void Contact::forget(std::int32_t state) {
+    const auto at = saved(state);
+    controlled([&](Control& control) { open_->forget(at->second.name, control); });
+    saved_.erase(at);
+}
+
+void Contact::cancel() {
+    const std::scoped_lock lock(mutex_);
+    stop_.request_stop();
+}
+
+const Result& Contact::result() const {
+    if (!result_)
+        throw StatusError(StatusCode::failed_precondition, no_result,
+                          "There are no results yet; contactd_step makes them.");
+    return *result_;
+}
+
+const IcUses& Contact::ics() const {
+    require_started();
+    return open_->ics();
+}
+
+std::int32_t Contact::step_number() const {
+    require_started();
+    return result_ ? static_cast<std::int32_t>(result_->reply.step) : 0;
+}
+
+void Contact::keep(const Failure& failure) {
+    const std::scoped_lock lock(mutex_);
+    last_ = failure;
+}
+
+Failure Contact::last_failure() const {
+    const std::scoped_lock lock(mutex_);
+    return last_;
+}
+
+}  // namespace contactd::c

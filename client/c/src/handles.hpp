@@ -1,0 +1,60 @@
+// Handles are names, not addresses: numbers that are given once, so that one that was freed, or never was one, is found
+// out and nothing is read through it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+#include <string>
+#include <unordered_map>
+
+#include "failure.hpp"
+
+namespace contactd::c {
+
+/// The live objects of one kind. `Handle` is the type of the interface, which has no definition.
+template <class Object, class Handle>
+class Handles {
+   public:
+    /// `field` is what a parameter of this kind is called. Numbers of kind k are k modulo 4, and odd, as no address is.
+    Handles(const char* field, std::uintptr_t kind) : field_(field), kind_(kind) {}
+
+    Handle* add(std::shared_ptr<Object> object) {
+        const std::unique_lock lock(mutex_);
+        const std::uintptr_t number = 4 * ++given_ + kind_;
+        objects_.emplace(number, std::move(object));
+        return reinterpret_cast<Handle*>(number);
+    }
+
+    /// Throws StatusError when it is none.
+    std::shared_ptr<Object> find(const Handle* handle) const {
+        if (auto found = find_any(handle)) return found;
+        const std::string problem = handle == nullptr ? "is NULL" : "is none that was made and not yet given back";
+        throw StatusError(Status{StatusCode::invalid_argument,
+                                 std::string(field_) + " " + problem + ".",
+                                 std::string(no_handle),
+                                 {{field_, problem}},
+                                 0});
+    }
+
+    /// Null when it is none.
+    std::shared_ptr<Object> find_any(const void* handle) const {
+        const std::shared_lock lock(mutex_);
+        const auto at = objects_.find(reinterpret_cast<std::uintptr_t>(handle));
+        return at == objects_.end() ? nullptr : at->second;
+    }
+
+    void remove(const Handle* handle) {
+        const std::unique_lock lock(mutex_);
+        objects_.erase(reinterpret_cast<std::uintptr_t>(handle));
+    }
+
+   private:
+    const char* field_;
+    std::uintptr_t kind_, given_ = 0;
+    mutable std::shared_mutex mutex_;
+    std::unordered_map<std::uintptr_t, std::shared_ptr<Object>> objects_;
+};
+
+}  // namespace contactd::c

@@ -1,0 +1,90 @@
+// Contacts that a daemon keeps, as sessions. Each has a connection of its own, so that threads with a contact each do
+// not wait for one another.
+#include <utility>
+
+#include "backend.hpp"
+#include "contactd/client/session.hpp"
+
+namespace contactd::c {
+namespace {
+
+client::ClientOptions options_of(const Settings& settings) {
+    client::ClientOptions options;
+    options.connect_timeout = settings.connect_timeout;
+    options.timeout = settings.timeout;
+    options.build_timeout = settings.build_timeout;
+    options.server_key = settings.server_key;
+    options.own_key = settings.own_key;
+    return options;
+}
+
+client::CallOptions options_of(const Control& control) {
+    client::CallOptions options;
+    options.timeout = control.timeout;
+    options.stop = control.stop;
+    if (control.on_progress)
+        options.on_progress = [&control](const client::Progress& progress) {
+            control.on_progress(progress.stage, progress.fraction);
+        };
+    return options;
+}
+
+class RemoteContact final : public OpenContact {
+   public:
+    RemoteContact(const std::string& endpoint, const SessionSpec& spec, const Settings& settings,
+                  const Control& control)
+        : client_(endpoint, options_of(settings)), session_(client_, spec, options_of(control)) {}
+
+    StepReply step(const StepInput& input, const Control& control) override {
+        return session_.step(input, options_of(control));
+    }
+    std::string save(const Control& control) override { return session_.save(options_of(control)).name; }
+    void restore(const std::string& state, const Control& control) override {
+        session_.restore({state}, options_of(control));
+    }
+    void forget(const std::string& state, const Control& control) override {
+        session_.forget({state}, options_of(control));
+    }
+    void close(const Control& control) override { session_.close(options_of(control)); }
+    const IcUses& ics() const override { return session_.ics(); }
+
+   private:
+    client::Client client_;  // outlives the session
+    client::Session session_;
+};
+
+class RemoteBackend final : public Backend {
+   public:
+    explicit RemoteBackend(std::string endpoint) : endpoint_(std::move(endpoint)) {}
+
+    std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
+                                      const Control& control) const override {
+        return std::make_unique<RemoteContact>(endpoint_, spec, settings, control);
+    }
+
+    void ping(const Settings& settings) const override {
+        const std::string state = client::Client(endpoint_, options_of(settings)).health();
+        if (state != "serving")
+            throw StatusError(StatusCode::unavailable, reason::stopping,
+                              "The daemon at " + endpoint_ + " is " + state + ", and takes nothing new.");
+    }
+
+   private:
+    std::string endpoint_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint) {
+    try {
+        if (!endpoint.starts_with("ipc://") && !endpoint.starts_with("tcp://")) throw Error("");
+        client::Client{endpoint};  // sends nothing; reads the endpoint
+    } catch (const Error&) {
+        throw InvalidArgument("where", "is \"" + endpoint +
+                                           "\"; it must be \"local\", or a daemon's endpoint as ipc:///path or "
+                                           "tcp://host:port");
+    }
+    return std::make_unique<RemoteBackend>(endpoint);
+}
+
+}  // namespace contactd::c

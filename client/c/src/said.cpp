@@ -1,0 +1,47 @@
+#include "said.hpp"
+
+#include "contactd/error.hpp"
+
+namespace contactd::c {
+
+const ContactProblem& Said::stated() {
+    if (mu.empty() && (kind || kinetic || !force.empty() || !problem.rigid_slip.empty()))
+        throw InvalidArgument("friction.mu", "is missing; what moves the bodies means nothing without friction");
+    problem.friction.reset();
+    if (!mu.empty()) problem.friction = FrictionLaw{mu, kinetic};
+    shift.force = rolling.force = force;
+    if (kind.value_or(MotionKind::shift) == MotionKind::rolling)
+        problem.motion = rolling;
+    else
+        problem.motion = shift;
+    return problem;
+}
+
+SessionSpec Said::opening() {
+    SessionSpec spec{stated(), problem, lease_seconds, accept_unconverged};
+    validate_opening(problem);
+    return spec;
+}
+
+StepInput Said::step() {
+    validate(stated());
+    StepInput input;
+    input.approach = problem.approach;
+    input.Fn = problem.Fn;
+    if (changed.gap) input.gap = problem.gap;
+    if (changed.friction) input.friction = problem.friction;
+    if (changed.motion) input.motion = problem.motion;
+    if (changed.rigid_slip) input.rigid_slip = problem.rigid_slip;
+    input.fields = fields;
+    return input;
+}
+
+void Said::take_estimates(const std::optional<Motion>& found) {
+    if (!found || !changed.motion || kind != MotionKind::rolling) return;
+    const auto* motion = std::get_if<Rolling>(&*found);
+    if (motion == nullptr) return;
+    if (force.Fx && motion->force.Fx) rolling.xi = motion->xi;
+    if (force.Fy && motion->force.Fy) rolling.eta = motion->eta;
+}
+
+}  // namespace contactd::c

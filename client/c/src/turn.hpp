@@ -1,0 +1,34 @@
+// One user of a contact at a time.
+#pragma once
+
+#include <unistd.h>
+
+#include <atomic>
+
+#include "failure.hpp"
+
+namespace contactd::c {
+
+/// Holds `user` (a process id, 0 for nobody) while it lives. Throws StatusError (CONCURRENT_USE) when somebody of this
+/// process does already; what a fork copied of a holder in the parent holds nothing.
+class Turn {
+   public:
+    explicit Turn(std::atomic<int>& user) : user_(user) {
+        const int self = ::getpid();
+        int holder = user_.load();
+        do {
+            if (holder == self)
+                throw StatusError(StatusCode::failed_precondition, concurrent_use,
+                                  "Another call of this contact runs, in another thread or in whose log this is; the "
+                                  "one that runs goes on. Use a contact for each thread.");
+        } while (!user_.compare_exchange_weak(holder, self));
+    }
+    ~Turn() { user_.store(0); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+   private:
+    std::atomic<int>& user_;
+};
+
+}  // namespace contactd::c

@@ -1,0 +1,17 @@
+# Fails unless LIBRARY exports the functions that HEADER declares, and nothing else.
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL " [A-TV-Zuv-z] [^\n@ ]+" exported "${symbols}")
+list(TRANSFORM exported REPLACE "^ . " "")
+list(FILTER exported EXCLUDE REGEX "^CONTACTD_1$") # the version of the interface
+file(READ ${HEADER} text)
+string(REGEX MATCHALL "CONTACTD_API [a-z][^(]+\\(" declared "${text}")
+list(TRANSFORM declared REPLACE "^.*[ *](contactd_[A-Za-z_]+)\\($" "\\1")
+list(SORT exported)
+list(SORT declared)
+list(LENGTH declared count)
+if(count LESS 60)
+  message(FATAL_ERROR "${HEADER} declares ${count} functions only; is it read rightly?")
+endif()
+if(NOT exported STREQUAL declared)
+  message(FATAL_ERROR "${LIBRARY} exports\n${exported}\nand ${HEADER} declares\n${declared}")
+endif()

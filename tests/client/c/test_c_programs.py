@@ -1,0 +1,56 @@
+"""Programs in C: the one on the page is compiled as it stands there, and nothing is lost of memory."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from support.daemons import BIN
+from support.patience import SLOWER
+
+ROOT = Path(__file__).parents[3]
+LIBRARY = BIN.parent / "lib"
+STRICT = ("-std=c99", "-pedantic-errors", "-Wall", "-Wextra", "-Werror")
+
+
+def run(*command: str | Path, **options) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(LIBRARY)}
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=50 * SLOWER, **options)
+
+
+def test_the_program_on_the_page_rolls(shared_daemon, tmp_path):
+    program, *_ = re.findall(r"^```c\n(.*?)^```", (ROOT / "docs" / "c.md").read_text(), re.MULTILINE | re.DOTALL)
+    source = tmp_path / "first.c"
+    source.write_text(program)
+    include = ROOT / "client" / "c" / "include"
+    made = run("cc", *STRICT, f"-I{include}", source, f"-L{LIBRARY}", "-lcontactd", "-o", tmp_path / "first")
+    assert made.returncode == 0, made.stderr
+
+    ended = run(tmp_path / "first", shared_daemon.endpoint)
+
+    assert ended.returncode == 0, ended.stderr
+    forces = [float(force) for force in re.findall(r"Fx (-\d+\.\d) N", ended.stdout)]
+    assert len(forces) == 3
+    assert 0 > forces[0] > forces[1] > forces[2] >= -0.3 * 50e3
+
+
+def test_the_program_on_the_page_says_that_nobody_listens(tmp_path):
+    ended = run(BIN / "contactd-c-example", f"ipc://{tmp_path}/nobody")
+    assert ended.returncode == 1
+    assert ended.stderr.startswith("UNAVAILABLE: Nobody listens at ")
+
+
+@pytest.mark.skipif(shutil.which("valgrind") is None, reason="valgrind is not here; packaging/debian-packages.txt has it")
+@pytest.mark.timeout(120)
+def test_the_example_reads_and_leaves_no_memory_that_is_not_its_own(shared_daemon):
+    ended = run(
+        "valgrind", "--quiet", "--leak-check=full", "--show-leak-kinds=definite,possible", "--errors-for-leak-kinds=definite",
+        "--error-exitcode=9", BIN / "contactd-c-example", shared_daemon.endpoint,
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stderr
+    assert "step 2" in ended.stdout

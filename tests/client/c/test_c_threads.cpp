@@ -1,0 +1,210 @@
+// Threads, cancellation, timeouts, the log and forks of the C interface.
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "client/cpp/own_daemon.hpp"
+#include "every_call.hpp"
+
+using namespace std::chrono_literals;
+using Catch::Approx;
+
+namespace {
+
+/// A contact whose steps take some seconds: many transient steps on many elements.
+void set_long(contactd_contact* contact) {
+    set_sphere(contact);
+    require_ok(contactd_set_grid_centred(contact, 60, 60, 0.04, 0.04), contact);
+    require_ok(contactd_set_mu(contact, 0.3), contact);
+    require_ok(contactd_set_rolling(contact, CONTACTD_TRANSIENT, 2e-3, 0, 1e-3), contact);
+    require_ok(contactd_set_rolling_steps(contact, 100'000), contact);
+}
+
+struct Lines {
+    std::mutex mutex;
+    std::vector<std::pair<std::int32_t, std::string>> all;
+};
+
+void keep_line(void* user, std::int32_t level, const char* text) {
+    auto& lines = *static_cast<Lines*>(user);
+    const std::scoped_lock lock(lines.mutex);
+    lines.all.emplace_back(level, text);
+}
+
+/// Calls contactd_step in a thread until it is ended.
+struct Stepping {
+    explicit Stepping(contactd_contact* contact)
+        : thread([this, contact] {
+              code = contactd_step(contact);
+              reason = contactd_last_reason(contact);
+          }) {}
+    void join() { thread.join(); }
+    std::int32_t code = -1;
+    std::string reason;
+    std::thread thread;
+};
+
+/// Waits until another thread has its turn.
+void wait_until_used(contactd_contact* contact) {
+    std::int32_t step = 0;
+    while (contactd_get_step(contact, &step) == CONTACTD_OK) std::this_thread::sleep_for(1ms);
+}
+
+}  // namespace
+
+TEST_CASE("Ten threads with a contact each come to the same", "[c]") {
+    Daemon daemon;
+    const Place place(daemon.endpoint());
+    std::vector<Read> answers(10);
+    std::atomic<int> failures = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (Read& answer : answers)
+            threads.emplace_back([&] {
+                contactd_contact* contact = nullptr;
+                std::int32_t code = contactd_new(place, &contact);
+                if (!code) code = contactd_set_grid_centred(contact, across, across, 0.2, 0.2);
+                if (!code) code = contactd_set_material(contact, CONTACTD_BOTH, 200, 0.42);
+                if (!code) code = contactd_set_paraboloid(contact, 50, 50);
+                if (!code) code = contactd_set_approach(contact, 0.02);
+                if (!code) code = contactd_set_mu(contact, 0.4);
+                if (!code) code = contactd_set_shift(contact, 1e-3, 0, 0);
+                if (!code) code = contactd_start(contact);
+                for (int i = 0; i < 5 && !code; ++i) code = contactd_step(contact);
+                if (!code) code = contactd_get_forces(contact, &answer.Fn, &answer.Fx, &answer.Fy, &answer.Mz);
+                if (contactd_free(contact) != CONTACTD_OK || code != CONTACTD_OK) ++failures;
+            });
+    }
+    CHECK(failures == 0);
+    CHECK(answers[0].Fx < 0);
+    CHECK(answers == std::vector<Read>(10, answers[0]));
+}
+
+TEST_CASE("A contact that a thread uses refuses every call of another, and is cancelled by it", "[c]") {
+    Daemon daemon;
+    const Place place(daemon.endpoint());
+    const Handle contact(place);
+    set_long(contact);
+    require_ok(contactd_start(contact), contact);
+    Stepping stepping(contact);
+    wait_until_used(contact);
+    Arguments arguments;
+    for (const auto& [name, call] : every_call(arguments)) {
+        if (name == "contactd_cancel") continue;
+        INFO(name);
+        CHECK(call(contact) == CONTACTD_FAILED_PRECONDITION);
+        CHECK(contactd_last_reason(contact) == std::string("CONCURRENT_USE"));
+    }
+
+    CHECK(contactd_cancel(contact) == CONTACTD_OK);
+
+    stepping.join();
+    CHECK(stepping.code == CONTACTD_CANCELLED);
+    CHECK(stepping.reason == "REQUEST_CANCELLED");
+    std::int32_t number = -1;
+    REQUIRE(contactd_get_step(contact, &number) == CONTACTD_OK);
+    CHECK(number == 0);
+    require_ok(contactd_set_rolling_steps(contact, 1), contact);
+    require_ok(contactd_step(contact), contact);     // it goes on
+    CHECK(contactd_cancel(contact) == CONTACTD_OK);  // nothing runs: nothing happens
+    require_ok(contactd_step(contact), contact);
+}
+
+TEST_CASE("A step ends at its timeout", "[c]") {
+    Daemon daemon;
+    const Place place(daemon.endpoint());
+    const Handle contact(place);
+    set_long(contact);
+    require_ok(contactd_set_step_timeout(contact, 0.05), contact);
+    require_ok(contactd_start(contact), contact);
+    CHECK(contactd_step(contact) == CONTACTD_DEADLINE_EXCEEDED);
+    CHECK(contactd_last_reason(contact) == std::string("DEADLINE_PASSED"));
+}
+
+TEST_CASE("The log tells warnings and failures, and may not use the contact", "[c]") {
+    Daemon daemon;
+    Lines lines;
+    const Place place(daemon.endpoint());
+    require_ok(contactd_set_log(place, keep_line, &lines), place);
+    const Handle contact(place);
+    set_sphere(contact);
+    require_ok(contactd_set_approach(contact, 0.2), contact);  // beyond the grid
+    require_ok(contactd_start(contact), contact);
+    require_ok(contactd_step(contact), contact);
+    std::int32_t warnings = 0;
+    REQUIRE(contactd_get_warnings(contact, &warnings) == CONTACTD_OK);
+    REQUIRE(warnings > 0);
+    char text[400], cut[5];
+    REQUIRE(contactd_get_warning(contact, 0, text, 400) == CONTACTD_OK);
+    REQUIRE(contactd_get_warning(contact, 0, cut, 5) == CONTACTD_OK);
+    CHECK(std::string(text).substr(0, 4) == cut);
+    CHECK(contactd_get_warning(contact, warnings, text, 400) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(contactd_get_warning(contact, 0, text, 0) == CONTACTD_INVALID_ARGUMENT);
+    REQUIRE(contactd_get_warning(contact, 0, text, 400) == CONTACTD_OK);
+
+    REQUIRE(lines.all.size() >= static_cast<std::size_t>(warnings) + 2);
+    CHECK(lines.all[0] == std::pair<std::int32_t, std::string>(CONTACTD_LOG_WARNING, text));
+    CHECK(lines.all.back().first == CONTACTD_LOG_ERROR);
+
+    struct Reentering {
+        contactd_contact* contact;
+        std::int32_t code = -1;
+    } reentering{contact};
+    const contactd_log reenter = [](void* user, std::int32_t, const char*) {
+        auto& mine = *static_cast<Reentering*>(user);
+        mine.code = contactd_step(mine.contact);
+    };
+    require_ok(contactd_set_log(place, reenter, &reentering), place);
+    const Handle later(place);
+    reentering.contact = later;
+    CHECK(contactd_step(later) == CONTACTD_FAILED_PRECONDITION);  // was not started
+    CHECK(reentering.code == CONTACTD_FAILED_PRECONDITION);
+}
+
+TEST_CASE("A log that throws ends its call, and no more", "[c]") {
+    const Place place("ipc:///nowhere/contactd");
+    require_ok(contactd_set_log(place, [](void*, std::int32_t, const char*) { throw 7; }, nullptr), place);
+    const Handle contact(place);
+    CHECK(contactd_step(contact) == CONTACTD_UNKNOWN);
+    CHECK(contactd_last_error(contact) == std::string("A callback has thrown."));
+}
+
+TEST_CASE("A forked process makes contacts of its own, and leaves those of its parent alone", "[c]") {
+    Daemon daemon;
+    const Place place(daemon.endpoint());
+    const Handle contact(place);
+    set_sphere(contact);
+    require_ok(contactd_start(contact), contact);
+    const Read first = stepped(contact);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        contactd_contact* own = nullptr;
+        double pmax = 0;
+        int wrong = contactd_step(contact) != CONTACTD_FAILED_PRECONDITION;
+        wrong += std::string(contactd_last_reason(contact)) != "CONCURRENT_USE";
+        std::int32_t code = contactd_new(place, &own);
+        if (!code) code = contactd_set_grid_centred(own, across, across, 0.2, 0.2);
+        if (!code) code = contactd_set_material(own, CONTACTD_BOTH, 200, 0.42);
+        if (!code) code = contactd_set_paraboloid(own, 50, 50);
+        if (!code) code = contactd_set_approach(own, 0.02);
+        if (!code) code = contactd_start(own);
+        if (!code) code = contactd_step(own);
+        if (!code) code = contactd_get_pmax(own, &pmax);
+        if (!code) code = contactd_free(own);
+        contactd_free(contact);
+        ::_exit(wrong + (code != CONTACTD_OK) + (pmax != first.pmax));
+    }
+    int status = -1;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    CHECK(stepped(contact).pmax == Approx(first.pmax));  // still there; it starts from the step before
+}
