@@ -1,8 +1,29 @@
 #include "said.hpp"
 
+#include <string>
+#include <string_view>
+
 #include "contactd/error.hpp"
 
 namespace contactd::c {
+namespace {
+
+/// The coefficients of a body, where they are to be made: its material is called as in a problem.
+void validate_coefficients(const ContactSetup& setup, const Body& body, const std::string& name) {
+    const Ics* ics = body.computed();
+    if (ics == nullptr) return;
+    const Grid& grid = setup.grid;
+    try {
+        validate(IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny});
+    } catch (const InvalidArgument& error) {
+        constexpr std::string_view prefix = "material";
+        const std::string& field = error.field();
+        if (!field.starts_with(prefix)) throw;
+        throw InvalidArgument(name + field.substr(prefix.size()), std::string(error.what()).substr(field.size() + 1));
+    }
+}
+
+}  // namespace
 
 const ContactProblem& Said::stated() {
     if (mu.empty() && (kind || kinetic || !force.empty() || !problem.rigid_slip.empty()))
@@ -20,6 +41,10 @@ const ContactProblem& Said::stated() {
 SessionSpec Said::opening() {
     SessionSpec spec{stated(), problem, lease_seconds, accept_unconverged};
     validate_opening(problem);
+    if (problem.model == Model::full && !problem.bodies.pair) {
+        validate_coefficients(problem, problem.bodies.upper, "bodies.upper");
+        validate_coefficients(problem, problem.bodies.lower, "bodies.lower");
+    }
     return spec;
 }
 
