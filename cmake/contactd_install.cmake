@@ -1,5 +1,19 @@
-# Installs the programs, and the C++ client as the CMake package "contactd" (targets contactd::client, ::proto, ::types).
+# Installs the programs, the C++ client as the CMake package "contactd" (targets contactd::client, ::proto, ::types), and
+# the C libraries as its components c and c_local (targets of the same names), and for pkg-config.
 include(CMakePackageConfigHelpers)
+
+# contactd_install_c(TARGET NAME COMPONENT) installs libNAME.so; what is needed to build with it is of c_development.
+function(contactd_install_c target name component)
+  get_target_property(component_name ${target} EXPORT_NAME)
+  set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/contactd)
+  install(TARGETS ${target} EXPORT contactd_${component_name}_targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT c_development)
+  install(EXPORT contactd_${component_name}_targets NAMESPACE contactd:: DESTINATION ${folder} COMPONENT c_development)
+  # What is installed can be moved: paths start from the file itself.
+  file(RELATIVE_PATH prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/contactd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT c_development)
+endfunction()
 
 install(TARGETS contactd_types contactd_proto contactd_client EXPORT contactd_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
@@ -12,6 +26,17 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/contactd-config.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/contactd-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT development)
+if(TARGET contactd_c)
+  contactd_install_c(contactd_c contactd c_library)
+  install(FILES client/c/include/contactd.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT c_development)
+  install(FILES client/c/fortran/contactd_calls.f90 client/c/fortran/contactd.f90
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/contactd COMPONENT c_development)
+  install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT c_development)
+endif()
+if(TARGET contactd_local_c)
+  contactd_install_c(contactd_local_c contactd-local c_local_library)
+endif()
 foreach(program contactd contactd-ic)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)

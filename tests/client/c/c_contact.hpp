@@ -17,9 +17,9 @@ inline void require_ok(std::int32_t code, const void* handle) {
 
 class Place {
    public:
-    explicit Place(const std::string& where) {
+    explicit Place(const std::string& where, double connect_timeout = 20) {
         require_ok(contactd_open(where.c_str(), &handle_), nullptr);
-        require_ok(contactd_set_connect_timeout(handle_, 20), handle_);
+        require_ok(contactd_set_connect_timeout(handle_, connect_timeout), handle_);
     }
     ~Place() { contactd_close(handle_); }
     Place(const Place&) = delete;

@@ -45,7 +45,46 @@ def test_the_program_on_the_page_says_that_nobody_listens(tmp_path):
     assert ended.stderr.startswith("UNAVAILABLE: Nobody listens at ")
 
 
-@pytest.mark.skipif(shutil.which("valgrind") is None, reason="valgrind is not here; packaging/debian-packages.txt has it")
+def needs(program: str) -> pytest.MarkDecorator:
+    return pytest.mark.skipif(
+        shutil.which(program) is None, reason=f"{program} is not here; packaging/debian-packages.txt has its package"
+    )
+
+
+def numbers(text: str) -> list[float]:
+    """Of the steps that an example prints."""
+    return [float(number) for number in re.findall(r"(?<=F[nx]) +(-?\d\S+)(?= N)", text)]
+
+
+@needs("gfortran")
+def test_the_example_in_fortran_is_that_in_c(shared_daemon):
+    ended = run(BIN / "contactd-fortran-example", shared_daemon.endpoint)
+    assert ended.returncode == 0, ended.stderr
+    expected = numbers(run(BIN / "contactd-c-example", shared_daemon.endpoint).stdout)
+    assert len(expected) == 4
+    assert numbers(ended.stdout) == pytest.approx(expected, rel=1e-7)  # as many digits are printed
+
+
+@needs("gfortran")
+def test_the_example_in_fortran_tells_what_went_wrong(tmp_path):
+    ended = run(BIN / "contactd-fortran-example", "nowhere")
+    assert ended.returncode == 1
+    assert ended.stdout.startswith('INVALID_ARGUMENT: where is "nowhere"; it must be')
+
+
+def test_the_module_in_fortran_has_every_function_and_word_of_the_header():
+    header = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
+    sources = [path.read_text() for path in (ROOT / "client" / "c" / "fortran").glob("contactd*.f90")]
+    fortran = re.sub(r"!.*", "", "\n".join(sources)).lower()
+
+    functions = {name.lower() for name in re.findall(r"CONTACTD_API [^(]*?(contactd_\w+)\(", header)}
+    assert len(functions) > 60
+    assert functions - set(re.findall(r"function (contactd_\w+)\(", fortran)) == set()
+    words = {name.lower(): value for name, value in re.findall(r"\b(CONTACTD_\w+) = (\d+)", header)}
+    assert words == dict(re.findall(r"\b(contactd_\w+) = (\d+)", fortran))
+
+
+@needs("valgrind")
 @pytest.mark.timeout(120)
 def test_the_example_reads_and_leaves_no_memory_that_is_not_its_own(shared_daemon):
     ended = run(

@@ -1,0 +1,119 @@
+! contactd in Fortran: the functions of contactd.h under their own names, and its words. docs/c.md says what they do.
+!
+!     use contactd
+!     type(c_ptr) :: connection, contact
+!     code = contactd_open("ipc:///run/contactd.sock", connection)
+!     code = contactd_new(connection, contact)
+!     code = contactd_set_mu(contact, 0.3d0)
+!     if (code /= contactd_ok) print *, contactd_last_error(contact)
+!
+! Compile contactd_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
+module contactd
+    use, intrinsic :: iso_c_binding
+    use contactd_calls
+    implicit none
+
+    integer(c_int32_t), parameter :: contactd_ok = 0, contactd_cancelled = 1, contactd_unknown = 2, &
+        contactd_invalid_argument = 3, contactd_deadline_exceeded = 4, contactd_not_found = 5, &
+        contactd_already_exists = 6, contactd_permission_denied = 7, contactd_resource_exhausted = 8, &
+        contactd_failed_precondition = 9, contactd_aborted = 10, contactd_out_of_range = 11, &
+        contactd_unimplemented = 12, contactd_internal = 13, contactd_unavailable = 14, &
+        contactd_data_loss = 15, contactd_unauthenticated = 16
+    integer(c_int32_t), parameter :: contactd_upper = 0, contactd_lower = 1, contactd_both = 2, &
+        contactd_pair = 3
+    integer(c_int32_t), parameter :: contactd_full = 0, contactd_hertz = 1, contactd_fastsim = 2
+    integer(c_int32_t), parameter :: contactd_constant = 0, contactd_bilinear = 1
+    integer(c_int32_t), parameter :: contactd_half_space = 0, contactd_block = 1
+    integer(c_int32_t), parameter :: contactd_steady = 0, contactd_transient = 1
+    integer(c_int32_t), parameter :: contactd_linear = 0, contactd_exponential = 1
+    integer(c_int32_t), parameter :: contactd_normal = 0, contactd_tangential = 1, contactd_outer = 2, &
+        contactd_force = 3
+    integer(c_int32_t), parameter :: contactd_exterior = 0, contactd_adhesion = 1, contactd_slip = 2
+    integer(c_int32_t), parameter :: contactd_division = 0, contactd_pressure = 1, &
+        contactd_traction_x = 2, contactd_traction_y = 3, contactd_slip_x = 4, contactd_slip_y = 5
+    integer(c_int32_t), parameter :: contactd_log_debug = 0, contactd_log_info = 1, &
+        contactd_log_warning = 2, contactd_log_error = 3
+
+    private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
+    private :: get_warning_c, get_origin_c, strlen, text_of, copy_text
+
+contains
+
+    function contactd_version() result(text)
+        character(:), allocatable :: text
+        text = text_of(version_c())
+    end function
+    function contactd_code_name(code) result(text)
+        integer(c_int32_t), intent(in) :: code
+        character(:), allocatable :: text
+        text = text_of(code_name_c(code))
+    end function
+    function contactd_last_error(handle) result(text)
+        type(c_ptr), intent(in) :: handle
+        character(:), allocatable :: text
+        text = text_of(last_error_c(handle))
+    end function
+    function contactd_last_field(handle) result(text)
+        type(c_ptr), intent(in) :: handle
+        character(:), allocatable :: text
+        text = text_of(last_field_c(handle))
+    end function
+    function contactd_last_reason(handle) result(text)
+        type(c_ptr), intent(in) :: handle
+        character(:), allocatable :: text
+        text = text_of(last_reason_c(handle))
+    end function
+    integer(c_int32_t) function contactd_open(where, connection) result(code)
+        character(*), intent(in) :: where
+        type(c_ptr), intent(out) :: connection
+        code = open_c(trim(where) // c_null_char, connection)
+    end function
+    integer(c_int32_t) function contactd_set_keys(connection, server_key, own_key) result(code)
+        type(c_ptr), intent(in) :: connection
+        character(*), intent(in) :: server_key, own_key
+        code = set_keys_c(connection, trim(server_key) // c_null_char, trim(own_key) // c_null_char)
+    end function
+    ! The number of a warning counts from 0, as in C. What does not fit `text` is cut off.
+    integer(c_int32_t) function contactd_get_warning(contact, index, text) result(code)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t), intent(in) :: index
+        character(*), intent(out) :: text
+        character(c_char) :: buffer(len(text) + 1)
+        code = get_warning_c(contact, index, buffer, size(buffer, kind=c_int32_t))
+        call copy_text(code, buffer, text)
+    end function
+    integer(c_int32_t) function contactd_get_origin(contact, body, text) result(code)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t), intent(in) :: body
+        character(*), intent(out) :: text
+        character(c_char) :: buffer(len(text) + 1)
+        code = get_origin_c(contact, body, buffer, size(buffer, kind=c_int32_t))
+        call copy_text(code, buffer, text)
+    end function
+
+    function text_of(pointer) result(text)
+        type(c_ptr), intent(in) :: pointer
+        character(:), allocatable :: text
+        character(c_char), pointer :: characters(:)
+        integer :: i
+        call c_f_pointer(pointer, characters, [strlen(pointer)])
+        allocate (character(size(characters)) :: text)
+        do i = 1, size(characters)
+            text(i:i) = characters(i)
+        end do
+    end function
+
+    subroutine copy_text(code, buffer, text)
+        integer(c_int32_t), intent(in) :: code
+        character(c_char), intent(in) :: buffer(:)
+        character(*), intent(out) :: text
+        integer :: i
+        text = ""
+        if (code /= contactd_ok) return
+        do i = 1, len(text)
+            if (buffer(i) == c_null_char) return
+            text(i:i) = buffer(i)
+        end do
+    end subroutine
+
+end module contactd
