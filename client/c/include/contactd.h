@@ -40,192 +40,201 @@
 extern "C" {
 #endif
 
-/* --- codes: those of the daemon's answers (docs/protocol.md) ------------------------------------------------------- */
+/* --- codes: those of the daemon's answers (docs/protocol.md) ------------------------------------------------- */
 enum {
     CONTACTD_OK = 0,
-    CONTACTD_CANCELLED = 1,            /* contactd_cancel, or the daemon's job was cancelled */
+    CONTACTD_CANCELLED = 1, /* contactd_cancel, or the daemon's job was cancelled */
     CONTACTD_UNKNOWN = 2,
-    CONTACTD_INVALID_ARGUMENT = 3,     /* contactd_last_field says which; also a handle that is none */
-    CONTACTD_DEADLINE_EXCEEDED = 4,    /* the timeout */
-    CONTACTD_NOT_FOUND = 5,            /* no such session any more, no such state, nothing of that to read */
+    CONTACTD_INVALID_ARGUMENT = 3,  /* contactd_last_field says which; also a handle that is none */
+    CONTACTD_DEADLINE_EXCEEDED = 4, /* the timeout */
+    CONTACTD_NOT_FOUND = 5,         /* no such session any more, no such state, nothing of that to read */
     CONTACTD_ALREADY_EXISTS = 6,
     CONTACTD_PERMISSION_DENIED = 7,
-    CONTACTD_RESOURCE_EXHAUSTED = 8,   /* memory, or a limit of the daemon */
-    CONTACTD_FAILED_PRECONDITION = 9,  /* not now: wrong order, or used by another thread (CONCURRENT_USE) */
-    CONTACTD_ABORTED = 10,             /* the step did not converge, and the contact stays where it was */
+    CONTACTD_RESOURCE_EXHAUSTED = 8,  /* memory, or a limit of the daemon */
+    CONTACTD_FAILED_PRECONDITION = 9, /* not now: wrong order, or used by another thread (CONCURRENT_USE) */
+    CONTACTD_ABORTED = 10,            /* the step did not converge, and the contact stays where it was */
     CONTACTD_OUT_OF_RANGE = 11,
-    CONTACTD_UNIMPLEMENTED = 12,       /* not in this library */
+    CONTACTD_UNIMPLEMENTED = 12, /* not in this library */
     CONTACTD_INTERNAL = 13,
-    CONTACTD_UNAVAILABLE = 14,         /* nobody listens there */
+    CONTACTD_UNAVAILABLE = 14, /* nobody listens there */
     CONTACTD_DATA_LOSS = 15,
     CONTACTD_UNAUTHENTICATED = 16
 };
 
-/* --- words --------------------------------------------------------------------------------------------------------- */
+/* --- words --------------------------------------------------------------------------------------------------- */
 enum { CONTACTD_UPPER = 0, CONTACTD_LOWER = 1, CONTACTD_BOTH = 2, CONTACTD_PAIR = 3 };
 enum { CONTACTD_FULL = 0, CONTACTD_HERTZ = 1, CONTACTD_FASTSIM = 2 };
-enum { CONTACTD_CONSTANT = 0, CONTACTD_BILINEAR = 1 };   /* load_shape of coefficients */
-enum { CONTACTD_HALF_SPACE = 0, CONTACTD_BLOCK = 1 };    /* shape of a body by finite elements */
-enum { CONTACTD_STEADY = 0, CONTACTD_TRANSIENT = 1 };    /* kind of rolling */
-enum { CONTACTD_LINEAR = 0, CONTACTD_EXPONENTIAL = 1 };  /* law of kinetic friction */
-enum { CONTACTD_NORMAL = 0, CONTACTD_TANGENTIAL = 1, CONTACTD_OUTER = 2, CONTACTD_FORCE = 3 };     /* solvers */
-enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2 };                          /* of an element */
-enum { CONTACTD_DIVISION = 0, CONTACTD_PRESSURE = 1, CONTACTD_TRACTION_X = 2, CONTACTD_TRACTION_Y = 3,
-       CONTACTD_SLIP_X = 4, CONTACTD_SLIP_Y = 5 };                                                 /* arrays */
+enum { CONTACTD_CONSTANT = 0, CONTACTD_BILINEAR = 1 };  /* load_shape of coefficients */
+enum { CONTACTD_HALF_SPACE = 0, CONTACTD_BLOCK = 1 };   /* shape of a body by finite elements */
+enum { CONTACTD_STEADY = 0, CONTACTD_TRANSIENT = 1 };   /* kind of rolling */
+enum { CONTACTD_LINEAR = 0, CONTACTD_EXPONENTIAL = 1 }; /* law of kinetic friction */
+enum { CONTACTD_NORMAL = 0, CONTACTD_TANGENTIAL = 1, CONTACTD_OUTER = 2, CONTACTD_FORCE = 3 }; /* solvers */
+enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2 };                      /* of an element */
+/* Arrays. */
+enum {
+    CONTACTD_DIVISION = 0, /* into words of an element */
+    CONTACTD_PRESSURE = 1,
+    CONTACTD_TRACTION_X = 2,
+    CONTACTD_TRACTION_Y = 3,
+    CONTACTD_SLIP_X = 4,
+    CONTACTD_SLIP_Y = 5
+};
+
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
 typedef struct contactd_connection contactd_connection; /* where contacts are solved */
 typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
 /* Called in the thread of the call that it tells of, which it must let return; `text` holds until then. */
-typedef void (*contactd_log)(void *user, int32_t level, const char *text);
+typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
-/* --- the library --------------------------------------------------------------------------------------------------- */
-CONTACTD_API const char *contactd_version(void);      /* "0.1.0" */
-CONTACTD_API int32_t contactd_version_number(void);   /* 10000 major + 100 minor + patch */
-CONTACTD_API int32_t contactd_has_local(void);        /* 1 when contactd_open takes "local", else 0 */
-CONTACTD_API const char *contactd_code_name(int32_t code); /* "INVALID_ARGUMENT"; "UNKNOWN" where there is none */
+/* --- the library --------------------------------------------------------------------------------------------- */
+CONTACTD_API const char* contactd_version(void);           /* "0.1.0" */
+CONTACTD_API int32_t contactd_version_number(void);        /* 10000 major + 100 minor + patch */
+CONTACTD_API int32_t contactd_has_local(void);             /* 1 when contactd_open takes "local", else 0 */
+CONTACTD_API const char* contactd_code_name(int32_t code); /* "INVALID_ARGUMENT"; "UNKNOWN" where there is none */
 
 /* The last call with this connection or contact that failed: in this thread or, when none did, in any. With NULL, or a
  * handle that is none, the last one in this thread. Texts hold until the same function is called again in this thread;
  * "" and CONTACTD_OK where nothing failed. */
-CONTACTD_API int32_t contactd_last_code(const void *handle);
-CONTACTD_API const char *contactd_last_error(const void *handle);  /* a sentence, or more */
-CONTACTD_API const char *contactd_last_field(const void *handle);  /* "gap.paraboloid.Rx", as on the wire, or "" */
-CONTACTD_API const char *contactd_last_reason(const void *handle); /* "FIELD_INVALID", for programs, or "" */
+CONTACTD_API int32_t contactd_last_code(const void* handle);
+CONTACTD_API const char* contactd_last_error(const void* handle);  /* a sentence, or more */
+CONTACTD_API const char* contactd_last_field(const void* handle);  /* "gap.paraboloid.Rx", as on the wire, or "" */
+CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INVALID", for programs, or "" */
 
-/* --- connections --------------------------------------------------------------------------------------------------- */
+/* --- connections --------------------------------------------------------------------------------------------- */
 /* `where`: a daemon, "ipc:///path" or "tcp://host:port", or "local", in process (libcontactd-local only). Nothing is
  * sent yet. Sets *connection to NULL when it fails. */
-CONTACTD_API int32_t contactd_open(const char *where, contactd_connection **connection);
+CONTACTD_API int32_t contactd_open(const char* where, contactd_connection** connection);
 /* Its contacts stay; none can be made any more. */
-CONTACTD_API int32_t contactd_close(contactd_connection *connection);
+CONTACTD_API int32_t contactd_close(contactd_connection* connection);
 /* Whether contacts can be solved there now. */
-CONTACTD_API int32_t contactd_ping(contactd_connection *connection);
+CONTACTD_API int32_t contactd_ping(contactd_connection* connection);
 
 /* What follows holds for contacts made later. Seconds, > 0: of a call (60), of contactd_start where it may wait for
  * finite elements (3600), for somebody to listen (5). */
-CONTACTD_API int32_t contactd_set_timeout(contactd_connection *connection, double seconds);
-CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection *connection, double seconds);
-CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection *connection, double seconds);
+CONTACTD_API int32_t contactd_set_timeout(contactd_connection* connection, double seconds);
+CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection, double seconds);
+CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection* connection, double seconds);
 /* Files of CURVE keys (docs/security.md): the daemon's public one, and one's own secret one. */
-CONTACTD_API int32_t contactd_set_keys(contactd_connection *connection, const char *server_key, const char *own_key);
+CONTACTD_API int32_t contactd_set_keys(contactd_connection* connection, const char* server_key, const char* own_key);
 /* `log` may be NULL: nothing is told, as at first. */
-CONTACTD_API int32_t contactd_set_log(contactd_connection *connection, contactd_log log, void *user);
+CONTACTD_API int32_t contactd_set_log(contactd_connection* connection, contactd_log log, void* user);
 
-/* --- contacts ------------------------------------------------------------------------------------------------------ */
+/* --- contacts ------------------------------------------------------------------------------------------------ */
 /* Sets *contact to NULL when it fails. */
-CONTACTD_API int32_t contactd_new(contactd_connection *connection, contactd_contact **contact);
+CONTACTD_API int32_t contactd_new(contactd_connection* connection, contactd_contact** contact);
 /* Ends it. The handle is none afterwards whatever the answer, unless another thread uses it (CONCURRENT_USE). */
-CONTACTD_API int32_t contactd_free(contactd_contact *contact);
+CONTACTD_API int32_t contactd_free(contactd_contact* contact);
 /* Opens it with all that was set; waits for its coefficients. */
-CONTACTD_API int32_t contactd_start(contactd_contact *contact);
+CONTACTD_API int32_t contactd_start(contactd_contact* contact);
 /* Solves the next step, which starts where the last one ended. One that fails leaves the contact as it was. */
-CONTACTD_API int32_t contactd_step(contactd_contact *contact);
+CONTACTD_API int32_t contactd_step(contactd_contact* contact);
 /* From any thread: the call that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
-CONTACTD_API int32_t contactd_cancel(contactd_contact *contact);
+CONTACTD_API int32_t contactd_cancel(contactd_contact* contact);
 /* Where the contact is, its results with it; *state is the name of it, > 0. */
-CONTACTD_API int32_t contactd_save(contactd_contact *contact, int32_t *state);
-CONTACTD_API int32_t contactd_restore(contactd_contact *contact, int32_t state); /* as often as wanted */
-CONTACTD_API int32_t contactd_forget(contactd_contact *contact, int32_t state);
+CONTACTD_API int32_t contactd_save(contactd_contact* contact, int32_t* state);
+CONTACTD_API int32_t contactd_restore(contactd_contact* contact, int32_t state); /* as often as wanted */
+CONTACTD_API int32_t contactd_forget(contactd_contact* contact, int32_t state);
 
-/* --- the set-up, before contactd_start ----------------------------------------------------------------------------- */
+/* --- the set-up, before contactd_start ----------------------------------------------------------------------- */
 /* Elements, their size, and the corner of element (0, 0) (mm); centred: the middle is the origin. */
-CONTACTD_API int32_t contactd_set_grid(contactd_contact *contact, int32_t nx, int32_t ny, double dx, double dy,
+CONTACTD_API int32_t contactd_set_grid(contactd_contact* contact, int32_t nx, int32_t ny, double dx, double dy,
                                        double x0, double y0);
-CONTACTD_API int32_t contactd_set_grid_centred(contactd_contact *contact, int32_t nx, int32_t ny, double dx, double dy);
+CONTACTD_API int32_t contactd_set_grid_centred(contactd_contact* contact, int32_t nx, int32_t ny, double dx, double dy);
 /* `body`: CONTACTD_UPPER, _LOWER or _BOTH. G (N/mm^2) and Poisson's ratio. */
-CONTACTD_API int32_t contactd_set_material(contactd_contact *contact, int32_t body, double G, double nu);
-CONTACTD_API int32_t contactd_set_rigid(contactd_contact *contact, int32_t body);
+CONTACTD_API int32_t contactd_set_material(contactd_contact* contact, int32_t body, double G, double nu);
+CONTACTD_API int32_t contactd_set_rigid(contactd_contact* contact, int32_t body);
 /* Influence coefficients in closed form (with CONTACTD_CONSTANT the default), by finite elements, or given. */
-CONTACTD_API int32_t contactd_set_half_space(contactd_contact *contact, int32_t body, int32_t load_shape);
+CONTACTD_API int32_t contactd_set_half_space(contactd_contact* contact, int32_t body, int32_t load_shape);
 /* A half-space or a block [-L,L]^2 x [-L,0] clamped on all faces but its top. `accuracy`: the largest relative error,
  * 1e-4 to 0.1. L_over_h: L over the size of an element, of a block only; 0: 640. */
-CONTACTD_API int32_t contactd_set_fem(contactd_contact *contact, int32_t body, int32_t shape, int32_t load_shape,
+CONTACTD_API int32_t contactd_set_fem(contactd_contact* contact, int32_t body, int32_t shape, int32_t load_shape,
                                       double accuracy, double L_over_h);
 /* Of a body, or with CONTACTD_PAIR of both. values[3][3][ny][nx]: displacement axis, load axis, offsets along y and x;
  * mm^3/N; count = 9*nx*ny. dx, dy: the size of the elements that they are for (mm). docs/ic-tables.md. */
-CONTACTD_API int32_t contactd_set_table(contactd_contact *contact, int32_t body, int32_t nx, int32_t ny, double dx,
-                                        double dy, const double *values, int32_t count);
+CONTACTD_API int32_t contactd_set_table(contactd_contact* contact, int32_t body, int32_t nx, int32_t ny, double dx,
+                                        double dy, const double* values, int32_t count);
 /* Of half-spaces on a grid with ny = 1: plane strain, displacements vanish at `datum` (mm). */
-CONTACTD_API int32_t contactd_set_line_contact(contactd_contact *contact, double datum);
-CONTACTD_API int32_t contactd_set_model(contactd_contact *contact, int32_t model);
+CONTACTD_API int32_t contactd_set_line_contact(contactd_contact* contact, double datum);
+CONTACTD_API int32_t contactd_set_model(contactd_contact* contact, int32_t model);
 /* `solver`: CONTACTD_NORMAL, _TANGENTIAL or _OUTER. */
-CONTACTD_API int32_t contactd_set_tolerance(contactd_contact *contact, int32_t solver, double tolerance,
+CONTACTD_API int32_t contactd_set_tolerance(contactd_contact* contact, int32_t solver, double tolerance,
                                             int32_t max_iterations);
 /* 1: a step that missed a tolerance counts, and says so; 0, as at first: it fails with CONTACTD_ABORTED. */
-CONTACTD_API int32_t contactd_set_accept_unconverged(contactd_contact *contact, int32_t accept);
+CONTACTD_API int32_t contactd_set_accept_unconverged(contactd_contact* contact, int32_t accept);
 /* Tractions (N/mm^2) that the first step starts from. */
-CONTACTD_API int32_t contactd_set_previous(contactd_contact *contact, const double *pressure, const double *traction_x,
-                                           const double *traction_y, int32_t count);
+CONTACTD_API int32_t contactd_set_previous(contactd_contact* contact, const double* pressure, const double* traction_x,
+                                           const double* traction_y, int32_t count);
 /* A daemon ends contacts that were not used for so long (s). */
-CONTACTD_API int32_t contactd_set_lease(contactd_contact *contact, double seconds);
+CONTACTD_API int32_t contactd_set_lease(contactd_contact* contact, double seconds);
 
-/* --- the load: holds until it is set anew; before and after contactd_start ------------------------------------------ */
+/* --- the load: holds until it is set anew; before and after contactd_start ----------------------------------- */
 /* Either of the two: the later one counts (mm, N). */
-CONTACTD_API int32_t contactd_set_approach(contactd_contact *contact, double approach);
-CONTACTD_API int32_t contactd_set_Fn(contactd_contact *contact, double Fn);
+CONTACTD_API int32_t contactd_set_approach(contactd_contact* contact, double approach);
+CONTACTD_API int32_t contactd_set_Fn(contactd_contact* contact, double Fn);
 /* The gap without the approach: h = x^2/(2 Rx) + y^2/(2 Ry), where a radius may be infinite; by the semi-axes of its
  * Hertzian contact under the load; or an array (mm). */
-CONTACTD_API int32_t contactd_set_paraboloid(contactd_contact *contact, double Rx, double Ry);
-CONTACTD_API int32_t contactd_set_semi_axes(contactd_contact *contact, double a, double b);
-CONTACTD_API int32_t contactd_set_gap(contactd_contact *contact, const double *gap, int32_t count);
+CONTACTD_API int32_t contactd_set_paraboloid(contactd_contact* contact, double Rx, double Ry);
+CONTACTD_API int32_t contactd_set_semi_axes(contactd_contact* contact, double a, double b);
+CONTACTD_API int32_t contactd_set_gap(contactd_contact* contact, const double* gap, int32_t count);
 /* Friction: one (static) coefficient, or one of each element. None is set: no friction. */
-CONTACTD_API int32_t contactd_set_mu(contactd_contact *contact, double mu);
-CONTACTD_API int32_t contactd_set_mu_array(contactd_contact *contact, const double *mu, int32_t count);
+CONTACTD_API int32_t contactd_set_mu(contactd_contact* contact, double mu);
+CONTACTD_API int32_t contactd_set_mu_array(contactd_contact* contact, const double* mu, int32_t count);
 /* Friction falls to mu with the slip velocity, whose scale is slip_velocity (mm/s). */
-CONTACTD_API int32_t contactd_set_kinetic(contactd_contact *contact, int32_t law, double mu, double slip_velocity);
+CONTACTD_API int32_t contactd_set_kinetic(contactd_contact* contact, int32_t law, double mu, double slip_velocity);
 /* A shift over the step (mm, rad), and its duration (s), which only kinetic friction feels; 1 at first. */
-CONTACTD_API int32_t contactd_set_shift(contactd_contact *contact, double x, double y, double rotation);
-CONTACTD_API int32_t contactd_set_duration(contactd_contact *contact, double duration);
-/* Rolling with creepages xi, eta and spin phi (rad/mm). Along chi (rad), by dq a step (mm; 0: an element); with the spin
- * taken spin_offset steps ahead (0 to 1); `steps` of transient rolling in one call; velocity (mm/s). */
-CONTACTD_API int32_t contactd_set_rolling(contactd_contact *contact, int32_t kind, double xi, double eta, double phi);
-CONTACTD_API int32_t contactd_set_direction(contactd_contact *contact, double chi, double dq);
-CONTACTD_API int32_t contactd_set_spin_offset(contactd_contact *contact, double spin_offset);
-CONTACTD_API int32_t contactd_set_rolling_steps(contactd_contact *contact, int32_t steps);
-CONTACTD_API int32_t contactd_set_velocity(contactd_contact *contact, double velocity);
+CONTACTD_API int32_t contactd_set_shift(contactd_contact* contact, double x, double y, double rotation);
+CONTACTD_API int32_t contactd_set_duration(contactd_contact* contact, double duration);
+/* Rolling with creepages xi, eta and spin phi (rad/mm). Along chi (rad), by dq a step (mm; 0: an element); with the
+ * spin taken spin_offset steps ahead (0 to 1); `steps` of transient rolling in one call; velocity (mm/s). */
+CONTACTD_API int32_t contactd_set_rolling(contactd_contact* contact, int32_t kind, double xi, double eta, double phi);
+CONTACTD_API int32_t contactd_set_direction(contactd_contact* contact, double chi, double dq);
+CONTACTD_API int32_t contactd_set_spin_offset(contactd_contact* contact, double spin_offset);
+CONTACTD_API int32_t contactd_set_rolling_steps(contactd_contact* contact, int32_t steps);
+CONTACTD_API int32_t contactd_set_velocity(contactd_contact* contact, double velocity);
 /* Forces on the upper body prescribed (N): shift or creepage that way are found, what was set is the estimate. */
-CONTACTD_API int32_t contactd_set_Fx(contactd_contact *contact, double Fx);
-CONTACTD_API int32_t contactd_set_Fy(contactd_contact *contact, double Fy);
-CONTACTD_API int32_t contactd_clear_forces(contactd_contact *contact); /* neither Fx nor Fy */
+CONTACTD_API int32_t contactd_set_Fx(contactd_contact* contact, double Fx);
+CONTACTD_API int32_t contactd_set_Fy(contactd_contact* contact, double Fy);
+CONTACTD_API int32_t contactd_clear_forces(contactd_contact* contact); /* neither Fx nor Fy */
 /* Of each element, beside that of the motion: (mm), of rolling over the distance rolled. */
-CONTACTD_API int32_t contactd_set_rigid_slip(contactd_contact *contact, const double *x, const double *y, int32_t count);
+CONTACTD_API int32_t contactd_set_rigid_slip(contactd_contact* contact, const double* x, const double* y,
+                                             int32_t count);
 /* Whether steps bring this array along (1) or not (0, as at first). */
-CONTACTD_API int32_t contactd_want(contactd_contact *contact, int32_t array, int32_t wanted);
+CONTACTD_API int32_t contactd_want(contactd_contact* contact, int32_t array, int32_t wanted);
 /* Of a step, instead of the connection's. */
-CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact *contact, double seconds);
+CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
 
-/* --- results of the last step -------------------------------------------------------------------------------------- */
-CONTACTD_API int32_t contactd_get_step(contactd_contact *contact, int32_t *step); /* its number, 0 before the first */
-CONTACTD_API int32_t contactd_get_forces(contactd_contact *contact, double *Fn, double *Fx, double *Fy, double *Mz);
-CONTACTD_API int32_t contactd_get_approach(contactd_contact *contact, double *approach);
-CONTACTD_API int32_t contactd_get_pmax(contactd_contact *contact, double *pmax);
-CONTACTD_API int32_t contactd_get_areas(contactd_contact *contact, double *in_contact, double *adhesion, double *slip);
-CONTACTD_API int32_t contactd_get_counts(contactd_contact *contact, int32_t *in_contact, int32_t *adhesion,
-                                         int32_t *slip, int32_t *border);
+/* --- results of the last step -------------------------------------------------------------------------------- */
+CONTACTD_API int32_t contactd_get_step(contactd_contact* contact, int32_t* step); /* its number, 0 before the first */
+CONTACTD_API int32_t contactd_get_forces(contactd_contact* contact, double* Fn, double* Fx, double* Fy, double* Mz);
+CONTACTD_API int32_t contactd_get_approach(contactd_contact* contact, double* approach);
+CONTACTD_API int32_t contactd_get_pmax(contactd_contact* contact, double* pmax);
+CONTACTD_API int32_t contactd_get_areas(contactd_contact* contact, double* in_contact, double* adhesion, double* slip);
+CONTACTD_API int32_t contactd_get_counts(contactd_contact* contact, int32_t* in_contact, int32_t* adhesion,
+                                         int32_t* slip, int32_t* border);
 /* As set, or found under forces; CONTACTD_NOT_FOUND when the bodies moved otherwise, or there was no friction. */
-CONTACTD_API int32_t contactd_get_creepages(contactd_contact *contact, double *xi, double *eta, double *phi);
-CONTACTD_API int32_t contactd_get_shift(contactd_contact *contact, double *x, double *y, double *rotation);
+CONTACTD_API int32_t contactd_get_creepages(contactd_contact* contact, double* xi, double* eta, double* phi);
+CONTACTD_API int32_t contactd_get_shift(contactd_contact* contact, double* x, double* y, double* rotation);
 /* Dissipated by a shift (N mm), by rolling (N mm/s); CONTACTD_NOT_FOUND as above. */
-CONTACTD_API int32_t contactd_get_frictional_work(contactd_contact *contact, double *work);
-CONTACTD_API int32_t contactd_get_frictional_power(contactd_contact *contact, double *power);
+CONTACTD_API int32_t contactd_get_frictional_work(contactd_contact* contact, double* work);
+CONTACTD_API int32_t contactd_get_frictional_power(contactd_contact* contact, double* power);
 /* Whether all solvers reached their tolerance, and how one of them ended: CONTACTD_NOT_FOUND when it did not run. */
-CONTACTD_API int32_t contactd_get_converged(contactd_contact *contact, int32_t *converged);
-CONTACTD_API int32_t contactd_get_evidence(contactd_contact *contact, int32_t solver, int32_t *iterations,
-                                           double *residual, int32_t *converged);
+CONTACTD_API int32_t contactd_get_converged(contactd_contact* contact, int32_t* converged);
+CONTACTD_API int32_t contactd_get_evidence(contactd_contact* contact, int32_t solver, int32_t* iterations,
+                                           double* residual, int32_t* converged);
 /* What the elements cost in accuracy (docs/contact.md); rolling_error is 0 where nothing rolled. CONTACTD_NOT_FOUND of
  * the quick models and without contact. */
-CONTACTD_API int32_t contactd_get_discretisation(contactd_contact *contact, int32_t *elements_across,
-                                                 double *force_error, double *pmax_error, double *rolling_error);
-/* Sentences that a user of the results should know: how many, and one of them (from 0) into text[length], cut to fit. */
-CONTACTD_API int32_t contactd_get_warnings(contactd_contact *contact, int32_t *count);
-CONTACTD_API int32_t contactd_get_warning(contactd_contact *contact, int32_t index, char *text, int32_t length);
+CONTACTD_API int32_t contactd_get_discretisation(contactd_contact* contact, int32_t* elements_across,
+                                                 double* force_error, double* pmax_error, double* rolling_error);
+/* Sentences that a user of the results should know: how many, and one (from 0) into text[length], cut to fit. */
+CONTACTD_API int32_t contactd_get_warnings(contactd_contact* contact, int32_t* count);
+CONTACTD_API int32_t contactd_get_warning(contactd_contact* contact, int32_t index, char* text, int32_t length);
 /* Arrays that were wanted: length = nx*ny. Slip is all zero without friction. */
-CONTACTD_API int32_t contactd_get_array(contactd_contact *contact, int32_t array, double *values, int32_t length);
-CONTACTD_API int32_t contactd_get_division(contactd_contact *contact, int32_t *division, int32_t length);
+CONTACTD_API int32_t contactd_get_array(contactd_contact* contact, int32_t array, double* values, int32_t length);
+CONTACTD_API int32_t contactd_get_division(contactd_contact* contact, int32_t* division, int32_t length);
 /* Where the coefficients came from, after contactd_start: "closed_form", "memory", "disk", "built" or "given";
  * CONTACTD_NOT_FOUND of rigid bodies and quick models. `body`: CONTACTD_UPPER, _LOWER, or _PAIR. */
-CONTACTD_API int32_t contactd_get_origin(contactd_contact *contact, int32_t body, char *text, int32_t length);
+CONTACTD_API int32_t contactd_get_origin(contactd_contact* contact, int32_t body, char* text, int32_t length);
 
 #ifdef __cplusplus
 }

@@ -84,6 +84,59 @@ def test_the_module_in_fortran_has_every_function_and_word_of_the_header():
     assert words == dict(re.findall(r"\b(contactd_\w+) = (\d+)", fortran))
 
 
+def octave(program: str) -> subprocess.CompletedProcess[str]:
+    return run(
+        "octave-cli", "--norc", "--quiet", "--path", LIBRARY / "octave",
+        "--path", ROOT / "client" / "c" / "matlab", "--eval", program,
+    )  # fmt: skip
+
+
+@needs("octave-cli")
+@pytest.mark.timeout(120)
+def test_the_example_in_octave_is_that_in_c(shared_daemon):
+    ended = octave(f"cattaneo('{shared_daemon.endpoint}');")
+    assert ended.returncode == 0, ended.stderr
+    expected = numbers(run(BIN / "contactd-c-example", shared_daemon.endpoint).stdout)
+    assert len(expected) == 4
+    assert numbers(ended.stdout) == expected
+
+
+@needs("octave-cli")
+@pytest.mark.timeout(120)
+@pytest.mark.parametrize(
+    ("call", "error", "sentence"),
+    [
+        ("contactd('open', 'nowhere')", "contactd:INVALID_ARGUMENT", "where is \"nowhere\"; it must be"),
+        ("contactd('step', uint64(7))", "contactd:INVALID_ARGUMENT", "contact is none that was made"),
+        ("contactd('step', 7)", "contactd:arguments", "Argument 2 must be what 'open' or 'new' returned."),
+        ("contactd('step')", "contactd:arguments", "Argument 2 is missing."),
+        ("contactd()", "contactd:arguments", "which function?"),
+        ("contactd('jump', uint64(7))", "contactd:arguments", "There is no function 'jump'."),
+        ("contactd('set_mu', uint64(7))", "contactd:arguments", "Argument 3 is missing."),
+        ("contactd('set_model', uint64(7), 'quick')", "contactd:arguments", "'quick' is no word of contactd.h."),
+        ("contactd('set_model', uint64(7), 0.5)", "contactd:arguments", "Argument 3 must be a whole number."),
+        ("contactd('set_gap', uint64(7), 'a')", "contactd:arguments", "Argument 3 must be an array of doubles."),
+        ("contactd('get_array', uint64(7), 'pressure', -1, 3)", "contactd:INVALID_ARGUMENT", "contact is none"),
+    ],
+)
+def test_octave_tells_what_went_wrong(call, error, sentence):
+    ended = octave(f"try, {call}; catch problem, disp(problem.identifier), disp(problem.message), end")
+    assert ended.returncode == 0, ended.stderr
+    assert ended.stdout.splitlines()[0] == error
+    assert sentence in ended.stdout
+
+
+def test_octave_has_every_function_and_word_of_the_header():
+    header = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
+    source = "".join(path.read_text() for path in (ROOT / "client" / "c" / "matlab").glob("contactd_mex*.[ch]"))
+    functions = set(re.findall(r"CONTACTD_API [^(]*?contactd_(\w+)\((?:contactd_|const char)", header))
+    called = set(re.findall(r"(?:CALL|DOUBLES|WHOLES|TEXT)\((\w+),", source)) | set(re.findall(r"contactd_(\w+)\(c?", source))
+    assert len(functions) > 60
+    assert functions - called == set()
+    words = set(re.findall(r"\bCONTACTD_(?!VERSION|LOG_|EXTERIOR|ADHESION|SLIP\b)(\w+) = \d+", header.partition("--- words")[2]))
+    assert {word.lower() for word in words} == set(re.findall(r'\{"(\w+)", CONTACTD_', source))
+
+
 @needs("valgrind")
 @pytest.mark.timeout(120)
 def test_the_example_reads_and_leaves_no_memory_that_is_not_its_own(shared_daemon):

@@ -1,0 +1,160 @@
+/*
+ * contactd in MATLAB and Octave: the functions of contactd.h, by their names behind contactd_.
+ *
+ *     connection = contactd('open', 'ipc:///run/contactd.sock');
+ *     contact = contactd('new', connection);
+ *     contactd('set_material', contact, 'both', 200, 0.42);
+ *     contactd('step', contact);
+ *     [Fn, Fx, Fy, Mz] = contactd('get_forces', contact);
+ *     p = contactd('get_array', contact, 'pressure', 25, 25);
+ *
+ * Arguments are those of the header; its words are texts in lower case, as 'both' for CONTACTD_BOTH. What the functions
+ * put into the caller's memory is returned. A code that is not 0 is an error 'contactd:INVALID_ARGUMENT', ..., with the
+ * library's sentence. Arrays over the grid are nx x ny.
+ *
+ *     mex contactd_mex.c -output contactd -lcontactd          (MATLAB)
+ *     mkoctfile --mex contactd_mex.c -o contactd -lcontactd   (Octave)
+ */
+#include <contactd.h>
+#include <mex.h>
+#include <string.h>
+
+enum { longest_text = 4096 };
+
+static const struct {
+    const char* name;
+    int32_t value;
+} words[] = {
+    {"upper", CONTACTD_UPPER},
+    {"lower", CONTACTD_LOWER},
+    {"both", CONTACTD_BOTH},
+    {"pair", CONTACTD_PAIR},
+    {"full", CONTACTD_FULL},
+    {"hertz", CONTACTD_HERTZ},
+    {"fastsim", CONTACTD_FASTSIM},
+    {"constant", CONTACTD_CONSTANT},
+    {"bilinear", CONTACTD_BILINEAR},
+    {"half_space", CONTACTD_HALF_SPACE},
+    {"block", CONTACTD_BLOCK},
+    {"steady", CONTACTD_STEADY},
+    {"transient", CONTACTD_TRANSIENT},
+    {"linear", CONTACTD_LINEAR},
+    {"exponential", CONTACTD_EXPONENTIAL},
+    {"normal", CONTACTD_NORMAL},
+    {"tangential", CONTACTD_TANGENTIAL},
+    {"outer", CONTACTD_OUTER},
+    {"force", CONTACTD_FORCE},
+    {"division", CONTACTD_DIVISION},
+    {"pressure", CONTACTD_PRESSURE},
+    {"traction_x", CONTACTD_TRACTION_X},
+    {"traction_y", CONTACTD_TRACTION_Y},
+    {"slip_x", CONTACTD_SLIP_X},
+    {"slip_y", CONTACTD_SLIP_Y},
+};
+
+/* The call that runs: MATLAB is one thread. */
+static const mxArray** given;
+static int given_count;
+static uint64_t handle;
+
+static void check(int32_t code) {
+    char id[64] = "contactd:";
+    if (code == CONTACTD_OK) return;
+    strncat(id, contactd_code_name(code), sizeof id - sizeof "contactd:");
+    mexErrMsgIdAndTxt(id, "%s", contactd_last_error((const void*)(uintptr_t)handle));
+}
+
+/* Arguments, from 0 behind the handle. */
+static const mxArray* argument(int k) {
+    if (k + 2 >= given_count) mexErrMsgIdAndTxt("contactd:arguments", "Argument %d is missing.", k + 3);
+    return given[k + 2];
+}
+
+static double number(int k) {
+    const mxArray* value = argument(k);
+    if (!(mxIsNumeric(value) || mxIsLogical(value)) || mxGetNumberOfElements(value) != 1)
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a number.", k + 3);
+    return mxGetScalar(value);
+}
+
+static void read_text(const mxArray* value, int place, char text[longest_text]) {
+    if (!mxIsChar(value) || mxGetString(value, text, longest_text))
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a text.", place);
+}
+
+/* A whole number, or a word. */
+static int32_t whole(int k) {
+    const mxArray* value = argument(k);
+    char text[longest_text];
+    double real;
+    size_t i;
+    if (mxIsChar(value)) {
+        read_text(value, k + 3, text);
+        for (i = 0; i < sizeof words / sizeof words[0]; ++i)
+            if (!strcmp(words[i].name, text)) return words[i].value;
+        mexErrMsgIdAndTxt("contactd:arguments", "'%s' is no word of contactd.h.", text);
+    }
+    real = number(k);
+    if (!(real >= -2147483648.0 && real <= 2147483647.0) || real != (int32_t)real)
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be a whole number.", k + 3);
+    return (int32_t)real;
+}
+
+static const double* array(int k) {
+    const mxArray* value = argument(k);
+    if (!mxIsDouble(value) || mxIsComplex(value))
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be an array of doubles.", k + 3);
+    return mxGetPr(value);
+}
+
+/* Of an array; those that are read together have the length of the first. */
+static int32_t length(int k, int with) {
+    const size_t count = mxGetNumberOfElements(argument(k));
+    int i;
+    for (i = k; i <= with; ++i)
+        if (count > 2147483647u || mxGetNumberOfElements(argument(i)) != count)
+            mexErrMsgIdAndTxt("contactd:arguments", "Argument %d has another length.", i + 3);
+    return (int32_t)count;
+}
+
+static mxArray* made_handle(const void* made) {
+    mxArray* value = mxCreateNumericMatrix(1, 1, mxUINT64_CLASS, mxREAL);
+    *(uint64_t*)mxGetData(value) = (uint64_t)(uintptr_t)made;
+    return value;
+}
+
+static void print_line(void* user, int32_t level, const char* text) {
+    static const char* const names[] = {"debug", "info", "warning", "error"};
+    (void)user;
+    mexPrintf("contactd: %s: %s\n", names[level & 3], text);
+}
+
+#include "contactd_mex_calls.h"
+
+void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
+    char command[longest_text], where[longest_text];
+    contactd_connection* connection = NULL;
+    /* Unloading the library would take the code from threads that wait in it. */
+    if (!mexIsLocked()) mexLock();
+    if (nrhs < 1) mexErrMsgIdAndTxt("contactd:arguments", "contactd('step', contact): which function?");
+    read_text(prhs[0], 1, command);
+    handle = 0;
+    given = prhs;
+    given_count = nrhs;
+    if (!strcmp(command, "version")) {
+        plhs[0] = mxCreateString(contactd_version());
+        return;
+    }
+    if (nrhs < 2) mexErrMsgIdAndTxt("contactd:arguments", "Argument 2 is missing.");
+    if (!strcmp(command, "open")) {
+        read_text(prhs[1], 2, where);
+        check(contactd_open(where, &connection));
+        plhs[0] = made_handle(connection);
+        return;
+    }
+    if (!mxIsUint64(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument 2 must be what 'open' or 'new' returned.");
+    handle = *(const uint64_t*)mxGetData(prhs[1]);
+    if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_that_reads(command, nlhs, plhs))
+        mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
+}

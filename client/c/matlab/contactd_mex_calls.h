@@ -1,0 +1,160 @@
+/* The functions of contactd.h by name, for contactd_mex.c, whose helpers read the arguments. */
+
+/* Calls the function `name` if that is the command, and ends. */
+#define CALL(name, ...)                      \
+    if (!strcmp(command, #name)) {           \
+        check(contactd_##name(__VA_ARGS__)); \
+        return 1;                            \
+    }
+
+static int call_of_connection(const char* command, mxArray* plhs[]) {
+    contactd_connection* c = (contactd_connection*)(uintptr_t)handle;
+    contactd_contact* contact = NULL;
+    char server_key[longest_text], own_key[longest_text];
+    if (!strcmp(command, "new")) {
+        check(contactd_new(c, &contact));
+        plhs[0] = made_handle(contact);
+        return 1;
+    }
+    if (!strcmp(command, "set_keys")) {
+        read_text(argument(0), 3, server_key);
+        read_text(argument(1), 4, own_key);
+        check(contactd_set_keys(c, server_key, own_key));
+        return 1;
+    }
+    CALL(close, c)
+    CALL(ping, c)
+    CALL(set_timeout, c, number(0))
+    CALL(set_build_timeout, c, number(0))
+    CALL(set_connect_timeout, c, number(0))
+    CALL(set_log, c, whole(0) ? print_line : NULL, NULL) /* 1: into the command window */
+    return 0;
+}
+
+static int call_that_sets(const char* command) {
+    contactd_contact* c = (contactd_contact*)(uintptr_t)handle;
+    CALL(free, c)
+    CALL(start, c)
+    CALL(step, c)
+    CALL(cancel, c)
+    CALL(restore, c, whole(0))
+    CALL(forget, c, whole(0))
+    CALL(set_grid, c, whole(0), whole(1), number(2), number(3), number(4), number(5))
+    CALL(set_grid_centred, c, whole(0), whole(1), number(2), number(3))
+    CALL(set_material, c, whole(0), number(1), number(2))
+    CALL(set_rigid, c, whole(0))
+    CALL(set_half_space, c, whole(0), whole(1))
+    CALL(set_fem, c, whole(0), whole(1), whole(2), number(3), number(4))
+    CALL(set_table, c, whole(0), whole(1), whole(2), number(3), number(4), array(5), length(5, 5))
+    CALL(set_line_contact, c, number(0))
+    CALL(set_model, c, whole(0))
+    CALL(set_tolerance, c, whole(0), number(1), whole(2))
+    CALL(set_accept_unconverged, c, whole(0))
+    CALL(set_previous, c, array(0), array(1), array(2), length(0, 2))
+    CALL(set_lease, c, number(0))
+    CALL(set_approach, c, number(0))
+    CALL(set_Fn, c, number(0))
+    CALL(set_paraboloid, c, number(0), number(1))
+    CALL(set_semi_axes, c, number(0), number(1))
+    CALL(set_gap, c, array(0), length(0, 0))
+    CALL(set_mu, c, number(0))
+    CALL(set_mu_array, c, array(0), length(0, 0))
+    CALL(set_kinetic, c, whole(0), number(1), number(2))
+    CALL(set_shift, c, number(0), number(1), number(2))
+    CALL(set_duration, c, number(0))
+    CALL(set_rolling, c, whole(0), number(1), number(2), number(3))
+    CALL(set_direction, c, number(0), number(1))
+    CALL(set_spin_offset, c, number(0))
+    CALL(set_rolling_steps, c, whole(0))
+    CALL(set_velocity, c, number(0))
+    CALL(set_Fx, c, number(0))
+    CALL(set_Fy, c, number(0))
+    CALL(clear_forces, c)
+    CALL(set_rigid_slip, c, array(0), array(1), length(0, 1))
+    CALL(want, c, whole(0), whole(1))
+    CALL(set_step_timeout, c, number(0))
+    return 0;
+}
+
+/* Those of a function's results that were asked for. */
+static void put(const double* results, int count, int nlhs, mxArray* plhs[]) {
+    int k;
+    for (k = 0; k < count && (k == 0 || k < nlhs); ++k) plhs[k] = mxCreateDoubleScalar(results[k]);
+}
+
+/* Functions that read doubles, or whole numbers. */
+#define DOUBLES(name, count, ...)            \
+    if (!strcmp(command, #name)) {           \
+        check(contactd_##name(__VA_ARGS__)); \
+        put(x, count, nlhs, plhs);           \
+        return 1;                            \
+    }
+#define WHOLES(name, count, ...)                 \
+    if (!strcmp(command, #name)) {               \
+        check(contactd_##name(__VA_ARGS__));     \
+        for (k = 0; k < count; ++k) x[k] = n[k]; \
+        put(x, count, nlhs, plhs);               \
+        return 1;                                \
+    }
+#define TEXT(name, ...)                      \
+    if (!strcmp(command, #name)) {           \
+        check(contactd_##name(__VA_ARGS__)); \
+        plhs[0] = mxCreateString(text);      \
+        return 1;                            \
+    }
+
+/* nx x ny values of an array, or of the division. */
+static mxArray* read_array(contactd_contact* c, int32_t which, int32_t nx, int32_t ny) {
+    const int32_t count = nx > 0 && ny > 0 && nx <= 2147483647 / ny ? nx * ny : 0;
+    const mwSize size[2] = {(mwSize)(count ? nx : 0), (mwSize)(count ? ny : 0)};
+    mxArray* values;
+    if (which == CONTACTD_DIVISION) {
+        values = mxCreateNumericArray(2, size, mxINT32_CLASS, mxREAL);
+        check(contactd_get_division(c, (int32_t*)mxGetData(values), count));
+    } else {
+        values = mxCreateNumericArray(2, size, mxDOUBLE_CLASS, mxREAL);
+        check(contactd_get_array(c, which, mxGetPr(values), count));
+    }
+    return values;
+}
+
+static int call_that_reads(const char* command, int nlhs, mxArray* plhs[]) {
+    contactd_contact* c = (contactd_contact*)(uintptr_t)handle;
+    double x[4];
+    int32_t n[4];
+    char text[longest_text];
+    int k;
+    WHOLES(save, 1, c, n)
+    WHOLES(get_step, 1, c, n)
+    WHOLES(get_converged, 1, c, n)
+    WHOLES(get_warnings, 1, c, n)
+    WHOLES(get_counts, 4, c, n, n + 1, n + 2, n + 3)
+    DOUBLES(get_forces, 4, c, x, x + 1, x + 2, x + 3)
+    DOUBLES(get_approach, 1, c, x)
+    DOUBLES(get_pmax, 1, c, x)
+    DOUBLES(get_areas, 3, c, x, x + 1, x + 2)
+    DOUBLES(get_creepages, 3, c, x, x + 1, x + 2)
+    DOUBLES(get_shift, 3, c, x, x + 1, x + 2)
+    DOUBLES(get_frictional_work, 1, c, x)
+    DOUBLES(get_frictional_power, 1, c, x)
+    TEXT(get_warning, c, whole(0), text, longest_text)
+    TEXT(get_origin, c, whole(0), text, longest_text)
+    if (!strcmp(command, "get_evidence")) {
+        check(contactd_get_evidence(c, whole(0), n, x + 1, n + 1));
+        x[0] = n[0];
+        x[2] = n[1];
+        put(x, 3, nlhs, plhs);
+        return 1;
+    }
+    if (!strcmp(command, "get_discretisation")) {
+        check(contactd_get_discretisation(c, n, x + 1, x + 2, x + 3));
+        x[0] = n[0];
+        put(x, 4, nlhs, plhs);
+        return 1;
+    }
+    if (!strcmp(command, "get_array")) {
+        plhs[0] = read_array(c, whole(0), whole(1), whole(2));
+        return 1;
+    }
+    return 0;
+}
