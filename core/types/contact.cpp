@@ -143,6 +143,19 @@ void check_friction(const ContactProblem& problem) {
     check_rigid_slip(problem.rigid_slip, grid.size());
 }
 
+// Of several steps each has tractions before it that follow the motion, too, and of a slip law the bounds follow slip.
+void check_derivatives(const ContactProblem& problem) {
+    if (!problem.derivatives || !problem.friction) return;
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (rolling != nullptr && !rolling->steady() && rolling->steps > 1)
+        throw InvalidArgument("derivatives", "are those of one step, and friction.rolling.steps is " +
+                                                 std::to_string(rolling->steps) +
+                                                 "; take the steps one by one, each with the last one as previous");
+    if (problem.friction->kinetic)
+        throw InvalidArgument(
+            "derivatives", "are not known with a slip law; leave friction.kinetic out, or take differences of solves");
+}
+
 [[noreturn]] void refuse_in_line_contact(const char* field, const std::string& value, const char* instead) {
     throw InvalidArgument(field, "is " + value + "; a line contact does not change along y, so that " + instead);
 }
@@ -178,6 +191,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_gap(problem);
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
+    check_derivatives(problem);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");
     check_settings(problem.settings.tangential, "settings.tangential");

@@ -9,6 +9,7 @@
 
 #include "contactd/contact_load.hpp"
 #include "contactd/contact_setup.hpp"
+#include "contactd/derivatives.hpp"
 
 namespace contactd {
 
@@ -70,6 +71,8 @@ struct ContactEvidence {
     std::optional<SolverEvidence> outer;
     std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - asked|/(sum g dx dy)
     std::optional<Discretisation> discretisation;  ///< of model full, where there is contact
+    /// Of the linear equations of the derivatives, where these were asked for: iterations of all, the largest residual.
+    std::optional<SolverEvidence> derivatives;
 };
 
 /// Arrays have shape [ny, nx]. Tractions act on the upper body.
@@ -87,11 +90,12 @@ struct ContactSolution {
     std::vector<double> slip_x, slip_y;
     /// Of a shift what friction dissipates in the step (N mm); of rolling its power (N mm/s).
     std::optional<double> frictional_work, frictional_power;
-    std::optional<Motion> motion;       ///< as asked, with what a prescribed force made of it
-    std::vector<std::string> warnings;  ///< sentences: what a user of the solution should know
+    std::optional<Motion> motion;            ///< as asked, with what a prescribed force made of it
+    std::optional<Derivatives> derivatives;  ///< where asked for, of a converged solution with contact
+    std::vector<std::string> warnings;       ///< sentences: what a user of the solution should know
     ContactEvidence evidence;
 
-    /// True when every solver that ran reached its tolerance.
+    /// True when every solver of the problem that ran reached its tolerance; derivatives that did not are left out.
     bool converged() const {
         for (const auto& solver : {evidence.tangential, evidence.outer, evidence.force})
             if (solver && !solver->converged) return false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "elliptic_contact.hpp"
+#include "forces_by_motion.hpp"
 
 namespace contactd {
 
@@ -14,5 +15,8 @@ namespace contactd {
 /// The theory does not tell the slip: slip_x and slip_y stay empty. Throws InvalidArgument ("friction.rotation") for a
 /// rotation and ("friction.force") for a force that friction cannot carry.
 EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& contact, double mu, const Shift& shift);
+
+/// Of the forces at a known shift, none by rotation. `contact` is not empty, mu > 0, and `shift` has been solved.
+ForcesByMotion cattaneo_mindlin_by_motion(const EllipticContact& contact, double mu, const Shift& shift);
 
 }  // namespace contactd

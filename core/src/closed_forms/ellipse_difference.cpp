@@ -5,26 +5,6 @@
 
 namespace contactd {
 
-// w = -(lambda + full) n with |n| = 1, by Newton's method on 1/|n| - 1, which is nearly linear in lambda.
-Pair direction_of_slip(const Pair& w, const Pair& full) {
-    double lambda = 0;
-    Pair n{};
-    for (int iteration = 0; iteration < 50; ++iteration) {
-        double norm2 = 0, slope = 0;
-        for (int i = 0; i < 2; ++i) {
-            const double stiff = lambda + full[i];
-            n[i] = -w[i] / stiff;
-            norm2 += n[i] * n[i];
-            slope += n[i] * n[i] / stiff;
-        }
-        const double change = norm2 * (std::sqrt(norm2) - 1) / slope;
-        lambda += change;
-        if (std::abs(change) <= 1e-15 * lambda) break;
-    }
-    const double norm = std::hypot(n[0], n[1]);
-    return {n[0] / norm, n[1] / norm};
-}
-
 EllipticFriction ellipse_difference(const Grid& grid, const EllipticContact& contact, double mu, const Pair& direction,
                                     double k, const RollingFrame* rolling) {
     EllipticFriction result;

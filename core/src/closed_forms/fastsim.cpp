@@ -14,8 +14,9 @@
 namespace contactd {
 namespace {
 
+template <class Number>
 struct Totals {
-    double Fx = 0, Fy = 0, Mz = 0, power = 0, slip_area = 0;  // in the rolling frame; power over the rolling velocity
+    Number Fx = 0, Fy = 0, Mz = 0, power = 0, slip_area = 0;  // in the rolling frame; power over the rolling velocity
 };
 
 // The ellipse by its own slices: y = b sin t at equally spaced t, x = a(y) cos s at equally spaced s, so that steps are
@@ -29,15 +30,19 @@ class Ellipse {
         set_widths(settings.slices);
     }
 
-    FastsimSlice slice(const FastsimCreepages& creepages, double y) const { return {axes_, L_, bound_, creepages, y}; }
+    template <class Number>
+    FastsimSlice<Number> slice(const FastsimCreepages<Number>& creepages, double y) const {
+        return {axes_, L_, bound_, creepages, y};
+    }
     const Flexibilities& L() const { return L_; }
 
-    Totals totals(const FastsimCreepages& creepages) const {
-        Totals sum;
+    template <class Number>
+    Totals<Number> totals(const FastsimCreepages<Number>& creepages) const {
+        Totals<Number> sum;
         for (std::size_t k = 0; k < heights_.size(); ++k) {
             const double y = axes_.b * heights_[k], dy = axes_.b * widths_[k];
-            FastsimSlice along = slice(creepages, y);
-            const SliceSums line = sums(along);
+            FastsimSlice<Number> along = slice(creepages, y);
+            const SliceSums<Number> line = sums(along);
             sum.Fx += dy * line.px;
             sum.Fy += dy * line.py;
             sum.Mz += dy * (line.x_py - y * line.px);
@@ -70,24 +75,26 @@ class Ellipse {
         }
     }
 
+    template <class Number>
     struct SliceSums {
-        double px = 0, py = 0, x_py = 0, slip = 0;  // integrals of p_x, p_y, x p_y; length that slips
+        Number px = 0, py = 0, x_py = 0, slip = 0;  // integrals of p_x, p_y, x p_y; length that slips
     };
 
     // Each step has a part that adheres, a part that slips, or one after the other. The traction is a quadratic
     // function of x on the first; on the second it follows the bound, a parabola, and its direction changes little.
-    SliceSums sums(FastsimSlice& slice) const {
-        SliceSums sum;
+    template <class Number>
+    SliceSums<Number> sums(FastsimSlice<Number>& slice) const {
+        SliceSums<Number> sum;
         for (const double position : positions_) {
-            TractionAt from = slice.here();
+            TractionAt<Number> from = slice.here();
             slice.step_to(slice.half_chord() * position);
-            const double corner = slice.slip_start();
+            const Number corner = slice.slip_start();
             if (corner < from.x) {
-                const TractionAt end = slice.adhering(from, corner);
+                const TractionAt<Number> end = slice.adhering(from, corner);
                 add(from, slice.adhering(from, 0.5 * (from.x + corner)), end, sum);
                 from = end;
             }
-            if (slice.x() < corner) {
+            if (Number(slice.x()) < corner) {
                 add(from, slipping(slice, from), slice.here(), sum);
                 sum.slip += corner - slice.x();
             }
@@ -96,15 +103,19 @@ class Ellipse {
     }
 
     // In the middle of the way to where the slice stands: the bound, in the mean direction.
-    static TractionAt slipping(const FastsimSlice& slice, const TractionAt& from) {
-        const double x = 0.5 * (from.x + slice.x()), px = from.px + slice.px(), py = from.py + slice.py();
-        const double size = std::sqrt(px * px + py * py), share = size > 0 ? slice.bound_at(x) / size : 0;
+    template <class Number>
+    static TractionAt<Number> slipping(const FastsimSlice<Number>& slice, const TractionAt<Number>& from) {
+        using std::sqrt;
+        const Number x = 0.5 * (from.x + slice.x()), px = from.px + slice.px(), py = from.py + slice.py();
+        const Number size = sqrt(px * px + py * py), share = size > Number(0) ? slice.bound_at(x) / size : Number(0);
         return {x, share * px, share * py};
     }
 
     // Simpson's rule, exact for cubics.
-    static void add(const TractionAt& from, const TractionAt& middle, const TractionAt& to, SliceSums& sum) {
-        const double unit = (from.x - to.x) / 6;
+    template <class Number>
+    static void add(const TractionAt<Number>& from, const TractionAt<Number>& middle, const TractionAt<Number>& to,
+                    SliceSums<Number>& sum) {
+        const Number unit = (from.x - to.x) / 6;
         sum.px += unit * (from.px + 4 * middle.px + to.px);
         sum.py += unit * (from.py + 4 * middle.py + to.py);
         sum.x_py += unit * (from.x * from.py + 4 * middle.x * middle.py + to.x * to.py);
@@ -123,13 +134,13 @@ class Sampler {
     Sampler(const Grid& grid, const RollingFrame& frame, const Ellipse& ellipse, int steps, EllipticFriction& result)
         : grid_(grid), frame_(frame), ellipse_(ellipse), steps_(steps), result_(result) {}
 
-    void run(const FastsimCreepages& creepages) {
+    void run(const FastsimCreepages<double>& creepages) {
         // Along the elements of a row or column where that is the rolling direction, else from the edge each time.
         const bool rows = frame_.s == 0, columns = frame_.c == 0;
         const int lines = columns ? grid_.nx : grid_.ny, length = columns ? grid_.ny : grid_.nx;
         const bool backwards = (columns ? frame_.s : frame_.c) > 0;
         for (int line = 0; line < lines; ++line) {
-            std::optional<FastsimSlice> slice;
+            std::optional<FastsimSlice<double>> slice;
             for (int k = 0; k < length; ++k) {
                 const int at = backwards ? length - 1 - k : k;
                 const int ix = columns ? line : at, iy = columns ? at : line;
@@ -145,14 +156,14 @@ class Sampler {
     }
 
    private:
-    void advance(FastsimSlice& slice, double x) const {
+    void advance(FastsimSlice<double>& slice, double x) const {
         const double longest = 2 * slice.half_chord() / steps_;
         const double from = slice.x();
         const int n = std::max(1, static_cast<int>(std::ceil((from - x) / longest)));
         for (int j = 1; j <= n; ++j) slice.step_to(j == n ? x : from + (x - from) * j / n);
     }
 
-    void store(const FastsimSlice& slice, std::size_t i) {
+    void store(const FastsimSlice<double>& slice, std::size_t i) {
         result_.traction_x[i] = frame_.x_of(slice.px(), slice.py());
         result_.traction_y[i] = frame_.y_of(slice.px(), slice.py());
         result_.element_division[i] = slice.slips() ? ElementState::slip : ElementState::adhesion;
@@ -219,10 +230,10 @@ EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, doubl
     const RollingFrame frame = rolling_frame(contact.axes, rolling.chi);
     const Ellipse ellipse(frame, contact.combined, 2 * prescribed.bound / contact.area(), settings);
     const auto local = [&](const Pair& w) {
-        return FastsimCreepages{frame.along(w[0], w[1]), frame.across(w[0], w[1]), rolling.phi};
+        return FastsimCreepages<double>{frame.along(w[0], w[1]), frame.across(w[0], w[1]), rolling.phi};
     };
     const auto force = [&](const Pair& w) {
-        const Totals sum = ellipse.totals(local(w));
+        const Totals<double> sum = ellipse.totals(local(w));
         return Pair{frame.x_of(sum.Fx, sum.Fy), frame.y_of(sum.Fx, sum.Fy)};
     };
     const Flexibilities& L = ellipse.L();
@@ -236,7 +247,7 @@ EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, doubl
     std::get<Rolling>(result.motion).xi = w[0];
     std::get<Rolling>(result.motion).eta = w[1];
 
-    const Totals sum = ellipse.totals(local(w));
+    const Totals<double> sum = ellipse.totals(local(w));
     result.Fx = frame.x_of(sum.Fx, sum.Fy);
     result.Fy = frame.y_of(sum.Fx, sum.Fy);
     result.Mz = sum.Mz;
@@ -245,6 +256,16 @@ EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, doubl
     result.adhesion_area = std::max(0.0, contact.area() - sum.slip_area);
     Sampler(grid, frame, ellipse, settings.steps / 2, result).run(local(w));
     return result;
+}
+
+ForcesByMotion fastsim_by_motion(const EllipticContact& contact, double mu, const Rolling& rolling,
+                                 const FastsimSettings& settings) {
+    const RollingFrame frame = rolling_frame(contact.axes, rolling.chi);
+    const Ellipse ellipse(frame, contact.combined, 2 * mu * contact.Fn / contact.area(), settings);
+    const Totals<Dual> sum = ellipse.totals(
+        FastsimCreepages<Dual>{Dual::input(frame.along(rolling.xi, rolling.eta), 0),
+                               Dual::input(frame.across(rolling.xi, rolling.eta), 1), Dual::input(rolling.phi, 2)});
+    return in_coordinates(frame, {sum.Fx.by, sum.Fy.by, sum.Mz.by});
 }
 
 }  // namespace contactd

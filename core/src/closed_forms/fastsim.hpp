@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elliptic_contact.hpp"
+#include "forces_by_motion.hpp"
 
 namespace contactd {
 
@@ -33,5 +34,10 @@ struct FastsimSettings {
 /// 10000.
 EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, double mu, const Rolling& rolling,
                          const FastsimSettings& settings = {});
+
+/// Of the forces at known creepages, exactly: also spin acts. `contact` is not empty, mu > 0, and `rolling` one that
+/// fastsim has solved.
+ForcesByMotion fastsim_by_motion(const EllipticContact& contact, double mu, const Rolling& rolling,
+                                 const FastsimSettings& settings = {});
 
 }  // namespace contactd

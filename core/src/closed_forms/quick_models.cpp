@@ -1,5 +1,6 @@
 #include "quick_models.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "elliptic_contact.hpp"
 #include "fastsim.hpp"
 #include "hertz.hpp"
+#include "quick_derivatives.hpp"
 #include "vermeulen_johnson.hpp"
 
 namespace contactd {
@@ -76,6 +78,18 @@ void take_friction(EllipticFriction friction, ContactSolution& solution) {
     solution.evidence.force = friction.force;
 }
 
+void differentiate(const ContactProblem& problem, const EllipticContact& contact, ContactSolution& solution) {
+    if (contact.empty() || !solution.converged()) {
+        solution.warnings.push_back(contact.empty() ? "There is no contact, and so there are no derivatives."
+                                                    : "The solution did not converge, and so it has no derivatives.");
+        return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    solution.derivatives = quick_derivatives(problem, contact, solution);
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+    solution.evidence.derivatives = SolverEvidence{0, 0, true, duration.count()};  // closed form
+}
+
 }  // namespace
 
 ContactSolution solve_by_quick_model(const ContactProblem& problem) {
@@ -97,6 +111,7 @@ ContactSolution solve_by_quick_model(const ContactProblem& problem) {
     solution.traction_x.resize(problem.grid.size());
     solution.traction_y.resize(problem.grid.size());
     if (problem.friction) take_friction(friction_of(problem, contact), solution);
+    if (problem.derivatives) differentiate(problem, contact, solution);
     return solution;
 }
 

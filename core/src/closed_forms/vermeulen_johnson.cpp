@@ -9,18 +9,22 @@
 namespace contactd {
 namespace {
 
-struct State {
-    Pair direction{};
-    double k = 1;
-};
-
 // 1 - k is the length of the creepage in units of what makes all slip, each direction its own.
-State state_of_creepage(const Pair& creepage, const Pair& full) {
-    const Pair share{-creepage[0] / full[0], -creepage[1] / full[1]};
-    const double size = std::hypot(share[0], share[1]);
-    if (size == 0) return {};
-    if (size >= 1) return {direction_of_slip(creepage, full), 0};
+template <class Number>
+EllipseState<Number> state_of_creepage(const std::array<Number, 2>& creepage, const Pair& full) {
+    using std::hypot;
+    const std::array<Number, 2> share{-creepage[0] / full[0], -creepage[1] / full[1]};
+    const Number size = hypot(share[0], share[1]);
+    if (size == Number(0)) return {};
+    if (size >= Number(1)) return {direction_of_slip(creepage, full), Number(0)};
     return {{share[0] / size, share[1] / size}, 1 - size};
+}
+
+// Of the creepages at which all slips; what both tractions do is below.
+Pair full_creepage(const RollingFrame& frame, const EllipticContact& contact, double bound) {
+    const EllipseCompliance u = ellipse_compliance(frame.axes, contact.combined);
+    const double unit = 2 * bound * frame.axes.a;
+    return {unit * u.along_x, unit * u.along_y};
 }
 
 }  // namespace
@@ -36,24 +40,19 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
     const PrescribedForce prescribed{rolling.force.Fx, rolling.force.Fy, mu * contact.Fn};
     check_reach(prescribed, "friction.rolling.force");
     Rolling motion = rolling;
-    State state{{}, 0};
+    EllipseState<double> state{{}, 0};
     std::optional<SolverEvidence> evidence;
     RollingFrame frame;
     if (!contact.empty()) frame = rolling_frame(contact.axes, rolling.chi);
     if (!contact.empty() && mu > 0) {
-        const EllipseCompliance u = ellipse_compliance(frame.axes, contact.combined);
-        const double bound = prescribed.bound, unit = 2 * bound * frame.axes.a;
-        const Pair full{unit * u.along_x, unit * u.along_y};
+        const double bound = prescribed.bound;
+        const Pair full = full_creepage(frame, contact, bound);
         const auto state_of = [&](const Pair& w) {
-            State local = state_of_creepage({frame.along(w[0], w[1]), frame.across(w[0], w[1])}, full);
+            const auto local = state_of_creepage(Pair{frame.along(w[0], w[1]), frame.across(w[0], w[1])}, full);
             const Pair n = local.direction;
-            return State{{frame.x_of(n[0], n[1]), frame.y_of(n[0], n[1])}, local.k};
+            return EllipseState<double>{{frame.x_of(n[0], n[1]), frame.y_of(n[0], n[1])}, local.k};
         };
-        const auto force = [&](const Pair& w) {
-            const State there = state_of(w);
-            const double size = bound * (1 - there.k * there.k * there.k);
-            return Pair{size * there.direction[0], size * there.direction[1]};
-        };
+        const auto force = [&](const Pair& w) { return state_of(w).force(bound); };
         const double Fx = rolling.force.Fx.value_or(0), Fy = rolling.force.Fy.value_or(0), size = std::hypot(Fx, Fy);
         const double share = size > 0 ? (1 - std::cbrt(1 - size / bound)) / size : 0;
         const double along = -share * full[0] * frame.along(Fx, Fy), across = -share * full[1] * frame.across(Fx, Fy);
@@ -71,6 +70,19 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
     result.motion = motion;
     result.force = evidence;
     return result;
+}
+
+// The moment is that of the smaller ellipse, (1-k) a ahead.
+ForcesByMotion vermeulen_johnson_by_motion(const EllipticContact& contact, double mu, const Rolling& rolling) {
+    const RollingFrame frame = rolling_frame(contact.axes, rolling.chi);
+    const double bound = mu * contact.Fn;
+    const Pair full = full_creepage(frame, contact, bound);
+    const Pair w =
+        away_from_zero({frame.along(rolling.xi, rolling.eta), frame.across(rolling.xi, rolling.eta)}, full[0]);
+    const auto state = state_of_creepage(std::array{Dual::input(w[0], 0), Dual::input(w[1], 1)}, full);
+    const auto force = state.force(bound);
+    const Dual k = state.k, moment = -bound * k * k * k * (1 - k) * frame.axes.a * state.direction[1];
+    return in_coordinates(frame, {force[0].by, force[1].by, moment.by});
 }
 
 }  // namespace contactd

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "elliptic_contact.hpp"
+#include "forces_by_motion.hpp"
 
 namespace contactd {
 
@@ -16,5 +17,8 @@ namespace contactd {
 /// spin, ("friction.rolling.chi") for a direction that is no axis of the ellipse, ("friction.rolling.force") for a
 /// force that friction cannot carry.
 EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& contact, double mu, const Rolling& rolling);
+
+/// Of the forces at known creepages, none by spin. `contact` is not empty, mu > 0, and `rolling` has been solved.
+ForcesByMotion vermeulen_johnson_by_motion(const EllipticContact& contact, double mu, const Rolling& rolling);
 
 }  // namespace contactd

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "closed_forms/undeformed_distance.hpp"
+#include "contact/derivatives/differentiate.hpp"
 #include "contact/normal/normal_solver.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
@@ -270,7 +271,13 @@ class BoundaryElements {
 
 ContactSolution solve_boundary_elements(const ContactProblem& problem, const ContactInfluence& influence,
                                         Observer& observer) {
-    return BoundaryElements(problem, influence).solve(observer);
+    ContactSolution solution = BoundaryElements(problem, influence).solve(observer);
+    if (!problem.derivatives) return solution;
+    if (solution.converged())
+        differentiate(problem, influence, observer, solution);
+    else
+        solution.warnings.push_back("The solution did not converge, and so it has no derivatives.");
+    return solution;
 }
 
 }  // namespace contactd

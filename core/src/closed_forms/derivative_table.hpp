@@ -1,0 +1,24 @@
+// Derivatives as a table, and by their names.
+#pragma once
+
+#include <array>
+
+#include "contactd/contact.hpp"
+
+namespace contactd {
+
+/// Of forces, by the approach, by the motion along x, along y and about z, and by friction: all by an approach that is
+/// prescribed.
+struct DerivativeTable {
+    enum Row { Fn, Fx, Fy, Mz, rows };
+    enum Column { approach, along_x, along_y, about_z, mu, columns };
+
+    std::array<std::array<double, columns>, rows> values{};
+    /// What the model does not know is left out.
+    bool has_turn = true, has_mu = true;
+};
+
+/// By the inputs of the problem; where it prescribes the normal force, with that and the approach exchanged.
+Derivatives named(const DerivativeTable& table, const ContactProblem& problem);
+
+}  // namespace contactd

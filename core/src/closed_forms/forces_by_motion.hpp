@@ -1,0 +1,34 @@
+// Derivatives of tangential forces by the motion, as the quick models find them.
+#pragma once
+
+#include <array>
+
+#include "rolling_frame.hpp"
+
+namespace contactd {
+
+/// Fx, Fy and Mz by the motion along x, along y and about z.
+using ForcesByMotion = std::array<std::array<double, 3>, 3>;
+
+/// What has a derivative at zero, but not by the way that it is computed, is differentiated right beside it.
+inline std::array<double, 2> away_from_zero(const std::array<double, 2>& w, double scale) {
+    return w[0] == 0 && w[1] == 0 ? std::array{1e-12 * scale, 0.0} : w;
+}
+
+/// From those in the frame of rolling: forces and motion turn with it.
+inline ForcesByMotion in_coordinates(const RollingFrame& frame, const ForcesByMotion& local) {
+    ForcesByMotion result;
+    for (std::size_t k = 0; k < 3; ++k) {
+        result[0][k] = frame.x_of(local[0][k], local[1][k]);
+        result[1][k] = frame.y_of(local[0][k], local[1][k]);
+        result[2][k] = local[2][k];
+    }
+    for (auto& row : result) {
+        const double along = row[0], across = row[1];
+        row[0] = frame.x_of(along, across);
+        row[1] = frame.y_of(along, across);
+    }
+    return result;
+}
+
+}  // namespace contactd

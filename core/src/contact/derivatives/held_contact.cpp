@@ -1,0 +1,296 @@
+#include "held_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "contact/rolling/rolling.hpp"
+#include "contact/support/traction_loops.hpp"
+
+namespace contactd {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double least_friction = 1e-100;  // as of boundary elements
+
+bool is_steady_rolling(const ContactProblem& problem) {
+    const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
+    return rolling != nullptr && rolling->steady();
+}
+
+ElementBox box_of_pressures(const InfluenceOperator& influence, const Values& pressure) {
+    return bounding_box(extent_of(influence), [&](std::size_t i) { return pressure[i] > 0; });
+}
+
+Contact elements_with(const Values& bound) {
+    const Values none(bound.size());
+    return {bound, none, none};
+}
+
+Values coefficients(const ContactProblem& problem) {
+    Values mu(problem.grid.size());
+    if (!problem.friction) return mu;
+    for (std::size_t i = 0; i < mu.size(); ++i) {
+        const double value = problem.friction->mu_of(i);
+        mu[i] = value >= least_friction ? value : 0;
+    }
+    return mu;
+}
+
+Values product(Values a, const Values& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] *= b[i];
+    return a;
+}
+
+double mean(const Values& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+HeldContact::HeldContact(const ContactProblem& problem, const ContactInfluence& influence,
+                         const ContactSolution& solution)
+    : restriction_(*influence.here, box_of_pressures(*influence.here, solution.pressure), false),
+      part_change_(is_steady_rolling(problem) && !restriction_.is_whole() ? influence.change->on(restriction_.box())
+                                                                          : nullptr),
+      is_whole_(restriction_.is_whole() || (is_steady_rolling(problem) && !part_change_)),
+      influence_(is_whole_ ? *influence.here : restriction_.influence()),
+      change_(is_whole_ && is_steady_rolling(problem) ? influence.change.get() : part_change_.get()),
+      grid_(is_whole_ ? problem.grid : restriction_.crop(problem.grid)),
+      coupled_(problem.friction && influence.here->coupled()),
+      pressure_(crop(solution.pressure)),
+      mu_(crop(coefficients(problem))),
+      radial_(grid_.size()),
+      pressed_(elements_with(pressure_)),
+      rubbed_(elements_with(product(mu_, pressure_))),
+      law_(rubbed_.size()),
+      p_(grid_.size()),
+      u_(grid_.size()),
+      q_(grid_.size()),
+      s_(grid_.size()),
+      coupling_(grid_.size()),
+      in_(rubbed_.size()),
+      out_(rubbed_.size()) {
+    if (!problem.friction) return;
+    take_law(solution);
+    if (rubbed_.size() == 0) return;
+    const auto [x, y] = step_of(problem);
+    compliance_ = compliance_of({influence_, change_, grid_, x, y}, rubbed_);
+    compliance_->linearise(law_);
+    take_weights();
+}
+
+Values HeldContact::crop(std::span<const double> whole) const {
+    return is_whole_ ? Values(whole.begin(), whole.end()) : restriction_.crop(whole);
+}
+
+void HeldContact::take_law(const ContactSolution& solution) {
+    Field slip, traction;
+    slip.x = crop(solution.slip_x);
+    slip.y = crop(solution.slip_y);
+    traction.x = crop(solution.traction_x);
+    traction.y = crop(solution.traction_y);
+    Values states(solution.element_division.size());
+    for (std::size_t i = 0; i < states.size(); ++i) states[i] = solution.element_division[i] == ElementState::slip;
+    states = crop(states);
+
+    const std::size_t m = rubbed_.size();
+    Field p(m), s(m), residual(m);
+    Values inverse_bound(m);
+    rubbed_.gather(traction.x, p.x);
+    rubbed_.gather(traction.y, p.y);
+    rubbed_.gather(slip.x, s.x);
+    rubbed_.gather(slip.y, s.y);
+    for (std::size_t e = 0; e < m; ++e) {
+        law_.slips[e] = states[rubbed_.elements[e]] > 0;
+        inverse_bound[e] = 1 / rubbed_.bound[e];
+    }
+    linearise_law(m, law_.slips.data(), p, s, inverse_bound.data(), law_.normal, law_.turning.data(), residual);
+
+    // Friction that begins opposes the slip that there is without it.
+    for (const std::size_t i : pressed_.elements) {
+        const double size = std::hypot(slip.x[i], slip.y[i]);
+        if (mu_[i] > 0 || size == 0) continue;
+        radial_.x[i] = -slip.x[i] / size;
+        radial_.y[i] = -slip.y[i] / size;
+    }
+    rubbed_.scatter(law_.normal.x, radial_.x);
+    rubbed_.scatter(law_.normal.y, radial_.y);
+}
+
+// Where turning is stiff little is left of a large residual: all are measured by the tractions that they are about, and
+// these as displacements, along with the residuals of the pressures.
+void HeldContact::take_weights() {
+    const double stiffness = mean(influence_.diagonal(Axis::z));
+    const Values& self = compliance_->self();
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) weights_.push_back(stiffness / (self[e] + law_.turning[e]));
+}
+
+void HeldContact::take_pressures(const Vector& dp) {
+    for (std::size_t e = 0; e < pressed_.size(); ++e) p_[pressed_.elements[e]] = dp[static_cast<Eigen::Index>(e)];
+}
+
+void HeldContact::take_bounds(const Vector& dg) {
+    for (std::size_t e = 0; e < pressed_.size(); ++e) {
+        const std::size_t i = pressed_.elements[e];
+        q_.x[i] = radial_.x[i] * dg[static_cast<Eigen::Index>(e)];
+        q_.y[i] = radial_.y[i] * dg[static_cast<Eigen::Index>(e)];
+    }
+}
+
+void HeldContact::take_free(const double* dq) {
+    const std::size_t m = rubbed_.size();
+    std::copy_n(dq, m, in_.x.begin());
+    std::copy_n(dq + m, m, in_.y.begin());
+}
+
+void HeldContact::add_free() {
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) {
+        q_.x[rubbed_.elements[e]] += in_.x[e];
+        q_.y[rubbed_.elements[e]] += in_.y[e];
+    }
+}
+
+// s_ = K q_
+void HeldContact::find_slip() {
+    if (change_ != nullptr)
+        change_->tangential(q_.x, q_.y, s_.x, s_.y);
+    else
+        influence_.tangential(q_.x, q_.y, s_.x, s_.y);
+}
+
+void HeldContact::give_normal(double* result) const {
+    for (const Contact::Run& run : pressed_.runs) std::copy_n(&u_[run.grid_first], run.size, result + run.first);
+}
+
+// P u + D dq for the response u in out_, weighted.
+void HeldContact::give_tangential(double* result) const {
+    const std::size_t m = rubbed_.size();
+    jacobian_times(m, law_.normal, law_.turning.data(), in_, out_, {result, result + m});
+    for (std::size_t e = 0; e < m; ++e) {
+        result[e] *= weights_[e];
+        result[m + e] *= weights_[e];
+    }
+}
+
+void HeldContact::normal(const Vector& dp, Vector& result) {
+    take_pressures(dp);
+    influence_.normal(p_, u_);
+    give_normal(result.data());
+}
+
+void HeldContact::precondition_normal(const Vector& r, Vector& z) {
+    take_pressures(r);
+    influence_.precondition(Axis::z, p_, u_);
+    give_normal(z.data());
+}
+
+void HeldContact::tangential(const Vector& dq, Vector& result) {
+    take_free(dq.data());
+    compliance_->apply(in_, out_);
+    give_tangential(result.data());
+}
+
+void HeldContact::precondition_tangential(const Vector& r, Vector& z) {
+    take_free(unweighted(r).data());
+    const auto kind = iteration_ == 0 ? Compliance::Residual::first : Compliance::Residual::later;
+    compliance_->precondition(in_, out_, kind, iteration_++);
+    std::copy(out_.x.begin(), out_.x.end(), z.data());
+    std::copy(out_.y.begin(), out_.y.end(), z.data() + rubbed_.size());
+}
+
+void HeldContact::all(const Vector& both, Vector& result) {
+    const Vector dp = both.head(pressures());
+    take_bounds(bound_of_pressure(dp));
+    take_free(both.data() + pressures());
+    add_free();
+    find_slip();
+    take_pressures(dp);
+    if (change_ != nullptr)
+        change_->tangential_of_normal(p_, coupling_.x, coupling_.y);
+    else
+        influence_.tangential_of_normal(p_, coupling_.x, coupling_.y);
+    add(s_, coupling_);
+    rubbed_.gather(s_.x, out_.x);
+    rubbed_.gather(s_.y, out_.y);
+    give_tangential(result.data() + pressures());
+    influence_.normal(p_, u_);
+    influence_.normal_of_tangential(q_.x, q_.y, p_);
+    for (std::size_t i = 0; i < u_.size(); ++i) u_[i] += std::exchange(p_[i], 0);
+    give_normal(result.data());
+}
+
+void HeldContact::precondition_all(const Vector& r, Vector& z) {
+    Vector dp(pressures()), dq(tractions());
+    precondition_normal(r.head(pressures()), dp);
+    if (tractions() > 0) precondition_tangential(r.tail(tractions()), dq);
+    z << dp, dq;
+}
+
+// Of the slip in out_.
+HeldContact::Right HeldContact::right_of_slip() const {
+    const auto m = static_cast<Eigen::Index>(rubbed_.size());
+    const auto array = [&](const Values& values) { return Eigen::Map<const Eigen::ArrayXd>(values.data(), m); };
+    const auto x = array(out_.x), y = array(out_.y), nx = array(law_.normal.x), ny = array(law_.normal.y);
+    const auto weights = array(weights_);
+    const Eigen::ArrayXd along = x * nx + y * ny;
+    Vector values(2 * m);
+    values.head(m) = weights * (along * nx - x);
+    values.tail(m) = weights * (along * ny - y);
+    return {std::move(values), std::sqrt((weights.square() * (x.square() + y.square())).sum())};
+}
+
+HeldContact::Right HeldContact::of_slip(int direction) {
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) {
+        const auto i = static_cast<int>(rubbed_.elements[e]);
+        out_.x[e] = direction == 0 ? 1 : direction == 1 ? 0 : -grid_.y(i / grid_.nx);
+        out_.y[e] = direction == 0 ? 0 : direction == 1 ? 1 : grid_.x(i % grid_.nx);
+    }
+    return right_of_slip();
+}
+
+HeldContact::Right HeldContact::of_bound(const Vector& dg) {
+    take_bounds(dg);
+    find_slip();
+    rubbed_.gather(s_.x, out_.x);
+    rubbed_.gather(s_.y, out_.y);
+    return right_of_slip();
+}
+
+HeldContact::Vector HeldContact::unweighted(Vector residual) const {
+    const auto m = static_cast<Eigen::Index>(rubbed_.size());
+    const Eigen::Map<const Eigen::ArrayXd> weights(weights_.data(), m);
+    residual.head(m).array() /= weights;
+    residual.tail(m).array() /= weights;
+    return residual;
+}
+
+HeldContact::Vector HeldContact::pressures_of_bound(const Vector& dg) {
+    take_bounds(dg);
+    influence_.normal_of_tangential(q_.x, q_.y, u_);
+    Vector right(pressures());
+    give_normal(right.data());
+    return -right;
+}
+
+HeldContact::Vector HeldContact::bound_of_friction() const {
+    return Eigen::Map<const Vector>(pressed_.bound.data(), pressures());
+}
+
+HeldContact::Vector HeldContact::bound_of_pressure(const Vector& dp) const {
+    Vector dg = dp;
+    for (std::size_t e = 0; e < pressed_.size(); ++e) dg[static_cast<Eigen::Index>(e)] *= mu_[pressed_.elements[e]];
+    return dg;
+}
+
+std::array<double, 4> HeldContact::forces(const Vector& dp, const Vector& dq, const Vector& dg) {
+    take_bounds(dg);
+    take_free(dq.data());
+    add_free();
+    const TangentialForces sum = tangential_forces(grid_, q_.x, q_.y);
+    return {dp.sum() * grid_.element_area(), sum.Fx, sum.Fy, sum.Mz};
+}
+
+}  // namespace contactd

@@ -1,0 +1,103 @@
+// The equations of a solved contact to first order, its division into contact, adhesion and slip held.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "contact/newton/compliance.hpp"
+#include "contact/rolling/friction_bodies.hpp"
+#include "contact/support/contact_elements.hpp"
+#include "contactd/contact.hpp"
+#include "contactd/contact_influence.hpp"
+#include "contactd/observer.hpp"
+#include "operators/restriction.hpp"
+
+namespace contactd {
+
+// Unknowns are changes of the pressures, dp, and of what is free of the tractions, dq: both components in adhesion,
+// across the slip where there is slip. There the traction is g n with g = mu p, and changes by dq + n dg. The equations
+//
+//     A_zz dp + A_zt (dq + n dg) = d(delta)                          in contact
+//     P (K (dq + n dg) + K_tz dp + dw) + D dq = 0,   D = |s|/g       in adhesion and slip
+//
+// with P, which projects on what is free, and K, A or C, as Newton's method on the friction law has them. Vectors hold
+// dp, then dq along x, then along y, each of the elements in question; on the right, what the equations leave.
+class HeldContact {
+   public:
+    using Vector = Eigen::VectorXd;
+    using Values = std::vector<double>;
+
+    // Of a solution as solvers leave it: slip is in mm. Problem and operators outlive it.
+    HeldContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution);
+
+    // Whether pressures follow tractions; otherwise the tangential part of the equations stands alone.
+    bool coupled() const { return coupled_; }
+    // Whether that part is its own transpose.
+    bool symmetric() const { return change_ == nullptr; }
+    Eigen::Index pressures() const { return static_cast<Eigen::Index>(pressed_.size()); }
+    Eigen::Index tractions() const { return 2 * static_cast<Eigen::Index>(rubbed_.size()); }
+
+    void normal(const Vector& dp, Vector& result);
+    void precondition_normal(const Vector& r, Vector& z);
+    void tangential(const Vector& dq, Vector& result);
+    void precondition_tangential(const Vector& r, Vector& z);
+    // Both, as they depend on each other.
+    void all(const Vector& both, Vector& result);
+    void precondition_all(const Vector& r, Vector& z);
+
+    // What stands on the right, and its length before all that is not free of it was projected out, without which
+    // rounding alone may be left.
+    struct Right {
+        Vector values;
+        double size;
+    };
+    // For one unit of rigid slip along x (0), along y (1) or about the origin (2).
+    Right of_slip(int direction);
+    // For bounds that change by dg while pressures stay, of the tangential equations and of the others.
+    Right of_bound(const Vector& dg);
+    Vector pressures_of_bound(const Vector& dg);
+    // A residual of the tangential equations as it is; these are weighted.
+    Vector unweighted(Vector residual) const;
+    // dg of each element in contact for one unit of friction, and for a change of the pressures.
+    Vector bound_of_friction() const;
+    Vector bound_of_pressure(const Vector& dp) const;
+
+    // Changes of Fn, Fx, Fy and Mz.
+    std::array<double, 4> forces(const Vector& dp, const Vector& dq, const Vector& dg);
+
+   private:
+    Values crop(std::span<const double> whole) const;
+    void take_law(const ContactSolution& solution);
+    void take_weights();
+    void take_pressures(const Vector& dp);
+    void take_bounds(const Vector& dg);
+    void take_free(const double* dq);
+    void add_free();
+    void find_slip();
+    void give_normal(double* result) const;
+    void give_tangential(double* result) const;
+    Right right_of_slip() const;
+
+    const Restriction restriction_;
+    const std::shared_ptr<const StepOperator> part_change_;
+    const bool is_whole_;
+    const InfluenceOperator& influence_;
+    const StepOperator* change_;
+    const Grid grid_;
+    const bool coupled_;
+    const Values pressure_, mu_;
+    Field radial_;                    // n
+    const Contact pressed_, rubbed_;  // elements with a pressure; those of them with a bound
+    std::unique_ptr<Compliance> compliance_;
+    Linearisation law_;
+    Values weights_;  // of the tangential equations
+    // On the box: dp, what it makes of the gap, dq + n dg, and its slip. On elements with a bound: dq, and its slip.
+    Values p_, u_;
+    Field q_, s_, coupling_;
+    Field in_, out_;
+    int iteration_ = 0;
+};
+
+}  // namespace contactd
