@@ -45,6 +45,30 @@ def test_traction_opposes_slip(peer):
     assert reply.result["forces"]["Fx"] < 0
 
 
+def test_derivatives_are_answered_where_they_are_asked_for(peer):
+    friction = {"mu": 0.1, "rolling": {"xi": 1e-3}}
+    asked = {**SOLVE, "friction": friction, "derivatives": True}
+    assert "derivatives" not in peer.ask("contact.solve", {**asked, "derivatives": False}).result
+    result = peer.ask("contact.solve", asked).result
+    derivatives, evidence = result["derivatives"], result["evidence"]["derivatives"]
+    assert evidence["converged"] is True
+    assert set(derivatives) == {"Fx", "Fy", "Mz", "Fn"}
+    for row in derivatives.values():
+        assert set(row) == {"xi", "eta", "phi", "approach", "mu"}
+    assert derivatives["Fx"]["xi"] < 0
+    assert derivatives["Fn"]["approach"] > 0
+    assert derivatives["Fx"]["mu"] * 0.1 + derivatives["Fx"]["xi"] * 1e-3 == pytest.approx(result["forces"]["Fx"])
+    (entry,) = many(peer, asked).result["solutions"]
+    assert entry["result"]["derivatives"] == derivatives
+
+
+def test_derivatives_that_are_not_known_are_refused(peer):
+    friction = {"mu": 0.1, "rolling": {"xi": 1e-3, "kind": "transient", "steps": 2}}
+    reply = peer.ask("contact.solve", {**SOLVE, "friction": friction, "derivatives": True})
+    assert reply.code == INVALID_ARGUMENT
+    assert reply.fields == ["derivatives"]
+
+
 def many(peer, *problems, frames=(), **envelope):
     return peer.ask("contact.solve_many", {"problems": list(problems)}, *frames, **envelope)
 

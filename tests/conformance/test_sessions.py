@@ -34,6 +34,16 @@ def test_a_step_answers_with_the_arrays_that_it_names(peer, session):
     assert len(step(peer, session, 2, fields=["pressure", "element_division"]).frames) == 2
 
 
+def test_a_step_has_derivatives_as_it_or_the_session_says(peer, session):
+    assert "derivatives" not in step(peer, session, 1).result
+    assert step(peer, session, 2, derivatives=True).result["derivatives"]["Fn"]["approach"] > 0
+    assert "derivatives" not in step(peer, session, 3).result
+    eager = peer.ask("session.open", {**SOLVE, "derivatives": True}).result["session"]
+    assert set(step(peer, eager, 1, Fn=5).result["derivatives"]["approach"]) == {"Fn"}
+    assert "derivatives" not in step(peer, eager, 2, derivatives=False).result
+    peer.ask("session.close", {"session": eager})
+
+
 def test_the_last_number_is_answered_again(peer, session):
     first = step(peer, session, 1, fields=["pressure"])
     again = step(peer, session, 1, fields=["pressure"])

@@ -78,7 +78,7 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         "gap": {"semi_axes": {"a": 1, "b": 2}}, "approach": 0.01,
         "friction": {"mu": 0.3, "rigid_shift": [1e-3, 0], "rotation": 0.1, "duration": 2, "force": [1, None]},
         "settings": {name: {"tolerance": 1e-6, "max_iterations": 10} for name in ("normal", "tangential", "outer")},
-        "initial": {"pressure": [[0, 1, 0], [0, 1, 0]]},
+        "initial": {"pressure": [[0, 1, 0], [0, 1, 0]]}, "derivatives": True,
     }, [table.tobytes()]
     for model in ("hertz", "fastsim"):
         yield {**base, "bodies": bodies, "model": model, "gap": {"paraboloid": {"Rx": 5, "Ry": 50}}, "Fn": 1,
@@ -116,7 +116,7 @@ def sessions() -> Iterator[bytes]:
     kinetic = {"law": "exponential", "mu": 0.1, "slip_velocity": 3}
     shift = {"rigid_shift": [1e-3, 0], "rotation": 0.1, "duration": 2, "force": [None, None]}
     for friction in ({"rolling": rolling}, {"mu": array(1, 2, 3), "kinetic": kinetic, **shift}, {"mu": 0.2}):
-        step = {"session": "0" * 32, "step": 1, "Fn": 1, "gap": {"array": array(1, 2, 3)}, "friction": friction, "fields": ["pressure", "slip_x"]}
+        step = {"session": "0" * 32, "step": 1, "Fn": 1, "gap": {"array": array(1, 2, 3)}, "friction": friction, "derivatives": True, "fields": ["pressure", "slip_x"]}
         yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step}, np.full(6, 0.1).tobytes())
     step = {"session": "0" * 32, "step": 2, "approach": 0.1, "gap": {"semi_axes": {"a": 1, "b": 2}}}
     yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step})
@@ -139,13 +139,15 @@ def replies() -> Iterator[bytes]:
     }
     use = {"origin": "closed_form", "key": "0" * 64, "evidence": evidence}
     statistics = {"iterations": 1, "residual": 1e-9, "converged": True, "seconds": 0.1}
+    row = {"xi": 1, "eta": 2, "phi": 3, "rigid_shift": [4, 5], "rotation": 6, "approach": 7, "Fn": 8, "mu": 9}
     solution = {
+        "derivatives": dict.fromkeys(("Fx", "Fy", "Mz", "Fn", "approach"), row),
         "approach": 0.1, "forces": {"Fn": 1, "Fx": 0, "Fy": 0, "Mz": 0}, "pmax": 1,
         "area": {"contact": 1, "adhesion": 0, "slip": 1}, "elements": {"contact": 1, "adhesion": 0, "slip": 1, "border": 0},
         "element_division": {"$array": {"frame": 1, "dtype": "|u1", "shape": [1, 1]}}, "warnings": [], "converged": True,
         **{name: array(2, 1, 1) for name in ("pressure", "traction_x", "traction_y")},
         "evidence": {
-            "normal": statistics, "ics": {"upper": use, "lower": use},
+            "normal": statistics, "derivatives": statistics, "ics": {"upper": use, "lower": use},
             "discretisation": {"elements_across": 1, "force_error": 1, "pmax_error": 1, "source": "estimate", "rolling_error": 2},
         },
     }

@@ -18,6 +18,7 @@ from contactd import (
     RigidBody,
     Rolling,
     SemiAxes,
+    SolverSettings,
     StatusError,
     load_table,
     save_table,
@@ -54,6 +55,28 @@ def test_the_approach_of_a_force_gives_the_force_back(shared):
     assert by_force.approach == pytest.approx(0.02, rel=1e-5)
     assert by_force.Fn == pytest.approx(by_approach.Fn, rel=1e-6)
     assert by_force.pmax == pytest.approx(by_approach.pmax, rel=1e-4)
+
+
+@pytest.mark.parametrize("model", ["full", "hertz", "fastsim"])
+def test_derivatives_are_differences_of_solutions(shared, model):
+    problem = ROLLING.replace(
+        model=model,
+        gap=Paraboloid(500, 300),
+        normal=SolverSettings(tolerance=1e-11),
+        tangential=SolverSettings(tolerance=1e-10),
+        derivatives=True,
+    )
+    by = shared.solve(problem).derivatives
+    step = 1e-7
+
+    def force(change):
+        return shared.solve(problem.replace(friction=Friction(0.3, rolling=Rolling(xi=5e-4 + change)))).Fx
+
+    assert by.Fx.xi == pytest.approx((force(step) - force(-step)) / (2 * step), rel=1e-4)
+    assert (by.Fx.phi is None) == (model == "hertz")
+    assert by.Fx.Fn < 0
+    assert by.approach.Fn > 0
+    assert by.Fn is None
 
 
 def test_no_force_is_no_contact(shared):

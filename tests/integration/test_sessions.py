@@ -85,6 +85,19 @@ def test_a_step_changes_load_gap_friction_and_motion_for_itself_only(shared):
     assert again.Fx == pytest.approx(first.Fx, rel=1e-5)
 
 
+def test_a_step_has_the_derivatives_of_a_solve(shared):
+    rolling = Rolling(xi=1e-3, kind="transient")
+    with open_session(shared, friction=Friction(mu=0.4, rolling=rolling), derivatives=True) as session:
+        first = session.step(fields=FIELDS)
+        plain = session.step(derivatives=False, fields=FIELDS)
+        third = session.step()
+    assert plain.derivatives is None
+    alone = shared.solve(problem(friction=Friction(mu=0.4, rolling=rolling), previous=plain, derivatives=True))
+    assert third.derivatives.Fx.xi == pytest.approx(alone.derivatives.Fx.xi, rel=1e-4)
+    assert third.derivatives.Fx.mu == pytest.approx(alone.derivatives.Fx.mu, rel=1e-3)
+    assert first.derivatives.Fx.xi < 0
+
+
 def test_a_step_in_another_direction_rolls_by_the_size_of_an_element_there(shared):
     grid = Grid.centred(24, 20, 2.4, 1.2)
     with open_session(shared, grid=grid, friction=Friction(mu=0.4, rolling=Rolling(xi=1e-3))) as session:

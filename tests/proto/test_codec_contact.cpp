@@ -33,6 +33,7 @@ ContactProblem problem() {
     problem.settings.tangential = {1e-5, 70};
     problem.settings.outer = {1e-4, 7};
     problem.initial.traction_y = {1, 2, 3, 4, 5, 6};
+    problem.derivatives = true;
     return problem;
 }
 
@@ -88,6 +89,7 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
     CHECK(read.initial.pressure.empty());
     CHECK(read.initial.traction_x.empty());
     CHECK(read.initial.traction_y == original.initial.traction_y);
+    CHECK(read.derivatives);
 }
 
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {

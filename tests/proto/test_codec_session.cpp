@@ -25,6 +25,7 @@ SessionSpec spec() {
     spec.setup.friction = FrictionLaw{{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
     spec.load.motion = rolling;
     spec.load.previous.pressure = {1, 2, 3, 4, 5, 6};
+    spec.load.derivatives = true;
     spec.lease_seconds = 7;
     spec.accept_unconverged = true;
     return spec;
@@ -75,6 +76,7 @@ TEST_CASE("What a session is opened with arrives as it was sent") {
     CHECK(read.load.previous == original.load.previous);
     CHECK(read.lease_seconds == 7.0);
     CHECK(read.accept_unconverged);
+    CHECK(read.load.derivatives);
 }
 
 TEST_CASE("What a session leaves to its steps arrives as left out, and can be validated all the same") {
@@ -106,6 +108,15 @@ TEST_CASE("A step changes what it names and nothing else") {
     expected.xi = -2e-3;
     expected.force.Fy.reset();
     CHECK(rolling_of(problem) == expected);
+}
+
+TEST_CASE("A step has derivatives as the session was opened, unless it says otherwise") {
+    SessionSpec opened = spec();
+    CHECK(stepped(opened, json::object()).derivatives);
+    CHECK_FALSE(stepped(opened, {{"derivatives", false}}).derivatives);
+    opened.load.derivatives = false;
+    CHECK_FALSE(stepped(opened, json::object()).derivatives);
+    CHECK(stepped(opened, {{"Fn", 1}, {"derivatives", true}}).derivatives);
 }
 
 TEST_CASE("An approach takes the place of the force that the session was opened with") {
@@ -157,6 +168,7 @@ TEST_CASE("A step of the client arrives whole: nothing that session.open said st
     input.motion = rolling;
     input.rigid_slip = {{1, 2, 3, 4, 5, 6}, {0, 0, 0, 0, 0, 7}};
     input.fields = {SolutionField::slip_x, SolutionField::pressure};
+    input.derivatives = false;
     ArrayWriter arrays(ArrayEncoding::frame);
     const json params = encode_step("abc", 12, input, spec().setup.grid, arrays);
     REQUIRE(violations_of("session.step.params", params).empty());
@@ -172,6 +184,7 @@ TEST_CASE("A step of the client arrives whole: nothing that session.open said st
     CHECK(rolling_of(problem) == rolling);
     CHECK(problem.rigid_slip == input.rigid_slip);
     CHECK(decode_fields(params, {}) == input.fields);
+    CHECK_FALSE(problem.derivatives);
 }
 
 TEST_CASE("An answer holds the arrays that were asked for") {

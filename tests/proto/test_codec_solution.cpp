@@ -1,6 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
+#include <limits>
 #include <numbers>
 
 #include "contactd/proto/codec.hpp"
@@ -141,6 +142,48 @@ TEST_CASE("Errors of the discretisation come back", "[codec]") {
     CHECK(violations_of("session.step.result", step).empty());
     CHECK(decode_step_reply(step, {}, Grid::centred(3, 2, 1, 1)).solution.evidence.discretisation ==
           reply.solution.evidence.discretisation);
+}
+
+TEST_CASE("Derivatives come back exactly", "[codec]") {
+    SolveReply reply = solve_reply();
+    Derivatives derivatives;
+    SECTION("of rolling under a normal force") {
+        const DerivativesOfAnswer row{.xi = 1, .eta = 0.1 + 0.2, .phi = -1e-300, .Fn = 1.0 / 7, .mu = 3};
+        derivatives = {.Fx = row, .Fy = row, .Mz = row, .approach = row};
+        derivatives.Fy->eta = 8;
+    }
+    SECTION("of a shift at an approach") {
+        const DerivativesOfAnswer row{.rigid_shift = DerivativesByShift{1, 2}, .rotation = 3, .approach = 4, .mu = 0};
+        derivatives = {.Fx = row, .Fy = row, .Mz = row, .Fn = row};
+    }
+    SECTION("without friction") {
+        derivatives.Fn = DerivativesOfAnswer{.approach = 5};
+    }
+    reply.solution.derivatives = derivatives;
+    reply.solution.evidence.derivatives = SolverEvidence{20, 1e-6, true, 0.01};
+    const Grid grid = Grid::centred(3, 2, 1, 1);
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = sent(encode_solve_reply(reply, grid, arrays));
+    CHECK(violations_of("contact.solve.result", result).empty());
+    const ContactSolution read = decode_solve_reply(result, {}).solution;
+    CHECK(read.derivatives == derivatives);
+    CHECK(read.evidence.derivatives->iterations == 20);
+    const json step = sent(encode_step_reply(1, reply.solution, grid, {}, arrays));
+    CHECK(violations_of("session.step.result", step).empty());
+    CHECK(decode_step_reply(step, {}, grid).solution.derivatives == derivatives);
+
+    reply.solution.derivatives.reset();
+    const json none = sent(encode_solve_reply(reply, grid, arrays));
+    CHECK_FALSE(none.contains("derivatives"));
+    CHECK_FALSE(decode_solve_reply(none, {}).solution.derivatives);
+}
+
+TEST_CASE("Derivatives that are not finite are not sent", "[codec]") {
+    SolveReply reply = solve_reply();
+    reply.solution.derivatives = Derivatives{};
+    reply.solution.derivatives->Fn = DerivativesOfAnswer{.mu = std::numeric_limits<double>::infinity()};
+    ArrayWriter arrays(ArrayEncoding::list);
+    CHECK_THROWS_AS(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays), Error);
 }
 
 TEST_CASE("Evidence tells of the solvers that ran and of the coefficients that were used", "[codec]") {

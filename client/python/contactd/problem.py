@@ -363,6 +363,7 @@ class ContactProblem:
             Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes, and materials.
         previous: The step before, where a shift or transient rolling starts.
         outer: Stop test of the loop that bodies that differ, kinetic friction and forces need.
+        derivatives: Whether the solution has those of its forces by motion, load and friction.
     """
 
     grid: Grid
@@ -381,6 +382,7 @@ class ContactProblem:
     outer: SolverSettings | None = None
     upper_ics: Ics | TableIcs | None = None
     lower_ics: Ics | TableIcs | None = None
+    derivatives: bool = False
 
     def __post_init__(self) -> None:
         if self.gap is _REQUIRED:
@@ -407,6 +409,7 @@ def check_field_types(fields: Mapping[str, Any]) -> None:
         check_type(name, fields.get(name), Material, RigidBody, optional=True)
         check_type(f"{name}_ics", fields.get(f"{name}_ics"), AnalyticIcs, FemIcs, TableIcs, optional=True)
     check_type("friction", fields.get("friction"), Friction, optional=True)
+    check_type("derivatives", fields.get("derivatives"), bool, optional=True)
     for name in ("normal", "tangential", "outer"):
         check_type(name, fields.get(name), SolverSettings, optional=True)
     for name in ("initial", "previous"):
@@ -463,6 +466,8 @@ def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
     if settings := {name: plain(given[name]) for name in ("normal", "tangential", "outer") if name in given}:
         params["settings"] = settings
     params.update({name: traction_params(given[name]) for name in ("initial", "previous") if name in given})
+    if given.get("derivatives"):
+        params["derivatives"] = True
     return params
 
 

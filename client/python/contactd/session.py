@@ -230,6 +230,7 @@ class Session(Shown):
         kind: RollingKind | None = None,
         steps: int | None = None,
         velocity: float | None = None,
+        derivatives: bool | None = None,
         fields: Iterable[Field] | Field = (),
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
@@ -237,7 +238,8 @@ class Session(Shown):
         """Solves the next step. What is None is as the session was opened.
 
         Friction may be given whole, or by the fields of Friction and Rolling that change: `force` is that of rolling in
-        a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one.
+        a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one; `derivatives` says
+        whether those are wanted, too.
 
         Raises FailedPrecondition when the daemon is at another step, Aborted (reason NOT_CONVERGED) when a solver
         missed its tolerance, NotFound when the session has ended, and what Client.solve raises.
@@ -258,6 +260,8 @@ class Session(Shown):
             changes["rigid_slip"] = slip_param(rigid_slip)
         if changes:
             params["friction"] = changes
+        if derivatives is not None:
+            params["derivatives"] = derivatives
         if names := [fields] if isinstance(fields, str) else list(fields):
             params["fields"] = names
         with self._alone():

@@ -22,6 +22,8 @@ __all__ = [
     "ContactEvidence",
     "ContactSolution",
     "Counts",
+    "Derivatives",
+    "DerivativesOfAnswer",
     "Discretisation",
     "Forces",
     "IcErrors",
@@ -319,6 +321,8 @@ class ContactEvidence:
         force: How the motion of a prescribed force was found: iterations of Newton's method on motion and tractions, and
             solves of a search where that failed; its residual is the error of the force over the friction bound.
         discretisation: What the size of the elements costs; of model "full", where there is contact.
+        derivatives: The linear equations of the derivatives, where these were asked for and there is contact: iterations
+            of all together, the largest residual.
     """
 
     normal: SolverEvidence
@@ -327,6 +331,56 @@ class ContactEvidence:
     outer: SolverEvidence | None = None
     force: SolverEvidence | None = None
     discretisation: Discretisation | None = None
+    derivatives: SolverEvidence | None = None
+
+
+@dataclass(frozen=True)
+class DerivativesOfAnswer:
+    """Of one answer, by each input: units are those of the answer over those of the input. None is what the problem does
+    not have, or its model does not know.
+
+    Attributes:
+        xi: Of rolling: by the longitudinal creepage.
+        eta: Of rolling: by the lateral creepage.
+        phi: Of rolling: by the spin creepage.
+        rigid_shift: Of a shift: by that along x, and along y.
+        rotation: Of a shift: by its rotation.
+        approach: By the approach, where that is prescribed.
+        Fn: By the normal force, where that is prescribed.
+        mu: By the coefficient of friction: the same change in every element.
+    """
+
+    xi: float | None = None
+    eta: float | None = None
+    phi: float | None = None
+    rigid_shift: tuple[float, float] | None = None
+    rotation: float | None = None
+    approach: float | None = None
+    Fn: float | None = None
+    mu: float | None = None
+
+
+@dataclass(frozen=True)
+class Derivatives:
+    """How the answers follow the inputs, to first order: ``solution.derivatives.Fx.xi`` is dFx/d(xi).
+
+    Held are the undeformed distance (also where semi-axes and the load made it), the tractions before the step,
+    rigid_slip, and the division of the elements, at whose next change the derivatives are one-sided. Motion is an input
+    also where forces found it: as if it had been given.
+
+    Attributes:
+        Fx: Of Fx (N), with friction.
+        Fy: Of Fy (N), with friction.
+        Mz: Of Mz (N mm), with friction.
+        Fn: Of the normal force (N), where the approach is prescribed.
+        approach: Of the approach (mm), where the normal force is prescribed.
+    """
+
+    Fx: DerivativesOfAnswer | None = None
+    Fy: DerivativesOfAnswer | None = None
+    Mz: DerivativesOfAnswer | None = None
+    Fn: DerivativesOfAnswer | None = None
+    approach: DerivativesOfAnswer | None = None
 
 
 @dataclass(frozen=True)
@@ -407,6 +461,8 @@ class Solution(Shown, Generic[Floats, Bytes]):
         frictional_work: Of a shift: what friction dissipates in the step (N mm).
         frictional_power: Of rolling: what friction dissipates (N mm/s).
         motion: As asked for, with what a prescribed force made of it.
+        derivatives: How forces follow the inputs, where the problem asked for that, and the solution has converged and has
+            contact.
     """
 
     approach: float
@@ -426,6 +482,7 @@ class Solution(Shown, Generic[Floats, Bytes]):
     frictional_work: float | None = None
     frictional_power: float | None = None
     motion: Motion | None = None
+    derivatives: Derivatives | None = None
 
     def _rows(self) -> Rows:
         division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"

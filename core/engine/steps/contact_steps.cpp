@@ -47,6 +47,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Statement& st
     problem_.Fn = opened.Fn;
     problem_.motion = opened.motion;
     problem_.rigid_slip = opened.rigid_slip;
+    problem_.derivatives = opened.derivatives;
     statement(before.motion, problem_);
     // The quick models know no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;

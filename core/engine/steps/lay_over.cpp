@@ -47,6 +47,7 @@ void lay_over(const StepInput& input, const std::optional<Motion>& last, Contact
     else if (!problem.gap)
         throw InvalidArgument("gap", "is missing; the opening named none, so every step must");
     lay_friction(input, problem);
+    if (input.derivatives) problem.derivatives = *input.derivatives;
     if (last && problem.friction && !input.motion) take_estimates(*last, problem.motion);
 }
 

@@ -122,6 +122,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
             encode_friction({problem.friction, problem.motion, problem.rigid_slip}, problem.grid, arrays);
     encode_state("previous", problem.previous, problem.grid, params, arrays);
     encode_state("initial", problem.initial, problem.grid, params, arrays);
+    if (problem.derivatives) params["derivatives"] = true;
     return params;
 }
 
@@ -137,6 +138,7 @@ ContactProblem decode_opening(const json& params, const std::vector<std::string>
     problem.previous = decode_state("previous", params, frames, problem.grid);
     problem.settings = decode_settings(params);
     problem.initial = decode_state("initial", params, frames, problem.grid);
+    problem.derivatives = params.value("derivatives", false);
     return problem;
 }
 

@@ -74,6 +74,9 @@ nlohmann::json encode_fem(const FemSpec& fem);
 /// The fields that are there; the others stay as they are.
 void decode_fem(const nlohmann::json& json, FemSpec& fem);
 
+nlohmann::json encode_derivatives(const Derivatives& derivatives);
+Derivatives decode_derivatives(const nlohmann::json& json);
+
 nlohmann::json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays);
 Gap decode_gap(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
 

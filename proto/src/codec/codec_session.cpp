@@ -104,6 +104,7 @@ json encode_step(const std::string& session, long long step, const StepInput& in
         params["friction"] = std::move(friction);
     }
     if (input.again) params["again"] = true;
+    if (input.derivatives) params["derivatives"] = *input.derivatives;
     if (!input.fields.empty()) params["fields"] = encode_fields(input.fields);
     return params;
 }
@@ -124,6 +125,7 @@ void apply_step(const json& params, const std::vector<std::string>& frames, cons
     else if (!problem.gap)
         throw invalid_field("gap", "is missing; session.open named none, so every step must");
     if (params.contains("friction")) apply_friction(params, frames, problem);
+    problem.derivatives = params.value("derivatives", problem.derivatives);
     if (last && problem.friction) take_estimates(params.value("friction", json::object()), *last, problem.motion);
 }
 

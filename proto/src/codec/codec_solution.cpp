@@ -53,7 +53,7 @@ auto parts_of(Uses& uses) {
 template <class Evidence>
 auto solvers_of(Evidence& evidence) {
     return std::array{std::pair("tangential", &evidence.tangential), std::pair("outer", &evidence.outer),
-                      std::pair("force", &evidence.force)};
+                      std::pair("force", &evidence.force), std::pair("derivatives", &evidence.derivatives)};
 }
 
 template <class Solution>
@@ -127,6 +127,7 @@ IcUses decode_uses(const json& source) {
 json encode_summary(const ContactSolution& solution, const Grid& grid) {
     json result = encode_totals(solution);
     result.update(encode_friction_results(solution, grid));
+    if (solution.derivatives) result["derivatives"] = encode_derivatives(*solution.derivatives);
     return result;
 }
 
@@ -135,6 +136,7 @@ void decode_summary(const json& result, ContactSolution& solution) {
     for (const auto& [name, value] : dissipation_of(solution))
         if (result.contains(name)) *value = result[name].get<double>();
     if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
+    if (result.contains("derivatives")) solution.derivatives = decode_derivatives(result["derivatives"]);
 }
 
 json encode_evidence(const ContactEvidence& evidence) {

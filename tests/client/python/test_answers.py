@@ -30,7 +30,15 @@ from contactd import (
     Violation,
 )
 from contactd.reading import read
-from contactd.solution import ContactSolution, Discretisation, IcEvidence, IcSpec, ServerInfo
+from contactd.solution import (
+    ContactSolution,
+    Derivatives,
+    DerivativesOfAnswer,
+    Discretisation,
+    IcEvidence,
+    IcSpec,
+    ServerInfo,
+)
 from support import answers
 from support.fake_server import FakeServer
 
@@ -119,6 +127,21 @@ def test_rolling_tells_its_creepages():
     solution = read(ContactSolution, solution_with(motion=motion, frictional_power=2.5))
     assert solution.motion == Rolling(xi=1e-3, phi=0.5, dq=0.1, spin_offset=0, kind="transient", steps=4, velocity=2)
     assert solution.frictional_power == 2.5
+
+
+def test_derivatives_have_a_number_of_each_answer_by_each_input():
+    assert read(ContactSolution, solution_with()).derivatives is None
+    row = {"xi": 1, "eta": 2.5, "phi": 3, "Fn": 4, "mu": 5}
+    shifted = {"rigid_shift": [1, 2], "rotation": 3}
+    result = solution_with(derivatives={"Fx": row, "Mz": shifted, "approach": {"Fn": 1e-5}})
+    result["evidence"]["derivatives"] = {"iterations": 30, "residual": 1e-6, "converged": True, "seconds": 0.1}
+    solution = read(ContactSolution, result)
+    assert solution.derivatives == Derivatives(
+        Fx=DerivativesOfAnswer(xi=1, eta=2.5, phi=3, Fn=4, mu=5),
+        Mz=DerivativesOfAnswer(rigid_shift=(1, 2), rotation=3),
+        approach=DerivativesOfAnswer(Fn=1e-5),
+    )
+    assert solution.evidence.derivatives.iterations == 30
 
 
 def test_evidence_tells_how_finely_the_contact_is_divided():

@@ -256,3 +256,10 @@ def test_a_material_stays_a_plain_value():
     assert [field.name for field in dataclasses.fields(steel)] == ["G", "nu"]
     with pytest.raises(dataclasses.FrozenInstanceError):
         steel.G = 1
+
+
+def test_derivatives_are_asked_for_where_they_are_wanted():
+    assert "derivatives" not in problem_params(PROBLEM)
+    assert problem_params(PROBLEM.replace(derivatives=True))["derivatives"] is True
+    with pytest.raises(TypeError, match="derivatives is 1; it must be of type bool"):
+        PROBLEM.replace(derivatives=1)

@@ -89,6 +89,14 @@ def test_one_field_may_be_named_without_a_list(fake):
     assert [request.params["fields"] for request in server.requests[1:]] == [["pressure"], ["pressure", "slip_x"]]
 
 
+def test_a_step_asks_for_derivatives_only_where_it_says_so(fake):
+    server, client = fake
+    session = client.session(grid=GRID, upper=STEEL, derivatives=True)
+    session.step(Fn=5)
+    session.step(Fn=5, derivatives=False)
+    assert [request.params.get("derivatives") for request in server.requests] == [True, None, False]
+
+
 def test_what_is_no_pair_is_left_to_the_daemon_to_name(fake):
     server, client = fake
     client.session(grid=GRID, upper=STEEL).step(Fn=5, rigid_shift=0.1)
