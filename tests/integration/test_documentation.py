@@ -1,6 +1,7 @@
 """The examples of the guides run as they stand there."""
 
 import json
+import os
 import re
 import shlex
 import shutil
@@ -52,6 +53,15 @@ def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
 def test_the_guide_to_sessions(shared):
     assert run_examples("sessions.md", shared)["contact"].Fx < -5000
     assert not shared.sessions()
+
+
+def test_the_guide_to_embedding(monkeypatch):
+    monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")
+    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "embedding.md").read_text(), re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(compile(example, "docs/embedding.md", "exec"), names)
+    assert names["solution"].converged
+    assert -0.3 * 50e3 < names["solution"].Fx < -5000
 
 
 def test_the_guide_to_contact_problems(shared):

@@ -31,6 +31,10 @@ module contactd
     integer(c_int32_t), parameter :: contactd_exterior = 0, contactd_adhesion = 1, contactd_slip = 2
     integer(c_int32_t), parameter :: contactd_division = 0, contactd_pressure = 1, &
         contactd_traction_x = 2, contactd_traction_y = 3, contactd_slip_x = 4, contactd_slip_y = 5
+    integer(c_int32_t), parameter :: contactd_of_fx = 0, contactd_of_fy = 1, contactd_of_mz = 2, &
+        contactd_of_fn = 3, contactd_of_approach = 4
+    integer(c_int32_t), parameter :: contactd_by_x = 0, contactd_by_y = 1, contactd_by_turn = 2, &
+        contactd_by_load = 3, contactd_by_mu = 4
     integer(c_int32_t), parameter :: contactd_log_debug = 0, contactd_log_info = 1, &
         contactd_log_warning = 2, contactd_log_error = 3
 

@@ -164,6 +164,15 @@ module contactd_calls
             import; type(c_ptr), value :: contact; real(c_double), intent(in) :: x(*), y(*)
             integer(c_int32_t), value :: count
         end function
+        integer(c_int32_t) function contactd_step_again(contact) bind(c)
+            import; type(c_ptr), value :: contact
+        end function
+        integer(c_int32_t) function contactd_want_derivatives(contact, wanted) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: wanted
+        end function
+        integer(c_int32_t) function contactd_get_derivative(contact, of, by, value) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: of, by; real(c_double), intent(out) :: value
+        end function
         integer(c_int32_t) function contactd_want(contact, array, wanted) bind(c)
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: array, wanted
         end function

@@ -80,6 +80,11 @@ enum {
     CONTACTD_SLIP_Y = 5
 };
 
+/* Derivatives: of an answer, by an input. Along x and y stand xi and eta of rolling, or the shift; turn is phi, or the
+ * rotation; load is the approach or Fn, whichever is prescribed. */
+enum { CONTACTD_OF_FX = 0, CONTACTD_OF_FY = 1, CONTACTD_OF_MZ = 2, CONTACTD_OF_FN = 3, CONTACTD_OF_APPROACH = 4 };
+enum { CONTACTD_BY_X = 0, CONTACTD_BY_Y = 1, CONTACTD_BY_TURN = 2, CONTACTD_BY_LOAD = 3, CONTACTD_BY_MU = 4 };
+
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
 typedef struct contactd_connection contactd_connection; /* where contacts are solved */
@@ -129,6 +134,9 @@ CONTACTD_API int32_t contactd_free(contactd_contact* contact);
 CONTACTD_API int32_t contactd_start(contactd_contact* contact);
 /* Solves the next step, which starts where the last one ended. One that fails leaves the contact as it was. */
 CONTACTD_API int32_t contactd_step(contactd_contact* contact);
+/* Solves the step that contactd_step asked for last anew, with what is set now: it is taken back first where it was
+ * solved. So an integrator tries a step until it is content. */
+CONTACTD_API int32_t contactd_step_again(contactd_contact* contact);
 /* From any thread: the call that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
 CONTACTD_API int32_t contactd_cancel(contactd_contact* contact);
 /* Where the contact is, its results with it; *state is the name of it, > 0. */
@@ -201,6 +209,8 @@ CONTACTD_API int32_t contactd_set_rigid_slip(contactd_contact* contact, const do
                                              int32_t count);
 /* Whether steps bring this array along (1) or not (0, as at first). */
 CONTACTD_API int32_t contactd_want(contactd_contact* contact, int32_t array, int32_t wanted);
+/* Whether steps have derivatives (1) or not (0, as at first). */
+CONTACTD_API int32_t contactd_want_derivatives(contactd_contact* contact, int32_t wanted);
 /* Of a step, instead of the connection's. */
 CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
 
@@ -222,6 +232,9 @@ CONTACTD_API int32_t contactd_get_frictional_power(contactd_contact* contact, do
 CONTACTD_API int32_t contactd_get_converged(contactd_contact* contact, int32_t* converged);
 CONTACTD_API int32_t contactd_get_evidence(contactd_contact* contact, int32_t solver, int32_t* iterations,
                                            double* residual, int32_t* converged);
+/* One derivative: CONTACTD_OF_..., CONTACTD_BY_... The elements' states and what the step started from are held
+ * (docs/contact.md). CONTACTD_NOT_FOUND where there is none: not wanted, no friction, no contact, not converged. */
+CONTACTD_API int32_t contactd_get_derivative(contactd_contact* contact, int32_t of, int32_t by, double* value);
 /* What the elements cost in accuracy (docs/contact.md); rolling_error is 0 where nothing rolled. CONTACTD_NOT_FOUND of
  * the quick models and without contact. */
 CONTACTD_API int32_t contactd_get_discretisation(contactd_contact* contact, int32_t* elements_across,

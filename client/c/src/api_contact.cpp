@@ -27,6 +27,10 @@ std::int32_t contactd_step(contactd_contact* contact) {
     return with(contact, [](Contact& stepping) { stepping.step(); });
 }
 
+std::int32_t contactd_step_again(contactd_contact* contact) {
+    return with(contact, [](Contact& stepping) { stepping.step(Contact::Which::again); });
+}
+
 std::int32_t contactd_cancel(contactd_contact* contact) {
     std::shared_ptr<Contact> found;
     try {

@@ -61,11 +61,12 @@ void Contact::start() {
     said.changed = {};
 }
 
-void Contact::step() {
+void Contact::step(Which which) {
     require_started();
     auto result = std::make_shared<Result>();
     result->fields = said.fields;
-    const StepInput input = said.step();
+    StepInput input = said.step();
+    input.again = which == Which::again;
     result->reply = controlled([&](Control& control) {
         control.timeout = said.step_timeout;
         return open_->step(input, control);

@@ -36,7 +36,9 @@ class Contact {
     void require_started() const;
 
     void start();
-    void step();
+    /// The next step, or the one that was asked for last.
+    enum class Which { next, again };
+    void step(Which which = Which::next);
     void close();
     std::int32_t save();
     void restore(std::int32_t state);

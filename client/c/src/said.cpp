@@ -58,6 +58,7 @@ StepInput Said::step() {
     if (changed.motion) input.motion = problem.motion;
     if (changed.rigid_slip) input.rigid_slip = problem.rigid_slip;
     input.fields = fields;
+    input.derivatives = derivatives;
     return input;
 }
 

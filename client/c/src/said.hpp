@@ -22,6 +22,7 @@ struct Said {
     bool accept_unconverged = false;
     std::optional<double> lease_seconds;
     std::vector<SolutionField> fields;
+    bool derivatives = false;
     std::optional<std::chrono::milliseconds> step_timeout;
 
     /// What differs from what the contact was opened with: steps have to name it, then.

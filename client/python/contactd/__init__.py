@@ -43,6 +43,7 @@ from .errors import (
 )
 from .exchange import load_table, save_table
 from .friction import Friction, KineticFriction, Rolling, Shift
+from .local import local
 from .problem import (
     AnalyticIcs,
     ContactProblem,
@@ -130,5 +131,6 @@ __all__ = [
     "__version__",
     "combined_modulus",
     "load_table",
+    "local",
     "save_table",
 ]

@@ -53,7 +53,7 @@ struct StepInput {
     /// step until it is content.
     bool again = false;
     std::optional<bool> derivatives{};  ///< whether the answer has those
-    SolutionFields fields{};  ///< wanted back
+    SolutionFields fields{};            ///< wanted back
 };
 
 struct StepReply {
