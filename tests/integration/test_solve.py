@@ -174,6 +174,17 @@ def test_a_single_element_can_be_solved(shared):
     assert solution.elements.contact == 1
 
 
+def test_a_solve_brings_the_arrays_that_it_is_asked_for(shared, solution):
+    forces, pressure = shared.solve(CATTANEO, fields=[]), shared.solve(CATTANEO, fields="pressure")
+    assert (forces.forces, forces.area, forces.motion) == (solution.forces, solution.area, solution.motion)
+    assert (forces.pressure, forces.element_division, forces.slip_x) == (None, None, None)
+    np.testing.assert_array_equal(pressure.pressure, solution.pressure)
+    assert pressure.traction_x is None
+    slips = shared.solve_many([CATTANEO, CATTANEO.replace(friction=None)], fields=["slip_x", "traction_x"])
+    np.testing.assert_array_equal(slips[0].slip_x, solution.slip_x)
+    assert (slips[1].slip_x, slips[1].traction_x.any(), slips[1].pressure) == (None, False, None)
+
+
 @pytest.mark.slow
 @pytest.mark.timeout(600)
 def test_finite_elements_reach_the_accuracy_of_the_paper(shared):

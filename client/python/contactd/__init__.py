@@ -44,6 +44,7 @@ from .errors import (
 from .exchange import load_table, save_table
 from .friction import Friction, KineticFriction, Rolling, Shift
 from .local import local
+from .partial import PartialSolution
 from .problem import (
     AnalyticIcs,
     ContactProblem,
@@ -102,6 +103,7 @@ __all__ = [
     "Material",
     "NotFound",
     "Paraboloid",
+    "PartialSolution",
     "Progress",
     "ProtocolError",
     "QuarantinedIc",

@@ -6,19 +6,22 @@ import math
 import secrets
 import time
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal
+from typing import Any, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import problem as asked
 from .arrays import Frames, decode, encode, invalid, plain
-from .connection import CLIENT, PROTOCOL_VERSION, Reply, status_error_of
+from .connection import CLIENT, PROTOCOL_VERSION, Reply
 from .connections import Connections
 from .curve import load_curve_keys
 from .errors import InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
+from .outcomes import outcomes
+from .partial import Fields, PartialSolution, names_of, read_solution
 from .pieces import fetch_in_pieces
 from .problem import ContactProblem, Estimate, Grid, Ics, Material
 from .reading import read
@@ -228,32 +231,79 @@ class Client(Shown):
             raise ProtocolError("The answer to ic.delete lacks the number of tables.")
         return removed
 
+    @overload
     def solve(
         self,
         problem: ContactProblem | None = None,
         /,
         *,
+        fields: None = None,
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
-        **fields: Any,
-    ) -> ContactSolution:
-        """Solves a ContactProblem, given whole or by its fields. Look at `converged` of the solution."""
-        if problem is None:
-            problem = ContactProblem(**fields)
-        elif fields:
-            raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
-        asked.check_type("problem", problem, ContactProblem)
-        params = asked.problem_params(problem)
-        result = self.call("contact.solve", params, timeout=timeout, on_progress=on_progress)
-        return _solution(result, problem, "result")
+        **problem_fields: Any,
+    ) -> ContactSolution: ...
+    @overload
+    def solve(
+        self,
+        problem: ContactProblem | None = None,
+        /,
+        *,
+        fields: Fields,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        **problem_fields: Any,
+    ) -> PartialSolution: ...
+    def solve(
+        self,
+        problem: ContactProblem | None = None,
+        /,
+        *,
+        fields: Fields | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        **problem_fields: Any,
+    ) -> ContactSolution | PartialSolution:
+        """Solves a ContactProblem, given whole or by its fields. Look at `converged` of the solution.
 
+        `fields` names the arrays wanted back, or the one, and the others are None; ``fields=[]`` brings forces, areas and
+        the rest that is no array, for less. Left out, all arrays come.
+        """
+        if problem is None:
+            problem = ContactProblem(**problem_fields)
+        elif problem_fields:
+            raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(problem_fields)}")
+        asked.check_type("problem", problem, ContactProblem)
+        names = None if fields is None else names_of(fields)
+        params = asked.problem_params(problem, names)
+        result = self.call("contact.solve", params, timeout=timeout, on_progress=on_progress)
+        return read_solution(problem.grid, names, result)
+
+    @overload
     def solve_many(
         self,
         problems: Iterable[ContactProblem],
         *,
+        fields: None = None,
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
-    ) -> list[ContactSolution | StatusError]:
+    ) -> list[ContactSolution | StatusError]: ...
+    @overload
+    def solve_many(
+        self,
+        problems: Iterable[ContactProblem],
+        *,
+        fields: Fields,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> list[PartialSolution | StatusError]: ...
+    def solve_many(
+        self,
+        problems: Iterable[ContactProblem],
+        *,
+        fields: Fields | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> list[Any]:
         """Solves 1 to 1000 problems at once, on all workers of the daemon; the answers are in the order of the problems.
 
         Where a problem fails, its answer is the exception that `solve` would have raised, and the others are solved all
@@ -265,6 +315,8 @@ class Client(Shown):
                 else:
                     print(answer.Fx, answer.converged)
 
+        `fields` names the arrays wanted back of each, as for `solve`.
+
         Raises InvalidArgument for the whole when a problem lacks a field or has one out of its range, which it names
         like ``problems[3].grid.nx``, and LIMIT_EXCEEDED when their grids or arrays are too large together. An array that
         several problems share (a gap, TableIcs) is sent once.
@@ -274,12 +326,11 @@ class Client(Shown):
             return []
         for index, problem in enumerate(problems):
             asked.check_type(f"problems[{index}]", problem, ContactProblem)
-        params = {"problems": [asked.problem_params(problem) for problem in problems]}
+        names = None if fields is None else names_of(fields)
+        params = {"problems": [asked.problem_params(problem, names) for problem in problems]}
         result = self.call("contact.solve_many", params, timeout=timeout, on_progress=on_progress)
-        answers = result.get("solutions")
-        if not isinstance(answers, list) or len(answers) != len(problems):
-            raise ProtocolError(f"The answer to contact.solve_many lacks its {len(problems)} solutions.")
-        return [_outcome(*pair, f"result.solutions[{i}]") for i, pair in enumerate(zip(answers, problems, strict=True))]
+        readers = [partial(read_solution, problem.grid, names) for problem in problems]
+        return outcomes("contact.solve_many", result, "solutions", readers)
 
     def subsurface(
         self,
@@ -438,21 +489,6 @@ class Client(Shown):
             _check_limit(f"array frame {n}", len(frame), limits.max_frame_bytes, "bytes")
         _check_limit("the request", len(frames) + 1, limits.max_frames, "frames")
         _check_limit("the request", sum(map(len, frames)), limits.max_message_bytes, "bytes")
-
-
-def _solution(result: Any, problem: ContactProblem, path: str) -> ContactSolution:
-    solution = read(ContactSolution, result, path)
-    names = ["element_division", "pressure", "traction_x", "traction_y"]
-    names += [name for name in ("slip_x", "slip_y") if getattr(solution, name) is not None]
-    _check_shapes(solution, names, problem.grid.shape)
-    return solution
-
-
-def _outcome(answer: Any, problem: ContactProblem, path: str) -> ContactSolution | StatusError:
-    status = answer.get("status") if isinstance(answer, dict) else None
-    if (error := status_error_of(status)) is not None:
-        return error
-    return _solution(answer.get("result"), problem, f"{path}.result")
 
 
 def _check_limit(what: str, size: int, limit: int, unit: str) -> None:

@@ -449,9 +449,10 @@ def body_params(body: Material | RigidBody, ics: Ics | TableIcs | None, grid: Gr
     return params if ics is None else {**params, "ics": coefficient_params(ics, grid)}
 
 
-def problem_params(problem: ContactProblem) -> dict[str, Any]:
-    """The parameters of contact.solve."""
-    return opening_params(vars(problem))
+def problem_params(problem: ContactProblem, fields: list[str] | None = None) -> dict[str, Any]:
+    """The parameters of contact.solve; `fields` are the arrays wanted back, None: all."""
+    params = opening_params(vars(problem))
+    return params if fields is None else {**params, "fields": fields}
 
 
 def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
@@ -465,7 +466,7 @@ def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
         params["friction"] = given["friction"].params()
     if settings := {name: plain(given[name]) for name in ("normal", "tangential", "outer") if name in given}:
         params["settings"] = settings
-    params.update({name: traction_params(given[name]) for name in ("initial", "previous") if name in given})
+    params.update({name: traction_params(given[name], name) for name in ("initial", "previous") if name in given})
     if given.get("derivatives"):
         params["derivatives"] = True
     return params
@@ -505,7 +506,13 @@ def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
     return params
 
 
-def traction_params(tractions: Estimate | ContactSolution) -> dict[str, Any]:
-    """The arrays of `previous`, `initial` and contact.subsurface that are there."""
+def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[str, Any]:
+    """The arrays of `previous`, `initial` and contact.subsurface that are there; of a solution all must be."""
     arrays = {name: getattr(tractions, name) for name in ("pressure", "traction_x", "traction_y")}
+    missing = [name for name, array in arrays.items() if array is None]
+    if missing and not isinstance(tractions, Estimate):
+        raise TypeError(
+            f"{field} has no {', '.join(missing)}: name them in `fields` when you ask for it, or make an Estimate, in "
+            "which they are zero"
+        )
     return {name: array_of(array) for name, array in arrays.items() if array is not None}

@@ -9,30 +9,29 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import numpy.typing as npt
 
 from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolError, TimeoutExpired
 from .friction import Force, Friction, RollingKind, coefficient_param, slip_param
-from .problem import Array, Grid, Paraboloid, SemiAxes, check_field_types, check_type, gap_params, opening_params
+from .partial import Fields, PartialSolution, check_arrays, names_of
+from .problem import Grid, Paraboloid, SemiAxes, check_field_types, check_type, gap_params, opening_params
 from .reading import read
 from .showing import Rows, Shown, with_inherited_attributes
-from .solution import IcUse, Progress, Solution
+from .solution import IcUse, Progress
 
 if TYPE_CHECKING:
     from .client import Client
 
-__all__ = ["Field", "SavedState", "Session", "SessionSummary", "StepSolution"]
+__all__ = ["SavedState", "Session", "SessionSummary", "StepSolution"]
 
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
 ProgressCallback = Callable[[Progress], None]
 
 
 @with_inherited_attributes
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class StepSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
+class StepSolution(PartialSolution):
     """The solution of a step. Arrays are None unless `fields` named them; `converged` is False only in a session that
     accepts it.
 
@@ -231,7 +230,7 @@ class Session(Shown):
         steps: int | None = None,
         velocity: float | None = None,
         derivatives: bool | None = None,
-        fields: Iterable[Field] | Field = (),
+        fields: Fields = (),
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
     ) -> StepSolution:
@@ -262,16 +261,13 @@ class Session(Shown):
             params["friction"] = changes
         if derivatives is not None:
             params["derivatives"] = derivatives
-        if names := [fields] if isinstance(fields, str) else list(fields):
+        if names := names_of(fields):
             params["fields"] = names
         with self._alone():
             params["step"] = self.step_number + 1
             result = self._insist("session.step", params, timeout, on_progress)
             solution = read(StepSolution, result)
-            for name in names:
-                array = getattr(solution, name)
-                if array is not None and array.shape != self.grid.shape:
-                    raise ProtocolError(f"The answer's {name} has shape {array.shape} instead of {self.grid.shape}.")
+            check_arrays(solution, names, self.grid)
             self.step_number = solution.step
         return solution
 

@@ -103,7 +103,7 @@ def subsurface_params(
     nu: float | None,
 ) -> tuple[dict[str, Any], tuple[int, ...]]:
     """The parameters of contact.subsurface and the shape of its stresses."""
-    tractions = traction_params(solution)
+    tractions = traction_params(solution, "solution")
     if "pressure" not in tractions:
         raise invalid("pressure", "is missing; it must be that of a solution")
     params = {"grid": plain(problem.grid), **_ics(problem), "body": body, **tractions}

@@ -34,7 +34,7 @@ def test_friction_and_problem_have_every_option_and_no_other():
     assert names(Rolling) == set(ROLLING)
     assert names(Shift) | names(Rolling) == set(MOTION)
     other_names = {"upper", "lower", "upper_ics", "lower_ics", "normal", "tangential", "outer"}
-    assert names(ContactProblem) - other_names == set(PROBLEM) - {"bodies", "settings"}
+    assert names(ContactProblem) - other_names == set(PROBLEM) - {"bodies", "settings", "fields"}
 
 
 def test_the_words_are_those_of_the_schema():

@@ -19,6 +19,7 @@ from contactd import (
 )
 from contactd.reading import read
 from contactd.solution import Solution
+from support import answers
 from support.fake_server import FakeServer
 
 GRID, STEEL = Grid(3, 2, 1, 1), Material(82000, 0.28)
@@ -39,7 +40,8 @@ def fake(tmp_path):
             grid = {"nx": 3, "ny": 2, "dx": 1, "dy": 1, "x0": 5, "y0": 0}
             told = {"step": 7, "lease_seconds": 60, "states": 0, "bytes": 1, "grid": grid, "motion": "rolling", "ics": {}}
             return [request.result(told)]
-        return [request.result({**STEP, "step": request.params.get("step", 7)})]
+        arrays = {name: answers.array(1, (2, 3)) for name in request.params.get("fields", [])}
+        return [request.result({**STEP, **arrays, "step": request.params.get("step", 7)}, *[bytes(48)] * bool(arrays))]
 
     with FakeServer(tmp_path, script) as server, Client(server.endpoint, timeout=5) as client:
         yield server, client

@@ -27,7 +27,7 @@ from contactd.session import StepSolution
 from contactd.solution import ContactSolution, IcSpec
 from support import answers
 
-MODULES = (contactd.problem, contactd.friction, contactd.solution, contactd.session, contactd.subsurface)
+MODULES = (contactd.problem, contactd.friction, contactd.solution, contactd.partial, contactd.session, contactd.subsurface)
 DATA = sorted(
     {
         kind

@@ -1,0 +1,56 @@
+"""Solutions that have the arrays that were asked for: which these are, and that they came."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import ProtocolError
+from .problem import Array, Grid
+from .reading import read
+from .showing import with_inherited_attributes
+from .solution import ContactSolution, Solution
+
+__all__ = ["Field", "Fields", "PartialSolution", "check_arrays", "names_of", "read_solution"]
+
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
+Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
+
+_SLIP = ("slip_x", "slip_y")  # not there without friction
+_ALL = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
+
+
+@with_inherited_attributes
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class PartialSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
+    """A solution with the arrays that `fields` named; the others are None."""
+
+
+def names_of(fields: Fields) -> list[str]:
+    """What is no name of an array is the daemon's to refuse."""
+    return [fields] if isinstance(fields, str) else list(fields)
+
+
+def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:
+    """Raises ProtocolError where one of the arrays is missing or has not the shape of the grid."""
+    for name in names:
+        array = getattr(solution, name)
+        if array is None and name in _SLIP:
+            continue
+        if array is None:
+            raise ProtocolError(f"The answer lacks {name}, which was asked for.")
+        if array.shape != grid.shape:
+            raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(grid.shape)}.")
+
+
+def read_solution(
+    grid: Grid, names: list[str] | None, result: Any, path: str = "result"
+) -> ContactSolution | PartialSolution:
+    """The solution of a problem that was asked for the arrays `names`; None: for all."""
+    solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
+    check_arrays(solution, _ALL if names is None else names, grid)
+    return solution
