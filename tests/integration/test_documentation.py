@@ -51,7 +51,10 @@ def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
 
 
 def test_the_guide_to_sessions(shared):
-    assert run_examples("sessions.md", shared)["contact"].Fx < -5000
+    names = run_examples("sessions.md", shared)
+    assert names["contact"].Fx < -5000
+    assert abs(names["error"]) < 1e-9
+    assert names["ball"].step == names["again"].step + 1, "one step, however often it was tried"
     assert not shared.sessions()
 
 

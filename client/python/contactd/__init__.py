@@ -58,7 +58,7 @@ from .problem import (
     SemiAxes,
     SolverSettings,
 )
-from .session import SavedState, Session, SessionSummary, StepSolution
+from .session import SavedState, Session, SessionSummary
 from .solution import (
     ContactSolution,
     IcEvidence,
@@ -71,6 +71,7 @@ from .solution import (
     SolverEvidence,
     StoredIc,
 )
+from .steps import StepInput, StepSolution
 from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
 
@@ -119,6 +120,7 @@ __all__ = [
     "SolverEvidence",
     "SolverSettings",
     "StatusError",
+    "StepInput",
     "StepSolution",
     "StoredIc",
     "StressBlock",

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import os
-import threading
-import time
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
-from .errors import ConnectionFailed, ContactdError, DeadlineExceeded, ProtocolError, TimeoutExpired
-from .friction import Force, Friction, RollingKind, coefficient_param, slip_param
-from .partial import Fields, PartialSolution, check_arrays, names_of
-from .problem import Grid, Paraboloid, SemiAxes, check_field_types, check_type, gap_params, opening_params
+from .errors import ContactdError, ProtocolError
+from .friction import Force, Friction, RollingKind
+from .partial import Fields
+from .problem import Grid, Paraboloid, SemiAxes, check_field_types, check_type, opening_params
 from .reading import read
-from .showing import Rows, Shown, with_inherited_attributes
+from .showing import Rows, Shown
 from .solution import IcUse, Progress
+from .steps import StepInput, Steps, StepSolution
+from .waiting import insist
 
 if TYPE_CHECKING:
     from .client import Client
@@ -27,22 +25,6 @@ if TYPE_CHECKING:
 __all__ = ["SavedState", "Session", "SessionSummary", "StepSolution"]
 
 ProgressCallback = Callable[[Progress], None]
-
-
-@with_inherited_attributes
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class StepSolution(PartialSolution):
-    """The solution of a step. Arrays are None unless `fields` named them; `converged` is False only in a session that
-    accepts it.
-
-    Attributes:
-        step: Number of the step.
-    """
-
-    step: int
-
-    def _title(self) -> str:
-        return f"StepSolution {self.step}"
 
 
 @dataclass(frozen=True)
@@ -149,8 +131,6 @@ class Session(Shown):
     it: ``client.join_session(name)``.
 
     Attributes:
-        grid: The potential contact area.
-        step_number: Number of the last step, 0 before the first.
         lease_seconds: The session ends when unused for that long (s).
         bytes: What it took of the daemon's memory when it was opened or joined.
         ics: Where the influence coefficients came from, as in ContactEvidence.
@@ -161,29 +141,35 @@ class Session(Shown):
         try:
             self.lease_seconds = float(told["lease_seconds"])
             self.bytes = int(told["bytes"])
-            self.step_number = int(told["step"])
+            step = int(told["step"])
             ics = told["ics"].items()
         except (KeyError, TypeError, ValueError, AttributeError):
             raise ProtocolError("The answer to session.open or session.info lacks its session.") from None
         self.ics = {body: read(IcUse, use, f"result.ics.{body}") for body, use in ics}
-        self.grid = grid
         self.retries = 1
-        self._name = name
         self._client = client
-        self._rolls = rolls
-        self._process = os.getpid()
-        self._in_use = threading.Lock()
+        self._steps = Steps(name, grid, rolls, step)
 
     @property
     def name(self) -> str:
         """The key to the session, for Client.join_session: who has it can take steps, and end it."""
-        return self._name
+        return self._steps.session
+
+    @property
+    def grid(self) -> Grid:
+        """The potential contact area."""
+        return self._steps.grid
+
+    @property
+    def step_number(self) -> int:
+        """Number of the last step, 0 before the first."""
+        return self._steps.number
 
     def __reduce__(self) -> Any:
         raise TypeError("a Session cannot be pickled; hand on session.name, and join it by client.join_session(name)")
 
     def _title(self) -> str:
-        return f"Session {self._name[:6]}... of {self._client.endpoint}"  # no more of the key
+        return f"Session {self.name[:6]}... of {self._client.endpoint}"  # no more of the key
 
     def _rows(self) -> Rows:
         grid = f"{self.grid.nx} x {self.grid.ny} elements of {self.grid.dx:g} x {self.grid.dy:g}"
@@ -195,17 +181,15 @@ class Session(Shown):
     def __exit__(
         self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        if self._process != os.getpid():
-            return  # the parent's to end
         try:
             self.close()
         except ContactdError:
-            pass  # gone already, or out of reach: then its lease ends it
+            pass  # the parent's to end, gone already, or out of reach: then its lease ends it
 
     def close(self, *, timeout: float | None = None) -> None:
         """Ends the session in the daemon. Raises NotFound when it has ended already."""
-        self._check_process()
-        self._client.call("session.close", {"session": self._name}, timeout=timeout)
+        self._steps.check_process()
+        self._client.call("session.close", {"session": self.name}, timeout=timeout)
 
     def step(
         self,
@@ -231,6 +215,7 @@ class Session(Shown):
         velocity: float | None = None,
         derivatives: bool | None = None,
         fields: Fields = (),
+        again: bool = False,
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
     ) -> StepSolution:
@@ -240,113 +225,48 @@ class Session(Shown):
         a session that rolls, else that of a shift. `fields` names the arrays wanted back, or the one; `derivatives` says
         whether those are wanted, too.
 
+        With `again` the step that was asked for last is tried anew: had it been solved, it is taken back, and this one
+        starts where it started. As often as wanted, also after one that failed or whose answer was lost.
+
         Raises FailedPrecondition when the daemon is at another step, Aborted (reason NOT_CONVERGED) when a solver
         missed its tolerance, NotFound when the session has ended, and what Client.solve raises.
         """
-        params: dict[str, Any] = {"session": self._name}
-        for name, load in (("approach", approach), ("Fn", Fn)):
-            if load is not None:
-                params[name] = load
-        if gap is not None:
-            params["gap"] = gap_params(gap)
-        rolling = {
-            "xi": xi, "eta": eta, "phi": phi, "chi": chi, "dq": dq, "spin_offset": spin_offset,
-            "kind": kind, "steps": steps, "velocity": velocity,
+        step: StepInput = {
+            "approach": approach, "Fn": Fn, "gap": gap, "friction": friction, "mu": mu, "force": force,
+            "rigid_shift": rigid_shift, "rotation": rotation, "duration": duration, "rigid_slip": rigid_slip,
+            "xi": xi, "eta": eta, "phi": phi, "chi": chi, "dq": dq, "spin_offset": spin_offset, "kind": kind,
+            "steps": steps, "velocity": velocity, "derivatives": derivatives, "fields": fields, "again": again,
         }  # fmt: skip
-        shift = {"rigid_shift": _pair(rigid_shift), "rotation": rotation, "duration": duration}
-        changes = self._friction(friction, mu, _pair(force), shift, rolling)
-        if rigid_slip is not None:
-            changes["rigid_slip"] = slip_param(rigid_slip)
-        if changes:
-            params["friction"] = changes
-        if derivatives is not None:
-            params["derivatives"] = derivatives
-        if names := names_of(fields):
-            params["fields"] = names
-        with self._alone():
-            params["step"] = self.step_number + 1
+        with self._steps.alone():
+            params = self._steps.params(self._steps.number_of(step), step)
             result = self._insist("session.step", params, timeout, on_progress)
-            solution = read(StepSolution, result)
-            check_arrays(solution, names, self.grid)
-            self.step_number = solution.step
-        return solution
+            return self._steps.read(params.get("fields", ()), result)
 
     def save(self, *, timeout: float | None = None) -> SavedState:
         """Keeps where the session is, for restore()."""
-        with self._alone():
-            result = self._client.call("session.save", {"session": self._name}, timeout=timeout)
+        with self._steps.alone():
+            result = self._client.call("session.save", {"session": self.name}, timeout=timeout)
         return SavedState(str(result["state"]), int(result["step"]))
 
     def restore(self, state: SavedState, *, timeout: float | None = None) -> None:
         """Takes the session to a saved state, which stays: as often as wanted."""
         check_type("state", state, SavedState)
-        with self._alone():
-            result = self._insist("session.restore", {"session": self._name, "state": state.name}, timeout, None)
-            self.step_number = int(result["step"])
+        with self._steps.alone():
+            result = self._insist("session.restore", {"session": self.name, "state": state.name}, timeout)
+            self._steps.go_to(int(result["step"]))
 
     def forget(self, state: SavedState, *, timeout: float | None = None) -> None:
         """Frees a saved state."""
         check_type("state", state, SavedState)
-        self._check_process()
-        self._client.call("session.forget", {"session": self._name, "state": state.name}, timeout=timeout)
-
-    def _check_process(self) -> None:
-        if self._process != os.getpid():
-            raise ContactdError(
-                f"This session belongs to process {self._process}, from which process {os.getpid()} was forked; open one "
-                "of your own, or take it over by client.join_session(session.name)."
-            )
-
-    @contextmanager
-    def _alone(self) -> Iterator[None]:
-        """Two calls at once would give two steps the same number."""
-        self._check_process()
-        if not self._in_use.acquire(blocking=False):
-            raise ContactdError(
-                "A call of this session runs, in another thread or in the progress callback of this one; a session takes "
-                "one step at a time, in order. Open a session for each thread."
-            )
-        try:
-            yield
-        finally:
-            self._in_use.release()
-
-    def _friction(
-        self,
-        friction: Friction | None,
-        mu: float | npt.ArrayLike | None,
-        force: Any,
-        shift: dict[str, Any],
-        rolling: dict[str, Any],
-    ) -> dict[str, Any]:
-        changes = friction.params() if friction is not None else {}
-        if mu is not None:
-            changes["mu"] = coefficient_param(mu)
-        shift = {name: value for name, value in shift.items() if value is not None}
-        rolling = {name: value for name, value in rolling.items() if value is not None}
-        rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)
-        if force is not None:
-            (rolling if rolls else shift)["force"] = force
-        if rolling:
-            changes["rolling"] = {**changes.get("rolling", {}), **rolling}
-        return {**changes, **shift}
+        self._steps.check_process()
+        self._client.call("session.forget", {"session": self.name, "state": state.name}, timeout=timeout)
 
     def _insist(
-        self, method: str, params: dict[str, Any], timeout: float | None, on_progress: ProgressCallback | None
+        self, method: str, params: dict[str, Any], timeout: float | None, on_progress: ProgressCallback | None = None
     ) -> dict[str, Any]:
         """Asks again when no answer came: the daemon tells a request that it has answered by its number."""
-        for attempt in range(self.retries + 1):
-            try:
-                return self._client.call(method, params, timeout=timeout, on_progress=on_progress)
-            except DeadlineExceeded:
-                raise  # an answer: the session is as it was
-            except (TimeoutExpired, ConnectionFailed):
-                if attempt == self.retries:
-                    raise
-                time.sleep(0.05)
-        raise AssertionError("unreachable")
 
+        def ask() -> dict[str, Any]:
+            return self._client.call(method, params, timeout=timeout, on_progress=on_progress)
 
-def _pair(values: Any) -> Any:
-    """As a list, whatever sequence it is. What is no sequence is the daemon's to refuse, by name."""
-    return list(values) if isinstance(values, Iterable) else values
+        return insist(ask, self.retries)

@@ -22,12 +22,12 @@ from contactd import (
 )
 from support.fake_server import FakeServer
 from support.processes import in_fork
+from support.sessions import opened
 
 # The server that these tests run in a thread is the parent's; the children never touch it.
 pytestmark = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
 
 GRID, MATERIAL = Grid(3, 2, 1, 1), Material(1, 0)
-OPENED = {"session": "0123456789abcdef" * 2, "lease_seconds": 60, "step": 0, "ics": {}, "bytes": 1}
 
 
 def serving(request):
@@ -174,7 +174,7 @@ def test_errors_arrive_whole_from_another_process(fake):
 
 def sessions(request):
     if request.method == "session.open":
-        return [request.result(OPENED)]
+        return [request.result(opened())]
     return [request.result({"state": "state-1", "step": 0})]
 
 

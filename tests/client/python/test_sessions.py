@@ -21,25 +21,18 @@ from contactd.reading import read
 from contactd.solution import Solution
 from support import answers
 from support.fake_server import FakeServer
+from support.sessions import NAME, STEP, opened
 
 GRID, STEEL = Grid(3, 2, 1, 1), Material(82000, 0.28)
-NAME = "0123456789abcdef" * 2
-STEP = {
-    "step": 1, "approach": 0.02, "forces": {"Fn": 9, "Fx": 0, "Fy": 0, "Mz": 0}, "pmax": 4,
-    "area": {"contact": 3, "adhesion": 1, "slip": 2}, "elements": {"contact": 3, "adhesion": 1, "slip": 2, "border": 0},
-    "converged": True, "evidence": {"normal": {"iterations": 6, "residual": 0, "converged": True, "seconds": 0}},
-}  # fmt: skip
-
 
 @pytest.fixture
 def fake(tmp_path):
     def script(request):
         if request.method == "session.open":
-            return [request.result({"session": NAME, "lease_seconds": 60, "step": 0, "ics": {}, "bytes": 1})]
+            return [request.result(opened())]
         if request.method == "session.info":
             grid = {"nx": 3, "ny": 2, "dx": 1, "dy": 1, "x0": 5, "y0": 0}
-            told = {"step": 7, "lease_seconds": 60, "states": 0, "bytes": 1, "grid": grid, "motion": "rolling", "ics": {}}
-            return [request.result(told)]
+            return [request.result({**opened(7), "states": 0, "grid": grid, "motion": "rolling"})]
         arrays = {name: answers.array(1, (2, 3)) for name in request.params.get("fields", [])}
         return [request.result({**STEP, **arrays, "step": request.params.get("step", 7)}, *[bytes(48)] * bool(arrays))]
 

@@ -1,0 +1,159 @@
+"""Steps of a session: what one says, which number it has, and what it answers."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, TypedDict
+
+import numpy.typing as npt
+
+from .errors import ContactdError
+from .friction import Force, Friction, RollingKind, coefficient_param, slip_param
+from .partial import Fields, PartialSolution, check_arrays, names_of
+from .problem import Grid, Paraboloid, SemiAxes, gap_params
+from .reading import read
+from .showing import with_inherited_attributes
+
+__all__ = ["StepInput", "StepSolution", "Steps"]
+
+_ROLLING = ("xi", "eta", "phi", "chi", "dq", "spin_offset", "kind", "steps", "velocity")
+_SHIFT = ("rigid_shift", "rotation", "duration")
+
+
+class StepInput(TypedDict, total=False):
+    """What a step says: the keywords of Session.step, for Client.step_many, as in ``{"Fn": 9e3, "xi": 1e-3}``."""
+
+    approach: float | None
+    Fn: float | None
+    gap: Paraboloid | SemiAxes | npt.ArrayLike | None
+    friction: Friction | None
+    mu: float | npt.ArrayLike | None
+    force: Force | None
+    rigid_shift: tuple[float, float] | None
+    rotation: float | None
+    duration: float | None
+    rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None
+    xi: float | None
+    eta: float | None
+    phi: float | None
+    chi: float | None
+    dq: float | None
+    spin_offset: float | None
+    kind: RollingKind | None
+    steps: int | None
+    velocity: float | None
+    fields: Fields
+    again: bool
+
+
+@with_inherited_attributes
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class StepSolution(PartialSolution):
+    """The solution of a step. Arrays are None unless `fields` named them; `converged` is False only in a session that
+    accepts it.
+
+    Attributes:
+        step: Number of the step.
+    """
+
+    step: int
+
+    def _title(self) -> str:
+        return f"StepSolution {self.step}"
+
+
+class Steps:
+    """The steps of one session, which have an order: numbers them, and lets one thread of one process take them.
+
+    Attributes:
+        session: Its name.
+        grid: The potential contact area.
+        number: That of the last step, 0 before the first.
+    """
+
+    def __init__(self, session: str, grid: Grid, rolls: bool, number: int) -> None:
+        self.session = session
+        self.grid = grid
+        self._rolls = rolls
+        self._process = os.getpid()
+        self._in_use = threading.Lock()
+        self.go_to(number)
+
+    def go_to(self, number: int) -> None:
+        """Where the session is, whatever was asked for before."""
+        self.number = self._asked = number
+
+    def check_process(self) -> None:
+        """Raises ContactdError in a process that was forked."""
+        if self._process != os.getpid():
+            raise ContactdError(
+                f"This session belongs to process {self._process}, from which process {os.getpid()} was forked; open one "
+                "of your own, or take it over by client.join_session(session.name)."
+            )
+
+    @contextmanager
+    def alone(self) -> Iterator[None]:
+        """Two calls at once would give two steps the same number."""
+        self.check_process()
+        if not self._in_use.acquire(blocking=False):
+            raise ContactdError(
+                "A call of this session runs, in another thread or in the progress callback of this one; a session takes "
+                "one step at a time, in order. Open a session for each thread."
+            )
+        try:
+            yield
+        finally:
+            self._in_use.release()
+
+    def number_of(self, step: StepInput) -> int:
+        """The number to ask for: the next one, or with `again` the one asked for last, whatever came of it."""
+        if not step.get("again") or self._asked == 0:
+            self._asked = self.number + 1
+        return self._asked
+
+    def params(self, number: int, step: StepInput) -> dict[str, Any]:
+        """The parameters of session.step. Raises TypeError or InvalidArgument for what has no form on the wire."""
+        params: dict[str, Any] = {"session": self.session, "step": number}
+        if step.get("again"):
+            params["again"] = True
+        params |= {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
+        if (gap := step.get("gap")) is not None:
+            params["gap"] = gap_params(gap)
+        if friction := self._friction(step):
+            params["friction"] = friction
+        if names := names_of(step.get("fields", ())):
+            params["fields"] = names
+        return params
+
+    def read(self, names: Iterable[str], result: Any, path: str = "result") -> StepSolution:
+        """The answer to a step that was asked for the arrays `names`, with which the session has moved on."""
+        solution = read(StepSolution, result, path)
+        check_arrays(solution, names, self.grid)
+        self.number = solution.step
+        return solution
+
+    def _friction(self, step: StepInput) -> dict[str, Any]:
+        friction = step.get("friction")
+        changes = friction.params() if friction is not None else {}
+        if (mu := step.get("mu")) is not None:
+            changes["mu"] = coefficient_param(mu)
+        given = {name: value for name, value in step.items() if value is not None}
+        shift = {name: _listed(given[name]) for name in _SHIFT if name in given}
+        rolling = {name: given[name] for name in _ROLLING if name in given}
+        rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)
+        if "force" in given:
+            (rolling if rolls else shift)["force"] = _listed(given["force"])
+        if rolling:
+            changes["rolling"] = {**changes.get("rolling", {}), **rolling}
+        if (slip := step.get("rigid_slip")) is not None:
+            changes["rigid_slip"] = slip_param(slip)
+        return {**changes, **shift}
+
+
+def _listed(value: Any) -> Any:
+    """A pair as a list, whatever sequence it is. What is no sequence is the daemon's to refuse, by name."""
+    return list(value) if isinstance(value, Iterable) else value
