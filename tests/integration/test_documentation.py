@@ -53,6 +53,7 @@ def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
 def test_the_guide_to_sessions(shared):
     names = run_examples("sessions.md", shared)
     assert names["contact"].Fx < -5000
+    assert names["answers"][0].Fy > 0 > names["answers"][1].Fy
     assert abs(names["error"]) < 1e-9
     assert names["ball"].step == names["again"].step + 1, "one step, however often it was tried"
     assert not shared.sessions()

@@ -20,6 +20,7 @@ from .connection import CLIENT, PROTOCOL_VERSION, Reply
 from .connections import Connections
 from .curve import load_curve_keys
 from .errors import InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
+from .many_steps import stepped_sessions
 from .outcomes import outcomes
 from .partial import Fields, PartialSolution, names_of, read_solution
 from .pieces import fetch_in_pieces
@@ -28,6 +29,7 @@ from .reading import read
 from .session import Session, SessionSummary, joined_session, listed_sessions, opened_session
 from .showing import Rows, Shown
 from .solution import ContactSolution, IcTable, Job, Limits, Progress, QuarantinedIc, ServerInfo, StoredIc
+from .steps import StepInput, StepSolution
 from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
 from .waiting import may_build, say_that_the_build_goes_on, seconds_of
 
@@ -394,6 +396,28 @@ class Client(Shown):
         other one was.
         """
         return joined_session(self, name, timeout)
+
+    def step_many(
+        self, steps: Iterable[tuple[Session, StepInput]], *, timeout: float | None = None
+    ) -> list[StepSolution | StatusError]:
+        """Takes the next step of 1 to 1000 sessions of this client in one message, on all workers of the daemon: of all
+        contacts of a vehicle. Each is told as the session and the keywords of its step::
+
+            answers = client.step_many([(left, {"Fn": 51e3, "xi": 1e-3}), (right, {"Fn": 49e3, "xi": -1e-3})])
+
+        The answers are in the order of the steps. Where a step fails, its answer is the exception that Session.step would
+        have raised; its session stays where it was, and the others take their steps all the same. With ``"again": True``
+        in each, all are tried anew, those that failed, too. An array that several steps share (a gap) is sent once.
+
+        Raises InvalidArgument for the whole, before any session has moved, when a step has a field that the schema does
+        not allow, which it names like ``steps[3].friction.mu``, and when a session stands twice or is of another client;
+        ContactdError while another call of one of the sessions runs.
+
+        Steps whose answer does not come are asked for again under their numbers, as often as all of the sessions'
+        `retries` allow. When the whole fails (a timeout, Ctrl-C), some have taken their steps and others have not: the
+        same steps asked for again go on from there, and so do others with ``"again": True``.
+        """
+        return stepped_sessions(self, steps, timeout)
 
     def sessions(self, *, timeout: float | None = None) -> tuple[SessionSummary, ...]:
         """Ages and counts of the open sessions, oldest first."""

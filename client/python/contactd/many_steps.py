@@ -1,0 +1,57 @@
+"""Steps of several sessions in one message."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from contextlib import ExitStack
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from .arrays import invalid
+from .errors import StatusError
+from .outcomes import outcomes
+from .session import Session
+from .steps import StepInput, StepSolution
+from .waiting import insist
+
+if TYPE_CHECKING:
+    from .client import Client
+
+__all__ = ["stepped_sessions"]
+
+
+def stepped_sessions(
+    client: Client, pairs: Iterable[tuple[Session, StepInput]], timeout: float | None
+) -> list[StepSolution | StatusError]:
+    """What Client.step_many returns."""
+    pairs = list(pairs)
+    if not pairs:
+        return []
+    _check(client, pairs)
+    steps = [(session._steps, step) for session, step in pairs]
+    with ExitStack() as turns:
+        for own, _ in steps:
+            turns.enter_context(own.alone())
+        numbers = [own.number_of(step) for own, step in steps]  # of all, should one of them have no form on the wire
+        params = [own.params(number, step) for number, (own, step) in zip(numbers, steps)]
+
+        def ask() -> dict[str, Any]:
+            return client.call("session.step_many", {"steps": params}, timeout=timeout)
+
+        result = insist(ask, min(session.retries for session, _ in pairs))
+        readers = [partial(own.read, asked.get("fields", ())) for asked, (own, _) in zip(params, steps)]
+        return outcomes("session.step_many", result, "steps", readers)
+
+
+def _check(client: Client, pairs: list[tuple[Session, StepInput]]) -> None:
+    first: dict[str, int] = {}
+    for i, pair in enumerate(pairs):
+        if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], Session) and isinstance(pair[1], Mapping)):
+            raise TypeError(f'steps[{i}] must be a session and what its step says, such as (session, {{"Fn": 9e3}})')
+        session, step = pair
+        if unknown := step.keys() - StepInput.__annotations__.keys():
+            raise TypeError(f"steps[{i}] says {', '.join(sorted(unknown))}, which Session.step does not know for one of many")
+        if session._client is not client:
+            raise invalid(f"steps[{i}].session", "is of another client; it must be of the one that is asked")
+        if (other := first.setdefault(session.name, i)) != i:
+            raise invalid(f"steps[{i}].session", f"is that of steps[{other}]; each takes one step at a time")
