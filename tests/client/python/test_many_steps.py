@@ -118,12 +118,17 @@ def test_all_are_tried_again_those_that_failed_too(fake):
     assert [session.step_number for session in fake.sessions] == [1, 1, 1]
 
 
-def test_steps_that_never_left_were_asked_for_too(fake):
+@pytest.mark.parametrize(
+    ("wrong", "error", "problem"),
+    [
+        ({"gap": np.full((2, 3), np.nan)}, InvalidArgument, r"steps\[1\]\.gap\.array"),
+        ({"rigid_slip": 3}, TypeError, "rigid_slip"),
+    ],
+)
+def test_steps_that_never_left_were_all_asked_for(fake, wrong, error, problem):
     all_of(fake, *[{"Fn": 1}] * 3)
-    with pytest.raises(InvalidArgument, match=r"steps\[1\]\.gap\.array"):
-        all_of(fake, {"Fn": 1}, {"gap": np.full((2, 3), np.nan)}, {"Fn": 1})
-    with pytest.raises(TypeError, match="rigid_slip"):
-        all_of(fake, {"Fn": 1}, {"rigid_slip": 3}, {"Fn": 1})
+    with pytest.raises(error, match=problem):
+        all_of(fake, {"Fn": 1}, wrong, {"Fn": 1})
     all_of(fake, *[{"Fn": 1, "again": True}] * 3)
     assert fake.numbers() == [[1, 1, 1], [2, 2, 2]]
 
