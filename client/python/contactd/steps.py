@@ -46,6 +46,7 @@ class StepInput(TypedDict, total=False):
     kind: RollingKind | None
     steps: int | None
     velocity: float | None
+    derivatives: bool | None
     fields: Fields
     again: bool
 
@@ -125,6 +126,8 @@ class Steps:
             params["gap"] = gap_params(gap)
         if friction := self._friction(step):
             params["friction"] = friction
+        if (derivatives := step.get("derivatives")) is not None:
+            params["derivatives"] = derivatives
         if names := names_of(step.get("fields", ())):
             params["fields"] = names
         return params
