@@ -66,6 +66,7 @@ HeldContact::HeldContact(const ContactProblem& problem, const ContactInfluence& 
       pressed_(elements_with(pressure_)),
       rubbed_(elements_with(product(mu_, pressure_))),
       law_(rubbed_.size()),
+      along_(rubbed_.size()),
       p_(grid_.size()),
       u_(grid_.size()),
       q_(grid_.size()),
@@ -118,6 +119,12 @@ void HeldContact::take_law(const ContactSolution& solution) {
     }
     rubbed_.scatter(law_.normal.x, radial_.x);
     rubbed_.scatter(law_.normal.y, radial_.y);
+
+    for (std::size_t e = 0; e < m; ++e) {
+        along_.x[e] = law_.slips[e] ? -law_.normal.y[e] : 1;
+        along_.y[e] = law_.normal.x[e];
+        if (!law_.slips[e]) adhering_.push_back(e);
+    }
 }
 
 // Where turning is stiff little is left of a large residual: all are measured by the tractions that they are about, and
@@ -125,7 +132,10 @@ void HeldContact::take_law(const ContactSolution& solution) {
 void HeldContact::take_weights() {
     const double stiffness = mean(influence_.diagonal(Axis::z));
     const Values& self = compliance_->self();
-    for (std::size_t e = 0; e < rubbed_.size(); ++e) weights_.push_back(stiffness / (self[e] + law_.turning[e]));
+    weights_.resize(static_cast<Eigen::Index>(rubbed_.size() + adhering_.size()));
+    Eigen::Index k = 0;
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) weights_[k++] = stiffness / (self[e] + law_.turning[e]);
+    for (const std::size_t e : adhering_) weights_[k++] = stiffness / self[e];
 }
 
 void HeldContact::take_pressures(const Vector& dp) {
@@ -140,10 +150,21 @@ void HeldContact::take_bounds(const Vector& dg) {
     }
 }
 
-void HeldContact::take_free(const double* dq) {
-    const std::size_t m = rubbed_.size();
-    std::copy_n(dq, m, in_.x.begin());
-    std::copy_n(dq + m, m, in_.y.begin());
+void HeldContact::take_free(const Eigen::Ref<const Vector>& dq) {
+    Eigen::Index k = 0;
+    for (std::size_t e = 0; e < rubbed_.size(); ++e, ++k) {
+        in_.x[e] = along_.x[e] * dq[k];
+        in_.y[e] = along_.y[e] * dq[k];
+    }
+    for (const std::size_t e : adhering_) in_.y[e] = dq[k++];
+}
+
+HeldContact::Vector HeldContact::free_of(const Field& field) const {
+    Vector result(tractions());
+    Eigen::Index k = 0;
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) result[k++] = along_.x[e] * field.x[e] + along_.y[e] * field.y[e];
+    for (const std::size_t e : adhering_) result[k++] = field.y[e];
+    return result;
 }
 
 void HeldContact::add_free() {
@@ -165,14 +186,11 @@ void HeldContact::give_normal(double* result) const {
     for (const Contact::Run& run : pressed_.runs) std::copy_n(&u_[run.grid_first], run.size, result + run.first);
 }
 
-// P u + D dq for the response u in out_, weighted.
-void HeldContact::give_tangential(double* result) const {
-    const std::size_t m = rubbed_.size();
-    jacobian_times(m, law_.normal, law_.turning.data(), in_, out_, {result, result + m});
-    for (std::size_t e = 0; e < m; ++e) {
-        result[e] *= weights_[e];
-        result[m + e] *= weights_[e];
-    }
+// P u + D dq for the response u in out_, weighted. Nothing that adheres turns.
+HeldContact::Vector HeldContact::tangential_residual() {
+    add_product(rubbed_.size(), law_.turning.data(), in_.x.data(), out_.x.data());
+    add_product(rubbed_.size(), law_.turning.data(), in_.y.data(), out_.y.data());
+    return free_of(out_).cwiseProduct(weights_);
 }
 
 void HeldContact::normal(const Vector& dp, Vector& result) {
@@ -188,23 +206,22 @@ void HeldContact::precondition_normal(const Vector& r, Vector& z) {
 }
 
 void HeldContact::tangential(const Vector& dq, Vector& result) {
-    take_free(dq.data());
+    take_free(dq);
     compliance_->apply(in_, out_);
-    give_tangential(result.data());
+    result = tangential_residual();
 }
 
 void HeldContact::precondition_tangential(const Vector& r, Vector& z) {
-    take_free(unweighted(r).data());
+    take_free(unweighted(r));
     const auto kind = iteration_ == 0 ? Compliance::Residual::first : Compliance::Residual::later;
     compliance_->precondition(in_, out_, kind, iteration_++);
-    std::copy(out_.x.begin(), out_.x.end(), z.data());
-    std::copy(out_.y.begin(), out_.y.end(), z.data() + rubbed_.size());
+    z = free_of(out_);
 }
 
 void HeldContact::all(const Vector& both, Vector& result) {
     const Vector dp = both.head(pressures());
     take_bounds(bound_of_pressure(dp));
-    take_free(both.data() + pressures());
+    take_free(both.tail(tractions()));
     add_free();
     find_slip();
     take_pressures(dp);
@@ -215,7 +232,7 @@ void HeldContact::all(const Vector& both, Vector& result) {
     add(s_, coupling_);
     rubbed_.gather(s_.x, out_.x);
     rubbed_.gather(s_.y, out_.y);
-    give_tangential(result.data() + pressures());
+    result.tail(tractions()) = tangential_residual();
     influence_.normal(p_, u_);
     influence_.normal_of_tangential(q_.x, q_.y, p_);
     for (std::size_t i = 0; i < u_.size(); ++i) u_[i] += std::exchange(p_[i], 0);
@@ -231,15 +248,12 @@ void HeldContact::precondition_all(const Vector& r, Vector& z) {
 
 // Of the slip in out_.
 HeldContact::Right HeldContact::right_of_slip() const {
-    const auto m = static_cast<Eigen::Index>(rubbed_.size());
-    const auto array = [&](const Values& values) { return Eigen::Map<const Eigen::ArrayXd>(values.data(), m); };
-    const auto x = array(out_.x), y = array(out_.y), nx = array(law_.normal.x), ny = array(law_.normal.y);
-    const auto weights = array(weights_);
-    const Eigen::ArrayXd along = x * nx + y * ny;
-    Vector values(2 * m);
-    values.head(m) = weights * (along * nx - x);
-    values.tail(m) = weights * (along * ny - y);
-    return {std::move(values), std::sqrt((weights.square() * (x.square() + y.square())).sum())};
+    double squares = 0;
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) {
+        const double weight = weights_[static_cast<Eigen::Index>(e)];
+        squares += weight * weight * (out_.x[e] * out_.x[e] + out_.y[e] * out_.y[e]);
+    }
+    return {-free_of(out_).cwiseProduct(weights_), std::sqrt(squares)};
 }
 
 HeldContact::Right HeldContact::of_slip(int direction) {
@@ -257,14 +271,6 @@ HeldContact::Right HeldContact::of_bound(const Vector& dg) {
     rubbed_.gather(s_.x, out_.x);
     rubbed_.gather(s_.y, out_.y);
     return right_of_slip();
-}
-
-HeldContact::Vector HeldContact::unweighted(Vector residual) const {
-    const auto m = static_cast<Eigen::Index>(rubbed_.size());
-    const Eigen::Map<const Eigen::ArrayXd> weights(weights_.data(), m);
-    residual.head(m).array() /= weights;
-    residual.tail(m).array() /= weights;
-    return residual;
 }
 
 HeldContact::Vector HeldContact::pressures_of_bound(const Vector& dg) {
@@ -287,7 +293,7 @@ HeldContact::Vector HeldContact::bound_of_pressure(const Vector& dp) const {
 
 std::array<double, 4> HeldContact::forces(const Vector& dp, const Vector& dq, const Vector& dg) {
     take_bounds(dg);
-    take_free(dq.data());
+    take_free(dq);
     add_free();
     const TangentialForces sum = tangential_forces(grid_, q_.x, q_.y);
     return {dp.sum() * grid_.element_area(), sum.Fx, sum.Fy, sum.Mz};

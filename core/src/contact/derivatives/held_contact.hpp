@@ -23,7 +23,8 @@ namespace contactd {
 //     P (K (dq + n dg) + K_tz dp + dw) + D dq = 0,   D = |s|/g       in adhesion and slip
 //
 // with P, which projects on what is free, and K, A or C, as Newton's method on the friction law has them. Vectors hold
-// dp, then dq along x, then along y, each of the elements in question; on the right, what the equations leave.
+// dp of each element in contact, or what is free of dq: of each element along x where it adheres, across its traction
+// where it slips, and then along y of those that adhere. All of them hold dp first. On the right: what equations leave.
 class HeldContact {
    public:
     using Vector = Eigen::VectorXd;
@@ -37,7 +38,7 @@ class HeldContact {
     // Whether that part is its own transpose.
     bool symmetric() const { return change_ == nullptr; }
     Eigen::Index pressures() const { return static_cast<Eigen::Index>(pressed_.size()); }
-    Eigen::Index tractions() const { return 2 * static_cast<Eigen::Index>(rubbed_.size()); }
+    Eigen::Index tractions() const { return weights_.size(); }
 
     void normal(const Vector& dp, Vector& result);
     void precondition_normal(const Vector& r, Vector& z);
@@ -59,7 +60,7 @@ class HeldContact {
     Right of_bound(const Vector& dg);
     Vector pressures_of_bound(const Vector& dg);
     // A residual of the tangential equations as it is; these are weighted.
-    Vector unweighted(Vector residual) const;
+    Vector unweighted(const Vector& residual) const { return residual.cwiseQuotient(weights_); }
     // dg of each element in contact for one unit of friction, and for a change of the pressures.
     Vector bound_of_friction() const;
     Vector bound_of_pressure(const Vector& dp) const;
@@ -73,11 +74,12 @@ class HeldContact {
     void take_weights();
     void take_pressures(const Vector& dp);
     void take_bounds(const Vector& dg);
-    void take_free(const double* dq);
+    void take_free(const Eigen::Ref<const Vector>& dq);
     void add_free();
+    Vector free_of(const Field& field) const;
     void find_slip();
     void give_normal(double* result) const;
-    void give_tangential(double* result) const;
+    Vector tangential_residual();
     Right right_of_slip() const;
 
     const Restriction restriction_;
@@ -92,7 +94,9 @@ class HeldContact {
     const Contact pressed_, rubbed_;  // elements with a pressure; those of them with a bound
     std::unique_ptr<Compliance> compliance_;
     Linearisation law_;
-    Values weights_;  // of the tangential equations
+    Field along_;                        // what is free: e_x in adhesion, across the traction in slip
+    std::vector<std::size_t> adhering_;  // where e_y is free, too; of rubbed_
+    Vector weights_;                     // of the tangential equations
     // On the box: dp, what it makes of the gap, dq + n dg, and its slip. On elements with a bound: dq, and its slip.
     Values p_, u_;
     Field q_, s_, coupling_;
