@@ -40,8 +40,7 @@ SolverEvidence evidence_of(const ContactSolution& solution) {
     return evidence;
 }
 
-void run(benchmark::State& state, const ContactProblem& problem) {
-    Observer observer;
+IcTable pair_of_bodies(const ContactProblem& problem) {
     IcTable pair = bench::pair_table(problem.grid, problem.bodies.upper.material);
     if (!(problem.bodies.upper == problem.bodies.lower)) {
         IcSpec spec;
@@ -54,9 +53,42 @@ void run(benchmark::State& state, const ContactProblem& problem) {
         spec.material = problem.bodies.lower.material;
         pair = pair_of(upper, half_space_table(spec));
     }
-    const ContactInfluence influence = make_influence(problem, pair);
+    return pair;
+}
+
+void run(benchmark::State& state, const ContactProblem& problem) {
+    Observer observer;
+    const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));
     bench::count_in_products(state, *influence.here,
                              [&] { return evidence_of(solve_contact(problem, influence, observer)); });
+}
+
+// What derivatives add: the row is the solve with them. Counters: their own cost in products and over that of the solve
+// without, which takes turns with it; and their products.
+void run_derivatives(benchmark::State& state, ContactProblem problem) {
+    Observer observer;
+    const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));
+    const ContactProblem plain = problem;
+    problem.derivatives = true;
+    ContactSolution solution = solve_contact(plain, influence, observer);
+    std::vector<double> plain_seconds;
+    bench::count_in_products(state, *influence.here, [&] {
+        const double start = bench::processor_seconds();
+        solve_contact(plain, influence, observer);
+        plain_seconds.push_back(bench::processor_seconds() - start);
+        return evidence_of(solution);
+    });
+    const double product = bench::median(plain_seconds) / state.counters["A_p"];
+    std::vector<double> seconds;
+    for (std::size_t i = 0; i < plain_seconds.size(); ++i) {
+        const double start = bench::processor_seconds();
+        solution = solve_contact(problem, influence, observer);
+        seconds.push_back(bench::processor_seconds() - start);
+    }
+    const double more = bench::median(seconds) - bench::median(plain_seconds);
+    state.counters["derivatives_A_p"] = more / product;
+    state.counters["of_the_solve"] = more / bench::median(plain_seconds);
+    state.counters["derivatives_iterations"] = solution.evidence.derivatives->iterations;
 }
 
 ContactSolution solved(const ContactProblem& problem) {
@@ -150,6 +182,28 @@ void rolling_of_unlike_bodies_by_force(benchmark::State& state) {
     run(state, on_softer_body(size_of(state), by_force(rolling(), -8000, -6000)));
 }
 
+void derivatives_of_shift(benchmark::State& state) {
+    run_derivatives(state, on_ellipse(size_of(state), shift()));
+}
+
+void derivatives_of_steady_rolling(benchmark::State& state) {
+    run_derivatives(state, on_ellipse(size_of(state), rolling()));
+}
+
+void derivatives_of_transient_step(benchmark::State& state) {
+    Rolling motion = rolling();
+    motion.kind = RollingKind::transient;
+    run_derivatives(state, on_ellipse(size_of(state), motion));
+}
+
+void derivatives_of_unlike_bodies_that_shift(benchmark::State& state) {
+    run_derivatives(state, on_softer_body(size_of(state), shift()));
+}
+
+void derivatives_of_unlike_bodies_that_roll(benchmark::State& state) {
+    run_derivatives(state, on_softer_body(size_of(state), rolling()));
+}
+
 void sizes(benchmark::internal::Benchmark* rows) {
     rows->ArgName("n")->Arg(25)->Arg(50)->Arg(100)->Unit(benchmark::kMicrosecond);
 }
@@ -170,6 +224,11 @@ BENCHMARK(transient_march)->Apply(sizes);
 BENCHMARK(steady_rolling_by_force)->Apply(sizes);
 BENCHMARK(rolling_of_unlike_bodies)->Apply(sizes);
 BENCHMARK(rolling_of_unlike_bodies_by_force)->Apply(sizes);
+BENCHMARK(derivatives_of_shift)->Apply(sizes);
+BENCHMARK(derivatives_of_steady_rolling)->Apply(sizes);
+BENCHMARK(derivatives_of_transient_step)->Apply(sizes);
+BENCHMARK(derivatives_of_unlike_bodies_that_shift)->Apply(sizes);
+BENCHMARK(derivatives_of_unlike_bodies_that_roll)->Apply(sizes);
 
 }  // namespace
 
