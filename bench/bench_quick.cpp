@@ -87,6 +87,10 @@ void rolling_fastsim(benchmark::State& state) {
     run(state, [](const Grid& grid) { return fastsim(grid, contact, mu, creepages(1e-4)); });
 }
 
+void derivatives_of_fastsim(benchmark::State& state) {
+    run(state, [](const Grid&) { return fastsim_by_motion(contact, mu, creepages(1e-4)); });
+}
+
 void rolling_fastsim_by_force(benchmark::State& state) {
     Rolling motion = creepages(1e-4);
     motion.force.Fx = -0.6 * mu * Fn;
@@ -106,6 +110,7 @@ BENCHMARK(hertz)->Apply(sizes);
 BENCHMARK(shift)->Apply(sizes);
 BENCHMARK(rolling_without_spin)->Apply(sizes);
 BENCHMARK(rolling_fastsim)->Apply(sizes);
+BENCHMARK(derivatives_of_fastsim)->Apply(sizes);
 BENCHMARK(rolling_fastsim_by_force)->Apply(sizes);
 BENCHMARK(coefficients)->Unit(benchmark::kMicrosecond);
 
