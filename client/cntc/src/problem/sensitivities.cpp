@@ -12,6 +12,7 @@ namespace contactd::cntc {
 namespace {
 
 constexpr double step_size = 1e-4;  // of what an input is measured in
+constexpr int inputs = 4;           // the approach, and the motion along x, along y and about z
 
 using Outputs = std::array<double, 4>;
 
@@ -39,6 +40,45 @@ double& input(ContactProblem& problem, int in) {
     return in == 1 ? shift.rigid_shift.x : in == 2 ? shift.rigid_shift.y : shift.rotation;
 }
 
+double bound_of(const ContactProblem& problem, const Forces& forces) {
+    return problem.friction ? problem.friction->mu_of(0) * forces.Fn : 0;
+}
+
+/// By one of the inputs; 0 where it has no influence.
+double by(const std::optional<DerivativesOfAnswer>& answer, int in) {
+    if (!answer) return 0;
+    if (in == 0) return answer->approach.value_or(0);
+    if (const auto& shift = answer->rigid_shift)
+        return in == 1 ? shift->x : in == 2 ? shift->y : answer->rotation.value_or(0);
+    return (in == 1 ? answer->xi : in == 2 ? answer->eta : answer->phi).value_or(0);
+}
+
+/// Of the forces over mu Fn, which changes, too.
+Sensitivities by_derivatives(ContactProblem problem, ContactSolver& solver, bool rubs) {
+    Sensitivities result;
+    for (auto& row : result) row.fill(nothing);
+    problem.derivatives = true;
+    const ContactSolution solution = solver.solve(problem);
+    if (solution.elements.contact == 0) {
+        result[0][0] = 0;
+        return result;
+    }
+    if (!solution.converged() || !solution.derivatives)
+        throw Refused(error_code::tolerance, "The sensitivities stopped above their tolerance; the forces stand.");
+    const Derivatives& by_all = *solution.derivatives;
+    const Forces& forces = solution.forces;
+    const double bound = bound_of(problem, forces);
+    for (int in = 0; in < (rubs ? inputs : 1); ++in) {
+        const double normal = by(by_all.Fn, in);
+        result[0][in] = normal;
+        if (!rubs) continue;
+        result[1][in] = (by(by_all.Fx, in) - forces.Fx / forces.Fn * normal) / bound;
+        result[2][in] = (by(by_all.Fy, in) - forces.Fy / forces.Fn * normal) / bound;
+        result[3][in] = by(by_all.Mz, in);
+    }
+    return result;
+}
+
 /// What the inputs are measured in: the approach in itself, motions in what makes forces of the size of mu Fn.
 double unit_of(const ContactProblem& problem, const ContactSolution& solution, int in) {
     if (in == 0) return std::abs(solution.approach);
@@ -56,9 +96,23 @@ Outputs outputs(const ContactProblem& problem, ContactSolver& solver) {
         throw Refused(error_code::tolerance,
                       "The sensitivities' solves stopped above their tolerance; the forces stand.");
     const Forces& forces = solution.forces;
-    const double bound = problem.friction ? problem.friction->mu_of(0) * forces.Fn : 0;
+    const double bound = bound_of(problem, forces);
     const auto relative = [&](double force) { return bound > 0 ? force / bound : 0; };
     return {forces.Fn, relative(forces.Fx), relative(forces.Fy), forces.Mz};
+}
+
+Sensitivities by_differences(const ContactProblem& base, const ContactSolution& solution, ContactSolver& solver) {
+    Sensitivities result;
+    for (auto& row : result) row.fill(nothing);
+    for (int in = 0; in < inputs; ++in) {
+        const double unit = unit_of(base, solution, in), h = step_size * (unit > 0 ? unit : 1);
+        ContactProblem ahead = base, behind = base;
+        input(ahead, in) += h;
+        input(behind, in) -= h;
+        const Outputs more = outputs(ahead, solver), less = outputs(behind, solver);
+        for (int out = 0; out < 4; ++out) result[out][in] = (more[out] - less[out]) / (2 * h);
+    }
+    return result;
 }
 
 }  // namespace
@@ -68,17 +122,9 @@ Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution
     const bool rubs = tangential && problem.friction && problem.friction->mu_of(0) > 0 && solution.forces.Fn > 0;
     ContactProblem base = held(problem, solution);
     if (!rubs) base.friction.reset();
-    Sensitivities result;
-    for (auto& row : result) row.fill(nothing);
-    for (int in = 0; in < (rubs ? 4 : 1); ++in) {
-        const double unit = unit_of(problem, solution, in), h = step_size * (unit > 0 ? unit : 1);
-        ContactProblem ahead = base, behind = base;
-        input(ahead, in) += h;
-        input(behind, in) -= h;
-        const Outputs more = outputs(ahead, solver), less = outputs(behind, solver);
-        for (int out = 0; out < (rubs ? 4 : 1); ++out) result[out][in] = (more[out] - less[out]) / (2 * h);
-    }
-    return result;
+    // With a slip law core has no derivatives.
+    if (rubs && problem.friction->kinetic) return by_differences(base, solution, solver);
+    return by_derivatives(std::move(base), solver, rubs);
 }
 
 }  // namespace contactd::cntc
