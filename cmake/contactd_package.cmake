@@ -1,4 +1,5 @@
-# Debian packages by CPack: contactd (daemon, builder, unit, configuration) and python3-contactd (client).
+# Debian packages by CPack: contactd (daemon, builder, unit, configuration), python3-contactd (client), and the C
+# libraries libcontactd1 and libcontactd-local1 with libcontactd-dev, by which programs are built with them.
 #   ./dev package
 set(package_files ${PROJECT_SOURCE_DIR}/packaging)
 
@@ -17,6 +18,11 @@ contactd_compressed(${package_files}/debian/changelog changelog share/doc/contac
 contactd_compressed(${package_files}/debian/changelog changelog share/doc/python3-contactd python)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/contactd COMPONENT programs)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/python3-contactd COMPONENT python)
+foreach(package IN ITEMS libcontactd1=c_library libcontactd-local1=c_local_library libcontactd-dev=c_development)
+  string(REGEX MATCH "^(.+)=(.+)$" package ${package})
+  contactd_compressed(${package_files}/debian/changelog changelog share/doc/${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+  install(FILES ${package_files}/debian/copyright DESTINATION share/doc/${CMAKE_MATCH_1} COMPONENT ${CMAKE_MATCH_2})
+endforeach()
 install(FILES ${package_files}/contactd.service DESTINATION lib/systemd/system COMPONENT programs)
 install(FILES ${package_files}/contactd.json DESTINATION /etc/contactd COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/client/python/contactd DESTINATION lib/python3/dist-packages COMPONENT python
@@ -31,7 +37,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL programs python)
+set(CPACK_COMPONENTS_ALL programs python c_library c_local_library c_development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -58,6 +64,33 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, contactd")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "client of contactd, elastic contact as a service (Python 3)
 Contact problems, tables of influence coefficients and stresses inside bodies
 from Python: plain classes in, NumPy arrays out.")
+
+# contactd_library_package(COMPONENT NAME DESCRIPTION...) is a package of a shared library, whose name has its version.
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+file(WRITE ${PROJECT_BINARY_DIR}/packaging/triggers "activate-noawait ldconfig\n")
+function(contactd_library_package component name)
+  string(TOUPPER CPACK_DEBIAN_${component} prefix)
+  list(JOIN ARGN "\n" description)
+  set(${prefix}_PACKAGE_NAME ${name} PARENT_SCOPE)
+  set(${prefix}_PACKAGE_SECTION libs PARENT_SCOPE)
+  set(${prefix}_PACKAGE_SHLIBDEPS ON PARENT_SCOPE)
+  set(${prefix}_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packaging/triggers PARENT_SCOPE)
+  set(${prefix}_DESCRIPTION "${description}" PARENT_SCOPE)
+endfunction()
+
+contactd_library_package(c_library libcontactd1 "C library of contactd, elastic contact as a service"
+  "Contacts step by step, solved by a daemon, from C and what calls C:"
+  "opaque handles, plain numbers, codes with sentences.")
+contactd_library_package(c_local_library libcontactd-local1 "C library of contactd, elastic contact in process"
+  "The functions of libcontactd1, which also solve in process, without a daemon.")
+set(CPACK_DEBIAN_C_DEVELOPMENT_PACKAGE_NAME libcontactd-dev)
+set(CPACK_DEBIAN_C_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_C_DEVELOPMENT_PACKAGE_DEPENDS
+  "libcontactd1 (= ${PROJECT_VERSION}), libcontactd-local1 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_C_DEVELOPMENT_DESCRIPTION "C libraries of contactd, elastic contact (development files)
+The header contactd.h, and what CMake and pkg-config ask for.")
+
 # Control files have fixed names; those of this package are kept under its own.
 foreach(script postinst prerm)
   configure_file(${package_files}/debian/python3-contactd.${script} ${PROJECT_BINARY_DIR}/packaging/python/${script} COPYONLY)

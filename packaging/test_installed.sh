@@ -13,7 +13,7 @@ files() {
 files >/tmp/before
 apt-get update -qq
 say "installing with what the packages depend on, and nothing else"
-apt-get install -y -qq --no-install-recommends "$folder"/contactd_*.deb "$folder"/python3-contactd_*.deb >/tmp/install.log 2>&1 ||
+apt-get install -y -qq --no-install-recommends "$folder"/*.deb >/tmp/install.log 2>&1 ||
     { tail -n 30 /tmp/install.log >&2; fail "the packages cannot be installed"; }
 
 say "$(contactd --version | head -n 2 | tr '\n' ' ')"
@@ -40,17 +40,28 @@ done
 cd /
 contactd --ping $endpoint
 PYTHONDONTWRITEBYTECODE=1 python3 "$folder/test_installed.py" $endpoint || { cat /tmp/daemon.log >&2; fail "the client failed"; }
+
+say "building a C program, with the client's library and with the one that solves in process"
+apt-get install -y -qq --no-install-recommends gcc libc6-dev pkgconf >/tmp/gcc.log 2>&1 || fail "there is no compiler"
+for place in contactd=$endpoint contactd-local=local; do
+    cc -std=c99 -pedantic -Wall -Werror "$folder/cattaneo.c" $(pkg-config --cflags --libs "${place%%=*}") -o /tmp/cattaneo
+    /tmp/cattaneo "${place#*=}" >>/tmp/cattaneo.out || { cat /tmp/daemon.log >&2; fail "the C program failed"; }
+done
+# The same from both: two lines, each twice.
+[ "$(sort /tmp/cattaneo.out | uniq -c | awk '{ print $1 }' | xargs)" = "2 2" ] || fail "daemon and library differ"
 kill -TERM $daemon
 wait $daemon || fail "the daemon ended with status $?"
 trap - EXIT
 [ -n "$(find /var/lib/contactd/store -name '*.h5')" ] || fail "the table was not kept"
 
 say "removing and purging"
-apt-get remove -y -qq contactd python3-contactd >/tmp/remove.log 2>&1 || { cat /tmp/remove.log >&2; fail "removal failed"; }
+packages=$(dpkg-query -W -f='${Package}\n' | grep contactd)
+apt-get remove -y -qq $packages >/tmp/remove.log 2>&1 || { cat /tmp/remove.log >&2; fail "removal failed"; }
 [ -e /etc/contactd/contactd.json ] || fail "removal took the configuration"
 [ -d /var/lib/contactd ] || fail "removal took the tables"
 [ ! -e /usr/bin/contactd ] || fail "removal left the daemon"
-apt-get purge -y -qq contactd python3-contactd >/tmp/purge.log 2>&1 || { cat /tmp/purge.log >&2; fail "purging failed"; }
+# Not by apt, which does not know any more those that removal took whole.
+dpkg --purge $packages >/tmp/purge.log 2>&1 || { cat /tmp/purge.log >&2; fail "purging failed"; }
 files >/tmp/after
 left=$(comm -13 /tmp/before /tmp/after | grep -i contactd || true)
 [ -z "$left" ] || fail "files left behind: $left"

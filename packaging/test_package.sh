@@ -11,7 +11,7 @@ mode=auto
 [ "$(id -u)" -eq 0 ] || mode=unshare
 staged=$(mktemp -d)
 trap 'rm -rf "$staged"' EXIT
-cp "$packages"/contactd_*.deb "$packages"/python3-contactd_*.deb "$here/test_installed.sh" "$here/test_installed.py" "$staged/"
+cp "$packages"/*.deb "$here"/test_installed.* "$here/../client/c/example/cattaneo.c" "$staged/"
 chmod -R a+rX "$staged"
 
 mmdebstrap --variant=apt --mode="$mode" --format=null \

@@ -1,20 +1,22 @@
 // One user of a contact at a time.
 #pragma once
 
-#include <unistd.h>
-
 #include <atomic>
 
 #include "failure.hpp"
 
 namespace contactd::c {
 
-/// Holds `user` (a process id, 0 for nobody) while it lives. Throws StatusError (CONCURRENT_USE) when somebody of this
+/// How many forks this process is away from the one that loaded the library, and one: what a call of getpid tells, too,
+/// and costs more than all the rest of a setter.
+int generation() noexcept;
+
+/// Holds `user` (a generation, 0 for nobody) while it lives. Throws StatusError (CONCURRENT_USE) when somebody of this
 /// process does already; what a fork copied of a holder in the parent holds nothing.
 class Turn {
    public:
     explicit Turn(std::atomic<int>& user) : user_(user) {
-        const int self = ::getpid();
+        const int self = generation();
         int holder = user_.load();
         do {
             if (holder == self)

@@ -177,6 +177,7 @@ TEST_CASE("A log that throws ends its call, and no more", "[c]") {
     CHECK(contactd_last_error(contact) == std::string("A callback has thrown."));
 }
 
+#ifndef __SANITIZE_THREAD__  // which ends a forked process that starts threads
 TEST_CASE("A forked process makes contacts of its own, and leaves those of its parent alone", "[c]") {
     Daemon daemon;
     const Place place(daemon.endpoint());
@@ -208,3 +209,4 @@ TEST_CASE("A forked process makes contacts of its own, and leaves those of its p
     CHECK(WEXITSTATUS(status) == 0);
     CHECK(stepped(contact).pmax == Approx(first.pmax));  // still there; it starts from the step before
 }
+#endif
