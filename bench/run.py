@@ -23,11 +23,12 @@ import scaling
 import service
 from contactd.daemon import LocalDaemon
 
-PROGRAMS = ["bench_core", "bench_rolling", "bench_contact", "bench_quick", "bench_fem", "bench_request"]
+PROGRAMS = ["bench_core", "bench_rolling", "bench_contact", "bench_quick", "bench_embedding", "bench_fem", "bench_request"]
 #: Rows whose name matches the first are divided by the row that the second names (groups filled in).
 BASELINES = [
     (r"(bench_(?:core|rolling|contact))\.\w+/n:(\d+).*", "{0}.A_p/n:{1}", "A*p"),
     (r"bench_quick\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
+    (r"bench_embedding\.\w+/fastsim:(\d)", "bench_embedding.solver/fastsim:{0}", "solvers"),
     (r"bench_fem\.build/([\w-]+)/\w+.*", "bench_fem.build/{0}/total", "of the build"),
     (r"bench_fem\.table/\w+.*", "bench_fem.table/paper", "the paper's way"),
     (r"bench_request\.\w+.*", "bench_request.zeromq_echo", "ZeroMQ echos"),

@@ -1,0 +1,120 @@
+// What a step costs in process beside its solve: by contactd.h, by the engine, and by the solver alone.
+//
+// Steady rolling on 25 x 25 elements whose creepage goes up and down by 5 %, each step from where the last one ended;
+// and the same by FASTSIM.
+#include <benchmark/benchmark.h>
+
+#include <stdexcept>
+
+#include "contactd.h"
+#include "contactd/half_space.hpp"
+#include "contactd/solve_contact.hpp"
+#include "engine/engine.hpp"
+
+using namespace contactd;
+
+namespace {
+
+constexpr int n = 25;
+constexpr double dx = 13.2 / n, dy = 8.8 / n;
+
+double creepage(int step) {
+    return step % 2 == 0 ? 0.002 : 0.0021;
+}
+
+Rolling rolling(int step) {
+    return {.xi = creepage(step), .eta = 0.001, .phi = 1e-4};
+}
+
+ContactProblem problem_of(Model model) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(n, n, dx, dy);
+    problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
+    problem.model = model;
+    problem.gap = SemiAxes{6, 4};
+    problem.Fn = 50000;
+    problem.friction = FrictionLaw{.mu = {0.3}};
+    problem.motion = rolling(0);
+    return problem;
+}
+
+Model model_of(const benchmark::State& state) {
+    return state.range(0) == 0 ? Model::full : Model::fastsim;
+}
+
+// The solver alone: operators at hand, tractions moved on.
+void solver(benchmark::State& state) {
+    ContactProblem problem = problem_of(model_of(state));
+    Observer observer;
+    ContactInfluence influence;
+    if (problem.model == Model::full) {
+        const IcSpec spec{Ics{}, problem.bodies.upper.material, dx, dy, n, n};
+        const IcTable table = half_space_table(spec);
+        influence = make_influence(problem, table, table);
+    }
+    int step = 0;
+    for (auto _ : state) {
+        problem.motion = rolling(++step);
+        ContactSolution solution = solve_contact(problem, influence, observer);
+        benchmark::DoNotOptimize(solution.forces);
+        if (problem.model == Model::full)
+            problem.previous = problem.initial = {std::move(solution.pressure), std::move(solution.traction_x),
+                                                  std::move(solution.traction_y)};
+    }
+}
+
+void check(std::int32_t code, const void* handle) {
+    if (code != CONTACTD_OK) throw std::runtime_error(contactd_last_error(handle));
+}
+
+void c_step(benchmark::State& state) {
+    contactd_connection* connection;
+    contactd_contact* contact;
+    check(contactd_open("local", &connection), nullptr);
+    check(contactd_new(connection, &contact), connection);
+    check(contactd_set_grid_centred(contact, n, n, dx, dy), contact);
+    check(contactd_set_material(contact, CONTACTD_BOTH, 82000, 0.28), contact);
+    check(contactd_set_model(contact, model_of(state) == Model::full ? CONTACTD_FULL : CONTACTD_FASTSIM), contact);
+    check(contactd_set_semi_axes(contact, 6, 4), contact);
+    check(contactd_set_Fn(contact, 50000), contact);
+    check(contactd_set_mu(contact, 0.3), contact);
+    check(contactd_set_rolling(contact, CONTACTD_STEADY, creepage(0), 0.001, 1e-4), contact);
+    check(contactd_start(contact), contact);
+    int step = 0;
+    double Fn, Fx, Fy, Mz;
+    for (auto _ : state) {
+        check(contactd_set_rolling(contact, CONTACTD_STEADY, creepage(++step), 0.001, 1e-4), contact);
+        check(contactd_step(contact), contact);
+        check(contactd_get_forces(contact, &Fn, &Fx, &Fy, &Mz), contact);
+        benchmark::DoNotOptimize(Fx);
+    }
+    contactd_free(contact);
+    contactd_close(connection);
+}
+
+void engine_step(benchmark::State& state) {
+    engine::Engine engine({});
+    Observer observer;
+    const ContactProblem problem = problem_of(model_of(state));
+    const auto steps = engine.open({problem, problem}, observer);
+    engine::StepState here = steps->start();
+    StepInput input;
+    int step = 0;
+    for (auto _ : state) {
+        input.motion = rolling(++step);
+        const auto statement = [&](const std::optional<Motion>& last, ContactProblem& stated) {
+            engine::lay_over(input, last, stated);
+        };
+        ContactSolution solution = engine.solve(*steps, here, statement, observer);
+        benchmark::DoNotOptimize(solution.forces);
+        here = engine::ContactSteps::after(here, std::move(solution));
+    }
+}
+
+}  // namespace
+
+BENCHMARK(solver)->ArgName("fastsim")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(engine_step)->ArgName("fastsim")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(c_step)->ArgName("fastsim")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+
+BENCHMARK_MAIN();
