@@ -39,7 +39,7 @@ def test_the_program_on_the_page_rolls(shared_daemon, tmp_path):
     assert 0 > forces[0] > forces[1] > forces[2] >= -0.3 * 50e3
 
 
-def test_the_program_on_the_page_says_that_nobody_listens(tmp_path):
+def test_the_example_says_that_nobody_listens(tmp_path):
     ended = run(BIN / "contactd-c-example", f"ipc://{tmp_path}/nobody")
     assert ended.returncode == 1
     assert ended.stderr.startswith("UNAVAILABLE: Nobody listens at ")
@@ -137,12 +137,28 @@ def test_octave_has_every_function_and_word_of_the_header():
     assert {word.lower() for word in words} == set(re.findall(r'\{"(\w+)", CONTACTD_', source))
 
 
+def test_in_process_the_example_prints_what_it_prints_with_a_daemon(shared_daemon):
+    expected = run(BIN / "contactd-c-example", shared_daemon.endpoint).stdout
+    for place in ("local", shared_daemon.endpoint):
+        ended = run(BIN / "contactd-c-local-example", place)
+        assert ended.returncode == 0, ended.stderr
+        assert ended.stdout == expected
+    ended = run(BIN / "contactd-c-example", "local")
+    assert ended.returncode == 1
+    assert "link libcontactd-local instead" in ended.stderr
+
+
 @needs("valgrind")
 @pytest.mark.timeout(120)
-def test_the_example_reads_and_leaves_no_memory_that_is_not_its_own(shared_daemon):
+@pytest.mark.parametrize("place", ["daemon", "local"])
+def test_the_example_reads_and_leaves_no_memory_that_is_not_its_own(shared_daemon, place):
+    program, where = {
+        "daemon": ("contactd-c-example", shared_daemon.endpoint),
+        "local": ("contactd-c-local-example", "local"),
+    }[place]
     ended = run(
-        "valgrind", "--quiet", "--leak-check=full", "--show-leak-kinds=definite,possible", "--errors-for-leak-kinds=definite",
-        "--error-exitcode=9", BIN / "contactd-c-example", shared_daemon.endpoint,
+        "valgrind", "--quiet", "--leak-check=full", "--errors-for-leak-kinds=definite,possible", "--error-exitcode=9",
+        BIN / program, where,
     )  # fmt: skip
     assert ended.returncode == 0, ended.stderr
     assert "step 2" in ended.stdout
