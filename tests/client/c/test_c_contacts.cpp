@@ -234,3 +234,37 @@ TEST_CASE("A step that does not converge leaves the contact where it was, or cou
         CHECK(number == 0);
     }
 }
+
+#ifdef BUILDER
+TEST_CASE("A block's coefficients are built while the contact starts, and the log says how far they are", "[c]") {
+    Both both;
+    std::vector<std::string> lines;
+    const contactd_log keep = [](void* user, std::int32_t level, const char* text) {
+        if (level == CONTACTD_LOG_INFO) static_cast<std::vector<std::string>*>(user)->emplace_back(text);
+    };
+    require_ok(contactd_set_log(both.place, keep, &lines), both.place);
+    const Handle contact(both.place);
+    set_sphere(contact);
+    require_ok(contactd_set_fem(contact, CONTACTD_BOTH, CONTACTD_BLOCK, CONTACTD_CONSTANT, 0.05, 40), contact);
+    require_ok(contactd_start(contact), contact);
+    const Read found = stepped(contact);
+    char origin[20];
+    require_ok(contactd_get_origin(contact, CONTACTD_UPPER, origin, 20), contact);
+
+    CHECK(origin == std::string("built"));
+    REQUIRE_FALSE(lines.empty());
+    CHECK(lines[0].starts_with("Waiting for influence coefficients: "));
+    contactd::SessionSpec spec = sphere();
+    contactd::Ics block;
+    block.source = contactd::IcSource::fem;
+    block.body = contactd::BodyShape::block;
+    block.accuracy = 0.05;
+    block.fem.L_over_h = 40;
+    spec.setup.bodies = contactd::Bodies::of({{200, 0.42}, {200, 0.42}}, block);
+    CHECK(found == read(contactd::client::Session(both.client, spec).step({}).solution));
+    const Handle half_space(both.place);
+    set_sphere(half_space);
+    require_ok(contactd_start(half_space), half_space);
+    CHECK(found.Fn > stepped(half_space).Fn);  // it is clamped
+}
+#endif
