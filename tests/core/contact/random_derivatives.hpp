@@ -80,6 +80,20 @@ inline InputSizes input_sizes(const ContactProblem& problem, const ContactSoluti
     return sizes;
 }
 
+/// For one in five, rigid slip of each element, of the order of that of the motion.
+inline RigidSlip random_rigid_slip(std::uint64_t seed, const ContactProblem& problem) {
+    Dice dice(seed + 99'000'000);
+    if (!dice.chance(0.2)) return {};
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    const RigidShift shift =
+        rolling ? RigidShift{rolling->xi, rolling->eta} : std::get<Shift>(problem.motion).rigid_shift;
+    const double unit = std::hypot(shift.x, shift.y);
+    RigidSlip slip{Values(problem.grid.size()), Values(problem.grid.size())};
+    for (Values* values : {&slip.x, &slip.y})
+        for (double& value : *values) value = unit * dice.uniform(-0.5, 0.5);
+    return slip;
+}
+
 /// The problem of which derivatives are asked, solved nearly to rounding: one step, no slip law, a known motion.
 inline ContactProblem differentiable(std::uint64_t seed, int largest_size) {
     ContactProblem problem = random_contact(seed, largest_size);
@@ -87,6 +101,7 @@ inline ContactProblem differentiable(std::uint64_t seed, int largest_size) {
     problem.settings = {{1e-12, 3000}, {1e-11, 3000}, {1e-11, 300}};
     if (!problem.friction) return problem;
     problem.friction->kinetic.reset();
+    problem.rigid_slip = random_rigid_slip(seed, problem);
     if (auto* rolling = std::get_if<Rolling>(&problem.motion)) {
         rolling->steps = 1;
         rolling->force = {};
@@ -135,10 +150,15 @@ inline DerivativeCheck check_derivatives(const ContactProblem& problem, const Co
         rows[3] *= stiffness;
         return rows;
     };
-    double largest_of_all = 0;
-    for (int input = 0; input < derivative_inputs; ++input)
-        for (const double value : found(input))
-            largest_of_all = std::max(largest_of_all, std::abs(value) * sizes.size[input]);
+    double largest_of_all = 0, largest_tangential = 0;
+    for (int input = 0; input < derivative_inputs; ++input) {
+        const DerivativeRows rows = found(input);
+        for (std::size_t row = 0; row < 4; ++row) {
+            const double size = std::abs(rows[row]) * sizes.size[input];
+            largest_of_all = std::max(largest_of_all, size);
+            if (row < 3) largest_tangential = std::max(largest_tangential, size);
+        }
+    }
     for (int input = 0; input < derivative_inputs; ++input) {
         if (!(sizes.size[input] > 0)) continue;
         std::optional<DerivativeRows> expected = differences(problem, solution, input, sizes);
@@ -146,13 +166,17 @@ inline DerivativeCheck check_derivatives(const ContactProblem& problem, const Co
         if (!expected) continue;
         (*expected)[3] *= stiffness;
         const DerivativeRows rows = found(input);
-        double largest = 0.01 * largest_of_all / sizes.size[input], error = 0;
-        for (int row = 0; row < 4; ++row) {
-            largest = std::max(largest, std::abs((*expected)[row]));
-            error = std::max(error, std::abs(rows[row] - (*expected)[row]));
-        }
-        if (error / largest <= check.error) continue;
-        check.error = error / largest;
+        // Beside the normal force tangential ones hardly follow the load: they have their own measure then.
+        const double carried = sizes.size[4] * largest_of_all;  // by friction, the sums of which may cancel
+        double tangential = 0.01 * std::max(largest_tangential, carried) / sizes.size[input];
+        for (std::size_t row = 0; row < 3; ++row) tangential = std::max(tangential, std::abs((*expected)[row]));
+        const double all = std::max({0.01 * largest_of_all / sizes.size[input], std::abs((*expected)[3]), tangential});
+        double error = std::abs(rows[3] - (*expected)[3]) / all;
+        const double measure = input == 3 ? tangential : all;
+        for (std::size_t row = 0; row < 3 && measure > 0; ++row)
+            error = std::max(error, std::abs(rows[row] - (*expected)[row]) / measure);
+        if (error <= check.error) continue;
+        check.error = error;
         check.worst = input;
     }
     return check;

@@ -8,6 +8,7 @@
 #include "contact/normal/normal.hpp"
 #include "contact/tangential/tangential.hpp"
 #include "dense_operator.hpp"
+#include "random_derivatives.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -104,6 +105,36 @@ TEST_CASE("every solver runs on a dense operator and gives the convolution's ans
         CHECK_THAT(dense.traction_y[i], WithinAbs(convolved.traction_y[i], 1e-5 * unit));
     }
     CHECK(dense.element_division == convolved.element_division);
+}
+
+TEST_CASE("derivatives on a dense operator are those on the convolution", "[contact][dense][derivatives]") {
+    const bool dissimilar = GENERATE(false, true);
+    const bool summed = GENERATE(false, true);
+    const Motion motion = GENERATE(Motion(Shift{.rigid_shift = {0.001, -0.0005}, .rotation = 0.0003}),
+                                   Motion(Rolling{.xi = 0.002, .eta = -0.001, .phi = 0.001, .chi = 0.2}));
+    ContactProblem problem = ellipse();
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = motion;
+    problem.derivatives = true;
+    if (dissimilar) problem.bodies = {{1000, 0.28}, {400, 0.4}};
+    CAPTURE(motion.index(), dissimilar, summed);
+    Observer observer;
+
+    const ContactSolution dense =
+        solve_contact(problem, summed ? sum_of_kinds(problem) : dense_influence(problem), observer);
+    const ContactSolution convolved = solve_contact(problem, make_influence(problem, pair_table(problem)), observer);
+
+    REQUIRE(dense.derivatives);
+    REQUIRE(convolved.derivatives);
+    for (int input = 0; input < derivative_inputs; ++input) {
+        CAPTURE(input);
+        const DerivativeRows one = rows_of(*dense.derivatives, input, 1),
+                             other = rows_of(*convolved.derivatives, input, 1);
+        double largest = 0;
+        for (std::size_t row = 0; row < 3; ++row) largest = std::max(largest, std::abs(other[row]));
+        for (std::size_t row = 0; row < 3; ++row) CHECK_THAT(one[row], WithinAbs(other[row], 1e-4 * largest));
+    }
+    CHECK_THAT(*dense.derivatives->approach->Fn, WithinRel(*convolved.derivatives->approach->Fn, 1e-4));
 }
 
 // The elements of a body that is not uniform have self-influences of their own: A_ij s_i s_j is symmetric and positive.

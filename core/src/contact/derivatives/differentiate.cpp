@@ -19,6 +19,7 @@ using Vector = KrylovSpace::Vector;
 using Table = DerivativeTable;
 
 constexpr double usual_tolerance = 2e-5;  // of linear equations, relative
+constexpr double coupled_tolerance = 3e-6;
 // The same where what is left of them is made up for, so that forces err by its square.
 constexpr double symmetric_tolerance = 1e-3;
 
@@ -86,30 +87,34 @@ class Differentiation {
     }
 
     void find_together() {
-        tolerance_ = usual_tolerance;
+        tolerance_ = coupled_tolerance;
         const Eigen::Index pressures = contact_.pressures(), tractions = contact_.tractions();
         KrylovSpace all(
             pressures + tractions, [&](const Vector& p, Vector& u) { contact_.all(p, u); },
             [&](const Vector& r, Vector& z) { contact_.precondition_all(r, z); });
         const auto respond = [&](Table::Column column, const Vector& normal, const HeldContact::Right& tangential,
-                                 const Vector& dg) {
+                                 const Vector& dg, double measure = 1) {
             Vector right(pressures + tractions);
             right << normal, tangential.values;
-            const Vector x = solve(all, right, std::hypot(normal.norm(), tangential.size), tolerance_).x;
+            const Vector x = solve(all, right, std::hypot(normal.norm(), tangential.size), tolerance_, measure).x;
             const Vector dp = x.head(pressures);
             take(column, {dp, x.tail(tractions), contact_.bound_of_pressure(dp) + dg});
         };
         const Vector ones = Vector::Ones(pressures), none = Vector::Zero(pressures);
         for (int k = 0; k < 3; ++k) respond(motions[k], none, contact_.of_slip(k), none);
-        respond(Table::approach, ones, {Vector::Zero(tractions), 0}, none);
+        // What friction makes of pressures is so much less, and wanted as well.
+        respond(Table::approach, ones, {Vector::Zero(tractions), 0}, none, std::min(contact_.mean_friction(), 1.0));
         const Vector dg = contact_.bound_of_friction();
         respond(Table::mu, contact_.pressures_of_bound(dg), contact_.of_bound(dg), dg);
         iterations_ += all.steps();
     }
 
-    KrylovSpace::Solution solve(KrylovSpace& space, const Vector& right, double size, double tolerance) {
-        auto found = space.solve(right, size, tolerance, observer_);
-        residual_ = std::max(residual_, found.relative);
+    // Residuals count relative to `measure` times the right-hand side.
+    KrylovSpace::Solution solve(KrylovSpace& space, const Vector& right, double size, double tolerance,
+                                double measure = 1) {
+        if (!(measure > 0)) measure = 1;
+        auto found = space.solve(right, size, measure * tolerance, observer_);
+        residual_ = std::max(residual_, found.relative / measure);
         return found;
     }
 

@@ -83,6 +83,12 @@ HeldContact::HeldContact(const ContactProblem& problem, const ContactInfluence& 
     take_weights();
 }
 
+double HeldContact::mean_friction() const {
+    double sum = 0;
+    for (const std::size_t i : pressed_.elements) sum += mu_[i];
+    return sum / static_cast<double>(pressed_.size());
+}
+
 Values HeldContact::crop(std::span<const double> whole) const {
     return is_whole_ ? Values(whole.begin(), whole.end()) : restriction_.crop(whole);
 }

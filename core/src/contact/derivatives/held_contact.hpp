@@ -37,6 +37,8 @@ class HeldContact {
     bool coupled() const { return coupled_; }
     // Whether that part is its own transpose.
     bool symmetric() const { return change_ == nullptr; }
+    // Over the elements in contact.
+    double mean_friction() const;
     Eigen::Index pressures() const { return static_cast<Eigen::Index>(pressed_.size()); }
     Eigen::Index tractions() const { return weights_.size(); }
 
