@@ -1,0 +1,68 @@
+// What inputs put on the right of the equations, and the forces that come of it.
+#include <cmath>
+
+#include "contact/rolling/rolling.hpp"
+#include "held_contact.hpp"
+
+namespace contactd {
+
+double HeldContact::mean_friction() const {
+    double sum = 0;
+    for (const std::size_t i : pressed_.elements) sum += mu_[i];
+    return sum / static_cast<double>(pressed_.size());
+}
+
+// Of the slip in out_.
+HeldContact::Right HeldContact::right_of_slip() const {
+    double squares = 0;
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) {
+        const double weight = weights_[static_cast<Eigen::Index>(e)];
+        squares += weight * weight * (out_.x[e] * out_.x[e] + out_.y[e] * out_.y[e]);
+    }
+    return {-free_of(out_).cwiseProduct(weights_), std::sqrt(squares)};
+}
+
+HeldContact::Right HeldContact::of_slip(int direction) {
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) {
+        const auto i = static_cast<int>(rubbed_.elements[e]);
+        out_.x[e] = direction == 0 ? 1 : direction == 1 ? 0 : -grid_.y(i / grid_.nx);
+        out_.y[e] = direction == 0 ? 0 : direction == 1 ? 1 : grid_.x(i % grid_.nx);
+    }
+    return right_of_slip();
+}
+
+HeldContact::Right HeldContact::of_bound(const Vector& dg) {
+    take_bounds(dg);
+    find_slip();
+    rubbed_.gather(s_.x, out_.x);
+    rubbed_.gather(s_.y, out_.y);
+    return right_of_slip();
+}
+
+HeldContact::Vector HeldContact::pressures_of_bound(const Vector& dg) {
+    take_bounds(dg);
+    influence_.normal_of_tangential(q_.x, q_.y, u_);
+    Vector right(pressures());
+    give_normal(right.data());
+    return -right;
+}
+
+HeldContact::Vector HeldContact::bound_of_friction() const {
+    return Eigen::Map<const Vector>(pressed_.bound.data(), pressures());
+}
+
+HeldContact::Vector HeldContact::bound_of_pressure(const Vector& dp) const {
+    Vector dg = dp;
+    for (std::size_t e = 0; e < pressed_.size(); ++e) dg[static_cast<Eigen::Index>(e)] *= mu_[pressed_.elements[e]];
+    return dg;
+}
+
+std::array<double, 4> HeldContact::forces(const Vector& dp, const Vector& dq, const Vector& dg) {
+    take_bounds(dg);
+    take_free(dq);
+    add_free();
+    const TangentialForces sum = tangential_forces(grid_, q_.x, q_.y);
+    return {dp.sum() * grid_.element_area(), sum.Fx, sum.Fy, sum.Mz};
+}
+
+}  // namespace contactd
