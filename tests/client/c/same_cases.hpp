@@ -118,5 +118,10 @@ inline std::vector<SameCase> same_cases() {
                          require_ok(contactd_set_rolling(c, CONTACTD_STEADY, 1e-3, 0, 0), c);
                      },
                      {nothing}});
+    cases.push_back(
+        {"friction that comes later, rolling, and then a shift",
+         nothing,
+         {nothing, rolls, nothing, [](contactd_contact* c) { require_ok(contactd_set_shift(c, 2e-3, 0, 0), c); },
+          [](contactd_contact* c) { require_ok(contactd_set_mu(c, 0.1), c); }}});
     return cases;
 }
