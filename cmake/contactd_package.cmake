@@ -1,5 +1,6 @@
 # Debian packages by CPack: contactd (daemon, builder, unit, configuration), python3-contactd (client), and the C
-# libraries libcontactd1 and libcontactd-local1 with libcontactd-dev, by which programs are built with them.
+# libraries libcontactd1, libcontactd-local1 and libcontactd-cntc0 with libcontactd-dev and libcontactd-cntc-dev, by which
+# programs are built with them.
 #   ./dev package
 set(package_files ${PROJECT_SOURCE_DIR}/packaging)
 
@@ -18,7 +19,8 @@ contactd_compressed(${package_files}/debian/changelog changelog share/doc/contac
 contactd_compressed(${package_files}/debian/changelog changelog share/doc/python3-contactd python)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/contactd COMPONENT programs)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/python3-contactd COMPONENT python)
-foreach(package IN ITEMS libcontactd1=c_library libcontactd-local1=c_local_library libcontactd-dev=c_development)
+foreach(package IN ITEMS libcontactd1=c_library libcontactd-local1=c_local_library libcontactd-dev=c_development
+    libcontactd-cntc0=cntc libcontactd-cntc-dev=cntc_development)
   string(REGEX MATCH "^(.+)=(.+)$" package ${package})
   contactd_compressed(${package_files}/debian/changelog changelog share/doc/${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   install(FILES ${package_files}/debian/copyright DESTINATION share/doc/${CMAKE_MATCH_1} COMPONENT ${CMAKE_MATCH_2})
@@ -37,7 +39,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL programs python c_library c_local_library c_development)
+set(CPACK_COMPONENTS_ALL programs python c_library c_local_library c_development cntc cntc_development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -90,6 +92,15 @@ set(CPACK_DEBIAN_C_DEVELOPMENT_PACKAGE_DEPENDS
   "libcontactd1 (= ${PROJECT_VERSION}), libcontactd-local1 (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_C_DEVELOPMENT_DESCRIPTION "C libraries of contactd, elastic contact (development files)
 The header contactd.h, and what CMake and pkg-config ask for.")
+
+contactd_library_package(cntc libcontactd-cntc0 "functions of the CONTACT program's C library, by contactd"
+  "Programs that are coupled to that library solve basic contact in process"
+  "with contactd by linking this one instead.")
+set(CPACK_DEBIAN_CNTC_DEVELOPMENT_PACKAGE_NAME libcontactd-cntc-dev)
+set(CPACK_DEBIAN_CNTC_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_CNTC_DEVELOPMENT_PACKAGE_DEPENDS "libcontactd-cntc0 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_CNTC_DEVELOPMENT_DESCRIPTION "functions of the CONTACT program's C library (development files)
+The header contactd_cntc.h, and what CMake and pkg-config ask for.")
 
 # Control files have fixed names; those of this package are kept under its own.
 foreach(script postinst prerm)

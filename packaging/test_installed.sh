@@ -49,6 +49,8 @@ for place in contactd=$endpoint contactd-local=local; do
 done
 # The same from both: two lines, each twice.
 [ "$(sort /tmp/cattaneo.out | uniq -c | awk '{ print $1 }' | xargs)" = "2 2" ] || fail "daemon and library differ"
+cc -std=c99 -pedantic -Wall -Werror "$folder/creep_forces.c" $(pkg-config --cflags --libs contactd-cntc) -o /tmp/creep_forces
+[ "$(/tmp/creep_forces | grep -c 'creepage 0.00')" = 4 ] || fail "the program by the cntc functions failed"
 kill -TERM $daemon
 wait $daemon || fail "the daemon ended with status $?"
 trap - EXIT

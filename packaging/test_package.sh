@@ -11,7 +11,7 @@ mode=auto
 [ "$(id -u)" -eq 0 ] || mode=unshare
 staged=$(mktemp -d)
 trap 'rm -rf "$staged"' EXIT
-cp "$packages"/*.deb "$here"/test_installed.* "$here/../client/c/example/cattaneo.c" "$staged/"
+cp "$packages"/*.deb "$here"/test_installed.* "$here/../client/c/example/cattaneo.c" "$here/../client/cntc/example/creep_forces.c" "$staged/"
 chmod -R a+rX "$staged"
 
 mmdebstrap --variant=apt --mode="$mode" --format=null \

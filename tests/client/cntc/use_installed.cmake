@@ -1,7 +1,7 @@
 # Installs the library of BUILD below WORK, and builds EXAMPLE against it, with pkg-config and as a project of somebody else.
 set(prefix ${WORK}/installed-cntc)
 file(REMOVE_RECURSE ${prefix} ${WORK}/consumer-cntc ${WORK}/source-cntc)
-foreach(component cntc cntc-development)
+foreach(component cntc cntc_development)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component ${component}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
