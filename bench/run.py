@@ -3,7 +3,8 @@
 Machines are noisy and differ: compare the ratios, not the times.
 
     ./dev bench [--quick] [--only PROGRAM ...] [--json FILE]
-    ./dev bench --service what the daemon adds to a solve, and solves per second with one worker and two
+    ./dev bench --service what the daemon adds to a solve and to the steps of many sessions, and solves per second with one
+                          worker and two
     ./dev bench --plot    cost against grid size instead: docs/performance.csv and docs/performance.png (some minutes)
 """
 

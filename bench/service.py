@@ -1,4 +1,5 @@
-"""What the daemon costs: latency of a request over the solve itself, and how solves per second grow with workers.
+"""What the daemon costs: latency of a request over the solve itself, how solves per second grow with workers, and the
+steps of many contacts in one message (many_steps.py).
 
     ./dev bench --service [--quick] [--json FILE]
 
@@ -19,6 +20,7 @@ from typing import Any
 
 import zmq
 
+import many_steps
 from contactd.daemon import LocalDaemon
 from session_steps import motion, problem
 
@@ -171,5 +173,8 @@ def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
             f"{rate['name']:36} {rate['one']:9.1f} {rate['two']:10.1f} {rate['best_over_best']:10.2f} {rate['median_ratio']:7.2f} "
             f"{rate['processors_used_by_two']:11.2f}"
         )
+    print()
+    many = many_steps.measure(binaries / "contactd", 100 if quick else 1000)
+    many_steps.show(many)
     if json_file:
-        json_file.write_text(json.dumps({"latency": rows, "throughput": rates}, indent=1))
+        json_file.write_text(json.dumps({"latency": rows, "throughput": rates, "many_steps": many}, indent=1))
