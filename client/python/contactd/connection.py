@@ -45,9 +45,14 @@ class Connection:
     """
 
     def __init__(
-        self, context: zmq.Context[zmq.Socket[bytes]], endpoint: str, curve: CurveKeys | None = None
+        self,
+        context: zmq.Context[zmq.Socket[bytes]],
+        endpoint: str,
+        curve: CurveKeys | None = None,
+        spin: float = 0.0,
     ) -> None:
         self.endpoint = endpoint
+        self._spin = spin
         self._process = os.getpid()
         self._encrypted = curve is not None
         self._socket = context.socket(zmq.DEALER)
@@ -176,6 +181,10 @@ class Connection:
         poller = zmq.Poller()
         poller.register(self._socket, zmq.POLLIN)
         poller.register(self._monitor, zmq.POLLIN)
+        awake = min(deadline, time.monotonic() + self._spin)
+        while time.monotonic() < awake:
+            if self._socket.poll(0):
+                return self._socket.recv_multipart()
         while True:
             remaining = deadline - time.monotonic()
             if remaining <= 0:

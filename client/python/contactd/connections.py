@@ -23,8 +23,8 @@ class Connections:
     and the threads of ZeroMQ that serve them are in the parent only.
     """
 
-    def __init__(self, endpoint: str, curve: CurveKeys | None) -> None:
-        self._endpoint, self._curve = endpoint, curve
+    def __init__(self, endpoint: str, curve: CurveKeys | None, spin: float = 0.0) -> None:
+        self._endpoint, self._curve, self._spin = endpoint, curve, spin
         self._inherited: list[Any] = []  # never used, and never freed either, which would wait for the parent's threads
         self.is_closed = False
         self._begin()
@@ -46,9 +46,12 @@ class Connections:
         with self._lock:
             if self.is_closed:
                 raise ConnectionFailed("The client is closed.")
-            connection = self._idle.pop() if self._idle else Connection(self._context, self._endpoint, self._curve)
+            connection = self._idle.pop() if self._idle else self._made()
             self._busy += 1
             return connection
+
+    def _made(self) -> Connection:
+        return Connection(self._context, self._endpoint, self._curve, self._spin)
 
     def give_back(self, connection: Connection, usable: bool = True) -> None:
         """`usable`: whether the next call may have it."""

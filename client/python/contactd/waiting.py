@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from .errors import ConnectionFailed, DeadlineExceeded, StatusError, TimeoutExpired
 
-__all__ = ["LONGEST", "insist", "may_build", "say_that_the_build_goes_on", "seconds_of"]
+__all__ = ["LONGEST", "insist", "may_build", "say_that_the_build_goes_on", "seconds_of", "spin_of"]
 
 Answer = TypeVar("Answer")
 LONGEST = 86_400.0  #: seconds that a call may take
@@ -25,6 +25,17 @@ def seconds_of(name: str, value: Any) -> float:
     seconds = float(value)
     if not 0 < seconds <= LONGEST:
         raise ValueError(f"{name} is {value}; {right}")
+    return seconds
+
+
+def spin_of(value: Any) -> float:
+    """A time to look for answers without sleeping (s). Raises TypeError or ValueError."""
+    right = "it must be a number of seconds, 0 (as if left out) to 1"
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise TypeError(f"spin is {value!r}; {right}")
+    seconds = float(value)
+    if not 0 <= seconds <= 1:
+        raise ValueError(f"spin is {value}; {right}")
     return seconds
 
 

@@ -1,5 +1,7 @@
 """How long calls wait, and what they say when the wait is over."""
 
+import pickle
+
 import pytest
 
 from contactd import (
@@ -123,3 +125,21 @@ def test_the_time_to_go_is_said_in_a_unit_that_fits(seconds, words):
 def test_progress_shows_iterations_and_states():
     assert str(Progress("pcg", 0.5, iteration=7, residual=1.2e-4)) == "pcg 50 %, iteration 7, residual 1.2e-04"
     assert str(Progress("watch", 0, state="stopping")) == "the daemon is stopping"
+
+
+@pytest.mark.parametrize(
+    ("value", "error"),
+    [("x", TypeError), (True, TypeError), (None, TypeError), (-1e-6, ValueError), (1.5, ValueError), (float("nan"), ValueError)],
+)  # fmt: skip
+def test_a_spin_that_is_none_is_named_with_what_is_right(value, error):
+    with pytest.raises(error, match=r"^spin is .*; it must be a number of seconds, 0 \(as if left out\) to 1"):
+        Client("ipc:///nowhere", spin=value)
+
+
+@pytest.mark.parametrize("spin", [0, 1e-4, 1])
+def test_an_answer_is_found_awake_and_asleep(tmp_path, spin):
+    with FakeServer(tmp_path, lambda request: [request.result({"state": "serving"})]) as server:
+        with Client(server.endpoint, spin=spin) as client:
+            assert [client.health() for _ in range(5)] == ["serving"] * 5
+            with pickle.loads(pickle.dumps(client)) as other:
+                assert other.spin == spin
