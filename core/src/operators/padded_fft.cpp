@@ -1,6 +1,8 @@
 #include "padded_fft.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <thread>
 
 #include "padded_fft_plans.hpp"
 #include "spectral_products.hpp"
@@ -20,6 +22,7 @@ struct PaddedFft::Workspace {
     Buffer<Complex> padded_column;            // on its way there, zero beyond the grid
     Buffer<Complex> result;                   // on its way back
     Buffer<double> padded_row, row;
+    std::thread::id user;                                 // who had it last
     Buffer<Complex> padded_rows, transformed_rows, rows;  // of a pair of fields, [block, padded_nx]
 
     explicit Workspace(const Plans& plans)
@@ -40,18 +43,24 @@ struct PaddedFft::Workspace {
     }
 };
 
-// Takes a workspace for one call, makes one when all are in use, and gives it back.
+// Takes a workspace for one call, makes one when all are in use, and gives it back. A thread takes the one it had last
+// where that is idle: another's lies in the cache of another processor.
 class PaddedFft::Lease {
    public:
     explicit Lease(const PaddedFft& owner) : owner_(owner) {
         {
             const std::scoped_lock lock(owner.idle_mutex_);
-            if (!owner.idle_.empty()) {
-                workspace_ = std::move(owner.idle_.back());
-                owner.idle_.pop_back();
+            auto& idle = owner.idle_;
+            const auto own = std::find_if(idle.begin(), idle.end(),
+                                          [](const auto& one) { return one->user == std::this_thread::get_id(); });
+            const auto taken = own != idle.end() || idle.empty() ? own : std::prev(idle.end());
+            if (taken != idle.end()) {
+                workspace_ = std::move(*taken);
+                idle.erase(taken);
             }
         }
         if (!workspace_) workspace_ = std::make_unique<Workspace>(*owner.plans_);
+        workspace_->user = std::this_thread::get_id();
     }
     ~Lease() {
         const std::scoped_lock lock(owner_.idle_mutex_);
