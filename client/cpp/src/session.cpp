@@ -113,22 +113,26 @@ StepReply Session::Impl::step(const StepInput& input, const CallOptions& options
 }
 
 std::vector<StepOrStatus> Session::Impl::step_many(std::span<const SessionStep> steps, const CallOptions& options) {
-    std::vector<std::unique_ptr<const OneAtATime>> turns;
-    std::vector<proto::StepAsked> asked;
-    std::vector<Grid> grids;
     Client& client = steps.front().session.impl_->client_;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        Impl& session = *steps[i].session.impl_;
         const std::string field = "steps[" + std::to_string(i) + "].session";
+        if (&steps[i].session.impl_->client_ != &client)
+            throw InvalidArgument(field, "is of another client than steps[0].session; all must be of one");
         for (std::size_t k = 0; k < i; ++k)
-            if (&steps[k].session == &steps[i].session)
+            if (steps[k].session.name() == steps[i].session.name())
                 throw InvalidArgument(field,
                                       "is that of steps[" + std::to_string(k) + "]; each takes one step at a time");
-        if (&session.client_ != &client)
-            throw InvalidArgument(field, "is of another client than steps[0].session; all must be of one");
-        session.check_process();
-        turns.push_back(std::make_unique<const OneAtATime>(session.user_, in_use));
-        asked.push_back({session.told_.session, session.number_of(steps[i].input), steps[i].input, session.grid_});
+    }
+    std::vector<std::unique_ptr<const OneAtATime>> turns;
+    for (const SessionStep& step : steps) {
+        step.session.impl_->check_process();
+        turns.push_back(std::make_unique<const OneAtATime>(step.session.impl_->user_, in_use));
+    }
+    std::vector<proto::StepAsked> asked;
+    std::vector<Grid> grids;
+    for (const SessionStep& step : steps) {
+        Impl& session = *step.session.impl_;
+        asked.push_back({session.told_.session, session.number_of(step.input), step.input, session.grid_});
         grids.push_back(session.grid_);
     }
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);

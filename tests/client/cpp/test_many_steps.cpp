@@ -89,6 +89,9 @@ TEST_CASE("A session takes one step of a message, and all are of one client") {
     Session one(client, ball_on_plate()), two(other, ball_on_plate());
     CHECK_THROWS_AS(step_many(std::vector<SessionStep>{{one, {}}, {one, {}}}), InvalidArgument);
     CHECK_THROWS_AS(step_many(std::vector<SessionStep>{{one, {}}, {two, {}}}), InvalidArgument);
+    Session same = Session::join(client, one.name());
+    CHECK_THROWS_AS(step_many(std::vector<SessionStep>{{one, {}}, {same, {}}}), InvalidArgument);
+    same.release();
     CHECK(step_many({}).empty());
     CHECK(one.step({}).step == 1);
 }
