@@ -126,8 +126,8 @@ IcAnswers Engine::fetch(const ContactSetup& setup, Observer& observer) {
     IcAnswers answers;
     if (!needs_tables(setup)) return answers;
     const auto specs = specs_of(setup);
-    for (std::size_t body = 0; body < specs.size(); ++body)
-        if (specs[body]) answers[body] = fetch(*specs[body], observer);
+    if (specs[0]) answers[0] = fetch(*specs[0], observer);
+    if (specs[1]) answers[1] = serves_both(answers[0], specs) ? answers[0] : fetch(*specs[1], observer);
     return answers;
 }
 

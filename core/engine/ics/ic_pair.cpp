@@ -13,15 +13,8 @@ struct Pair {
 };
 using PairPtr = std::shared_ptr<Pair>;
 
-/// Dimensionless tables know nothing of a material but nu, and families not even that.
-bool same_table(const Pair& pair) {
-    if (!pair.specs[0] || !pair.specs[1]) return false;
-    if (static_cast<const Ics&>(*pair.specs[0]) != static_cast<const Ics&>(*pair.specs[1])) return false;
-    return pair.specs[0]->material.nu == pair.specs[1]->material.nu || pair.answers[0].record->spec.any_nu;
-}
-
 void fetch(const PairPtr& pair, std::size_t body, IcService& ics) {
-    if (body == 1 && same_table(*pair)) {
+    if (body == 1 && serves_both(pair->answers[0], pair->specs)) {
         pair->answers[1] = pair->answers[0];
         body = 2;
     }
@@ -39,6 +32,12 @@ void fetch(const PairPtr& pair, std::size_t body, IcService& ics) {
 }
 
 }  // namespace
+
+bool serves_both(const IcAnswer& upper, const std::array<std::optional<IcSpec>, 2>& specs) {
+    if (!specs[0] || !specs[1]) return false;
+    if (static_cast<const Ics&>(*specs[0]) != static_cast<const Ics&>(*specs[1])) return false;
+    return specs[0]->material.nu == specs[1]->material.nu || upper.record->spec.any_nu;
+}
 
 void fetch_pair(IcService& ics, const std::array<std::optional<IcSpec>, 2>& specs, IcPairCaller caller) {
     fetch(std::make_shared<Pair>(Pair{specs, std::move(caller)}), 0, ics);
