@@ -1,5 +1,6 @@
 """Steps of several sessions in one message, and steps that are solved anew."""
 
+import numpy as np
 import pytest
 
 from conformance.requests import ENDLESS, SOLVE
@@ -165,3 +166,15 @@ def test_each_of_many_problems_names_its_arrays(peer):
     solutions = peer.ask("contact.solve_many", {"problems": problems}).result["solutions"]
     arrays = {"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"}
     assert [len(arrays & one["result"].keys()) for one in solutions] == [0, 1, 4]
+
+
+def test_a_step_is_told_by_its_own_arrays_alone(peer, sessions):
+    def gapped(session, frame):
+        return step(session, gap={"array": {"$array": {"frame": frame, "dtype": "<f8", "shape": [5, 6]}}})
+
+    flat, raised = np.zeros((5, 6)).tobytes(), np.full((5, 6), 0.001).tobytes()
+    many = peer.ask("session.step_many", {"steps": [gapped(sessions[0], 1), gapped(sessions[1], 2)]}, flat, raised)
+    assert codes(many) == [OK, OK]
+    alone = peer.ask("session.step", gapped(sessions[0], 1), flat)
+    assert alone.result == many.result["steps"][0]["result"]
+    assert peer.ask("session.step", gapped(sessions[0], 1), raised).reason == "STEP_DIFFERS"

@@ -244,9 +244,14 @@ void move_frames(json& message, std::size_t count) {
     for (json& child : message) move_frames(child, count);
 }
 
-void check_frames_used(const json& params, const std::vector<std::string>& frames) {
-    std::vector<bool> used(frames.size());
+std::vector<bool> frames_used(const json& params, std::size_t count) {
+    std::vector<bool> used(count);
     collect_frames(params, used);
+    return used;
+}
+
+void check_frames_used(const json& params, const std::vector<std::string>& frames) {
+    const std::vector<bool> used = frames_used(params, frames.size());
     for (std::size_t i = 0; i < used.size(); ++i)
         if (!used[i])
             invalid("frame " + std::to_string(i + 1),

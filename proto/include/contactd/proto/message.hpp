@@ -96,6 +96,9 @@ std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const std
 /// Lets the arrays of `message` refer to frames that come `count` places later, behind those of another message.
 void move_frames(nlohmann::json& message, std::size_t count);
 
+/// Which of `count` frames the arrays of `params` refer to.
+std::vector<bool> frames_used(const nlohmann::json& params, std::size_t count);
+
 /// Throws StatusError (ARRAY_INVALID) when no {"$array": ...} anywhere in `params` refers to one of the frames.
 void check_frames_used(const nlohmann::json& params, const std::vector<std::string>& frames);
 
