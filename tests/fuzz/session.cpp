@@ -1,8 +1,8 @@
 // What opens a session and what steps it, up to the problem to be solved: read, or refused with a status in words.
 #include "contactd/proto/session.hpp"
-#include "contactd/proto/codec.hpp"
 
 #include "contactd/error.hpp"
+#include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "input.hpp"
 

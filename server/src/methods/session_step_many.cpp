@@ -1,10 +1,10 @@
 #include "session_step_many.hpp"
-#include "contactd/proto/codec.hpp"
 
 #include <atomic>
 #include <mutex>
 #include <utility>
 
+#include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/session.hpp"
 #include "jobs/job_reports.hpp"
