@@ -1,5 +1,5 @@
 """What the daemon costs: latency of a request over the solve itself, how solves per second grow with workers, and the
-steps of many contacts in one message (many_steps.py).
+steps of many contacts in one message (many_steps.py), and many problems in one (many_solves.py).
 
     ./dev bench --service [--quick] [--json FILE]
 
@@ -20,6 +20,7 @@ from typing import Any
 
 import zmq
 
+import many_solves
 import many_steps
 from contactd.daemon import LocalDaemon
 from session_steps import motion, problem
@@ -176,5 +177,7 @@ def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
     print()
     many = many_steps.measure(binaries / "contactd", 100 if quick else 1000)
     many_steps.show(many)
+    solves = many_solves.measure(binaries / "contactd", 20 if quick else 100)
+    many_solves.show(solves)
     if json_file:
-        json_file.write_text(json.dumps({"latency": rows, "throughput": rates, "many_steps": many}, indent=1))
+        json_file.write_text(json.dumps({"latency": rows, "throughput": rates, "many_steps": many, "many_solves": solves}, indent=1))

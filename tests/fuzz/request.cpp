@@ -40,8 +40,8 @@ void decode(const Request& request) {
     } else if (request.method == "contact.solve_many") {
         for (const auto& problem : params.at("problems"))
             if (is_large(problem)) return;
-        for (const ProblemOrStatus& problem : decode_problems(params, request.frames, limits))
-            if (const auto* valid = std::get_if<ContactProblem>(&problem)) check_problem(*valid);
+        check_referred_elements(params.at("problems"), limits);
+        for (const auto& problem : params.at("problems")) check_problem(decode_problem(problem, request.frames));
     } else if (request.method == "contact.subsurface") {
         decode_subsurface_request(params, request.frames, limits);
     }

@@ -39,12 +39,13 @@ TEST_CASE("Problems come back in their order", "[codec]") {
     const json params = json::parse(dump(encode_problems(originals, arrays)));
     CHECK_NOTHROW(check_params("contact.solve_many", params));
 
-    const auto read = decode_problems(params, arrays.take_frames());
+    const auto frames = arrays.take_frames();
 
-    REQUIRE(read.size() == 3);
+    REQUIRE(params["problems"].size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {
-        CHECK(std::get<ContactProblem>(read[i]).approach == originals[i].approach);
-        CHECK(std::get<ContactProblem>(read[i]).gap == Gap{gap});
+        const ContactProblem read = decode_problem(params["problems"][i], frames);
+        CHECK(read.approach == originals[i].approach);
+        CHECK(read.gap == Gap{gap});
     }
 }
 
@@ -58,25 +59,43 @@ TEST_CASE("Equal arrays travel once where that is asked for", "[codec]") {
 
     CHECK(frames.size() == 2);
     CHECK_NOTHROW(check_frames_used(params, frames));
-    const auto read = decode_problems(params, frames);
-    for (std::size_t i = 0; i < 3; ++i) CHECK(std::get<ContactProblem>(read[i]).gap == originals[i].gap);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(decode_problem(params["problems"][i], frames).gap == originals[i].gap);
 }
 
-TEST_CASE("A problem whose arrays do not fit fails alone", "[codec]") {
-    json params{{"problems", json::array({wire::solve_params(), wire::solve_params(), wire::solve_params()})}};
-    params["problems"][1]["gap"] = {{"array", {{1, 2, 3}}}};
-    params["problems"][2]["gap"] = {{"array", reference(7, {2, 3})}};
-    REQUIRE_NOTHROW(check_params("contact.solve_many", params));
+TEST_CASE("Arrays of a problem that do not fit are named as those of contact.solve", "[codec]") {
+    for (const json& gap : {json{{"array", {{1, 2, 3}}}}, json{{"array", reference(7, {2, 3})}}}) {
+        json params{{"problems", json::array({wire::solve_params()})}};
+        params["problems"][0]["gap"] = gap;
+        REQUIRE_NOTHROW(check_params("contact.solve_many", params));
 
-    const auto read = decode_problems(params, {});
+        const auto status = wire::status_thrown_by([&] { decode_problem(params["problems"][0], {}); });
 
-    REQUIRE(read.size() == 3);
-    CHECK(std::holds_alternative<ContactProblem>(read[0]));
-    for (const std::size_t bad : {1, 2}) {
-        const Status& status = std::get<Status>(read[bad]);
-        CHECK(status.reason == "ARRAY_INVALID");
-        CHECK(status.violations[0].field == "gap.array");
+        REQUIRE(status);
+        CHECK(status->reason == "ARRAY_INVALID");
+        CHECK(status->violations[0].field == "gap.array");
     }
+}
+
+TEST_CASE("A list conforms when its shape and each of its members do", "[schema]") {
+    json params{{"problems", json::array({wire::solve_params(), wire::solve_params()})}};
+    params["problems"][1]["bodies"]["upper"]["nu"] = 0.6;
+    const ListCheck check("contact.solve_many", params);
+    REQUIRE(check.conforms());
+    REQUIRE(check.size() == 2);
+    CHECK(check.member_conforms(0));
+    CHECK_FALSE(check.member_conforms(1));
+
+    json too_many = params;
+    too_many["problems"] = json(1001, wire::solve_params());
+    json more = params;
+    more["solver"] = "mine";
+    for (const json& bad : {json::object(), json{{"problems", 1}}, json{{"problems", json::array()}}, too_many, more}) {
+        const ListCheck refused("contact.solve_many", bad);
+        CHECK_FALSE(refused.conforms());
+        CHECK(refused.size() == 0);
+        CHECK_THROWS_AS(check_params("contact.solve_many", bad), StatusError);
+    }
+    CHECK_THROWS_AS(ListCheck("contact.solve", params), std::out_of_range);
 }
 
 TEST_CASE("A problem that breaks its schema fails the request, named by its place", "[codec]") {
@@ -93,10 +112,10 @@ TEST_CASE("One frame cannot stand for more than memory holds", "[codec]") {
     json one = wire::solve_params();
     one["gap"] = {{"array", reference(1, {2, 3})}};
     const json params{{"problems", json(10, one)}};
-    const std::vector<std::string> frames{std::string(48, '\0')};
-    CHECK(decode_problems(params, frames, {.max_array_elements = 60}).size() == 10);
+    CHECK_NOTHROW(check_referred_elements(params["problems"], {.max_array_elements = 60}));
 
-    const auto status = wire::status_thrown_by([&] { decode_problems(params, frames, {.max_array_elements = 59}); });
+    const auto status =
+        wire::status_thrown_by([&] { check_referred_elements(params["problems"], {.max_array_elements = 59}); });
 
     REQUIRE(status);
     CHECK(status->reason == "LIMIT_EXCEEDED");
@@ -108,7 +127,7 @@ TEST_CASE("Huge claims of many arrays do not overflow their sum", "[codec]") {
     json one = wire::solve_params();
     one["gap"] = {{"array", reference(1, {4'000'000, 4'000'000, 4'000'000, 4'000'000})}};
     const json params{{"problems", json(1000, one)}};
-    const auto status = wire::status_thrown_by([&] { decode_problems(params, {""}); });
+    const auto status = wire::status_thrown_by([&] { check_referred_elements(params["problems"]); });
     REQUIRE(status);
     CHECK(status->reason == "LIMIT_EXCEEDED");
 }
@@ -117,14 +136,15 @@ TEST_CASE("Solutions and failures come back in their order", "[codec]") {
     Status status{StatusCode::invalid_argument, "grid.nx is bad.", "FIELD_INVALID", {{"grid.nx", "is bad"}}, 0};
     SolveReply second = wire::solve_reply();
     second.solution.forces.Fn = 1.0 / 3;
-    const std::vector<ReplyOrStatus> replies{wire::solve_reply(), status, second};
-    const std::vector<Grid> grids{Grid::centred(3, 2, 1, 1), {}, Grid::centred(3, 2, 1, 1)};
-    ArrayWriter arrays(ArrayEncoding::frame);
+    const Grid grid = Grid::centred(3, 2, 1, 1);
+    std::vector<ResultOrStatus> results{encode_outcome(wire::solve_reply(), grid, ArrayEncoding::frame), status,
+                                        encode_outcome(second, grid, ArrayEncoding::frame)};
+    std::vector<std::string> frames;
 
-    const json result = json::parse(dump(encode_solve_replies(replies, grids, arrays)));
+    const json result = json::parse(dump(encode_results("solutions", std::move(results), frames)));
 
     CHECK(violations_of("contact.solve_many.result", result).empty());
-    const auto read = decode_solve_replies(result, arrays.take_frames());
+    const auto read = decode_solve_replies(result, frames);
     REQUIRE(read.size() == 3);
     CHECK(std::get<SolveReply>(read[0]).solution.forces.Fn == 9.195402);
     CHECK(std::get<Status>(read[1]).code == StatusCode::invalid_argument);
@@ -136,12 +156,13 @@ TEST_CASE("Solutions and failures come back in their order", "[codec]") {
 TEST_CASE("A reply that is not finite fails alone and leaves no frames behind", "[codec]") {
     SolveReply bad = wire::solve_reply();
     bad.solution.traction_y[3] = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<ReplyOrStatus> replies{bad, wire::solve_reply()};
-    const std::vector<Grid> grids(2, Grid::centred(3, 2, 1, 1));
-    ArrayWriter arrays(ArrayEncoding::frame);
+    const Grid grid = Grid::centred(3, 2, 1, 1);
+    std::vector<std::string> frames;
 
-    const json result = encode_solve_replies(replies, grids, arrays);
-    const auto frames = arrays.take_frames();
+    const json result = encode_results("solutions",
+                                       {encode_outcome(bad, grid, ArrayEncoding::frame),
+                                        encode_outcome(wire::solve_reply(), grid, ArrayEncoding::frame)},
+                                       frames);
 
     CHECK_NOTHROW(check_frames_used(result, frames));
     const auto read = decode_solve_replies(result, frames);

@@ -113,6 +113,11 @@ struct Outcome {
     int refused = 0;
 };
 
+void decode_all(const Request& request) {
+    check_referred_elements(request.params.at("problems"));
+    for (const auto& problem : request.params.at("problems")) decode_problem(problem, request.frames);
+}
+
 /// What the server does with a message before it works on it.
 void handle(const std::string& text, const std::vector<std::string>& frames, Outcome& outcome) {
     std::string id;
@@ -123,7 +128,7 @@ void handle(const std::string& text, const std::vector<std::string>& frames, Out
         if (request.method == "ic.get") decode_ic_spec(request.params);
         if (request.method == "ic.export") decode_ic_export(request.params);
         if (request.method == "contact.solve") decode_problem(request.params, request.frames);
-        if (request.method == "contact.solve_many") decode_problems(request.params, request.frames);
+        if (request.method == "contact.solve_many") decode_all(request);
         if (request.method == "contact.subsurface") decode_subsurface_request(request.params, request.frames);
         ++outcome.read;
     } catch (const StatusError& error) {

@@ -1,5 +1,6 @@
-// contact.solve_many: the messages of contact.solve, side by side.
+// contact.solve_many: the messages of contact.solve, side by side; and the results of all that are done side by side.
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -30,7 +31,15 @@ std::size_t referred_elements(const json& node) {
     return elements;
 }
 
-/// One frame of a small message may stand for the arrays of every problem: what these take is limited, too.
+}  // namespace
+
+json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays, const SolutionFields& fields) {
+    json list = json::array();
+    for (const ContactProblem& problem : problems) list.push_back(encode_problem(problem, arrays, fields));
+    return {{"problems", std::move(list)}};
+}
+
+// One frame of a small message may stand for the arrays of every problem: what these take is limited, too.
 void check_referred_elements(const json& problems, const MessageLimits& limits) {
     std::size_t elements = 0;
     for (const json& problem : problems) elements += referred_elements(problem);
@@ -42,52 +51,30 @@ void check_referred_elements(const json& problems, const MessageLimits& limits) 
                             reason::limit_exceeded);
 }
 
-ProblemOrStatus decode_one(const json& params, const std::vector<std::string>& frames) {
+ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEncoding encoding,
+                              const SolutionFields& fields) {
     try {
-        return decode_problem(params, frames);
-    } catch (const StatusError& error) {
-        return error.status();
-    }
-}
-
-json encode_failure(const Status& status) {
-    return {{"status", to_json(status)}};
-}
-
-json encode_one(const ReplyOrStatus& outcome, const Grid& grid, ArrayWriter& arrays, const SolutionFields& fields) {
-    if (const auto* status = std::get_if<Status>(&outcome)) return encode_failure(*status);
-    const std::size_t frames = arrays.frame_count();
-    try {
-        json result = encode_solve_reply(std::get<SolveReply>(outcome), grid, arrays, fields);
-        return {{"status", to_json(Status{})}, {"result", std::move(result)}};
+        ArrayWriter arrays(encoding);
+        json result = encode_solve_reply(reply, grid, arrays, fields);
+        return Result{std::move(result), arrays.take_frames()};
     } catch (const Error& error) {
-        arrays.drop_frames_beyond(frames);
-        return encode_failure({StatusCode::internal, error.what(), std::string(reason::unexpected), {}, 0});
+        return Status{StatusCode::internal, error.what(), std::string(reason::unexpected), {}, 0};
     }
 }
 
-}  // namespace
-
-json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays, const SolutionFields& fields) {
-    json list = json::array();
-    for (const ContactProblem& problem : problems) list.push_back(encode_problem(problem, arrays, fields));
-    return {{"problems", std::move(list)}};
-}
-
-std::vector<ProblemOrStatus> decode_problems(const json& params, const std::vector<std::string>& frames,
-                                             const MessageLimits& limits) {
-    check_referred_elements(params["problems"], limits);
-    std::vector<ProblemOrStatus> problems;
-    for (const json& problem : params["problems"]) problems.push_back(decode_one(problem, frames));
-    return problems;
-}
-
-json encode_solve_replies(std::span<const ReplyOrStatus> replies, std::span<const Grid> grids, ArrayWriter& arrays,
-                          std::span<const SolutionFields> fields) {
-    json solutions = json::array();
-    for (std::size_t i = 0; i < replies.size(); ++i)
-        solutions.push_back(encode_one(replies[i], grids[i], arrays, fields.empty() ? all_solution_fields : fields[i]));
-    return {{"solutions", std::move(solutions)}};
+json encode_results(std::string_view list, std::vector<ResultOrStatus> results, std::vector<std::string>& frames) {
+    json encoded = json::array();
+    for (ResultOrStatus& outcome : results) {
+        if (const auto* status = std::get_if<Status>(&outcome)) {
+            encoded.push_back({{"status", to_json(*status)}});
+            continue;
+        }
+        Result& one = std::get<Result>(outcome);
+        move_frames(one.result, frames.size());
+        std::move(one.frames.begin(), one.frames.end(), std::back_inserter(frames));
+        encoded.push_back({{"status", to_json(Status{})}, {"result", std::move(one.result)}});
+    }
+    return {{list, std::move(encoded)}};
 }
 
 std::vector<ReplyOrStatus> decode_solve_replies(const json& result, const std::vector<std::string>& frames) {

@@ -1,5 +1,4 @@
 // session.step_many: the messages of session.step, side by side.
-#include <iterator>
 #include <utility>
 
 #include "contactd/proto/session.hpp"
@@ -13,21 +12,6 @@ json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays) {
     json list = json::array();
     for (const auto& [session, step, input, grid] : steps)
         list.push_back(encode_step(session, step, input, grid, arrays));
-    return {{"steps", std::move(list)}};
-}
-
-json encode_step_results(std::vector<ResultOrStatus> results, std::vector<std::string>& frames) {
-    json list = json::array();
-    for (ResultOrStatus& outcome : results) {
-        if (const auto* status = std::get_if<Status>(&outcome)) {
-            list.push_back({{"status", to_json(*status)}});
-            continue;
-        }
-        StepResult& step = std::get<StepResult>(outcome);
-        move_frames(step.result, frames.size());
-        std::move(step.frames.begin(), step.frames.end(), std::back_inserter(frames));
-        list.push_back({{"status", to_json(Status{})}, {"result", std::move(step.result)}});
-    }
     return {{"steps", std::move(list)}};
 }
 

@@ -28,6 +28,14 @@ struct CompiledSchema {
 };
 using Registry = std::map<std::string, CompiledSchema, std::less<>>;
 
+/// Of params that are one list of another method's.
+struct ListSchema {
+    std::string name;      ///< of the list
+    CompiledSchema shape;  ///< of all but the members
+    CompiledSchema member;
+};
+using ListSchemas = std::map<std::string, ListSchema, std::less<>>;
+
 void compile(CompiledSchema& entry) {
     valijson::SchemaParser(valijson::SchemaParser::kDraft7)
         .populateSchema(NlohmannJsonAdapter(entry.document), entry.rules);
@@ -45,6 +53,15 @@ Registry compile_all() {
     return registry;
 }
 
+void compile_list(const json& document, ListSchema& entry) {
+    entry.name = document.at("properties").begin().key();
+    entry.shape.document = document;
+    json& items = entry.shape.document["properties"][entry.name]["items"];
+    entry.member.document = std::exchange(items, json::object());
+    compile(entry.shape);
+    compile(entry.member);
+}
+
 const Registry& registry() {
     static const Registry schemas = compile_all();
     return schemas;
@@ -54,6 +71,16 @@ const CompiledSchema& compiled(std::string_view name) {
     const auto at = registry().find(name);
     if (at == registry().end()) throw std::out_of_range("There is no schema " + std::string(name) + ".");
     return at->second;
+}
+
+const ListSchema& list_schema(const std::string& method) {
+    static const ListSchemas schemas = [] {
+        ListSchemas lists;
+        for (const auto& [name, schema] : registry())
+            if (name.ends_with("_many.params")) compile_list(schema.document, lists[name]);
+        return lists;
+    }();
+    return schemas.at(method + ".params");
 }
 
 /// By the places that the schemas of their parameters give them.
@@ -133,6 +160,15 @@ void check_params(const std::string& method, const json& params) {
     throw StatusError(Status{StatusCode::invalid_argument, std::move(message),
                              std::string(about_arrays ? reason::array_invalid : reason::field_invalid),
                              std::move(violations), 0});
+}
+
+ListCheck::ListCheck(const std::string& method, const json& params) : method_(method) {
+    const ListSchema& schema = list_schema(method_);
+    if (proto::conforms(schema.shape, params, nullptr)) members_ = &params[schema.name];
+}
+
+bool ListCheck::member_conforms(std::size_t index) const {
+    return proto::conforms(list_schema(method_).member, (*members_)[index], nullptr);
 }
 
 }  // namespace contactd::proto

@@ -219,11 +219,6 @@ std::size_t ArrayWriter::frame_with(std::string_view bytes) {
     return frames_.size();
 }
 
-void ArrayWriter::drop_frames_beyond(std::size_t count) {
-    if (count < frames_.size()) frames_.resize(count);
-    std::erase_if(frames_by_hash_, [&](const auto& entry) { return entry.second > count; });
-}
-
 std::vector<double> read_array(const json& source, const std::vector<std::string>& frames, const Shape& shape,
                                const std::string& field) {
     return ArrayReader<double>(frames, shape, field).read(source);

@@ -89,7 +89,8 @@ void subsurface(const CallPtr& call, const DaemonParts& parts) {
 
 void add_contact_methods(MethodTable& methods) {
     methods.add({.name = "contact.solve", .job = "solve", .is_small = is_small, .handle = solve});
-    methods.add({.name = "contact.solve_many", .priority = proto::Priority::low, .job = "solve", .handle = solve_many});
+    methods.add(
+        {.name = "contact.solve_many", .priority = proto::Priority::low, .job = "solve", .queue = queue_problems});
     methods.add({.name = "contact.subsurface", .job = "subsurface", .handle = subsurface});
 }
 

@@ -1,96 +1,129 @@
 #include "contact_solve_many.hpp"
 
 #include <atomic>
+#include <optional>
 #include <utility>
 
 #include "contactd/error.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
+#include "shared_check.hpp"
 
 namespace contactd::server {
 namespace {
 
+using nlohmann::json;
+
+/// Small problems that a worker solves before it gives others their turn.
+constexpr int small_at_once = 16;
+
+struct Batch;
+void conclude_check(Batch& batch);
+
 /// Several problems of one call.
 struct Batch {
     CallPtr call;
-    SolveTools tools;
-    std::shared_ptr<Job> job;
-    std::vector<proto::ProblemOrStatus> problems;
-    std::vector<Grid> grids;
-    std::vector<SolutionFields> fields;
-    std::vector<ReplyOrStatus> replies{problems.size()};
+    const DaemonParts& parts;
+    std::shared_ptr<Job> job = job_of(call, "solve", parts.jobs);
     Reporter reporter{call, job};
+    SharedCheck check{call, [this] { conclude_check(*this); }};
+    std::vector<proto::ResultOrStatus> results{};
     std::atomic<std::size_t> next = 0, finished = 0;
 
-    std::size_t size() const { return problems.size(); }
+    const json& problems() const { return call->request.params["problems"]; }
 };
 using BatchPtr = std::shared_ptr<Batch>;
 
-void answer(const BatchPtr& batch) {
-    batch->job->end();
-    if (batch->call->answered()) return;
-    guarded(batch->call, [&] {
-        proto::ArrayWriter arrays(batch->call->request.arrays);
-        const nlohmann::json result = proto::encode_solve_replies(batch->replies, batch->grids, arrays, batch->fields);
-        batch->call->succeed(result, arrays.take_frames());
+/// What concerns all problems together. They have passed their schema.
+void conclude_check(Batch& batch) {
+    const proto::Request& request = batch.call->request;
+    const Config& config = batch.parts.config;
+    check_grid_limits(batch.problems(), config.max_grid_elements);
+    std::vector<ArrayAnswer> answers;
+    for (const json& problem : batch.problems()) answers.push_back(array_answer(problem));
+    check_answer_fits(answers, request.arrays, config.limits);
+    proto::check_referred_elements(batch.problems(), config.limits);
+    proto::check_frames_used(request.params, request.frames);
+    batch.results.resize(batch.problems().size());
+    batch.parts.counters.solves += static_cast<long long>(batch.results.size());
+}
+
+void take(const BatchPtr& batch);
+
+void post(const BatchPtr& batch) {
+    batch->parts.workers.post(turn_of(batch->call), [batch] { take(batch); });
+}
+
+void answer(const Batch& batch, std::vector<proto::ResultOrStatus> results) {
+    batch.job->end();
+    if (batch.call->answered()) return;
+    guarded(batch.call, [&] {
+        std::vector<std::string> frames;
+        const json result = proto::encode_results("solutions", std::move(results), frames);
+        batch.call->succeed(result, std::move(frames));
     });
 }
 
-void solve_next(const BatchPtr& batch);
-
-void finish(const BatchPtr& batch, std::size_t index, ReplyOrStatus reply) {
-    batch->replies[index] = std::move(reply);
-    const std::size_t finished = ++batch->finished;
-    batch->reporter.report(
-        {"batch", static_cast<double>(finished) / static_cast<double>(batch->size()), static_cast<int>(finished), 0});
-    if (finished == batch->size()) return answer(batch);
-    solve_next(batch);
+void finish(Batch& batch, std::size_t index, proto::ResultOrStatus result) {
+    batch.results[index] = std::move(result);
+    const std::size_t all = batch.results.size(), finished = ++batch.finished;
+    batch.reporter.report(
+        {"batch", static_cast<double>(finished) / static_cast<double>(all), static_cast<int>(finished), 0});
+    if (finished == all) answer(batch, std::move(batch.results));
 }
 
-/// Takes problems that cannot be solved as stated off the list, and starts the first one that can.
-void solve_next(const BatchPtr& batch) {
-    const std::size_t index = batch->next++;
-    if (index >= batch->size()) return;
-    const auto failed = [batch, index](const proto::Status& status) { finish(batch, index, status); };
-    if (const auto* status = std::get_if<proto::Status>(&batch->problems[index])) return failed(*status);
-    ContactProblem& problem = std::get<ContactProblem>(batch->problems[index]);
+/// Nothing when the problem cannot be solved as stated, which then is its result.
+std::optional<ContactProblem> read(Batch& batch, std::size_t index) {
     try {
-        if (batch->job->cancelled() || batch->call->answered()) throw Cancelled("The batch was cancelled.");
+        if (batch.job->cancelled() || batch.call->answered()) throw Cancelled("The batch was cancelled.");
+        ContactProblem problem = proto::decode_problem(batch.problems()[index], batch.call->request.frames);
         engine::check(problem);
-        start(batch->tools, {batch->call, std::move(problem), batch->job, [](const Progress&) {},
-                             [batch, index](const SolveReply& reply) { finish(batch, index, reply); }, failed});
+        return problem;
     } catch (const std::exception& error) {
-        failed(status_of(error));
+        finish(batch, index, status_of(error));
+        return {};
     }
+}
+
+/// What becomes of the problem at `index`; `then` follows its result.
+SolveTask task_of(const BatchPtr& batch, std::size_t index, ContactProblem problem, std::function<void()> then) {
+    const Grid grid = problem.grid;
+    const auto done = [=](const SolveReply& reply) {
+        const SolutionFields fields = proto::decode_fields(batch->problems()[index], all_solution_fields);
+        finish(*batch, index, proto::encode_outcome(reply, grid, batch->call->request.arrays, fields));
+        then();
+    };
+    const auto failed = [=](const proto::Status& status) {
+        finish(*batch, index, status);
+        then();
+    };
+    return {batch->call, std::move(problem), batch->job, [](const Progress&) {}, done, failed, true};
+}
+
+/// In a worker: the next problems, as many as one turn may have.
+void take(const BatchPtr& batch) {
+    batch->call->check_deadline();
+    if (batch->call->answered() || !batch->check.passed()) return;
+    const std::size_t all = batch->problems().size();
+    for (int taken = 0; taken < small_at_once; ++taken) {
+        const std::size_t index = batch->next++;
+        if (index >= all) return;
+        std::optional<ContactProblem> problem = read(*batch, index);
+        if (!problem) continue;
+        const bool is_small = is_small_solve(problem->model, problem->grid.size()) && !engine::needs_tables(*problem);
+        const std::function<void()> then = is_small ? [] {} : std::function<void()>([batch] { post(batch); });
+        start(batch->parts.solve_tools(), task_of(batch, index, std::move(*problem), then));
+        if (!is_small) return;
+    }
+    post(batch);
 }
 
 }  // namespace
 
-void solve_many(const CallPtr& call, const DaemonParts& parts) {
-    const proto::Request& request = call->request;
-    const nlohmann::json& stated = request.params.at("problems");
-    check_grid_limits(stated, parts.config.max_grid_elements);
-    std::vector<ArrayAnswer> answers;
-    std::vector<SolutionFields> fields;
-    for (const nlohmann::json& problem : stated) {
-        answers.push_back(array_answer(problem));
-        fields.push_back(proto::decode_fields(problem, all_solution_fields));
-    }
-    check_answer_fits(answers, request.arrays, parts.config.limits);
-    parts.counters.solves += static_cast<long long>(stated.size());
-    std::vector<proto::ProblemOrStatus> problems =
-        proto::decode_problems(request.params, request.frames, parts.config.limits);
-    proto::check_frames_used(request.params, request.frames);
-    std::vector<Grid> grids;
-    for (const auto& problem : problems) {
-        const auto* valid = std::get_if<ContactProblem>(&problem);
-        grids.push_back(valid ? valid->grid : Grid{});
-    }
-    const auto job = job_of(call, "solve", parts.jobs);
-    const auto batch =
-        BatchPtr(new Batch{call, parts.solve_tools(), job, std::move(problems), std::move(grids), std::move(fields)});
-    for (int thread = 0; thread < parts.config.workers; ++thread) solve_next(batch);
+void queue_problems(const CallPtr& call, const DaemonParts& parts) {
+    const auto batch = BatchPtr(new Batch{call, parts});
+    for (int worker = 0; worker < parts.config.workers; ++worker) post(batch);
 }
 
 }  // namespace contactd::server

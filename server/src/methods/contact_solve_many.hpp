@@ -5,8 +5,9 @@
 
 namespace contactd::server {
 
-/// Answers `call` when all solves have ended; what cannot be solved fails alone. As many of them as there are workers
-/// run at a time, so that other requests get their turn in between.
-void solve_many(const CallPtr& call, const DaemonParts& parts);
+/// From the I/O thread: answers `call` when all solves have ended; what cannot be solved fails alone. Each problem is
+/// decoded, solved and encoded by the worker that takes it. As many as there are workers are on their way at a time,
+/// so that other requests get their turn in between.
+void queue_problems(const CallPtr& call, const DaemonParts& parts);
 
 }  // namespace contactd::server

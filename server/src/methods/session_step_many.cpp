@@ -1,19 +1,21 @@
 #include "session_step_many.hpp"
 
 #include <atomic>
-#include <mutex>
 #include <utility>
 
 #include "contactd/proto/codec.hpp"
-#include "contactd/proto/schema.hpp"
 #include "contactd/proto/session.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
+#include "shared_check.hpp"
 
 namespace contactd::server {
 namespace {
 
 using nlohmann::json;
+
+struct Batch;
+void check_limits(const Batch& batch);
 
 /// Several steps of one call.
 struct Batch {
@@ -21,18 +23,15 @@ struct Batch {
     const DaemonParts& parts;
     std::vector<SessionPtr> sessions;  // null where there is none
     std::vector<proto::ResultOrStatus> results{sessions.size()};
-    std::once_flag checked{};
-    std::atomic<bool> refused = false;
+    SharedCheck check{call, [this] { check_limits(*this); }};
     std::atomic<std::size_t> finished = 0;
 
     const json& params(std::size_t index) const { return call->request.params["steps"][index]; }
 };
 using BatchPtr = std::shared_ptr<Batch>;
 
-/// Of the whole message, by whichever step comes first.
-void check(Batch& batch) {
+void check_limits(const Batch& batch) {
     const proto::Request& request = batch.call->request;
-    proto::check_params(request.method, request.params);
     proto::check_frames_used(request.params, request.frames);
     std::vector<ArrayAnswer> answers;
     for (std::size_t i = 0; i < batch.sessions.size(); ++i)
@@ -44,7 +43,7 @@ void check(Batch& batch) {
 void answer(Batch& batch) {
     guarded(batch.call, [&] {
         std::vector<std::string> frames;
-        const json result = proto::encode_step_results(std::move(batch.results), frames);
+        const json result = proto::encode_results("steps", std::move(batch.results), frames);
         batch.call->succeed(result, std::move(frames));
     });
 }
@@ -53,7 +52,7 @@ proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
     const std::shared_ptr<Job> job = batch.parts.jobs.create("step", [] {});
     proto::ResultOrStatus result;
     const auto send = [&](const StepAnswer& answer) {
-        result = proto::StepResult{answer.result, answer.frames};
+        result = proto::Result{answer.result, answer.frames};
         return !batch.call->answered();
     };
     try {
@@ -71,15 +70,7 @@ proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
 void take(const BatchPtr& batch, std::size_t index) {
     batch->call->check_deadline();
     if (batch->call->answered()) return;
-    std::call_once(batch->checked, [&] {
-        try {
-            check(*batch);
-        } catch (const std::exception& error) {
-            batch->refused = true;
-            batch->call->fail(status_of(error));
-        }
-    });
-    if (batch->refused) return;
+    if (!batch->check.passed()) return;
     batch->results[index] = solved(*batch, index);
     if (++batch->finished == batch->sessions.size()) answer(*batch);
 }
@@ -87,7 +78,7 @@ void take(const BatchPtr& batch, std::size_t index) {
 }  // namespace
 
 void queue_steps(const CallPtr& call, const DaemonParts& parts) {
-    // The schema is checked by the first step: here only what tells whose turn it is.
+    // The schema is checked when the first step has its turn: here only what tells whose turn it is.
     const auto steps = call->request.params.find("steps");
     std::vector<SessionPtr> sessions(1);
     if (steps != call->request.params.end() && steps->is_array() && !steps->empty()) {

@@ -56,18 +56,18 @@ inline std::vector<Frames> echo_gap(const nlohmann::json& request, const Frames&
 
 /// The same for many; fails those without contact.
 inline std::vector<Frames> echo_gaps(const nlohmann::json& request, const Frames& frames) {
-    std::vector<ReplyOrStatus> replies;
-    std::vector<Grid> grids;
-    for (const auto& problem : proto::decode_problems(request["params"], frames)) {
-        const auto& read = std::get<ContactProblem>(problem);
-        grids.push_back(read.grid);
+    std::vector<proto::ResultOrStatus> results;
+    for (const auto& problem : request["params"]["problems"]) {
+        const ContactProblem read = proto::decode_problem(problem, frames);
         if (read.approach > 0)
-            replies.emplace_back(gap_as_pressure(read));
+            results.push_back(proto::encode_outcome(gap_as_pressure(read), read.grid, proto::ArrayEncoding::frame));
         else
-            replies.emplace_back(Status{StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
+            results.emplace_back(Status{StatusCode::internal, "No.", "UNEXPECTED", {}, 0});
     }
-    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    return message_of(request, proto::encode_solve_replies(replies, grids, arrays), arrays);
+    Frames arrays;
+    Frames message{reply(request, proto::encode_results("solutions", std::move(results), arrays))};
+    message.insert(message.end(), arrays.begin(), arrays.end());
+    return {message};
 }
 
 }  // namespace fake

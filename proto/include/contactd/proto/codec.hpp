@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -47,20 +48,26 @@ nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, Arr
 SolveReply decode_solve_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
 
 // --- contact.solve_many ----------------------------------------------------------------------------------------------
-using ProblemOrStatus = std::variant<ContactProblem, Status>;
-
 nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays,
                                const SolutionFields& fields = all_solution_fields);
-/// `params` has passed its schema. Instead of a problem that decode_problem refuses comes the reason, with fields as of
-/// contact.solve. Throws StatusError (LIMIT_EXCEEDED) when the arrays of all problems together, a frame counted as
-/// often as it is named, have more than limits.max_array_elements: each problem gets arrays of its own.
-std::vector<ProblemOrStatus> decode_problems(const nlohmann::json& params, const std::vector<std::string>& frames,
-                                             const MessageLimits& limits = {});
+/// `problems` have passed their schema, and are decoded one by one by decode_problem. Throws StatusError
+/// (LIMIT_EXCEEDED) when their arrays together, a frame counted as often as it is named, have more than
+/// limits.max_array_elements: each problem gets arrays of its own.
+void check_referred_elements(const nlohmann::json& problems, const MessageLimits& limits = {});
 
-/// `grids` and `fields` are those of the problems; of one that failed they do not matter. Without `fields` all are
-/// sent. A reply that cannot be sent, because a number in it is not finite, becomes INTERNAL.
-nlohmann::json encode_solve_replies(std::span<const ReplyOrStatus> replies, std::span<const Grid> grids,
-                                    ArrayWriter& arrays, std::span<const SolutionFields> fields = {});
+/// A result with its frames, or why there is none.
+struct Result {
+    nlohmann::json result;
+    std::vector<std::string> frames;
+};
+using ResultOrStatus = std::variant<Result, Status>;
+/// A reply that cannot be sent, because a number in it is not finite, becomes INTERNAL.
+ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEncoding encoding,
+                              const SolutionFields& fields = all_solution_fields);
+/// {list: [{status, result}, ...]}, of a method that does several things at once. Takes the frames, which then stand
+/// one behind the other in `frames`.
+nlohmann::json encode_results(std::string_view list, std::vector<ResultOrStatus> results,
+                              std::vector<std::string>& frames);
 std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const std::vector<std::string>& frames);
 
 // --- contact.subsurface ----------------------------------------------------------------------------------------------

@@ -70,10 +70,6 @@ class ArrayWriter {
     nlohmann::json write(std::span<const unsigned char> values, std::vector<std::size_t> shape);
     std::vector<std::string> take_frames() { return std::move(frames_); }
 
-    std::size_t frame_count() const { return frames_.size(); }
-    /// Forgets the frames beyond the first `count`: of a part of the message that is not sent after all.
-    void drop_frames_beyond(std::size_t count);
-
    private:
     nlohmann::json add_frame(std::string_view bytes, const char* dtype, std::vector<std::size_t> shape);
     std::size_t frame_with(std::string_view bytes);

@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,26 @@ std::vector<Violation> violations_against(const nlohmann::json& schema, const nl
 
 /// Throws StatusError: UNIMPLEMENTED/UNKNOWN_METHOD, or INVALID_ARGUMENT/FIELD_INVALID with all violations.
 void check_params(const std::string& method, const nlohmann::json& params);
+
+/// The check of params that are one list of another method's, as contact.solve_many's, member by member, so that
+/// threads can share the work. It finds out only whether they conform; check_params says what is wrong. `params` must
+/// live on.
+class ListCheck {
+   public:
+    /// Throws std::out_of_range when the params of this method are no list.
+    ListCheck(const std::string& method, const nlohmann::json& params);
+
+    /// Apart from the members.
+    bool conforms() const { return members_ != nullptr; }
+    /// 0 when it does not conform.
+    std::size_t size() const { return members_ ? members_->size() : 0; }
+    /// Thread-safe.
+    bool member_conforms(std::size_t index) const;
+
+   private:
+    const std::string method_;
+    const nlohmann::json* members_ = nullptr;
+};
 
 /// The OpenRPC 1.3 description of the service, which server.describe returns.
 const nlohmann::json& openrpc();

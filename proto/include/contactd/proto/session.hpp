@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -47,14 +46,6 @@ struct StepAsked {
 };
 nlohmann::json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays);
 
-/// A step's result with its frames, or why there is none.
-struct StepResult {
-    nlohmann::json result;
-    std::vector<std::string> frames;
-};
-using ResultOrStatus = std::variant<StepResult, Status>;
-/// Takes the frames, which then stand one behind the other in `frames`.
-nlohmann::json encode_step_results(std::vector<ResultOrStatus> results, std::vector<std::string>& frames);
 std::vector<StepOrStatus> decode_step_replies(const nlohmann::json& result, const std::vector<std::string>& frames,
                                               std::span<const Grid> grids);
 
