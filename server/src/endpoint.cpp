@@ -29,11 +29,7 @@ const Status& client_gone() {
 }
 
 AnsweringSocket::NoteAnswer noted_by(const DaemonParts& parts) {
-    return [&parts](const Answer& answer) {
-        if (answer.status != "OK") ++parts.counters.requests_failed;
-        parts.request_metrics.record(answer);
-        parts.open_calls.close(answer.number);
-    };
+    return [&parts](const Answer& answer) { parts.note(answer); };
 }
 
 }  // namespace

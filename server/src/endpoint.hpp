@@ -10,7 +10,7 @@
 #include "intake.hpp"
 #include "jobs/call.hpp"
 #include "operation/notify.hpp"
-#include "service.hpp"
+#include "service/service.hpp"
 #include "wire/answering_socket.hpp"
 #include "wire/connection_monitor.hpp"
 

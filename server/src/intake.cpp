@@ -76,23 +76,16 @@ void Intake::read(Message message, Clock::time_point received, OpenCalls::Admiss
 
 void Intake::open(const Route& route, proto::Request request, Clock::time_point received,
                   OpenCalls::Admission admission) {
-    const Method* method = service_.method(request.method);
-    const bool counts = method && method->counts;
-    if (counts && admission.number == 0) admission = open_calls_.admit(route, request.bytes);
-    const auto priority = request.priority.value_or(method ? method->priority : proto::Priority::normal);
-    auto call = std::make_shared<Call>(route, std::move(request), received, priority, config_.limits,
-                                       [&socket = socket_, admission](Answer answer) {
-                                           if (!answer.is_progress) answer.number = admission.number;
-                                           socket.post(std::move(answer));
-                                       });
-    if (admission.number != 0 && !open_calls_.attach(admission.number, call)) return;  // answered while it was read
+    CallPtr call = service_.open(route, std::move(request), received, std::move(admission),
+                                 [&socket = socket_](Answer answer) { socket.post(std::move(answer)); });
+    if (!call) return;  // answered while it was read
     if (call->request.method == "request.cancel" && open_calls_.has_unread(route.identity)) {
         // Perhaps it is the unread one that is meant: not before that has been read.
         return reader_.post(turn_of(route), [this, call] { service_.handle(call); });
     }
     const bool has_deadline = call->request.timeout_ms > 0;
     service_.handle(std::move(call));
-    if (counts && has_deadline && !socket_.is_owner()) socket_.wake();  // its wait must know of it
+    if (has_deadline && !socket_.is_owner()) socket_.wake();  // its wait must know of it
 }
 
 void Intake::stop() {

@@ -8,10 +8,9 @@
 #include "access/rate_limit.hpp"
 #include "config/config.hpp"
 #include "engine/jobs/worker_pool.hpp"
-#include "jobs/call.hpp"
-#include "service.hpp"
+#include "jobs/open_calls.hpp"
+#include "service/service.hpp"
 #include "wire/answering_socket.hpp"
-#include "wire/open_calls.hpp"
 
 namespace contactd::server {
 

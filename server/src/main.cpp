@@ -27,7 +27,7 @@
 #include "operation/log.hpp"
 #include "operation/notify.hpp"
 #include "operation/ping.hpp"
-#include "service.hpp"
+#include "service/service.hpp"
 
 namespace {
 
@@ -59,7 +59,7 @@ int serve(const Config& config) {
     const int signals = signal_descriptor();
     Log log(config);
     const Notifier notifier;
-    Service service(config);
+    Service service(config, {.libraries = daemon_library_versions(), .log = log_line});
     const auto http = listen_to_http(config, service.parts());
     Endpoint endpoint(config, service);
     if (!is_local(endpoint.address()) && config.security.curve.secret_key_file.empty())

@@ -5,8 +5,9 @@
 
 namespace contactd::engine {
 
-WorkerPool::WorkerPool(int threads, std::chrono::microseconds spin) : spin_(spin) {
-    for (int n = 0; n < threads; ++n) threads_.emplace_back([this] { work(); });
+WorkerPool::WorkerPool(int threads, std::chrono::microseconds spin)
+    : most_(static_cast<std::size_t>(threads)), spin_(spin) {
+    threads_.reserve(most_);
 }
 
 WorkerPool::~WorkerPool() {
@@ -21,6 +22,8 @@ void WorkerPool::post(Turn turn, Task task) {
         auto& client = line_of(line_of(users, std::move(turn.user)).parts, std::move(turn.client));
         client.parts.push_back({std::move(task), std::move(turn.abandoned)});
         ++waiting_;
+        const std::size_t wanted = static_cast<std::size_t>(running_ + waiting_);
+        if (threads_.size() < std::min(wanted, most_)) threads_.emplace_back([this] { work(); });
     }
     changed_.notify_one();
 }

@@ -1,4 +1,4 @@
-// A fixed number of threads and a queue of tasks in which clients take turns.
+// A bounded number of threads and a queue of tasks in which clients take turns.
 #pragma once
 
 #include <array>
@@ -31,7 +31,8 @@ class WorkerPool {
     using Task = std::function<void()>;  ///< must not throw
     static constexpr int patience = 16;
 
-    /// A thread that has just worked looks for more for the time of `spin` before it sleeps.
+    /// Threads start when they are first wanted. One that has just worked looks for more for the time of `spin`
+    /// before it sleeps.
     explicit WorkerPool(int threads, std::chrono::microseconds spin = {});
     /// Tasks that have not begun are dropped; running ones are waited for.
     ~WorkerPool();
@@ -72,6 +73,7 @@ class WorkerPool {
     Level& next_level();
     Task take_next();
 
+    const std::size_t most_;  // threads
     const std::chrono::microseconds spin_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
@@ -79,7 +81,7 @@ class WorkerPool {
     std::atomic<int> waiting_ = 0;  // changed under the lock, as stopping_
     int running_ = 0;
     std::atomic<bool> stopping_ = false;
-    std::vector<std::jthread> threads_;
+    std::vector<std::jthread> threads_;  // added to under the lock
 };
 
 }  // namespace contactd::engine

@@ -4,7 +4,7 @@
 
 #include "contactd/version.hpp"
 #include "engine/ics/store/store_folder.hpp"
-#include "operation/about.hpp"
+#include "operation/versions.hpp"
 
 namespace contactd::server {
 namespace {

@@ -3,19 +3,20 @@
 
 #include "config/config.hpp"
 #include "engine/engine.hpp"
-#include "jobs/call.hpp"
+#include "jobs/open_calls.hpp"
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
+#include "operation/host.hpp"
 #include "operation/metrics.hpp"
 #include "sessions/session_table.hpp"
 #include "solves/solve_task.hpp"
-#include "wire/open_calls.hpp"
 
 namespace contactd::server {
 
 /// The parts of the daemon, which Service owns.
 struct DaemonParts {
     const Config& config;
+    const Host& host;
     OpenCalls& open_calls;
     Counters& counters;
     RequestMetrics& request_metrics;
@@ -28,6 +29,12 @@ struct DaemonParts {
     const Call::Clock::time_point started = Call::Clock::now();
 
     SolveTools solve_tools() const { return {engine, workers}; }
+    /// Of an answer that goes out. One thread at a time.
+    void note(const Answer& answer) const {
+        if (answer.status != "OK") ++counters.requests_failed;
+        request_metrics.record(answer);
+        open_calls.close(answer.number);
+    }
     /// Lets go of work that waits for calls which have been answered.
     void drop_abandoned() const {
         workers.drop_abandoned();

@@ -7,8 +7,8 @@
 #include "collect_metrics.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/version.hpp"
-#include "operation/about.hpp"
 #include "operation/builder_programs.hpp"
+#include "operation/versions.hpp"
 
 namespace contactd::server {
 
@@ -33,7 +33,7 @@ void info(const CallPtr& call, const DaemonParts& parts) {
                    {"commit", commit()},
                    {"protocol", proto::protocol_version},
                    {"protocol_versions", proto::protocol_versions},
-                   {"libraries", all_library_versions()},
+                   {"libraries", parts.host.libraries},
                    {"limits", limits},
                    {"counters",
                     {{"requests", counters.requests.load()},

@@ -1,4 +1,4 @@
-// What this daemon was made from: a result that is kept must be able to say so.
+// What this daemon was made from.
 #pragma once
 
 #include <map>
@@ -6,11 +6,8 @@
 
 namespace contactd::server {
 
-/// Of the sources, with "-dirty" when they were changed after it; "unknown" when it was built outside of a repository.
-std::string commit();
-
 /// Name -> version, of everything the daemon links.
-std::map<std::string, std::string> all_library_versions();
+std::map<std::string, std::string> daemon_library_versions();
 
 /// What --version prints.
 std::string about();

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string>
 
@@ -150,6 +151,11 @@ void Log::reopen() {
     } catch (const spdlog::spdlog_ex& error) {
         spdlog::error("the log file cannot be opened again, the old one is kept: {}", error.what());
     }
+}
+
+void log_line(engine::LogLevel level, const std::string& line) {
+    constexpr std::array levels{spdlog::level::info, spdlog::level::warn, spdlog::level::err};
+    spdlog::log(levels[static_cast<std::size_t>(level)], "{}", line);
 }
 
 void log_event(spdlog::level::level_enum level, std::string_view message, std::initializer_list<LogField> fields) {

@@ -8,10 +8,12 @@
 #include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "config/config.hpp"
+#include "engine/operation/log.hpp"
 
 namespace contactd::server {
 
@@ -35,6 +37,9 @@ class Log {
     const bool is_json_;
     std::shared_ptr<spdlog::sinks::dist_sink_mt> sinks_;
 };
+
+/// A line of the service or of its engine.
+void log_line(engine::LogLevel level, const std::string& line);
 
 using LogField = std::pair<std::string_view, nlohmann::json>;
 

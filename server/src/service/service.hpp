@@ -6,25 +6,28 @@
 
 #include "config/config.hpp"
 #include "engine/engine.hpp"
-#include "jobs/call.hpp"
+#include "jobs/open_calls.hpp"
 #include "methods/method_table.hpp"
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
+#include "operation/host.hpp"
 #include "operation/metrics.hpp"
 #include "sessions/session_table.hpp"
-#include "wire/open_calls.hpp"
 
 namespace contactd::server {
 
 /// Owns the parts of the daemon, hands calls to their methods, and ends in order.
 class Service {
    public:
-    explicit Service(const Config& config);
+    /// `config` must outlive it.
+    Service(const Config& config, Host host);
 
     const DaemonParts& parts() const { return parts_; }
-    /// Null when there is no such method.
-    const Method* method(const std::string& name) const { return methods_.find(name); }
 
+    /// The call of a request, which is admitted where it counts and has not been: `admission` with the number 0. Null
+    /// when it was answered while it was read. Throws StatusError as OpenCalls::admit.
+    CallPtr open(const Route& route, proto::Request request, Call::Clock::time_point received,
+                 OpenCalls::Admission admission, Call::Post post);
     /// Answers the call now or later. Called from the I/O thread, which quick methods may keep for a moment; all others
     /// go to the workers. Never throws.
     void handle(CallPtr call);
@@ -43,6 +46,7 @@ class Service {
     /// The session that the call names; null when there is none.
     SessionPtr session_of(const CallPtr& call);
 
+    const Host host_;
     OpenCalls open_calls_;  // outlives every call
     Counters counters_;
     const MethodTable methods_;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "jobs/call.hpp"
+#include "call.hpp"
 
 namespace contactd::server {
 

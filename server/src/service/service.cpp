@@ -1,8 +1,5 @@
 #include "service.hpp"
 
-#include <spdlog/spdlog.h>
-
-#include <array>
 #include <utility>
 
 #include "contactd/proto/codec.hpp"
@@ -25,12 +22,7 @@ const Status& stopping_status() {
     return status;
 }
 
-void log(engine::LogLevel level, const std::string& line) {
-    constexpr std::array levels{spdlog::level::info, spdlog::level::warn, spdlog::level::err};
-    spdlog::log(levels[static_cast<std::size_t>(level)], "{}", line);
-}
-
-engine::EngineSettings engine_settings(const Config& config) {
+engine::EngineSettings engine_settings(const Config& config, const Host& host) {
     const auto& builds = config.builds;
     return {config.store.folder,
             config.store.influence_budget_bytes,
@@ -40,27 +32,42 @@ engine::EngineSettings engine_settings(const Config& config) {
              config.store.memory_budget_bytes,
              config.store.disk_budget_bytes,
              {builds.max_failures, std::chrono::seconds(builds.quarantine_seconds)},
-             log}};
+             host.log}};
 }
 
 }  // namespace
 
-Service::Service(const Config& config)
-    : open_calls_({config.max_queue, config.max_queue_per_client, config.max_queue_bytes,
+Service::Service(const Config& config, Host host)
+    : host_(std::move(host)),
+      open_calls_({config.max_queue, config.max_queue_per_client, config.max_queue_bytes,
                    config.security.per_user.open_requests}),
       methods_(all_methods()),
       request_metrics_(methods_.names()),
-      engine_(engine_settings(config)),
+      engine_(engine_settings(config, host_)),
       sessions_(config.sessions),
-      parts_{config,  open_calls_,      counters_,      request_metrics_, health_,
-             engine_, engine_.tables(), engine_.jobs(), sessions_,        workers_},
+      parts_{config,           host_,          open_calls_, counters_, request_metrics_, health_, engine_,
+             engine_.tables(), engine_.jobs(), sessions_,   workers_},
       workers_(config.workers, config.spin) {
     engine::count_store(engine_.counters(), config.store.folder);
-    for (const std::string& problem : building_problems(config)) spdlog::warn("{}", problem);
+    for (const std::string& problem : building_problems(config)) engine::Log(host_.log).warn(problem);
+}
+
+CallPtr Service::open(const Route& route, proto::Request request, Call::Clock::time_point received,
+                      OpenCalls::Admission admission, Call::Post post) {
+    const Method* method = methods_.find(request.method);
+    if (method && method->counts && admission.number == 0) admission = open_calls_.admit(route, request.bytes);
+    const auto priority = request.priority.value_or(method ? method->priority : proto::Priority::normal);
+    auto call = std::make_shared<Call>(route, std::move(request), received, priority, parts_.config.limits,
+                                       [post = std::move(post), admission](Answer answer) {
+                                           if (!answer.is_progress) answer.number = admission.number;
+                                           post(std::move(answer));
+                                       });
+    if (admission.number != 0 && !open_calls_.attach(admission.number, call)) return nullptr;
+    return call;
 }
 
 void Service::handle(CallPtr call) {
-    const Method* method = this->method(call->request.method);
+    const Method* method = methods_.find(call->request.method);
     if (!method || method->is_quick) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
     if (method->job) job_of(call, method->job, engine_.jobs());
@@ -78,9 +85,9 @@ void Service::handle(CallPtr call) {
     workers_.post(turn_of(call), std::move(work));
 }
 
-/// Of one request at a time, the next one of a client that waits for each answer.
+/// Small work of a thread that may do it: one that waits anyway, or that of all when no other request is open.
 bool Service::is_at_once(const Method& method, const CallPtr& call) {
-    return method.is_small && open_calls_.count() <= 1 && method.is_small(call, parts_);
+    return method.is_small && (host_.callers_wait || open_calls_.count() <= 1) && method.is_small(call, parts_);
 }
 
 SessionPtr Service::session_of(const CallPtr& call) {
@@ -97,7 +104,8 @@ void Service::run(const Method* method, const CallPtr& call) {
         method->handle(call, parts_);
     } catch (const std::exception& error) {
         const Status status = status_of(error);
-        if (status.code == StatusCode::internal) spdlog::error("{}: {}", call->request.method, error.what());
+        if (status.code == StatusCode::internal)
+            engine::Log(host_.log).error(call->request.method + ": " + error.what());
         call->fail(status);
     }
 }

@@ -1,6 +1,6 @@
 #include <catch2/catch_test_macros.hpp>
 
-#include "wire/open_calls.hpp"
+#include "jobs/open_calls.hpp"
 
 using namespace contactd::server;
 using contactd::proto::StatusError;
