@@ -1,5 +1,6 @@
 """What the daemon costs: latency of a request over the solve itself, how solves per second grow with workers, and the
-steps of many contacts in one message (many_steps.py), and many problems in one (many_solves.py).
+steps of many contacts in one message (many_steps.py), many problems in one (many_solves.py), and the calls of Python in
+process (in_process.py).
 
     ./dev bench --service [--quick] [--json FILE]
 
@@ -20,6 +21,7 @@ from typing import Any
 
 import zmq
 
+import in_process
 import many_solves
 import many_steps
 from contactd.daemon import LocalDaemon
@@ -179,5 +181,9 @@ def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
     many_steps.show(many)
     solves = many_solves.measure(binaries / "contactd", 20 if quick else 100)
     many_solves.show(solves)
+    print()
+    calls = in_process.measure(binaries, 100 if quick else 1000)
+    in_process.show(calls)
     if json_file:
-        json_file.write_text(json.dumps({"latency": rows, "throughput": rates, "many_steps": many, "many_solves": solves}, indent=1))
+        found = {"latency": rows, "throughput": rates, "many_steps": many, "many_solves": solves, "in_process": calls}
+        json_file.write_text(json.dumps(found, indent=1))

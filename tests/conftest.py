@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 
 import pytest
 
+from support.daemons import BIN
 from support.patience import SLOWER
+
+# contactd_local is built beside the programs.
+sys.path.insert(0, str(BIN.parent / "lib" / "python"))
 
 # A run started in the background of a script ignores SIGINT, and so would every program it starts; the tests that
 # interrupt something need the usual behaviour whoever starts them.

@@ -7,6 +7,7 @@ import shlex
 import shutil
 import signal
 import subprocess
+import sys
 import textwrap
 from pathlib import Path
 from typing import Any
@@ -59,7 +60,10 @@ def test_the_guide_to_sessions(shared):
     assert not shared.sessions()
 
 
-def test_the_guide_to_embedding(monkeypatch):
+@pytest.mark.parametrize("installed", [True, False], ids=["in process", "daemon"])
+def test_the_guide_to_embedding(monkeypatch, installed):
+    if not installed:
+        monkeypatch.setitem(sys.modules, "contactd_local", None)
     monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")
     (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "embedding.md").read_text(), re.MULTILINE | re.DOTALL)
     names: dict[str, Any] = {}

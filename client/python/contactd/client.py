@@ -17,7 +17,7 @@ import numpy.typing as npt
 from . import problem as asked
 from .arrays import Frames, decode, encode, invalid, plain
 from .connection import CLIENT, PROTOCOL_VERSION, Reply
-from .connections import Connections
+from .connections import Connections, Lender
 from .curve import load_curve_keys
 from .errors import InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
 from .many_steps import stepped_sessions
@@ -80,8 +80,11 @@ class Client(Shown):
         self.connect_timeout = seconds_of("connect_timeout", connect_timeout)
         self._curve = load_curve_keys(server_key, own_key)
         self._key_files = [None if key is None else Path(key).absolute() for key in (server_key, own_key)]
-        self._connections = Connections(endpoint, self._curve, self.spin)
+        self._connections = self._lender()
         self._limits: Limits | None = None
+
+    def _lender(self) -> Lender:
+        return Connections(self.endpoint, self._curve, self.spin)
 
     def __getstate__(self) -> dict[str, Any]:
         names = ("endpoint", "timeout", "build_timeout", "connect_timeout", "spin")

@@ -16,7 +16,7 @@ from ._version import __version__
 from .curve import HANDSHAKE_EVENTS, CurveKeys, Handshakes
 from .errors import ConnectionFailed, ProtocolError, StatusError, TimeoutExpired, Violation, status_error
 
-__all__ = ["CLIENT", "PROTOCOL_VERSION", "Connection", "Reply", "status_error_of"]
+__all__ = ["CLIENT", "PROTOCOL_VERSION", "Connection", "Reply", "parsed", "reply_of", "status_error_of"]
 
 PROTOCOL_VERSION = 1
 CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
@@ -109,14 +109,14 @@ class Connection:
             if not isinstance(error, (ConnectionFailed, ProtocolError)):
                 self._cancel(envelope["id"])
             raise
-        return _reply(answer, arrays)
+        return reply_of(answer, arrays)
 
     def _await(
         self, envelope: dict[str, Any], deadline: float, on_progress: Callable[[dict[str, Any]], None] | None
     ) -> tuple[dict[str, Any], Sequence[bytes]]:
         while True:
             message = self._receive(deadline, envelope["method"])
-            answer = _parse(message[0])
+            answer = parsed(message[0])
             if "status" in answer and answer.get("id") in (envelope["id"], None):
                 return answer, message[1:]
             if "progress" in answer and answer.get("id") == envelope["id"] and on_progress is not None:
@@ -200,7 +200,8 @@ class Connection:
                 raise ConnectionFailed(f"The daemon at {self.endpoint} went away while it worked on {method}.")
 
 
-def _parse(text: bytes) -> dict[str, Any]:
+def parsed(text: bytes) -> dict[str, Any]:
+    """The envelope of an answer. Raises ProtocolError."""
     try:
         answer = json.loads(text)
     except (ValueError, RecursionError):
@@ -217,7 +218,8 @@ def _parse(text: bytes) -> dict[str, Any]:
     return dict(answer)
 
 
-def _reply(answer: dict[str, Any], frames: Sequence[bytes]) -> Reply:
+def reply_of(answer: dict[str, Any], frames: Sequence[bytes]) -> Reply:
+    """What an envelope with a status and its frames say. Raises StatusError or ProtocolError."""
     if (error := status_error_of(answer["status"])) is not None:
         raise error
     if not isinstance(answer.get("result"), dict):

@@ -5,15 +5,45 @@ from __future__ import annotations
 import os
 import threading
 import weakref
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
 
 import zmq
 
-from .connection import Connection
+from .connection import Connection, Reply
 from .curve import CurveKeys
 from .errors import ConnectionFailed
 
-__all__ = ["Connections"]
+__all__ = ["Connections", "Exchanging", "Lender"]
+
+
+class Exchanging(Protocol):
+    """What takes one request to where it is answered."""
+
+    def exchange(
+        self,
+        envelope: dict[str, Any],
+        frames: Sequence[bytes],
+        deadline: float,
+        connect_timeout: float,
+        on_progress: Callable[[dict[str, Any]], None] | None,
+    ) -> Reply:
+        """See Connection.exchange."""
+
+
+class Lender(Protocol):
+    """What lends a client one for each call. Thread-safe."""
+
+    is_closed: bool
+
+    def take(self) -> Exchanging:
+        """Raises ConnectionFailed."""
+
+    def give_back(self, connection: Any, usable: bool = True) -> None:
+        """`usable`: whether the next call may have it."""
+
+    def close(self) -> None:
+        """May be called twice."""
 
 
 class Connections:

@@ -17,12 +17,21 @@ from typing import Any
 from .client import Client
 from .errors import DaemonFailed
 
-__all__ = ["LocalDaemon"]
+__all__ = ["LocalDaemon", "laid_over"]
 
 
 def _short_temporary_folder() -> str:
     # The path of a Unix socket holds 107 characters at most, and $TMPDIR may be long.
     return tempfile.mkdtemp(prefix="contactd-", dir="/tmp" if len(tempfile.gettempdir()) > 70 else None)
+
+
+def laid_over(own: Mapping[str, Any], config: Mapping[str, Any]) -> dict[str, Any]:
+    """`own` with what `config` says in its place, section by section."""
+    laid = dict(own)
+    for name, value in config.items():
+        both = isinstance(value, Mapping) and isinstance(laid.get(name), Mapping)
+        laid[name] = {**laid[name], **value} if both else value
+    return laid
 
 
 class LocalDaemon:
@@ -45,13 +54,8 @@ class LocalDaemon:
     ) -> None:
         self._temporary = folder is None
         self.folder = Path(_short_temporary_folder() if folder is None else folder).absolute()
-        self.config: dict[str, Any] = {
-            "endpoint": f"ipc://{self.folder}/socket",
-            "store": {"folder": str(self.folder / "store")},
-        }
-        for name, value in (config or {}).items():
-            both = isinstance(value, Mapping) and isinstance(self.config.get(name), dict)
-            self.config[name] = {**self.config[name], **value} if both else value
+        own = {"endpoint": f"ipc://{self.folder}/socket", "store": {"folder": str(self.folder / "store")}}
+        self.config = laid_over(own, config or {})
         self.log_path = self.folder / "contactd.log"
         self.endpoint = ""
         self._owner = os.getpid()

@@ -1,5 +1,6 @@
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
+#include <filesystem>
 #include <future>
 
 #include "engine/jobs/worker_pool.hpp"
@@ -19,6 +20,29 @@ TEST_CASE("Every task that was posted is run") {
 
     last.get_future().wait();
     CHECK(ran == 100);
+}
+
+TEST_CASE("Threads start when they are wanted, and no more than were asked for") {
+    const auto threads = [] {
+        const std::filesystem::directory_iterator tasks("/proc/self/task");
+        return std::distance(begin(tasks), end(tasks));
+    };
+    const auto before = threads();
+    WorkerPool pool(2);
+    CHECK(threads() == before);
+    for (int n = 0; n < 3; ++n) {  // one after the other: one thread does all
+        std::promise<void> ran;
+        pool.post({}, [&] { ran.set_value(); });
+        ran.get_future().wait();
+        while (pool.running() > 0) std::this_thread::yield();
+    }
+    CHECK(threads() == before + 1);
+    std::promise<void> go_on;
+    const auto gate = go_on.get_future().share();
+    for (int n = 0; n < 5; ++n) pool.post({}, [gate] { gate.wait(); });
+    while (pool.running() < 2) std::this_thread::yield();
+    CHECK(threads() == before + 2);
+    go_on.set_value();
 }
 
 TEST_CASE("Stopping waits for the running task, drops the waiting ones and what they hold") {
