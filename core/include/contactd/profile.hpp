@@ -1,0 +1,62 @@
+// The curve of a wheel's or a rail's profile.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace contactd {
+
+/// A point of a profile, or a vector in its plane (mm): y to the field side, z downwards.
+struct ProfilePoint {
+    double y = 0, z = 0;
+
+    bool operator==(const ProfilePoint&) const = default;
+};
+
+/// Parametric cubic splines y(s), z(s) through points. s (mm) is the length of the chords from the first point. The
+/// curve is C2, with natural ends, and broken at kinks, where only its points are continuous; values at a kink are
+/// those behind it. Beyond its ends it goes on as its tangent. Immutable; copies share what they hold, threads may,
+/// too.
+class ProfileCurve {
+   public:
+    /// What a parameter leads to: the point, and its first and second derivatives with respect to s.
+    struct Place {
+        ProfilePoint at, slope, curving;
+    };
+
+    /// `kinks` are indices of inner points, ascending. Throws InvalidArgument, naming "points[i]" or "kinks[i]", for
+    /// fewer than two points, points that are not finite or beyond 1e5 mm, neighbours that coincide, and kinks that are
+    /// no inner points or not ascending.
+    explicit ProfileCurve(std::vector<ProfilePoint> points, std::vector<std::size_t> kinks = {});
+
+    double begin() const { return 0; }
+    double end() const;
+
+    ProfilePoint at(double s) const;
+    ProfilePoint slope(double s) const;    ///< d/ds; its length is near 1
+    ProfilePoint curving(double s) const;  ///< d2/ds2 (1/mm)
+    Place place(double s) const;           ///< the three, for little more than one
+    double angle(double s) const;          ///< of the tangent, atan2(dz, dy) (rad): 0 along y, pi/2 along z
+    double curvature(double s) const;  ///< d angle / d arc length (1/mm): positive where the tangent turns from y to z
+
+    double arc_length(double s) const;  ///< from the first point (mm); negative before it
+    double s_at_arc_length(double arc_length) const;
+    /// The first s at which the curve has this y. Quick where y of the points is monotone, otherwise a search. A y
+    /// beyond all points gets the end of the curve that is nearest to it.
+    double s_at_y(double y) const;
+
+    const std::vector<ProfilePoint>& points() const;
+    const std::vector<std::size_t>& kinks() const;
+    const std::vector<double>& knots() const;  ///< s of the points
+    bool y_is_monotone() const;                ///< strictly, of the points
+
+    /// y -> -y, run through from the other end, so that y of the points still ascends (or descends).
+    ProfileCurve mirrored() const;
+
+   private:
+    struct Tables;
+    std::shared_ptr<const Tables> tables_;
+};
+
+}  // namespace contactd
