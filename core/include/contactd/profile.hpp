@@ -5,14 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "contactd/profile_spec.hpp"
+
 namespace contactd {
-
-/// A point of a profile, or a vector in its plane (mm): y to the field side, z downwards.
-struct ProfilePoint {
-    double y = 0, z = 0;
-
-    bool operator==(const ProfilePoint&) const = default;
-};
 
 /// Parametric cubic splines y(s), z(s) through points. s (mm) is the length of the chords from the first point. The
 /// curve is C2, with natural ends, and broken at kinks, where only its points are continuous; values at a kink are
