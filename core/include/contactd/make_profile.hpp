@@ -1,0 +1,33 @@
+// From a profile as a value to its curve.
+#pragma once
+
+#include <cstddef>
+
+#include "contactd/profile.hpp"
+#include "contactd/profile_spec.hpp"
+
+namespace contactd {
+
+/// What became of the points.
+struct ProfileEvidence {
+    std::size_t points_given = 0, points_kept = 0;
+    double largest_distance = 0;  ///< of the points kept from the curve (mm): 0 without smoothing
+    double rms_distance = 0;
+
+    bool operator==(const ProfileEvidence&) const = default;
+};
+
+/// The curve of a wheel or a rail: y ascends, and the wheel's flange, the rail's gauge side lie at y < 0.
+struct Profile {
+    ProfileKind kind = ProfileKind::wheel;
+    ProfileCurve curve;
+    ProfileEvidence evidence{};
+};
+
+/// Points are mirrored, brought to mm, ordered by y and cleaned: what coincides or turns back is dropped, zigzags are
+/// averaged, of a wheel remains what is seen from above on both sides of its middle, of a rail what is not hidden from
+/// above. The curve is broken at kinks and smoothed. Throws InvalidArgument naming the field below "profile" for points
+/// that cross themselves, that are in no order, or of which too few remain, and for profiles upside down or mirrored.
+Profile make_profile(const ProfileSpec& spec);
+
+}  // namespace contactd

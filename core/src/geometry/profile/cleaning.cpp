@@ -1,0 +1,134 @@
+#include "geometry/profile/cleaning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace contactd::geometry {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double least_distance = 1e-4, least_advance = 1e-9, around_kink = 2;    // mm
+constexpr double zigzag = 150 * degree, kink = 30 * degree, smooth = 6 * degree;  // turns
+
+double distance(const ProfilePoint& a, const ProfilePoint& b) {
+    return std::hypot(b.y - a.y, b.z - a.z);
+}
+
+/// Angle between the chords before and behind a point.
+double turn(const Points& points, std::size_t i) {
+    const double y0 = points[i].y - points[i - 1].y, z0 = points[i].z - points[i - 1].z;
+    const double y1 = points[i + 1].y - points[i].y, z1 = points[i + 1].z - points[i].z;
+    return std::abs(std::atan2(y0 * z1 - z0 * y1, y0 * y1 + z0 * z1));
+}
+
+/// From a point on, those whose y is farther out than that of any before.
+template <class Iterator>
+Points outwards(Iterator from, Iterator end, double sense) {
+    Points kept{*from};
+    for (++from; from != end; ++from)
+        if (sense * (from->y - kept.back().y) > least_advance) kept.push_back(*from);
+    return kept;
+}
+
+/// As before, but what comes back above points that were kept hides these.
+template <class Iterator>
+Points uppermost(Iterator from, Iterator end, double sense) {
+    Points kept{*from};
+    for (++from; from != end; ++from) {
+        const bool above = from->z < kept.back().z;
+        while (above && kept.size() > 1 && sense * (from->y - kept.back().y) <= least_advance) kept.pop_back();
+        if (sense * (from->y - kept.back().y) > least_advance) kept.push_back(*from);
+    }
+    return kept;
+}
+
+Points joined(Points left, const Points& right) {
+    std::reverse(left.begin(), left.end());
+    left.insert(left.end(), right.begin() + 1, right.end());
+    return left;
+}
+
+}  // namespace
+
+Points without_repetitions(const Points& points) {
+    Points kept;
+    for (const ProfilePoint& point : points)
+        if (kept.empty() || distance(kept.back(), point) >= least_distance) kept.push_back(point);
+    return kept;
+}
+
+Points without_zigzags(Points points) {
+    Points kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool twice = i > 0 && i + 2 < points.size() && turn(points, i) > zigzag && turn(points, i + 1) > zigzag;
+        if (twice) {
+            const ProfilePoint mean{(points[i].y + points[i + 1].y) / 2, (points[i].z + points[i + 1].z) / 2};
+            points[++i] = mean;  // the next turn is that of the mean
+        }
+        kept.push_back(points[i]);
+    }
+    return kept;
+}
+
+Points wheel_seen_from_above(const Points& points) {
+    const auto by_y = [](const auto& a, const auto& b) { return a.y < b.y; };
+    const auto [least, most] = std::minmax_element(points.begin(), points.end(), by_y);
+    const double centre = (least->y + most->y) / 2;
+    const auto middle = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+        return std::abs(a.y - centre) < std::abs(b.y - centre);
+    });
+    return joined(outwards(std::make_reverse_iterator(middle + 1), points.rend(), -1),
+                  outwards(middle, points.end(), 1));
+}
+
+Points rail_seen_from_above(const Points& points) {
+    const auto top =
+        std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+    return joined(uppermost(std::make_reverse_iterator(top + 1), points.rend(), -1), uppermost(top, points.end(), 1));
+}
+
+std::vector<std::size_t> kinks_of(const Points& points) {
+    std::vector<double> s{0}, turns{0};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        s.push_back(s.back() + distance(points[i - 1], points[i]));
+        turns.push_back(i + 1 < points.size() ? turn(points, i) : 0);
+    }
+    std::vector<std::size_t> kinks;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        if (turns[i] <= kink) continue;
+        const auto from = std::lower_bound(s.begin(), s.end(), s[i] - around_kink) - s.begin();
+        const auto to = std::upper_bound(s.begin(), s.end(), s[i] + around_kink) - s.begin();
+        const auto bends = std::count_if(turns.begin() + from, turns.begin() + to, [](double t) { return t > smooth; });
+        if (bends == 1) kinks.push_back(i);
+    }
+    return kinks;
+}
+
+Crossing crossing_of(const Points& points) {
+    struct Chord {
+        double from, to;  // in y
+        std::size_t at;
+    };
+    std::vector<Chord> chords;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const auto [from, to] = std::minmax(points[i].y, points[i + 1].y);
+        chords.push_back({from, to, i});
+    }
+    std::sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) { return a.from < b.from; });
+    const auto side = [&](std::size_t chord, const ProfilePoint& point) {
+        const ProfilePoint &a = points[chord], &b = points[chord + 1];
+        return (b.y - a.y) * (point.z - a.z) - (b.z - a.z) * (point.y - a.y);
+    };
+    const auto between = [&](std::size_t chord, std::size_t other) {
+        return side(chord, points[other]) * side(chord, points[other + 1]) < 0;
+    };
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        for (std::size_t k = i + 1; k < chords.size() && chords[k].from <= chords[i].to; ++k) {
+            const auto [first, second] = std::minmax(chords[i].at, chords[k].at);
+            if (second > first + 1 && between(first, second) && between(second, first)) return {first, second};
+        }
+    return {};
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,35 @@
+// What is done to the points of a measured profile before a curve goes through them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contactd/profile_spec.hpp"
+
+namespace contactd::geometry {
+
+using Points = std::vector<ProfilePoint>;
+
+/// Without points closer than 1e-4 mm to the one before.
+Points without_repetitions(const Points& points);
+
+/// Where two turns of more than 150 degrees follow each other, both points become their mean.
+Points without_zigzags(Points points);
+
+/// What is seen of a wheel from above its middle: both ways from there, as far as y goes on.
+Points wheel_seen_from_above(const Points& points);
+
+/// What of a rail is not hidden from above: of two points with the same y the upper one, outwards from its top.
+Points rail_seen_from_above(const Points& points);
+
+/// Points where the curve turns by more than 30 degrees and, within 2 mm, nowhere else by more than 6.
+std::vector<std::size_t> kinks_of(const Points& points);
+
+/// The first chord that another one crosses or touches, and that other one; their first points' indices, or {0, 0}.
+struct Crossing {
+    std::size_t first = 0, second = 0;
+    bool found() const { return second > 0; }
+};
+Crossing crossing_of(const Points& points);
+
+}  // namespace contactd::geometry

@@ -1,0 +1,88 @@
+#include "geometry/profile/measured_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+constexpr double flange_height = 10;  // mm: what a flange stands out at least, and the sides of a rail
+
+std::string text_of(const ProfilePoint& point) {
+    return "(" + number_text(point.y) + ", " + number_text(point.z) + ")";
+}
+
+Points in_mm(const ProfilePoints& given) {
+    Points points = given.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ProfilePoint& point = points[i];
+        point.y *= given.mirror_y ? -given.unit : given.unit;
+        point.z *= given.mirror_z ? -given.unit : given.unit;
+        if (!(std::abs(point.y) <= 1e5 && std::abs(point.z) <= 1e5))
+            throw InvalidArgument("profile.points[" + std::to_string(i) + "]",
+                                  "is " + text_of(given.points[i]) +
+                                      "; coordinates must be finite and, in mm, 1e5 at most: correct it, or the unit");
+    }
+    if (points.size() > 1 && points.front().y > points.back().y) std::reverse(points.begin(), points.end());
+    return points;
+}
+
+/// What remains is too little where a profile is not run through in order, or stands upright.
+void check_remainder(std::size_t kept, std::size_t given) {
+    if (2 * kept < given)
+        throw InvalidArgument(
+            "profile.points",
+            "are " + std::to_string(given) + ", of which only " + std::to_string(kept) +
+                " lie side by side when seen from above; they must follow the profile from one end to "
+                "the other, y ascending or descending");
+}
+
+void check_sense(const Points& points, ProfileKind kind) {
+    const auto [upper, lower] =
+        std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+    std::vector<double> heights;
+    for (const ProfilePoint& point : points) heights.push_back(point.z);
+    const auto median = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), median, heights.end());
+    const double usual = *median, centre = (points.front().y + points.back().y) / 2;
+    if (kind == ProfileKind::wheel) {
+        if (usual - upper->z > flange_height && usual - upper->z > 2 * (lower->z - usual))
+            throw InvalidArgument("profile.points", "rise to z = " + number_text(upper->z) +
+                                                        " at y = " + number_text(upper->y) +
+                                                        "; z points downwards, to the tip of the flange: set mirror_z");
+        if (lower->z - usual > flange_height && lower->y > centre)
+            throw InvalidArgument("profile.points", "have the flange at y = " + number_text(lower->y) +
+                                                        "; y grows to the field side: set mirror_y");
+    } else if (const double half = (upper->z + lower->z) / 2; std::max(points.front().z, points.back().z) < half &&
+                                                              usual > half && lower->z - upper->z > flange_height)
+        throw InvalidArgument("profile.points", "have both ends near the top, z = " + number_text(upper->z) +
+                                                    ", and the others below; z points downwards: set mirror_z");
+}
+
+}  // namespace
+
+Points measured_points(const ProfilePoints& given, ProfileKind kind) {
+    if (given.points.size() < 2)
+        throw InvalidArgument("profile.points", "are " + std::to_string(given.points.size()) +
+                                                    "; a profile needs two at least, and a real one fifty");
+    const Points points = without_zigzags(without_repetitions(in_mm(given)));
+    if (const auto crossing = crossing_of(points); crossing.found())
+        throw InvalidArgument("profile.points", "cross themselves: the chord from " + text_of(points[crossing.first]) +
+                                                    " and the one from " + text_of(points[crossing.second]) +
+                                                    " meet (mm, cleaned); order the points along the profile, or leave "
+                                                    "out those of the loop");
+    Points seen = points.empty()               ? points
+                  : kind == ProfileKind::wheel ? wheel_seen_from_above(points)
+                                               : rail_seen_from_above(points);
+    check_remainder(seen.size(), points.size());
+    if (seen.size() < 2 || seen.back().y - seen.front().y < 1)
+        throw InvalidArgument("profile.points", "span less than 1 mm from side to side; check their unit");
+    check_sense(seen, kind);
+    return seen;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,50 @@
+// What is done to the points of measured profiles.
+#include "geometry/profile/cleaning.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace contactd;
+using namespace contactd::geometry;
+
+TEST_CASE("points that repeat the one before are left out", "[profile]") {
+    CHECK(without_repetitions({{0, 0}, {0, 5e-5}, {1, 0}, {1, 0}, {1, 2e-4}}) == Points{{0, 0}, {1, 0}, {1, 2e-4}});
+}
+
+TEST_CASE("a zigzag becomes its mean", "[profile]") {
+    CHECK(without_zigzags({{0, 0}, {1, 0}, {0.6, 0}, {2, 0}}) == Points{{0, 0}, {0.8, 0}, {2, 0}});
+    const Points corner{{0, 0}, {1, 0}, {1, 1}, {2, 1}};
+    CHECK(without_zigzags(corner) == corner);
+}
+
+TEST_CASE("of a wheel remains what advances from its middle", "[profile]") {
+    const Points wheel{{-60, 0}, {-70, 5}, {-69, 15}, {-55, 28}, {-40, 15},
+                       {-30, 4}, {0, 0},   {60, -3},  {58, -6},  {61, -7}};
+    CHECK(wheel_seen_from_above(wheel) ==
+          Points{{-70, 5}, {-69, 15}, {-55, 28}, {-40, 15}, {-30, 4}, {0, 0}, {60, -3}, {61, -7}});
+}
+
+TEST_CASE("of a rail remains what nothing lies above", "[profile]") {
+    const Points rail{{-35, 40}, {-37, 30}, {-36, 14}, {-20, 2}, {0, 0}, {20, 2}, {36, 14}, {37, 30}, {20, 40}};
+    CHECK(rail_seen_from_above(rail) == Points{{-37, 30}, {-36, 14}, {-20, 2}, {0, 0}, {20, 2}, {36, 14}, {37, 30}});
+    const Points lip{{0, 0}, {20, 5}, {30, 8}, {25, 6}, {35, 7}};  // comes back above what it had
+    CHECK(rail_seen_from_above(lip) == Points{{0, 0}, {20, 5}, {25, 6}, {35, 7}});
+}
+
+TEST_CASE("kinks are sharp turns between smooth parts", "[profile]") {
+    const Points roof{{0, 5}, {1, 4}, {2, 3}, {3, 2}, {4, 3}, {5, 4}, {6, 5}};
+    CHECK(kinks_of(roof) == std::vector<std::size_t>{3});
+    const Points noise{{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}};
+    CHECK(kinks_of(noise).empty());
+    const Points gentle{{0, 0}, {1, 0}, {2, 0.5}, {3, 1}};
+    CHECK(kinks_of(gentle).empty());
+}
+
+TEST_CASE("chords that cross are found", "[profile]") {
+    const auto crossing = crossing_of({{0, 0}, {10, 0}, {10, 5}, {5, 5}, {5, -5}});
+    CHECK(crossing.found());
+    CHECK(crossing.first == 0);
+    CHECK(crossing.second == 3);
+    CHECK_FALSE(crossing_of({{0, 0}, {10, 0}, {10, 5}, {5, 5}, {5, 1}}).found());
+    CHECK_FALSE(crossing_of({{0, 0}, {1, 0}, {2, 1}, {3, 3}}).found());
+}
