@@ -51,16 +51,16 @@ void check_sense(const Points& points, ProfileKind kind) {
     const double usual = *median, centre = (points.front().y + points.back().y) / 2;
     if (kind == ProfileKind::wheel) {
         if (usual - upper->z > flange_height && usual - upper->z > 2 * (lower->z - usual))
-            throw InvalidArgument("profile.points", "rise to z = " + number_text(upper->z) +
-                                                        " at y = " + number_text(upper->y) +
-                                                        "; z points downwards, to the tip of the flange: set mirror_z");
+            throw InvalidArgument("profile.points",
+                                  "rise to z = " + number_text(upper->z) + " at y = " + number_text(upper->y) +
+                                      "; z points downwards, to the tip of the flange: change mirror_z");
         if (lower->z - usual > flange_height && lower->y > centre)
             throw InvalidArgument("profile.points", "have the flange at y = " + number_text(lower->y) +
-                                                        "; y grows to the field side: set mirror_y");
+                                                        "; y grows to the field side: change mirror_y");
     } else if (const double half = (upper->z + lower->z) / 2; std::max(points.front().z, points.back().z) < half &&
                                                               usual > half && lower->z - upper->z > flange_height)
         throw InvalidArgument("profile.points", "have both ends near the top, z = " + number_text(upper->z) +
-                                                    ", and the others below; z points downwards: set mirror_z");
+                                                    ", and the others below; z points downwards: change mirror_z");
 }
 
 }  // namespace

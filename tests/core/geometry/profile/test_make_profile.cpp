@@ -125,7 +125,7 @@ TEST_CASE("points that make no profile are refused with what to do", "[profile]"
     refused(ProfileKind::wheel, bad, "order the points along the profile");
     bad = good;
     bad.mirror_z = true;
-    refused(ProfileKind::wheel, bad, "set mirror_z");
+    refused(ProfileKind::wheel, bad, "change mirror_z");
     bad = good;
     bad.mirror_y = true;
     refused(ProfileKind::wheel, bad, "the flange at y = 5");

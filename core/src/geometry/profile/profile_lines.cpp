@@ -1,0 +1,87 @@
+#include "geometry/profile/profile_lines.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "contactd/error.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+constexpr std::size_t longest_line = 4096;
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+    std::string shown;
+    for (const char c : text.substr(0, 40)) shown += c >= ' ' && c <= '~' ? c : '?';
+    return '"' + shown + (text.size() > 40 ? "...\"" : "\"");
+}
+
+std::string_view trimmed(std::string_view text) {
+    const auto from = text.find_first_not_of(blanks);
+    if (from == text.npos) return {};
+    return text.substr(from, text.find_last_not_of(blanks) - from + 1);
+}
+
+ProfileLines::ProfileLines(std::string_view text, std::string name, std::string_view comments)
+    : rest_(text), comments_(comments), name_(std::move(name)) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
+    if (rest_.find('\0') != rest_.npos)
+        fail_file("is no text: it has bytes that are zero; export the profile as plain text");
+}
+
+bool ProfileLines::next() {
+    while (!rest_.empty()) {
+        ++number_;
+        const auto end = std::min(rest_.find('\n'), rest_.size());
+        line_ = rest_.substr(0, end);
+        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        if (line_.size() > longest_line)
+            fail("has " + std::to_string(line_.size()) + " characters; a point has a line of its own, of 4096 at most");
+        line_ = trimmed(line_.substr(0, line_.find_first_of(comments_)));
+        if (!line_.empty()) return true;
+    }
+    return false;
+}
+
+double ProfileLines::number(std::string_view text) const {
+    double value = 0;
+    std::string_view digits = text;
+    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size() || !(std::abs(value) <= 1e100))
+        fail("has " + quoted(text) + " where a number should stand, such as -12.5 or 1.25e-3");
+    return value;
+}
+
+std::vector<double> ProfileLines::numbers(std::string_view separators) const {
+    std::vector<double> values;
+    std::string_view rest = line_;
+    while (!(rest = trimmed(rest)).empty()) {
+        const auto end = std::min(rest.find_first_of(std::string(blanks) + std::string(separators)), rest.size());
+        values.push_back(number(rest.substr(0, end)));
+        rest = trimmed(rest.substr(end));
+        if (!rest.empty() && separators.find(rest.front()) != separators.npos) rest.remove_prefix(1);
+    }
+    return values;
+}
+
+void ProfileLines::fail(const std::string& problem) const {
+    throw InvalidArgument(name_ + ", line " + std::to_string(number_) + ",", problem);
+}
+
+void ProfileLines::fail_file(const std::string& problem) const {
+    throw InvalidArgument(name_, problem);
+}
+
+void add_point(std::vector<ProfilePoint>& points, const ProfilePoint& point, const ProfileLines& lines) {
+    if (points.size() == most_profile_points)
+        lines.fail("is one point more than the " + std::to_string(most_profile_points) +
+                   " that a profile may have; leave some of them out");
+    points.push_back(point);
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,50 @@
+// The lines of a profile's file, and what is wrong with one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contactd/profile_spec.hpp"
+
+namespace contactd::geometry {
+
+/// A line after the other, without its end, comments and blanks around it.
+class ProfileLines {
+   public:
+    /// `comments` are the characters with which one begins. Throws InvalidArgument for a text that is not one.
+    ProfileLines(std::string_view text, std::string name, std::string_view comments);
+
+    /// Goes to the next line, and false at the end. Throws InvalidArgument for an endless one.
+    bool next();
+    std::string_view line() const { return line_; }
+
+    /// The numbers of the line, between blanks and the characters of `separators`. Throws for what is none.
+    std::vector<double> numbers(std::string_view separators = {}) const;
+    /// Of a text within the line, as a value. Throws when it is none.
+    double number(std::string_view text) const;
+
+    /// Throws InvalidArgument that names file and line. The text of a file goes in by `quoted`.
+    [[noreturn]] void fail(const std::string& problem) const;
+    /// As fail, but of the whole file.
+    [[noreturn]] void fail_file(const std::string& problem) const;
+
+   private:
+    std::string_view rest_, comments_, line_;
+    std::string name_;
+    std::size_t number_ = 0;
+};
+
+/// In quotation marks, the first forty characters, without what cannot be printed.
+std::string quoted(std::string_view text);
+std::string_view trimmed(std::string_view text);
+/// Throws when a file has more points than a profile may have.
+void add_point(std::vector<ProfilePoint>& points, const ProfilePoint& point, const ProfileLines& lines);
+
+/// Each of the formats. The kind is that of the file's ending.
+ProfilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind);
+ProfilePoints read_miniprof(std::string_view text, const std::string& name);
+ProfilePoints read_columns(std::string_view text, const std::string& name);
+
+}  // namespace contactd::geometry

@@ -1,0 +1,99 @@
+// Simpack's files: keys with values in sections, and the points in the unit of a user. What is to be done with the
+// points stands beside them; its order is shift, rotation, bounds, mirroring, units.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "geometry/profile/profile_lines.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+/// By their keys; those that say how a file was made, and how splines are fitted, mean nothing here.
+using Keys = std::map<std::string, double, std::less<>>;
+
+const Keys defaults{{"shift.y", 0},     {"shift.z", 0},     {"rotate", 0},      {"bound.y.min", 1},
+                    {"bound.y.max", 0}, {"bound.z.min", 1}, {"bound.z.max", 0}, {"mirror.y", 0},
+                    {"mirror.z", 0},    {"units.len.f", 1}, {"units.ang.f", 1}};
+
+void read_key(const ProfileLines& lines, bool in_header, ProfileKind kind, Keys& keys) {
+    const auto at = lines.line().find('=');
+    if (at == std::string_view::npos)
+        lines.fail("is " + quoted(lines.line()) + "; outside of point.begin and point.end a line reads key = value");
+    const std::string_view key = trimmed(lines.line().substr(0, at)), value = trimmed(lines.line().substr(at + 1));
+    if (in_header && key == "type") {
+        const bool wheel = kind == ProfileKind::wheel;
+        if (lines.number(value) != (wheel ? 1 : 0))
+            lines.fail(
+                "has the type " + quoted(value) + ", but the file's name says " +
+                (wheel ? "wheel, type 1; a rail's file ends in .prr" : "rail, type 0; a wheel's file ends in .prw"));
+    } else if (const auto known = keys.find(key); !in_header && known != keys.end()) {
+        known->second = lines.number(value);
+        if (key.starts_with("units.") && !(known->second > 0))
+            lines.fail("has the unit " + quoted(value) +
+                       "; it must be positive, the number of units in a metre or radian");
+    }
+}
+
+std::vector<ProfilePoint> read_points(ProfileLines& lines) {
+    std::vector<ProfilePoint> points;
+    while (lines.next()) {
+        if (lines.line() == "point.end") return points;
+        const auto values = lines.numbers();
+        if (values.size() != 2 && values.size() != 3)
+            lines.fail("has " + std::to_string(values.size()) +
+                       " numbers; a point has two, y and z, and maybe its weight");
+        add_point(points, {values[0], values[1]}, lines);
+    }
+    lines.fail_file("ends within its points; it must go on to point.end, it may have been cut off");
+}
+
+std::vector<ProfilePoint> processed(const std::vector<ProfilePoint>& read, const Keys& keys) {
+    const auto of = [&](std::string_view key) { return keys.find(key)->second; };
+    const double angle = of("rotate") / of("units.ang.f");
+    const auto within = [&](double value, std::string_view least, std::string_view most) {
+        return of(least) >= of(most) || (value >= of(least) && value <= of(most));
+    };
+    std::vector<ProfilePoint> points;
+    for (const auto& [y, z] : read) {
+        const ProfilePoint shifted{y + of("shift.y"), z + of("shift.z")};
+        const ProfilePoint turned{std::cos(angle) * shifted.y - std::sin(angle) * shifted.z,
+                                  std::sin(angle) * shifted.y + std::cos(angle) * shifted.z};
+        if (within(turned.y, "bound.y.min", "bound.y.max") && within(turned.z, "bound.z.min", "bound.z.max"))
+            points.push_back(turned);
+    }
+    return points;
+}
+
+}  // namespace
+
+ProfilePoints read_simpack(std::string_view text, const std::string& name, ProfileKind kind) {
+    ProfileLines lines(text, name, "!");
+    Keys keys = defaults;
+    std::vector<ProfilePoint> read;
+    bool in_header = false, has_points = false;
+    while (lines.next()) {
+        const auto line = lines.line();
+        if (line == "header.begin" || line == "header.end")
+            in_header = line == "header.begin";
+        else if (line == "point.begin") {
+            if (has_points) lines.fail("begins points a second time; a file has one profile, split it");
+            has_points = true;
+            read = read_points(lines);
+        } else if (line != "spline.begin" && line != "spline.end")
+            read_key(lines, in_header, kind, keys);
+    }
+    if (!has_points) lines.fail_file("has no line point.begin; a profile of Simpack has its points behind one");
+    ProfilePoints given;
+    given.points = processed(read, keys);
+    if (given.points.empty() && !read.empty())
+        lines.fail_file("has no points within its bounds bound.y.min to bound.z.max; widen them");
+    given.unit = 1000 / keys["units.len.f"];
+    given.mirror_y = keys["mirror.y"] == 1;
+    given.mirror_z = keys["mirror.z"] == 1;
+    return given;
+}
+
+}  // namespace contactd::geometry
