@@ -1,0 +1,102 @@
+// A wheel on a rail: what all steps of a simulation have in common. docs/wheel-rail.md draws the coordinates.
+//
+// Track coordinates: x forwards, y to the right, z down; the origin lies between the rails on the plane of their tops.
+// Profiles are those of the right side, also of a left wheel: y to the field side, z down, the flange and the gauge
+// face at y < 0.
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "contactd/body.hpp"
+#include "contactd/contact_setup.hpp"
+#include "contactd/profile_spec.hpp"
+
+namespace contactd {
+
+/// Which wheel of the wheelset, seen in the direction of travel.
+enum class Side { left, right };
+
+/// Where the rails lie. Lengths are in mm, angles in rad.
+struct Track {
+    double gauge = 1435;       ///< between the rails' gauge faces
+    double gauge_height = 14;  ///< below the tops of the rails, where the gauge is measured
+    double cant = 0;           ///< of the profile as given, leaning inwards where positive
+    /// Of the profile's origin, with y to the field side from the centre of the track; gauge and its height mean
+    /// nothing then.
+    std::optional<ProfilePoint> rail_origin{};
+    /// A roller turns under the wheel in place of the rail: its radius where the profile has z = 0. The profile is not
+    /// lifted to the plane of the track then.
+    std::optional<double> roller_radius{};
+
+    bool operator==(const Track&) const = default;
+};
+
+/// Where the wheels sit on their axle (mm).
+struct Wheelset {
+    double flange_back_distance = 1360;  ///< between the backs of the flanges
+    double flange_back_position = -70;   ///< y of the flange's back in the profile of the wheel
+    double nominal_radius = 460;         ///< where the profile has z = 0
+
+    bool operator==(const Wheelset&) const = default;
+};
+
+/// What becomes of regions of overlap that lie close to each other: patches of their own, whose planes turn towards
+/// each other (below distance_turn); parts of one patch that feel a share of each other (blended, below
+/// distance_separate); or one patch (below distance_combine). Distances in mm; 0 < distance_combine < distance_separate
+/// < distance_turn.
+struct PatchRules {
+    double angle_separate =
+        std::numbers::pi / 2;  ///< patches of their own where the planes' angles differ by more (rad)
+    double distance_separate = 8;
+    double distance_combine = 4;
+    double distance_turn = 12;
+    double locus_step = 0.3;  ///< of the search across the track, in elements dy
+
+    bool operator==(const PatchRules&) const = default;
+};
+
+/// How the wheel is evaluated: by its splines, or between the corners of a mesh as large as the elements, which is what
+/// reference programs do and what comparisons with them want.
+enum class WheelSurfaceKind { exact, bilinear };
+
+/// The coefficient of friction where the rail's surface is inclined by `angle` (rad, from the horizontal, negative on
+/// the gauge side); straight lines between, constant beyond.
+struct FrictionAtAngle {
+    double angle = 0;
+    double mu = 0;
+
+    bool operator==(const FrictionAtAngle&) const = default;
+};
+
+struct WheelRailFriction {
+    std::vector<FrictionAtAngle> mu{{0, 0.3}};  ///< by ascending angles; one entry holds everywhere
+    bool along_profile = false;  ///< the angle is that of the rail at each row of elements, else that of the patch
+    std::optional<KineticFriction> kinetic{};
+
+    bool operator==(const WheelRailFriction&) const = default;
+};
+
+struct WheelRailSetup {
+    Side side = Side::right;
+    ProfileSpec wheel{ProfileKind::wheel, S1002{}};
+    ProfileSpec rail{ProfileKind::rail, Rail60E1{1.0 / 40}};
+    Track track;
+    Wheelset wheelset;
+    /// Upper is the rail, lower the wheel: forces and tractions act on the rail.
+    Bodies bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
+    Model model = Model::full;
+    std::optional<WheelRailFriction> friction = WheelRailFriction{};  ///< absent: frictionless
+    double dx = 0.2, dy = 0.2;  ///< sizes of the elements along and across the track, in the contact plane (mm)
+    double dq = 0;              ///< step of rolling (mm); 0: dx
+    PatchRules patches{};
+    WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
+    ContactSettings settings{};
+    SolverSettings force{1e-6, 40};  ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
+};
+
+/// Throws InvalidArgument naming the field, in the words of these structs.
+void validate(const WheelRailSetup& setup);
+
+}  // namespace contactd

@@ -1,0 +1,120 @@
+// Where a wheel touches its rail, and what comes of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contactd/contact.hpp"
+
+namespace contactd {
+
+/// The reference of a contact, on the rail in track coordinates (mm). Contact coordinates have their origin there: x
+/// forwards, y along the rail's surface to the right, z = n into the rail; they are those of the track turned about x
+/// by the angle of the plane (rad).
+struct ContactReference {
+    double x = 0, y = 0, z = 0;
+    double angle = 0;
+
+    bool operator==(const ContactReference&) const = default;
+};
+
+/// Ends of what lies between (mm), from and to.
+struct Extent {
+    double from = 0, to = 0;
+
+    bool operator==(const Extent&) const = default;
+};
+
+/// Where the undeformed profiles overlap, seen from above: what patches are made of.
+struct OverlapRegion {
+    ContactReference reference;
+    Extent x, y, z;          ///< in track coordinates; z on the rail at the ends of y
+    double penetration = 0;  ///< largest vertical one (mm)
+    double size = 0;         ///< the integral over the region of the vertical penetration squared (mm^4)
+
+    bool operator==(const OverlapRegion&) const = default;
+};
+
+/// Velocities of the rail at the reference over those of the wheel, by the rolling velocity (mm/s), in contact
+/// coordinates. chi is the rolling direction: 0 forwards, pi backwards.
+struct Creepages {
+    double xi = 0, eta = 0;
+    double phi = 0;  ///< (rad/mm)
+    double chi = 0, velocity = 0;
+
+    bool operator==(const Creepages&) const = default;
+};
+
+/// Radii of curvature at the reference (mm): of the wheel and the rail across the track, of both along it. Positive
+/// where convex; infinite where straight.
+struct ContactRadii {
+    double wheel_along = 0, wheel_across = 0;
+    double rail_along = 0, rail_across = 0;
+
+    bool operator==(const ContactRadii&) const = default;
+};
+
+/// One place where wheel and rail are in contact, and the problem that it poses to the solvers.
+struct ContactPlace {
+    ContactReference reference;
+    std::vector<OverlapRegion> regions;  ///< from the right to the left; more than one feel a share of each other
+    /// Of region j on region k, symmetric, row by row: what of the displacements of one the other feels; 1 on the
+    /// diagonal.
+    std::vector<double> shares;
+    Grid grid;               ///< in contact coordinates
+    double approach = 0;     ///< penetration along n, the largest at the elements (mm)
+    double penetration = 0;  ///< vertical, the largest (mm)
+    Creepages creepages;
+    ContactRadii radii;
+};
+
+/// A force (N) and its moment (N mm) about the origin of the axes that it is given in.
+struct Wrench {
+    double Fx = 0, Fy = 0, Fz = 0;
+    double Mx = 0, My = 0, Mz = 0;
+
+    bool operator==(const Wrench&) const = default;
+};
+
+/// Forces act on the rail.
+struct WheelRailForces {
+    Wrench track;     ///< in track coordinates
+    Wrench rail;      ///< about the origin of the rail's profile, along its axes
+    Wrench wheelset;  ///< about the wheelset's centre, along its axes, which do not turn with its pitch
+};
+
+struct WheelRailPatch {
+    ContactPlace place;
+    std::vector<double>
+        gap;  ///< undeformed distance h less its least value (mm), shape [ny, nx]; empty of quick models
+    ContactSolution solution;  ///< in contact coordinates
+    WheelRailForces forces;
+};
+
+/// What the profiles and a position tell without a solve.
+struct WheelRailGeometry {
+    std::vector<ContactPlace> places;  ///< from the right to the left; none where wheel and rail do not overlap
+    /// Least vertical distance of wheel and rail (mm), negative where they overlap; absent where they are not above
+    /// each other.
+    std::optional<double> clearance;
+    std::vector<std::string> warnings;
+};
+
+struct WheelRailSolution {
+    double z = 0;                         ///< of the wheelset, as prescribed or found (mm)
+    std::optional<double> clearance;      ///< at this z, as in WheelRailGeometry
+    std::vector<WheelRailPatch> patches;  ///< from the right to the left; none without contact
+    WheelRailForces forces;               ///< of all patches
+    std::optional<SolverEvidence> force;  ///< of the search for z: solves, |F - Fz|/Fz
+    std::vector<std::string> warnings;    ///< sentences, those of the patches among them
+
+    bool in_contact() const { return !patches.empty(); }
+    bool converged() const {
+        for (const WheelRailPatch& patch : patches)
+            if (!patch.solution.converged()) return false;
+        return !force || force->converged;
+    }
+};
+
+}  // namespace contactd

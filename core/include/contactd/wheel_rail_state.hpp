@@ -1,0 +1,49 @@
+// What a step brings to a wheel on a rail: where the wheelset is and how it moves.
+#pragma once
+
+#include <optional>
+
+namespace contactd {
+
+/// Of the wheelset's centre, in track coordinates: y and z (mm) from where it stands in the middle with its tape
+/// circles on the plane of the track. Angles (rad) turn from y to z (roll), z to x (pitch) and x to y (yaw), the yaw
+/// first.
+struct WheelsetPosition {
+    double y = 0, z = 0, roll = 0, yaw = 0;
+
+    bool operator==(const WheelsetPosition&) const = default;
+};
+
+/// Of the wheelset's centre (mm/s, along x, y and z of the track) and about its own axes (rad/s): a wheelset that rolls
+/// forwards has a pitch rate near -x/nominal_radius.
+struct WheelsetVelocity {
+    double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
+
+    bool operator==(const WheelsetVelocity&) const = default;
+};
+
+/// Of the rail from where track and gauge have it, in track coordinates also for a left rail (mm, rad, mm/s, rad/s).
+struct RailDeviation {
+    double y = 0, z = 0, roll = 0;
+    double y_velocity = 0, z_velocity = 0, roll_velocity = 0;
+
+    bool operator==(const RailDeviation&) const = default;
+};
+
+struct WheelRailState {
+    WheelsetPosition position;
+    WheelsetVelocity velocity;
+    RailDeviation rail;
+    double roller_pitch =
+        0;  ///< pitch rate of a roller (rad/s): > 0 where the wheel on it turns as when rolling forwards
+    /// Vertical force of this wheel on the rail (N, > 0), which position.z is found for; its value then only tells
+    /// where to start. Absent: position.z is prescribed.
+    std::optional<double> Fz{};
+
+    bool operator==(const WheelRailState&) const = default;
+};
+
+/// Throws InvalidArgument naming the field, e.g. "position.roll".
+void validate(const WheelRailState& state);
+
+}  // namespace contactd

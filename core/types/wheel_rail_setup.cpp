@@ -1,0 +1,109 @@
+#include "contactd/wheel_rail_setup.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "number_text.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr double largest_length = 1e4;  // mm: of tracks and wheelsets
+constexpr double largest_angle = 0.5;   // rad
+
+void require(bool right, const std::string& field, double value, const std::string& must) {
+    if (!right) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + must);
+}
+
+void check_positive(double value, double largest, const std::string& field, const char* unit) {
+    require(value > 0 && value <= largest, field, value,
+            "be positive and at most " + number_text(largest) + " " + unit);
+}
+
+void check_between(double value, double largest, const std::string& field, const char* unit) {
+    const std::string limit = number_text(largest);
+    require(std::abs(value) <= largest, field, value, "lie in [-" + limit + ", " + limit + "] " + unit);
+}
+
+void check(const Track& track) {
+    check_between(track.cant, largest_angle, "track.cant", "rad");
+    if (track.rail_origin) {
+        check_between(track.rail_origin->y, largest_length, "track.rail_origin.y", "mm");
+        check_between(track.rail_origin->z, largest_length, "track.rail_origin.z", "mm");
+    } else {
+        check_positive(track.gauge, largest_length, "track.gauge", "mm");
+        require(track.gauge_height >= 0 && track.gauge_height <= largest_length, "track.gauge_height",
+                track.gauge_height, "be zero or positive, and at most 1e4 mm");
+    }
+    if (track.roller_radius) check_positive(*track.roller_radius, largest_length, "track.roller_radius", "mm");
+}
+
+void check(const Wheelset& wheelset) {
+    check_positive(wheelset.flange_back_distance, largest_length, "wheelset.flange_back_distance", "mm");
+    check_between(wheelset.flange_back_position, largest_length, "wheelset.flange_back_position", "mm");
+    check_positive(wheelset.nominal_radius, largest_length, "wheelset.nominal_radius", "mm");
+    require(wheelset.flange_back_distance / 2 > wheelset.flange_back_position, "wheelset.flange_back_position",
+            wheelset.flange_back_position,
+            "be less than half the flange_back_distance, so that the wheel is on its side of the axle");
+}
+
+void check(const PatchRules& rules) {
+    require(rules.angle_separate > 0 && rules.angle_separate <= std::numbers::pi, "patches.angle_separate",
+            rules.angle_separate, "lie in (0, pi]");
+    check_positive(rules.distance_combine, largest_length, "patches.distance_combine", "mm");
+    require(rules.distance_separate > rules.distance_combine && rules.distance_separate <= largest_length,
+            "patches.distance_separate", rules.distance_separate,
+            "be larger than patches.distance_combine, " + number_text(rules.distance_combine));
+    require(rules.distance_turn > rules.distance_separate && rules.distance_turn <= largest_length,
+            "patches.distance_turn", rules.distance_turn,
+            "be larger than patches.distance_separate, " + number_text(rules.distance_separate));
+    require(rules.locus_step > 0 && rules.locus_step <= 1, "patches.locus_step", rules.locus_step, "lie in (0, 1]");
+}
+
+void check(const WheelRailFriction& friction) {
+    if (friction.mu.empty()) throw InvalidArgument("friction.mu", "is empty; it needs one coefficient at least");
+    for (std::size_t i = 0; i < friction.mu.size(); ++i) {
+        const auto& [angle, mu] = friction.mu[i];
+        const std::string field = "friction.mu[" + std::to_string(i) + "]";
+        require(mu >= 0 && mu <= 1e3, field + ".mu", mu, "be zero or positive");
+        require(std::abs(angle) <= std::numbers::pi, field + ".angle", angle, "lie in [-pi, pi]");
+        if (i > 0)
+            require(angle > friction.mu[i - 1].angle, field + ".angle", angle,
+                    "be larger than the one before, " + number_text(friction.mu[i - 1].angle));
+    }
+}
+
+void check(const SolverSettings& settings, const std::string& field) {
+    require(settings.tolerance > 0 && settings.tolerance < 1, field + ".tolerance", settings.tolerance,
+            "lie in (0, 1)");
+    require(settings.max_iterations >= 1, field + ".max_iterations", settings.max_iterations, "be at least 1");
+}
+
+}  // namespace
+
+void validate(const WheelRailSetup& setup) {
+    const auto check_profile = [](const ProfileSpec& profile, ProfileKind kind, const std::string& field) {
+        if (profile.kind != kind)
+            throw InvalidArgument(field + ".kind", "is " + std::string(name_of(profile.kind)) + "; it must be " +
+                                                       std::string(name_of(kind)));
+    };
+    check_profile(setup.wheel, ProfileKind::wheel, "wheel");
+    check_profile(setup.rail, ProfileKind::rail, "rail");
+    check(setup.track);
+    check(setup.wheelset);
+    // The grid is known at each contact only; bodies that need one are checked there.
+    validate(setup.bodies, Grid::centred(2, 2, 1, 1));
+    if (setup.friction) check(*setup.friction);
+    for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})
+        require(value >= 1e-4 && value <= 100, field, value, "lie in [1e-4, 100] mm");
+    require(setup.dq >= 0 && setup.dq <= 100, "dq", setup.dq, "be zero, for dx, or positive and at most 100 mm");
+    check(setup.patches);
+    check(setup.settings.normal, "settings.normal");
+    check(setup.settings.tangential, "settings.tangential");
+    check(setup.settings.outer, "settings.outer");
+    check(setup.force, "force");
+}
+
+}  // namespace contactd
