@@ -1,0 +1,43 @@
+// From profiles, a wheelset's position and its motion to contact forces.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "contactd/contact_influence.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
+
+namespace contactd {
+
+/// Who makes the operators of a problem, of which only set-up and motion are of any meaning. Patches of one size ask
+/// again and again.
+using InfluenceSource = std::function<ContactInfluence(const ContactProblem&)>;
+
+/// One wheel on its rail: keeps the curves of the profiles and, where it makes them itself, the operators of the grids
+/// that occurred last. Safe to use from several threads at once; answers depend on the state alone.
+class WheelRailContact {
+   public:
+    /// Half-spaces where no source is given; other bodies need one. Throws InvalidArgument naming the field.
+    explicit WheelRailContact(WheelRailSetup setup, InfluenceSource source = nullptr);
+
+    /// No contact is an answer, and so is one that has not converged, or has warnings. Throws InvalidArgument where the
+    /// state makes no sense ("position.z" where the wheel stands far inside the rail), and Cancelled.
+    WheelRailSolution solve(const WheelRailState& state, Observer& observer) const;
+
+    /// The search for contacts alone, at position.z.
+    WheelRailGeometry locate(const WheelRailState& state) const;
+
+    const WheelRailSetup& setup() const;
+
+   private:
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
+};
+
+/// One step of a contact that is not kept.
+WheelRailSolution solve_wheel_rail(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
+
+}  // namespace contactd

@@ -1,0 +1,86 @@
+#include <cmath>
+#include <cstddef>
+
+#include "geometry/distance/heights.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+/// Nodes (i, j), -i_most..i_most and -j_most..j_most, in the coordinates of the contact.
+class Mesh {
+   public:
+    Mesh(const WheelSurface& wheel, const ContactReference& reference, const Grid& grid) {
+        const Frame contact = contact_frame(reference);
+        const Vector3 centre = wheel.frame().inside(contact.origin);
+        const ProfileCurve& profile = wheel.profile();
+        const double s = profile.arc_length(profile.s_at_y(centre.y - wheel.base_y()));
+        constexpr int spare = 8;
+        i_most_ = spare + static_cast<int>(std::max(std::abs(grid.x0), grid.x0 + grid.nx * grid.dx) / grid.dx);
+        j_most_ = spare + static_cast<int>(1.2 * std::max(std::abs(grid.y0), grid.y0 + grid.ny * grid.dy) / grid.dy);
+        dx_ = grid.dx;
+        dy_ = grid.dy;
+        for (int j = -j_most_; j <= j_most_; ++j) {
+            const double at = profile.s_at_arc_length(s + j * grid.dy);
+            for (int i = -i_most_; i <= i_most_; ++i)
+                nodes_.push_back(contact.inside(wheel.frame().outside(wheel.in_wheelset(centre.x + i * grid.dx, at))));
+        }
+    }
+
+    /// From cell to cell until the point lies in it.
+    double height(double x, double y) const {
+        int i = static_cast<int>(std::floor(x / dx_)), j = static_cast<int>(std::floor(y / dy_));
+        for (int moves = 0; moves < 4 * (i_most_ + j_most_); ++moves) {
+            if (i < -i_most_ || i >= i_most_ || j < -j_most_ || j >= j_most_) return no_height;
+            const auto [u, v] = inside_cell(i, j, x, y);
+            const int across = u < -slack ? -1 : u > 1 + slack ? 1 : 0, up = v < -slack ? -1 : v > 1 + slack ? 1 : 0;
+            if (across == 0 && up == 0) return interpolated(i, j, u, v).z;
+            i += across;
+            j += up;
+        }
+        return no_height;
+    }
+
+   private:
+    static constexpr double slack = 1e-9;
+    struct Shares {
+        double u, v;
+    };
+
+    const Vector3& node(int i, int j) const {
+        const int at = (j + j_most_) * (2 * i_most_ + 1) + i + i_most_;
+        return nodes_[static_cast<std::size_t>(at)];
+    }
+    Vector3 interpolated(int i, int j, double u, double v) const {
+        return (1 - v) * ((1 - u) * node(i, j) + u * node(i + 1, j)) +
+               v * ((1 - u) * node(i, j + 1) + u * node(i + 1, j + 1));
+    }
+    Shares inside_cell(int i, int j, double x, double y) const {
+        double u = 0.5, v = 0.5;
+        for (int iteration = 0; iteration < 6; ++iteration) {
+            const Vector3 at = interpolated(i, j, u, v);
+            const Vector3 by_u = interpolated(i, j, 1, v) - interpolated(i, j, 0, v);
+            const Vector3 by_v = interpolated(i, j, u, 1) - interpolated(i, j, u, 0);
+            const double area = by_u.x * by_v.y - by_u.y * by_v.x, off_x = x - at.x, off_y = y - at.y;
+            u += (off_x * by_v.y - off_y * by_v.x) / area;
+            v += (by_u.x * off_y - by_u.y * off_x) / area;
+        }
+        return {u, v};
+    }
+
+    int i_most_ = 0, j_most_ = 0;
+    double dx_ = 0, dy_ = 0;
+    std::vector<Vector3> nodes_;
+};
+
+}  // namespace
+
+std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
+                                         const Grid& grid) {
+    const Mesh mesh(wheel, reference, grid);
+    std::vector<double> heights;
+    for (int iy = 0; iy < grid.ny; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) heights.push_back(mesh.height(grid.x(ix), grid.y(iy)));
+    return heights;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "geometry/distance/heights.hpp"
+#include "geometry/placement/ascending_root.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+// The track's x has no part along the z axis of a wheelset that yaws first and rolls then. So the x at which the
+// wheel's surface is above a point of the plane follows from s alone, and s is the root of one function.
+class WheelAbovePlane {
+   public:
+    WheelAbovePlane(const WheelSurface& wheel, const ContactReference& reference) : wheel_(wheel) {
+        const Frame contact = contact_frame(reference);
+        const Rotation& axes = wheel.frame().axes;
+        along_ = axes.turned_back(contact.axes.x);
+        across_ = axes.turned_back(contact.axes.y);
+        normal_ = axes.turned_back(contact.axes.z);
+        centre_ = wheel.frame().inside(contact.origin);
+        const auto& profile = wheel.profile();
+        const double s = profile.s_at_y(centre_.y - wheel.base_y());
+        span_ = ascending_span(profile, s,
+                               [&](const ProfilePoint& point) { return across_.y * point.y + across_.z * point.z; });
+        start_ = std::clamp(s, span_.from, span_.to);
+    }
+
+    /// At the row's elements, from x0 on.
+    void add_row(double y, double x0, double dx, int count, std::vector<double>& heights) {
+        double s = start_, before = s, before_that = s;
+        int known = 0;
+        for (int i = 0; i < count; ++i) {
+            const double guess = known > 2 ? 3 * (s - before) + before_that : known > 1 ? 2 * s - before : s;
+            double next = guess;
+            heights.push_back(height(x0 + i * dx, y, next));
+            known = std::isnan(heights.back()) ? 0 : known + 1;
+            if (known == 1 && i == 0) start_ = next;
+            if (known == 0) next = s;
+            before_that = before;
+            before = s;
+            s = next;
+        }
+    }
+
+   private:
+    struct At {
+        double y, y_slope;            // along the plane
+        double height, height_slope;  // by s, x of the track held
+    };
+
+    At at(double x, double s) const {
+        const ProfileCurve::Place place = wheel_.profile().place(s);
+        const double side = wheel_.base_y() + place.at.y - centre_.y, rho = wheel_.nominal_radius() + place.at.z;
+        const double along = centre_.x + (x - along_.y * side) / along_.x;
+        const double along_slope = -along_.y / along_.x * place.slope.y;
+        const double z = std::sqrt(std::max(rho * rho - along * along, 1e-12));
+        const double z_slope = (rho * place.slope.z - along * along_slope) / z;
+        const Vector3 from_centre{along - centre_.x, side, z - centre_.z};
+        const Vector3 slope{along_slope, place.slope.y, z_slope};
+        return {dot(across_, from_centre), dot(across_, slope), dot(normal_, from_centre), dot(normal_, slope)};
+    }
+
+    // Where the guess is good one look is enough: what is left out is of second order.
+    double height(double x, double y, double& s) const {
+        constexpr double near = 1e-5;  // mm
+        At here = at(x, s);
+        if (!(std::abs(here.y - y) < near && s >= span_.from && s <= span_.to)) {
+            const auto look = [&](double there) {
+                here = at(x, there);
+                return Sloped{here.y, here.y_slope};
+            };
+            if (!find_ascending(look, y, span_.from, span_.to, s)) return no_height;
+        }
+        const double step = (y - here.y) / here.y_slope;
+        s += step;
+        return here.height + step * here.height_slope;
+    }
+
+    const WheelSurface& wheel_;
+    Vector3 along_, across_, normal_, centre_;  // of the contact, in the wheelset's coordinates
+    Span span_;
+    double start_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference, const Grid& grid) {
+    WheelAbovePlane above(wheel, reference);
+    std::vector<double> heights;
+    heights.reserve(grid.size());
+    for (int iy = 0; iy < grid.ny; ++iy) above.add_row(grid.y(iy), grid.x(0), grid.dx, grid.nx, heights);
+    return heights;
+}
+
+}  // namespace contactd::geometry

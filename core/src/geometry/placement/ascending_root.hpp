@@ -1,0 +1,49 @@
+// Where an ascending function of a curve's parameter has a value.
+#pragma once
+
+#include <cmath>
+
+namespace contactd::geometry {
+
+/// A value and its derivative.
+struct Sloped {
+    double value = 0, slope = 0;
+};
+
+/// Newton's method from `s` between bounds that close in; sets `s` and returns true where the value is met to 1e-10 mm,
+/// or passed in a jump. `function` returns a Sloped, which ascends from `low` to `high`.
+template <class Function>
+bool find_ascending(const Function& function, double target, double low, double high, double& s) {
+    constexpr double tolerance = 1e-10;
+    constexpr int most_iterations = 60;
+    if (!(high > low)) return false;
+    double at = s > low ? (s < high ? s : high) : low;
+    const double first = low, last = high;
+    bool first_is_open = true, last_is_open = true;  // nobody has looked there yet
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        const Sloped here = function(at);
+        const double excess = here.value - target;
+        if (std::abs(excess) <= tolerance) {
+            s = at;
+            return true;
+        }
+        if ((excess > 0 && at <= first) || (excess < 0 && at >= last) || std::isnan(excess)) return false;
+        (excess > 0 ? high : low) = at;
+        if (at >= last) last_is_open = false;
+        if (at <= first) first_is_open = false;
+        double next = here.slope > 0 ? at - excess / here.slope : 0.5 * (low + high);
+        if (next >= last && last_is_open) {
+            next = last;  // where it ends tells whether the value is there at all
+        } else if (next <= first && first_is_open) {
+            next = first;
+        } else if (!(next > low && next < high)) {
+            next = 0.5 * (low + high);
+        }
+        if (next == at) break;
+        at = next;
+    }
+    s = at;
+    return high - low <= 1e-9 * (1 + std::abs(high));
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,79 @@
+#include "geometry/placement/rail_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "geometry/placement/ascending_root.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
+    return {cosine * point.y - sine * point.z, sine * point.y + cosine * point.z};
+}
+
+}  // namespace
+
+ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track) {
+    if (track.rail_origin) return *track.rail_origin;
+    const double cosine = std::cos(-track.cant), sine = std::sin(-track.cant);
+    std::vector<ProfilePoint> points;
+    for (const ProfilePoint& point : profile.points()) points.push_back(turned(point, cosine, sine));
+    const auto top = std::min_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.z < b.z; });
+    const double lowest = top->z + track.gauge_height;
+    double gauge_y = top->y;
+    for (auto point = top; point != points.begin();) {
+        const ProfilePoint last = *point--;
+        if (point->z > lowest) {
+            gauge_y = std::min(gauge_y, last.y + (lowest - last.z) / (point->z - last.z) * (point->y - last.y));
+            break;
+        }
+        gauge_y = std::min(gauge_y, point->y);
+    }
+    return {track.gauge / 2 - gauge_y, track.roller_radius ? 0 : -top->z};
+}
+
+RailSurface::RailSurface(ProfileCurve profile, const Track& track, ProfilePoint origin, const RailDeviation& deviation)
+    : profile_(std::move(profile)), radius_(track.roller_radius) {
+    const double angle = deviation.roll - track.cant;
+    frame_ = {{0, origin.y + deviation.y, origin.z + deviation.z}, Rotation::roll(angle)};
+    cosine_ = std::cos(angle);
+    sine_ = std::sin(angle);
+    if (radius_) axle_ = frame_.origin.z + *radius_;
+    visible_ = visible_span(
+        profile_, [this](const ProfilePoint& point) { return frame_.origin.y + turned(point, cosine_, sine_).y; });
+}
+
+ProfileCurve::Place RailSurface::place(double s) const {
+    ProfileCurve::Place place = profile_.place(s);
+    for (ProfilePoint* part : {&place.at, &place.slope, &place.curving}) *part = turned(*part, cosine_, sine_);
+    place.at.y += frame_.origin.y;
+    place.at.z += frame_.origin.z;
+    return place;
+}
+
+bool RailSurface::find_y(double y, double& s) const {
+    return find_ascending(
+        [this](double at) {
+            const auto here = place(at);
+            return Sloped{here.at.y, here.slope.y};
+        },
+        y, visible_.from, visible_.to, s);
+}
+
+double RailSurface::z_slope_at(double x, double z) const {
+    if (!axle_) return 1;
+    const double radius = *axle_ - z;
+    return radius / std::sqrt(std::max(radius * radius - x * x, 1e-12));
+}
+
+double RailSurface::roller_z(double x, double z) const {
+    const double radius = *axle_ - z, square = radius * radius - x * x;
+    return square > 0 ? *axle_ - std::sqrt(square) : *axle_;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,59 @@
+#include "geometry/placement/wheel_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace contactd::geometry {
+
+WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position)
+    : profile_(std::move(profile)),
+      frame_{{0, position.y, position.z - wheelset.nominal_radius},
+             Rotation::yaw_then_roll(position.yaw, position.roll)},
+      base_y_(wheelset.flange_back_distance / 2 - wheelset.flange_back_position),
+      radius_(wheelset.nominal_radius) {
+    const double cosine = frame_.axes.y.y, sine = -frame_.axes.z.y;  // of the profile's plane, seen along x
+    visible_ = visible_span(profile_, [&](const ProfilePoint& point) {
+        return frame_.origin.y + cosine * (base_y_ + point.y) - sine * (radius_ + point.z);
+    });
+}
+
+WheelSurface WheelSurface::lowered(double dz) const {
+    WheelSurface wheel = *this;
+    wheel.frame_.origin.z += dz;
+    return wheel;
+}
+
+Vector3 WheelSurface::in_wheelset(double x, double s) const {
+    const ProfilePoint point = profile_.at(s);
+    const double rho = radius_ + point.z;
+    return {x, base_y_ + point.y, std::sqrt(std::max(rho * rho - x * x, 0.0))};
+}
+
+// With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheelset's coordinates, Z the square root. The
+// distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0.
+LocusPoint WheelSurface::locus(double s, double other) const {
+    const ProfileCurve::Place here = profile_.place(s);
+    const auto& [X, Y, Z] = frame_.axes;  // X.y is the y of the turned x axis in the track
+    const double rho = radius_ + here.at.z, y = base_y_ + here.at.y;
+    const double incline = here.slope.z / here.slope.y;
+    const double incline_slope =
+        (here.curving.z * here.slope.y - here.slope.z * here.curving.y) / (here.slope.y * here.slope.y);
+    const double limit = radius_ / 2;
+    double x = (rho * incline * Y.x - radius_ * Z.x) / X.x;
+    if (other != 0)
+        for (int iteration = 0; iteration < 4; ++iteration) {
+            const double lift = X.z * x - Y.z * rho * incline + Z.z * rho;  // rho (R grad F)_z
+            x = (rho * incline * Y.x - radius_ * Z.x - other * lift * (Y.x * y + Z.x * rho)) /
+                (X.x * (1 + other * lift));
+        }
+    const bool beyond = !(std::abs(x) <= limit);
+    if (beyond) x = x > 0 ? limit : -limit;
+    const double x_slope = beyond ? 0 : Y.x / X.x * (here.slope.z * incline + rho * incline_slope);
+    const double height = std::sqrt(std::max(rho * rho - x * x, 1e-12));
+    const Vector3 inside{x, y, height};
+    const double height_slope = (rho * here.slope.z - x * x_slope) / height;
+    return {frame_.outside(inside), X.y * x_slope + Y.y * here.slope.y + Z.y * height_slope};
+}
+
+}  // namespace contactd::geometry

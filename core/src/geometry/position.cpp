@@ -1,0 +1,175 @@
+#include "geometry/position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "closed_forms/hertz.hpp"
+#include "contactd/error.hpp"
+#include "contactd/make_profile.hpp"
+#include "geometry/distance/heights.hpp"
+#include "geometry/motion/creepages.hpp"
+#include "geometry/search/equivalent_ellipse.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+constexpr std::size_t most_elements = 200'000;  // of one patch
+constexpr double out_of_reach = 10;             // gap (mm) of elements that have no wheel or no rail
+
+/// With the name that the profile has in the setup.
+ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
+    try {
+        return make_profile(spec).curve;
+    } catch (const InvalidArgument& error) {
+        constexpr std::string_view its_name = "profile";
+        const std::string field = error.field(), sentence = error.what();
+        if (!field.starts_with(its_name)) throw;
+        throw InvalidArgument(name + field.substr(its_name.size()), sentence.substr(field.size() + 1));
+    }
+}
+
+WheelsetPosition at_zero(WheelsetPosition position) {
+    position.z = 0;
+    return position;
+}
+
+/// Multiples of the step around zero that cover the extent, with one more on both sides.
+struct Range {
+    int first, last;
+    int count() const { return last - first + 1; }
+};
+
+Range range_of(double from, double to, double step) {
+    return {static_cast<int>(std::floor(from / step)) - 1, static_cast<int>(std::ceil(to / step)) + 1};
+}
+
+double along_rail(const RailSurface& rail, double y) {
+    double s = y < rail.visible().low ? rail.visible().from : rail.visible().to;
+    if (y > rail.visible().low && y < rail.visible().high) rail.find_y(y, s);
+    return rail.profile().arc_length(s);
+}
+
+Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy) {
+    const double here = along_rail(rail, group.reference.y);
+    const double x_from = group.x.from - group.reference.x, x_to = group.x.to - group.reference.x;
+    const double y_from = along_rail(rail, group.y.from) - here, y_to = along_rail(rail, group.y.to) - here;
+    const double elements = ((x_to - x_from) / dx + 4) * ((y_to - y_from) / dy + 4);
+    if (!(elements <= static_cast<double>(most_elements)))
+        throw InvalidArgument("dx", "and dy are " + number_text(dx) + " and " + number_text(dy) +
+                                        " mm, of which a contact of " + short_text(x_to - x_from) + " mm by " +
+                                        short_text(y_to - y_from) + " mm would have " + short_text(elements) +
+                                        "; make them larger, or lift the wheelset (position.z)");
+    const Range columns = range_of(x_from, x_to, dx), rows = range_of(y_from, y_to, dy);
+    return {columns.count(), rows.count(), dx, dy, (columns.first - 0.5) * dx, (rows.first - 0.5) * dy};
+}
+
+/// Distances along the normal; not a number where wheel or rail are not above the plane.
+std::vector<double> distances(const WheelRailSetup& setup, const WheelSurface& wheel, const RailSurface& rail,
+                              const ContactReference& reference, const Grid& grid) {
+    const std::vector<double> of_rail = rail_heights(rail, reference, grid);
+    std::vector<double> h = setup.wheel_surface == WheelSurfaceKind::exact
+                                ? wheel_heights(wheel, reference, grid)
+                                : meshed_wheel_heights(wheel, reference, grid);
+    const auto nx = static_cast<std::size_t>(grid.nx);
+    for (std::size_t i = 0; i < h.size(); ++i) h[i] = of_rail[of_rail.size() == h.size() ? i : i / nx] - h[i];
+    return h;
+}
+
+/// Makes gaps of distances; returns the approach.
+double take_out_approach(std::vector<double>& h) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double distance : h)
+        if (distance < least) least = distance;
+    for (double& distance : h)
+        distance = std::isfinite(distance) ? std::min(distance - least, out_of_reach) : out_of_reach;
+    return -least;
+}
+
+ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const ContactReference& reference) {
+    const auto radius = [](double curvature) {
+        return curvature == 0 ? std::numeric_limits<double>::infinity() : 1 / curvature;
+    };
+    double rail_s = 0.5 * (rail.visible().from + rail.visible().to);
+    rail.find_y(reference.y, rail_s);
+    const Vector3 inside = wheel.frame().inside({reference.x, reference.y, reference.z});
+    const double wheel_s = wheel.profile().s_at_y(inside.y - wheel.base_y());
+    const double upright = std::abs(std::cos(reference.angle));
+    const double rho = wheel.nominal_radius() + wheel.profile().at(wheel_s).z;
+    return {rho / upright, radius(-wheel.profile().curvature(wheel_s)), radius(rail.curvature_along() * upright),
+            radius(rail.profile().curvature(rail_s))};
+}
+
+}  // namespace
+
+Profiles make_profiles(const WheelRailSetup& setup) {
+    ProfileCurve wheel = curve_of(setup.wheel, "wheel"), rail = curve_of(setup.rail, "rail");
+    const ProfilePoint origin = rail_origin(rail, setup.track);
+    return {std::move(wheel), std::move(rail), origin};
+}
+
+Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state)
+    : setup_(setup),
+      state_(state),
+      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position)),
+      rail_(profiles.rail, setup.track, profiles.rail_origin, state.rail),
+      locus_(wheel_, rail_, setup.patches.locus_step * setup.dy) {}
+
+std::vector<PlaceWithGap> Position::places(double z) {
+    const WheelSurface wheel = wheel_.lowered(z);
+    const bool blends = setup_.model == Model::full;
+    std::vector<PlaceWithGap> places;
+    for (const RegionGroup& group : group_regions(overlap_regions(locus_, z, rail_), setup_.patches, blends, rail_))
+        places.push_back(place_of(group, wheel, z));
+    return places;
+}
+
+double Position::expected_force(double z, double compliance) {
+    double force = 0;
+    for (const RegionGroup& group : group_regions(overlap_regions(locus_, z, rail_), setup_.patches, false, rail_)) {
+        const EquivalentEllipse ellipse = equivalent_ellipse(locus_, z, group);
+        force += hertz_of_approach(ellipse.radii(), compliance, ellipse.approach).Fn * std::cos(group.reference.angle);
+    }
+    return force;
+}
+
+PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const {
+    PlaceWithGap found;
+    ContactPlace& place = found.place;
+    place.reference = group.reference;
+    place.regions = group.regions;
+    place.shares = group.shares;
+    for (const OverlapRegion& region : group.regions)
+        place.penetration = std::max(place.penetration, region.penetration);
+    place.grid = grid_of(group, rail_, setup_.dx, setup_.dy);
+    place.radii = radii_of(wheel, rail_, place.reference);
+    if (setup_.model == Model::full) {
+        found.gap = distances(setup_, wheel, rail_, place.reference, place.grid);
+        place.approach = take_out_approach(found.gap);
+    } else {
+        const EquivalentEllipse ellipse = equivalent_ellipse(locus_, z, group);
+        found.paraboloid = ellipse.radii();
+        place.approach = ellipse.approach;
+    }
+    place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
+    look_for_doubts(group, z, found);
+    return found;
+}
+
+void Position::look_for_doubts(const RegionGroup& group, double z, PlaceWithGap& found) const {
+    constexpr double deep = 0.04;  // mm along the normal: where the surfaces are pressed together for sure
+    const double angle = group.reference.angle, cosine = std::abs(std::cos(angle));
+    const std::vector<LocusRow>& rows = locus_.rows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].y < group.y.from || rows[i].y > group.y.to || !(rows[i].gap < z)) continue;
+        if ((z - rows[i].gap) * cosine > deep) found.bend = std::max(found.bend, std::abs(rows[i].angle - angle));
+        if (i == 0 || i + 1 == rows.size() || !std::isfinite(rows[i - 1].gap) || !std::isfinite(rows[i + 1].gap))
+            found.at_end = true;
+    }
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,61 @@
+// A right wheel on its rail in one position: where they touch, and how far they are apart there.
+#pragma once
+
+#include <vector>
+
+#include "contactd/gap.hpp"
+#include "contactd/profile.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
+#include "geometry/search/locus.hpp"
+#include "geometry/search/regions.hpp"
+
+namespace contactd::geometry {
+
+/// Of the right side; y ascends along both.
+struct Profiles {
+    ProfileCurve wheel, rail;
+    ProfilePoint rail_origin;
+};
+
+/// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used.
+Profiles make_profiles(const WheelRailSetup& setup);
+
+struct PlaceWithGap {
+    ContactPlace place;
+    std::vector<double> gap;  ///< as in WheelRailPatch; empty where a paraboloid stands for it
+    Paraboloid paraboloid{};
+    double bend = 0;      ///< largest angle of the rail to the plane within the contact (rad)
+    bool at_end = false;  ///< the overlap reaches the end of a profile
+};
+
+/// position.z of the state is that of no function here, but an argument.
+class Position {
+   public:
+    /// All must live longer.
+    Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state);
+    Position(const Position&) = delete;
+
+    /// Least vertical distance (mm), negative where wheel and rail overlap; infinite where they are not above each
+    /// other.
+    double clearance(double z) const { return locus_.least_gap() - z; }
+    /// From the right to the left.
+    std::vector<PlaceWithGap> places(double z);
+    /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
+    double expected_force(double z, double compliance);
+    const RailSurface& rail() const { return rail_; }
+    WheelSurface wheel(double z) const { return wheel_.lowered(z); }
+
+   private:
+    PlaceWithGap place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
+    void look_for_doubts(const RegionGroup& group, double z, PlaceWithGap& found) const;
+
+    const WheelRailSetup& setup_;
+    const WheelRailState& state_;
+    WheelSurface wheel_;  // at z = 0
+    RailSurface rail_;
+    Locus locus_;
+};
+
+}  // namespace contactd::geometry

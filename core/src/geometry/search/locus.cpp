@@ -1,0 +1,82 @@
+#include "geometry/search/locus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/placement/ascending_root.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double longest_span = 0.5;   // mm: of rows that the first pass leaves out
+constexpr double steepest_dent = 0.5;  // how fast a gap between two rows may fall below those at their ends
+
+std::size_t rows_in_span(double step) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(longest_span / step));
+}
+
+}  // namespace
+
+Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step)
+    : wheel_(wheel), rail_(rail), step_(step), least_gap_(infinite) {
+    const Span& seen = rail.visible();
+    const auto count = static_cast<std::size_t>((seen.high - seen.low) / step) + 1;
+    rows_.assign(count, {0, infinite});
+    wheel_s_.assign(count, 0);
+    for (std::size_t i = 0; i < count; ++i) rows_[i].y = seen.low + static_cast<double>(i) * step;
+    const std::size_t span = rows_in_span(step);
+    Start start{wheel.visible().from, seen.from};
+    for (std::size_t i = 0; i < count; i += span) look_at(i, start);
+    if ((count - 1) % span != 0) look_at(count - 1, start);
+    done_.assign((count + span - 1) / span, false);
+    if (least_gap_ < infinite) look_below(least_gap_);
+}
+
+double Locus::curvature() const {
+    return 0.5 / wheel_.nominal_radius() + 0.5 * rail_.curvature_along();
+}
+
+void Locus::look_at(std::size_t i, Start& start) {
+    LocusRow& row = rows_[i];
+    double rail_s = start.rail_s, wheel_s = start.wheel_s;
+    if (!rail_.find_y(row.y, rail_s)) return;
+    start.rail_s = rail_s;
+    const ProfileCurve::Place rail = rail_.place(rail_s);
+    const double along = rail_.curvature_along();
+    LocusPoint wheel;
+    const bool found = find_ascending(
+        [&](double s) {
+            wheel = wheel_.locus(s, along);
+            return Sloped{wheel.at.y, wheel.y_slope};
+        },
+        row.y, wheel_.visible().from, wheel_.visible().to, wheel_s);
+    if (!found) return;
+    start.wheel_s = wheel_s_[i] = wheel_s;
+    const double z = rail_.z_at(wheel.at.x, rail.at.z);
+    row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, std::atan2(rail.slope.z, rail.slope.y)};
+    least_gap_ = std::min(least_gap_, row.gap);
+}
+
+void Locus::look_below(double height) {
+    const std::size_t span = rows_in_span(step_);
+    for (std::size_t k = 0; k < done_.size(); ++k) {
+        if (done_[k]) continue;
+        const std::size_t begin = k * span, end = std::min(begin + span, rows_.size() - 1);
+        const double lowest = std::min(rows_[begin].gap, rows_[end].gap);
+        if (lowest - 0.5 * steepest_dent * static_cast<double>(span) * step_ > height) continue;
+        done_[k] = true;
+        look_between(begin);
+    }
+}
+
+void Locus::look_between(std::size_t begin) {
+    const std::size_t span = rows_in_span(step_), end = std::min(begin + span, rows_.size() - 1);
+    const bool from_begin = rows_[begin].gap < infinite;
+    const std::size_t known = from_begin ? begin : end;
+    Start start{wheel_s_[known], rows_[known].rail_s};
+    for (std::size_t i = begin + 1; i < end; ++i) look_at(i, start);
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,196 @@
+#include "geometry/search/regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace contactd::geometry {
+namespace {
+
+/// Planes that stand upright have no z for their y.
+double away_from_upright(double angle) {
+    constexpr double upright = std::numbers::pi / 2, least = 1e-3;
+    if (std::abs(std::abs(angle) - upright) >= least) return angle;
+    return std::copysign(std::abs(angle) < upright ? upright - least : upright + least, angle);
+}
+
+/// Of the row in between where the gap is z, by a straight line, or of the row itself where it is the last one.
+LocusRow crossing(const std::vector<LocusRow>& rows, std::size_t inside, long step, double z) {
+    const long next = static_cast<long>(inside) + step;
+    const LocusRow& last = rows[inside];
+    if (next < 0 || next >= static_cast<long>(rows.size())) return last;
+    const LocusRow& out = rows[static_cast<std::size_t>(next)];
+    if (!std::isfinite(out.gap)) return last;
+    const double share = (z - last.gap) / (out.gap - last.gap);
+    LocusRow edge = last;
+    edge.y += share * (out.y - last.y);
+    edge.rail_z += share * (out.rail_z - last.rail_z);
+    edge.rail_s += share * (out.rail_s - last.rail_s);
+    return edge;
+}
+
+/// The height of the rail at (x, y); y lies between rows.
+double rail_height(const RailSurface& rail, double x, double y, double start) {
+    rail.find_y(y, start);
+    return rail.z_at(x, rail.place(start).at.z);
+}
+
+// The weight of a row is the integral over x of the squared penetration there, 16/15 (-g)^2.5/sqrt(a).
+OverlapRegion region_of(const Locus& locus, std::size_t begin, std::size_t end, double z, const RailSurface& rail) {
+    const std::vector<LocusRow>& rows = locus.rows();
+    const double a = locus.curvature();
+    OverlapRegion region;
+    double sum = 0;
+    ContactReference mean;
+    Extent x{rows[begin].x, rows[begin].x};
+    for (std::size_t i = begin; i < end; ++i) {
+        const double depth = z - rows[i].gap, weight = depth * depth * std::sqrt(depth);
+        sum += weight;
+        mean.x += weight * rows[i].x;
+        mean.y += weight * rows[i].y;
+        mean.angle += weight * rows[i].angle;
+        const double half = std::sqrt(depth / a);
+        x = {std::min(x.from, rows[i].x - half), std::max(x.to, rows[i].x + half)};
+        region.penetration = std::max(region.penetration, depth);
+    }
+    region.reference = {mean.x / sum, mean.y / sum, 0, away_from_upright(mean.angle / sum)};
+    region.reference.z = rail_height(rail, region.reference.x, region.reference.y, rows[(begin + end) / 2].rail_s);
+    region.x = x;
+    const LocusRow from = crossing(rows, begin, -1, z), to = crossing(rows, end - 1, 1, z);
+    region.y = {from.y, to.y};
+    region.z = {from.rail_z, to.rail_z};
+    region.size = locus.step() * 16.0 / 15 * sum / std::sqrt(a);
+    return region;
+}
+
+double between(const Extent& a, const Extent& b) {
+    return std::max({0.0, a.from - b.to, b.from - a.to});
+}
+
+/// Of anything with extents.
+template <class A, class B>
+double distance(const A& a, const B& b) {
+    const double x = between(a.x, b.x), y = between(a.y, b.y);
+    double z = 0;
+    if (y > 0) z = a.y.from > b.y.to ? a.z.from - b.z.to : b.z.from - a.z.to;
+    return std::sqrt(x * x + y * y + z * z);
+}
+
+Extent both(const Extent& a, const Extent& b) {
+    return {std::min(a.from, b.from), std::max(a.to, b.to)};
+}
+
+ContactReference mean_of(const ContactReference& a, double a_size, const ContactReference& b, double b_size) {
+    const double share = b_size / (a_size + b_size);
+    const auto mean = [&](double of_a, double of_b) { return of_a + share * (of_b - of_a); };
+    return {mean(a.x, b.x), mean(a.y, b.y), 0, mean(a.angle, b.angle)};
+}
+
+/// `left` lies to the left of all that the group has.
+RegionGroup united(const RegionGroup& group, const RegionGroup& left) {
+    RegionGroup result = group;
+    result.reference = mean_of(group.reference, group.size, left.reference, left.size);
+    result.z = {left.y.from < group.y.from ? left.z.from : group.z.from,
+                left.y.to > group.y.to ? left.z.to : group.z.to};
+    result.x = both(group.x, left.x);
+    result.y = both(group.y, left.y);
+    result.size += left.size;
+    result.regions.insert(result.regions.end(), left.regions.begin(), left.regions.end());
+    return result;
+}
+
+/// Joins neighbours that are at most `farthest` apart.
+std::vector<RegionGroup> joined(const std::vector<RegionGroup>& parts, double farthest, double angle_separate) {
+    std::vector<RegionGroup> groups;
+    for (const RegionGroup& part : parts) {
+        if (!groups.empty() && distance(groups.back(), part) <= farthest &&
+            std::abs(groups.back().reference.angle - part.reference.angle) <= angle_separate)
+            groups.back() = united(groups.back(), part);
+        else
+            groups.push_back(part);
+    }
+    return groups;
+}
+
+/// As one region.
+OverlapRegion merged(const RegionGroup& group) {
+    OverlapRegion region{group.reference, group.x, group.y, group.z, 0, group.size};
+    for (const OverlapRegion& part : group.regions) region.penetration = std::max(region.penetration, part.penetration);
+    return region;
+}
+
+std::vector<double> shares_of(const std::vector<OverlapRegion>& regions, const PatchRules& rules) {
+    constexpr double exponent = 0.8;
+    std::vector<double> shares;
+    for (const OverlapRegion& j : regions)
+        for (const OverlapRegion& k : regions) {
+            const double free =
+                (rules.distance_separate - distance(j, k)) / (rules.distance_separate - rules.distance_combine);
+            shares.push_back(&j == &k ? 1 : std::pow(std::clamp(free, 0.0, 1.0), exponent));
+        }
+    return shares;
+}
+
+// So that the planes of patches that come closer agree when they begin to be one.
+void turn_neighbours(std::vector<RegionGroup>& groups, const PatchRules& rules) {
+    const std::vector<RegionGroup> before = groups;
+    for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
+        const RegionGroup &right = before[i], &left = before[i + 1];
+        const double apart = distance(right, left);
+        if (apart < rules.distance_separate || apart > rules.distance_turn ||
+            std::abs(right.reference.angle - left.reference.angle) > rules.angle_separate)
+            continue;
+        const double turn = (rules.distance_turn - apart) / (rules.distance_turn - rules.distance_separate);
+        const double common = mean_of(right.reference, right.size, left.reference, left.size).angle;
+        groups[i].reference.angle += turn * (common - right.reference.angle);
+        groups[i + 1].reference.angle += turn * (common - left.reference.angle);
+    }
+}
+
+}  // namespace
+
+std::vector<OverlapRegion> overlap_regions(Locus& locus, double z, const RailSurface& rail) {
+    locus.look_below(z);
+    const std::vector<LocusRow>& rows = locus.rows();
+    std::vector<OverlapRegion> regions;
+    for (std::size_t end = rows.size(); end > 0;) {
+        if (!(rows[end - 1].gap < z)) {
+            --end;
+            continue;
+        }
+        std::size_t begin = end - 1;
+        while (begin > 0 && rows[begin - 1].gap < z) --begin;
+        regions.push_back(region_of(locus, begin, end, z, rail));
+        end = begin;
+    }
+    return regions;
+}
+
+std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions, const PatchRules& rules, bool blends,
+                                       const RailSurface& rail) {
+    std::vector<RegionGroup> parts;
+    for (const OverlapRegion& region : regions)
+        parts.push_back({region.reference, {region}, {}, region.x, region.y, region.z, region.size});
+    parts = joined(parts, rules.distance_combine, rules.angle_separate);
+    const double middle = 0.5 * (rail.visible().from + rail.visible().to);
+    const auto put_on_rail = [&](ContactReference& at) { at.z = rail_height(rail, at.x, at.y, middle); };
+    for (RegionGroup& part : parts) {
+        if (part.regions.size() < 2) continue;
+        put_on_rail(part.reference);
+        part.regions.assign(1, merged(part));
+    }
+    std::vector<RegionGroup> groups = parts;
+    if (blends) {
+        groups = joined(parts, rules.distance_separate, rules.angle_separate);
+        turn_neighbours(groups, rules);
+    }
+    for (RegionGroup& group : groups) {
+        group.shares = shares_of(group.regions, rules);
+        group.reference.angle = away_from_upright(group.reference.angle);
+        put_on_rail(group.reference);
+    }
+    return groups;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,26 @@
+// The height of a wheelset at which a wheel presses on its rail with a given force.
+#pragma once
+
+#include <functional>
+
+#include "contactd/contact.hpp"
+
+namespace contactd {
+
+/// Forces rise with z. The estimate is cheap and close to the shape of the force: what is left is nearly constant.
+struct HeightTask {
+    std::function<double(double z)> estimate, force;  ///< (N), zero above `touch`
+    double touch = 0;                                 ///< z of first contact (mm)
+    double deepest = 0;                               ///< largest z that makes sense (mm)
+    double target = 0;                                ///< (N), > 0
+    SolverSettings settings;
+};
+
+struct HeightFound {
+    double z = 0;  ///< where the force was computed last
+    SolverEvidence evidence;
+};
+
+HeightFound find_height(const HeightTask& task);
+
+}  // namespace contactd

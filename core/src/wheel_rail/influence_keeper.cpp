@@ -1,0 +1,71 @@
+#include "wheel_rail/influence_keeper.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr std::size_t most_kept = 64;
+constexpr std::size_t most_elements_kept = 400'000;  // of all together, about 100 MB
+constexpr int spare = 16;                            // offsets that a table has beyond those that were needed
+
+IcTable table_of(const Body& body, double dx, double dy, int nx, int ny) {
+    if (body.material.is_rigid()) return IcTable(nx, ny);
+    return half_space_table({std::get<Ics>(body.ics), body.material, dx, dy, nx, ny});
+}
+
+bool is_closed_form(const Body& body) {
+    if (body.material.is_rigid()) return true;
+    const Ics* ics = body.computed();
+    return ics != nullptr && ics->source == IcSource::analytic && ics->body == BodyShape::half_space &&
+           !ics->line_contact;
+}
+
+}  // namespace
+
+InfluenceKeeper::InfluenceKeeper(Bodies bodies) : bodies_(std::move(bodies)) {
+    if (bodies_.pair || !is_closed_form(bodies_.upper) || !is_closed_form(bodies_.lower))
+        throw InvalidArgument("bodies",
+                              "are no half-spaces in closed form; for others give a source of their operators");
+}
+
+ContactInfluence InfluenceKeeper::of(const ContactProblem& problem) {
+    const Grid& grid = problem.grid;
+    const auto [step_x, step_y] = step_of(problem);
+    const Key key{grid.nx, grid.ny, grid.dx, grid.dy, step_x, step_y};
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.key == key; });
+    if (found != kept_.end()) {
+        kept_.splice(kept_.begin(), kept_, found);
+        return found->influence;
+    }
+    kept_.push_front({key, make_influence(problem, table_for(grid))});
+    std::size_t elements = 0, count = 0;
+    for (auto kept = kept_.begin(); kept != kept_.end();) {
+        elements += static_cast<std::size_t>(std::get<0>(kept->key)) * static_cast<std::size_t>(std::get<1>(kept->key));
+        const bool goes = ++count > 1 && (count > most_kept || elements > most_elements_kept);
+        kept = goes ? kept_.erase(kept) : std::next(kept);
+    }
+    return kept_.front().influence;
+}
+
+IcTable InfluenceKeeper::table_for(const Grid& grid) {
+    const bool same_elements = grid.dx == dx_ && grid.dy == dy_;
+    if (!same_elements || table_.nx < grid.nx || table_.ny < grid.ny) {
+        const int nx = std::max(same_elements ? table_.nx : 0, grid.nx + spare);
+        const int ny = std::max(same_elements ? table_.ny : 0, grid.ny + spare);
+        IcTable upper = table_of(bodies_.upper, grid.dx, grid.dy, nx, ny);
+        const bool alike = bodies_.upper == bodies_.lower;
+        table_ = alike ? pair_of(upper, upper)
+                       : pair_of(std::move(upper), table_of(bodies_.lower, grid.dx, grid.dy, nx, ny));
+        dx_ = grid.dx;
+        dy_ = grid.dy;
+    }
+    return cropped(table_, grid.nx, grid.ny);
+}
+
+}  // namespace contactd

@@ -1,0 +1,38 @@
+// Operators of half-spaces for the grids of a wheel on its rail, which differ from step to step by a few elements.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <mutex>
+#include <tuple>
+
+#include "contactd/contact_influence.hpp"
+#include "contactd/ic_table.hpp"
+
+namespace contactd {
+
+/// Keeps those that were used last, and one table that all are parts of. Only the sizes of a grid matter, not where it
+/// lies. Thread-safe.
+class InfluenceKeeper {
+   public:
+    /// Throws InvalidArgument ("bodies") unless all bodies are half-spaces in closed form, or rigid.
+    explicit InfluenceKeeper(Bodies bodies);
+
+    ContactInfluence of(const ContactProblem& problem);
+
+   private:
+    using Key = std::tuple<int, int, double, double, double, double>;  // numbers and sizes of elements, the step
+    struct Kept {
+        Key key;
+        ContactInfluence influence;
+    };
+    IcTable table_for(const Grid& grid);
+
+    const Bodies bodies_;
+    std::mutex mutex_;      // guards what follows
+    std::list<Kept> kept_;  // used last first
+    IcTable table_{1, 1};
+    double dx_ = 0, dy_ = 0;  // of the table
+};
+
+}  // namespace contactd

@@ -1,0 +1,114 @@
+#include "wheel_rail/mirror.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+namespace contactd {
+namespace {
+
+void turn_sign(double& value) {
+    value = 0 - value;  // no negative zero
+}
+
+void mirror(Extent& extent) {
+    extent = {0 - extent.to, 0 - extent.from};
+}
+
+void mirror(ContactReference& reference) {
+    turn_sign(reference.y);
+    turn_sign(reference.angle);
+}
+
+void mirror(OverlapRegion& region) {
+    mirror(region.reference);
+    mirror(region.y);
+    std::swap(region.z.from, region.z.to);
+}
+
+void mirror(Grid& grid) {
+    grid.y0 = 0 - (grid.y0 + grid.ny * grid.dy);
+}
+
+/// Rows in the opposite order.
+template <class Value>
+void mirror_rows(std::vector<Value>& values, const Grid& grid) {
+    if (values.empty()) return;
+    const auto nx = static_cast<std::ptrdiff_t>(grid.nx);
+    for (std::ptrdiff_t low = 0, high = grid.ny - 1; low < high; ++low, --high)
+        std::swap_ranges(values.begin() + low * nx, values.begin() + (low + 1) * nx, values.begin() + high * nx);
+}
+
+void mirror_across(std::vector<double>& values, const Grid& grid) {
+    mirror_rows(values, grid);
+    for (double& value : values) turn_sign(value);
+}
+
+void mirror(Motion& motion) {
+    if (auto* rolling = std::get_if<Rolling>(&motion)) {
+        turn_sign(rolling->eta);
+        turn_sign(rolling->phi);
+        turn_sign(rolling->chi);
+        if (rolling->chi == -std::numbers::pi) rolling->chi = std::numbers::pi;
+    }
+}
+
+void mirror(ContactSolution& solution, const Grid& grid) {
+    turn_sign(solution.forces.Fy);
+    turn_sign(solution.forces.Mz);
+    mirror_rows(solution.element_division, grid);
+    for (auto* values : {&solution.pressure, &solution.traction_x, &solution.slip_x}) mirror_rows(*values, grid);
+    for (auto* values : {&solution.traction_y, &solution.slip_y}) mirror_across(*values, grid);
+    if (solution.motion) mirror(*solution.motion);
+}
+
+void mirror(Wrench& wrench) {
+    for (double* value : {&wrench.Fy, &wrench.Mx, &wrench.Mz}) turn_sign(*value);
+}
+
+void mirror(ContactPlace& place) {
+    mirror(place.reference);
+    mirror(place.grid);
+    turn_sign(place.creepages.eta);
+    turn_sign(place.creepages.phi);
+    for (OverlapRegion& region : place.regions) mirror(region);
+    std::reverse(place.regions.begin(), place.regions.end());
+    std::reverse(place.shares.begin(), place.shares.end());
+}
+
+void mirror(WheelRailForces& forces) {
+    for (Wrench* wrench : {&forces.track, &forces.rail, &forces.wheelset}) mirror(*wrench);
+}
+
+void mirror(WheelRailPatch& patch) {
+    mirror(patch.place);
+    mirror_rows(patch.gap, patch.place.grid);
+    mirror(patch.solution, patch.place.grid);
+    mirror(patch.forces);
+}
+
+}  // namespace
+
+WheelRailState mirrored(WheelRailState state) {
+    for (double* value :
+         {&state.position.y, &state.position.roll, &state.position.yaw, &state.velocity.y, &state.velocity.roll,
+          &state.velocity.yaw, &state.rail.y, &state.rail.roll, &state.rail.y_velocity, &state.rail.roll_velocity})
+        turn_sign(*value);
+    return state;
+}
+
+WheelRailGeometry mirrored(WheelRailGeometry geometry) {
+    for (ContactPlace& place : geometry.places) mirror(place);
+    std::reverse(geometry.places.begin(), geometry.places.end());
+    return geometry;
+}
+
+WheelRailSolution mirrored(WheelRailSolution solution) {
+    for (WheelRailPatch& patch : solution.patches) mirror(patch);
+    std::reverse(solution.patches.begin(), solution.patches.end());
+    mirror(solution.forces);
+    return solution;
+}
+
+}  // namespace contactd

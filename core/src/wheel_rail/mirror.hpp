@@ -1,0 +1,13 @@
+// A left wheel is a right one seen in a mirror: y and all that turns about x or z change their signs.
+#pragma once
+
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
+
+namespace contactd {
+
+WheelRailState mirrored(WheelRailState state);
+WheelRailGeometry mirrored(WheelRailGeometry geometry);
+WheelRailSolution mirrored(WheelRailSolution solution);
+
+}  // namespace contactd

@@ -1,0 +1,20 @@
+// From a place where wheel and rail touch to its contact problem and the solution.
+#pragma once
+
+#include "contactd/contact.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/solve_wheel_rail.hpp"
+#include "geometry/position.hpp"
+
+namespace contactd {
+
+/// What a place poses to the solvers, without friction where `friction` is null.
+ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWithGap& found,
+                          const geometry::RailSurface& rail, const WheelRailFriction* friction);
+
+/// Solves it. Regions that feel a share of each other only are solved in turns: what they do not feel of the
+/// displacements of the others is taken out of the gap.
+ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchRules& rules,
+                            const InfluenceSource& influences, Observer& observer);
+
+}  // namespace contactd

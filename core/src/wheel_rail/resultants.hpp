@@ -1,0 +1,15 @@
+// Forces of a patch in all coordinates that somebody wants them in.
+#pragma once
+
+#include "contactd/wheel_rail_solution.hpp"
+#include "geometry/placement/vector3.hpp"
+
+namespace contactd {
+
+/// `rail` and `wheelset` are their axes in the track. Of quick models the pressures' centre is the reference.
+WheelRailForces resultants(const ContactReference& reference, const Grid& grid, const ContactSolution& solution,
+                           bool quick_model, const geometry::Frame& rail, const geometry::Frame& wheelset);
+
+WheelRailForces sum(const WheelRailForces& a, const WheelRailForces& b);
+
+}  // namespace contactd

@@ -1,0 +1,35 @@
+#include "wheel_rail/warnings.hpp"
+
+#include <cmath>
+
+#include "types/number_text.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr double flattest_cosine = 1 / 1.03;  // where distances along the one normal begin to be wrong by 3 %
+
+std::string name_of(const ContactReference& reference, Side side) {
+    return "The contact at y = " + short_text(side == Side::left ? -reference.y : reference.y) + " mm";
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction) {
+    std::vector<std::string> warnings;
+    const std::string name = name_of(found.place.reference, side);
+    if (found.bend > std::acos(flattest_cosine))
+        warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
+                           short_text(found.bend) + " rad from the plane of the contact.");
+    if (found.at_end)
+        warnings.push_back(name +
+                           " reaches the end of a profile: what lies beyond is not known, and the contact is "
+                           "that of bodies cut off there.");
+    if (has_friction && !(found.place.creepages.velocity > 0))
+        warnings.push_back(name +
+                           " does not roll: without a velocity there are no creepages, and it is solved without "
+                           "friction.");
+    return warnings;
+}
+
+}  // namespace contactd

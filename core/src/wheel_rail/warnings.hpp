@@ -1,0 +1,14 @@
+// What a user of a wheel-rail solution should know.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/position.hpp"
+
+namespace contactd {
+
+/// Of a place of a right wheel, called by where it is on its own side.
+std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction);
+
+}  // namespace contactd
