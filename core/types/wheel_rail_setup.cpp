@@ -96,6 +96,9 @@ void validate(const WheelRailSetup& setup) {
     // The grid is known at each contact only; bodies that need one are checked there.
     validate(setup.bodies, Grid::centred(2, 2, 1, 1));
     if (setup.friction) check(*setup.friction);
+    if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
+        throw InvalidArgument("friction.along_profile",
+                              "is set, and the quick models know one coefficient for all of a patch; take model full");
     for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})
         require(value >= 1e-4 && value <= 100, field, value, "lie in [1e-4, 100] mm");
     require(setup.dq >= 0 && setup.dq <= 100, "dq", setup.dq, "be zero, for dx, or positive and at most 100 mm");

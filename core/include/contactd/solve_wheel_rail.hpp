@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
@@ -27,8 +28,12 @@ class WheelRailContact {
     /// state makes no sense ("position.z" where the wheel stands far inside the rail), and Cancelled.
     WheelRailSolution solve(const WheelRailState& state, Observer& observer) const;
 
-    /// The search for contacts alone, at position.z.
+    /// The search for contacts alone: at position.z or, where Fz is given, where Hertz's theory expects that force.
+    /// Throws as solve.
     WheelRailGeometry locate(const WheelRailState& state) const;
+
+    /// position.z at which wheel and rail begin to touch (mm); nothing where they are not above each other.
+    std::optional<double> touch(const WheelRailState& state) const;
 
     const WheelRailSetup& setup() const;
 

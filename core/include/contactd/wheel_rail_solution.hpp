@@ -94,6 +94,7 @@ struct WheelRailPatch {
 
 /// What the profiles and a position tell without a solve.
 struct WheelRailGeometry {
+    double z = 0;                      ///< of the wheelset (mm)
     std::vector<ContactPlace> places;  ///< from the right to the left; none where wheel and rail do not overlap
     /// Least vertical distance of wheel and rail (mm), negative where they overlap; absent where they are not above
     /// each other.

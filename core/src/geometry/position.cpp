@@ -33,6 +33,21 @@ ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
     }
 }
 
+/// Of what the profiles and the sizes around them are, together.
+void check_fit(const WheelRailSetup& setup, const ProfileCurve& wheel, const ProfileCurve& rail) {
+    const double rail_width = rail.points().back().y - rail.points().front().y;
+    if (!setup.track.rail_origin && !(setup.track.gauge > rail_width))
+        throw InvalidArgument("track.gauge", "is " + number_text(setup.track.gauge) + ", less than a rail is wide, " +
+                                                 short_text(rail_width) + " mm: the rails would lie in each other");
+    double highest = 0;
+    for (const ProfilePoint& point : wheel.points()) highest = std::min(highest, point.z);
+    if (!(setup.wheelset.nominal_radius > 2 * -highest))
+        throw InvalidArgument("wheelset.nominal_radius", "is " + number_text(setup.wheelset.nominal_radius) +
+                                                             ", and the wheel's profile reaches " +
+                                                             short_text(-highest) +
+                                                             " mm towards the axle; it must be more than twice that");
+}
+
 WheelsetPosition at_zero(WheelsetPosition position) {
     position.z = 0;
     return position;
@@ -108,6 +123,7 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
 
 Profiles make_profiles(const WheelRailSetup& setup) {
     ProfileCurve wheel = curve_of(setup.wheel, "wheel"), rail = curve_of(setup.rail, "rail");
+    check_fit(setup, wheel, rail);
     const ProfilePoint origin = rail_origin(rail, setup.track);
     return {std::move(wheel), std::move(rail), origin};
 }

@@ -8,6 +8,10 @@ namespace contactd {
 
 WheelRailState mirrored(WheelRailState state);
 WheelRailGeometry mirrored(WheelRailGeometry geometry);
+/// A height is the same.
+inline std::optional<double> mirrored(std::optional<double> z) {
+    return z;
+}
 WheelRailSolution mirrored(WheelRailSolution solution);
 
 }  // namespace contactd

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "contactd/error.hpp"
@@ -29,6 +31,12 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
     };
 }
 
+std::string missed_force(double Fz, const HeightFound& found) {
+    return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
+           " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
+           std::to_string(found.evidence.iterations) + " solves.";
+}
+
 /// A right wheel in one position.
 class RightWheel {
    public:
@@ -37,27 +45,24 @@ class RightWheel {
         : setup_(setup), influences_(influences), state_(state), position_(setup, profiles, state) {}
 
     WheelRailSolution solve(Observer& observer) {
+        if (touch()) return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
         WheelRailSolution solution;
-        if (!std::isfinite(position_.clearance(0))) {
-            solution.z = state_.position.z;
-            solution.warnings.emplace_back("No part of the wheel is above the rail: there is no contact.");
-            return solution;
-        }
-        if (state_.Fz) {
-            solution = under_force(*state_.Fz, observer);
-        } else {
-            solution = at(state_.position.z, observer);
-        }
+        solution.z = state_.position.z;
+        solution.warnings.emplace_back(nothing_below);
         return solution;
     }
 
     WheelRailGeometry locate() {
         WheelRailGeometry geometry;
-        const double z = state_.position.z;
-        if (!std::isfinite(position_.clearance(0))) return geometry;
-        geometry.clearance = position_.clearance(z);
-        check_depth(z);
-        for (const PlaceWithGap& found : position_.places(z)) {
+        geometry.z = state_.position.z;
+        if (!touch()) {
+            geometry.warnings.emplace_back(nothing_below);
+            return geometry;
+        }
+        if (state_.Fz) geometry.z = expected_height(*state_.Fz);
+        geometry.clearance = position_.clearance(geometry.z);
+        check_depth(geometry.z);
+        for (const PlaceWithGap& found : position_.places(geometry.z)) {
             geometry.places.push_back(found.place);
             for (std::string& warning : warnings_of(found, setup_.side, false))
                 geometry.warnings.push_back(std::move(warning));
@@ -65,7 +70,14 @@ class RightWheel {
         return geometry;
     }
 
+    std::optional<double> touch() const {
+        const double clearance = position_.clearance(0);
+        return std::isfinite(clearance) ? std::optional(clearance) : std::nullopt;
+    }
+
    private:
+    static constexpr const char* nothing_below = "No part of the wheel is above the rail: there is no contact.";
+
     void check_depth(double z) const {
         const double clearance = position_.clearance(z);
         if (clearance < -deepest_penetration)
@@ -101,22 +113,31 @@ class RightWheel {
         return patch;
     }
 
+    HeightTask height_task(double Fz) {
+        const double compliance = setup_.bodies.materials().normal_compliance();
+        HeightTask task;
+        task.estimate = [this, compliance](double z) { return position_.expected_force(z, compliance); };
+        task.force = task.estimate;
+        task.touch = *touch();
+        task.deepest = task.touch + deepest_penetration;
+        task.target = Fz;
+        task.settings = setup_.force;
+        return task;
+    }
+
+    double expected_height(double Fz) { return find_height(height_task(Fz)).z; }
+
     WheelRailSolution under_force(double Fz, Observer& observer) {
         const auto begin = std::chrono::steady_clock::now();
-        const double compliance = setup_.bodies.materials().normal_compliance();
         WheelRailSolution solution;
-        HeightTask task;
-        task.estimate = [&](double z) { return position_.expected_force(z, compliance); };
+        HeightTask task = height_task(Fz);
         task.force = [&](double z) {
             solution = at(z, observer);
             return solution.forces.track.Fz;
         };
-        task.touch = position_.clearance(0);
-        task.deepest = task.touch + deepest_penetration;
-        task.target = Fz;
-        task.settings = setup_.force;
         const HeightFound found = find_height(task);
         solution.force = found.evidence;
+        if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
         const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
         solution.force->seconds = duration.count();
         return solution;
@@ -134,6 +155,15 @@ struct WheelRailContact::Parts {
     WheelRailSetup setup;
     geometry::Profiles profiles;
     InfluenceSource influences;
+
+    /// What a right wheel answers, in a mirror where it is a left one.
+    template <class Ask>
+    auto of_right_wheel(const WheelRailState& state, const Ask& ask) const {
+        validate(state);
+        if (setup.side == Side::right) return ask(RightWheel(setup, profiles, influences, state));
+        const WheelRailState right = mirrored(state);
+        return mirrored(ask(RightWheel(setup, profiles, influences, right)));
+    }
 };
 
 WheelRailContact::WheelRailContact(WheelRailSetup setup, InfluenceSource source) {
@@ -144,20 +174,15 @@ WheelRailContact::WheelRailContact(WheelRailSetup setup, InfluenceSource source)
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {
-    validate(state);
-    const bool left = parts_->setup.side == Side::left;
-    const WheelRailState right_state = left ? mirrored(state) : state;
-    WheelRailSolution solution =
-        RightWheel(parts_->setup, parts_->profiles, parts_->influences, right_state).solve(observer);
-    return left ? mirrored(std::move(solution)) : solution;
+    return parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); });
 }
 
 WheelRailGeometry WheelRailContact::locate(const WheelRailState& state) const {
-    validate(state);
-    const bool left = parts_->setup.side == Side::left;
-    const WheelRailState right_state = left ? mirrored(state) : state;
-    WheelRailGeometry geometry = RightWheel(parts_->setup, parts_->profiles, parts_->influences, right_state).locate();
-    return left ? mirrored(std::move(geometry)) : geometry;
+    return parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.locate(); });
+}
+
+std::optional<double> WheelRailContact::touch(const WheelRailState& state) const {
+    return parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.touch(); });
 }
 
 const WheelRailSetup& WheelRailContact::setup() const {

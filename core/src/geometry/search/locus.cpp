@@ -27,7 +27,7 @@ Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step)
     wheel_s_.assign(count, 0);
     for (std::size_t i = 0; i < count; ++i) rows_[i].y = seen.low + static_cast<double>(i) * step;
     const std::size_t span = rows_in_span(step);
-    Start start{wheel.visible().from, seen.from};
+    Start start{seen.low, wheel.visible().from, seen.from};
     for (std::size_t i = 0; i < count; i += span) look_at(i, start);
     if ((count - 1) % span != 0) look_at(count - 1, start);
     done_.assign((count + span - 1) / span, false);
@@ -40,20 +40,22 @@ double Locus::curvature() const {
 
 void Locus::look_at(std::size_t i, Start& start) {
     LocusRow& row = rows_[i];
-    double rail_s = start.rail_s, wheel_s = start.wheel_s;
-    if (!rail_.find_y(row.y, rail_s)) return;
-    start.rail_s = rail_s;
-    const ProfileCurve::Place rail = rail_.place(rail_s);
-    const double along = rail_.curvature_along();
+    const double step = row.y - start.y, along = rail_.curvature_along();
+    double rail_s = start.rail_s + step * start.rail_slope, wheel_s = start.wheel_s + step * start.wheel_slope;
+    ProfileCurve::Place rail;
     LocusPoint wheel;
-    const bool found = find_ascending(
-        [&](double s) {
-            wheel = wheel_.locus(s, along);
-            return Sloped{wheel.at.y, wheel.y_slope};
-        },
-        row.y, wheel_.visible().from, wheel_.visible().to, wheel_s);
-    if (!found) return;
-    start.wheel_s = wheel_s_[i] = wheel_s;
+    const auto rail_at = [&](double s) {
+        rail = rail_.place(s);
+        return Sloped{rail.at.y, rail.slope.y};
+    };
+    const auto wheel_at = [&](double s) {
+        wheel = wheel_.locus(s, along);
+        return Sloped{wheel.at.y, wheel.y_slope};
+    };
+    if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s)) return;
+    if (!find_ascending(wheel_at, row.y, wheel_.visible().from, wheel_.visible().to, wheel_s)) return;
+    start = {row.y, wheel_s, rail_s, 1 / wheel.y_slope, 1 / rail.slope.y};
+    wheel_s_[i] = wheel_s;
     const double z = rail_.z_at(wheel.at.x, rail.at.z);
     row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, std::atan2(rail.slope.z, rail.slope.y)};
     least_gap_ = std::min(least_gap_, row.gap);
@@ -74,8 +76,7 @@ void Locus::look_below(double height) {
 void Locus::look_between(std::size_t begin) {
     const std::size_t span = rows_in_span(step_), end = std::min(begin + span, rows_.size() - 1);
     const bool from_begin = rows_[begin].gap < infinite;
-    const std::size_t known = from_begin ? begin : end;
-    Start start{wheel_s_[known], rows_[known].rail_s};
+    Start start = start_at(from_begin ? begin : end);
     for (std::size_t i = begin + 1; i < end; ++i) look_at(i, start);
 }
 

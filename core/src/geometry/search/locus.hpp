@@ -36,11 +36,14 @@ class Locus {
     double curvature() const;
 
    private:
+    /// Where the rows that follow begin to look: parameters of both curves at y, and how they go on.
     struct Start {
-        double wheel_s, rail_s;
+        double y, wheel_s, rail_s;
+        double wheel_slope = 0, rail_slope = 0;  // ds/dy
     };
     void look_at(std::size_t row, Start& start);
     void look_between(std::size_t begin);
+    Start start_at(std::size_t row) const { return {rows_[row].y, wheel_s_[row], rows_[row].rail_s}; }
 
     const WheelSurface& wheel_;
     const RailSurface& rail_;

@@ -1,0 +1,116 @@
+// Random positions of wheels on rails, profiles as they come from measurements among them, and what every answer must
+// be.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "contact/random_problems.hpp"
+#include "contactd/make_profile.hpp"
+#include "contactd/solve_wheel_rail.hpp"
+
+namespace contactd::test {
+
+struct RandomWheelRail {
+    WheelRailSetup setup;
+    WheelRailState state;
+};
+
+/// As an instrument would measure it: points about 0.5 mm apart, and noise.
+inline ProfileSpec measured(Dice& dice, const ProfileSpec& profile) {
+    const ProfileCurve curve = make_profile(profile).curve;
+    ProfilePoints points;
+    const double spacing = dice.uniform(0.3, 0.8), noise = dice.chance(0.2) ? 0 : dice.log_uniform(1e-3, 0.05);
+    for (double s = dice.uniform(0, 3); s < curve.end(); s += spacing) {
+        const ProfilePoint at = curve.at(s);
+        points.points.push_back({at.y + noise * dice.uniform(-1, 1), at.z + noise * dice.uniform(-1, 1)});
+    }
+    if (!dice.chance(0.3)) points.smoothing_length = dice.uniform(2, 6);
+    return {profile.kind, points};
+}
+
+/// `dx` of the elements: the smallest.
+inline WheelRailSetup random_setup(Dice& dice, double dx) {
+    WheelRailSetup setup;
+    setup.side = dice.chance(0.5) ? Side::left : Side::right;
+    setup.rail.shape = Rail60E1{dice.chance(0.5) ? 1.0 / 40 : 1.0 / 20};
+    if (dice.chance(0.5)) setup.wheel = measured(dice, setup.wheel);
+    if (dice.chance(0.5)) setup.rail = measured(dice, setup.rail);
+    if (dice.chance(0.3)) setup.track.cant = dice.uniform(-0.02, 0.03);
+    if (dice.chance(0.2)) setup.track.gauge = dice.uniform(1425, 1450);
+    if (dice.chance(0.2)) setup.track.roller_radius = dice.log_uniform(200, 3000);
+    if (dice.chance(0.2)) setup.wheelset.nominal_radius = dice.uniform(300, 600);
+    setup.dx = dx * dice.log_uniform(1, 3);
+    setup.dy = setup.dx * dice.log_uniform(0.5, 2);
+    if (dice.chance(0.3)) setup.model = dice.chance(0.5) ? Model::hertz : Model::fastsim;
+    if (setup.model == Model::hertz || dice.chance(0.2))
+        setup.friction.reset();
+    else if (dice.chance(0.3))
+        setup.friction =
+            WheelRailFriction{{{-0.8, 0.1}, {-0.2, 0.35}}, setup.model == Model::full && dice.chance(0.5), {}};
+    return setup;
+}
+
+/// y up to 15 mm, roll and yaw up to 30 mrad; the height is prescribed around the first contact, or by the force.
+inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) {
+    WheelRailState state;
+    state.position = {dice.uniform(-15, 15), 0, dice.uniform(-0.03, 0.03), dice.uniform(-0.03, 0.03)};
+    if (dice.chance(0.3)) state.rail = {dice.uniform(-3, 3), dice.uniform(-2, 2), dice.uniform(-0.01, 0.01)};
+    state.velocity.x = dice.chance(0.1) ? 0 : dice.uniform(-6e4, 6e4);
+    state.velocity.pitch = -state.velocity.x / contact.setup().wheelset.nominal_radius * dice.uniform(0.95, 1.05);
+    state.velocity.y = dice.uniform(-100, 100);
+    state.velocity.yaw = dice.uniform(-0.1, 0.1);
+    state.roller_pitch = state.velocity.x / contact.setup().track.roller_radius.value_or(500);
+    if (contact.setup().track.roller_radius) state.velocity.x = 0;
+    if (dice.chance(0.5))
+        state.Fz = dice.log_uniform(10, 3e5);
+    else if (const auto touch = contact.touch(state))
+        state.position.z = *touch + dice.uniform(-0.05, 0.15);
+    return state;
+}
+
+/// Forces that tractions bring, in track coordinates.
+inline Wrench summed_tractions(const WheelRailPatch& patch) {
+    const ContactSolution& solution = patch.solution;
+    const double area = patch.place.grid.element_area(), angle = patch.place.reference.angle;
+    Wrench sum;
+    for (std::size_t i = 0; i < solution.pressure.size(); ++i) {
+        const double y = solution.traction_y.empty() ? 0 : solution.traction_y[i], n = solution.pressure[i];
+        sum.Fx += area * (solution.traction_x.empty() ? 0 : solution.traction_x[i]);
+        sum.Fy += area * (y * std::cos(angle) - n * std::sin(angle));
+        sum.Fz += area * (y * std::sin(angle) + n * std::cos(angle));
+    }
+    return sum;
+}
+
+/// What is wrong with an answer; empty when nothing is.
+inline std::string wheel_rail_faults(const RandomWheelRail& problem, const WheelRailSolution& solution) {
+    if (solution.patches.empty()) {
+        if (problem.state.Fz && solution.warnings.empty()) return "no contact under a force, and no word about it";
+        if (solution.clearance && *solution.clearance < 0) return "no contact where profiles overlap";
+        return {};
+    }
+    if (!solution.converged() && solution.warnings.empty()) return "not converged, and no word about it";
+    if (!solution.converged()) return {};
+    Wrench sum;
+    for (const WheelRailPatch& patch : solution.patches) {
+        const Wrench part = summed_tractions(patch);
+        sum.Fx += part.Fx;
+        sum.Fy += part.Fy;
+        sum.Fz += part.Fz;
+    }
+    const Wrench& stated = solution.forces.track;
+    const double off = std::hypot(sum.Fx - stated.Fx, sum.Fy - stated.Fy, sum.Fz - stated.Fz);
+    if (problem.setup.model == Model::full && !(off <= 1e-10 * std::hypot(stated.Fx, stated.Fy, stated.Fz)))
+        return "tractions do not sum to the forces";
+    if (problem.state.Fz && !(std::abs(stated.Fz - *problem.state.Fz) <= 1e-6 * *problem.state.Fz))
+        return "Fz is not the one prescribed";
+    const auto magnitude = [](const Wrench& w) { return std::hypot(w.Fx, w.Fy, w.Fz); };
+    const double size = magnitude(stated);
+    if (!(std::abs(magnitude(solution.forces.rail) - size) <= 1e-10 * size &&
+          std::abs(magnitude(solution.forces.wheelset) - size) <= 1e-10 * size))
+        return "forces differ from coordinates to coordinates";
+    return {};
+}
+
+}  // namespace contactd::test

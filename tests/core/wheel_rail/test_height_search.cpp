@@ -1,0 +1,59 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+
+#include "wheel_rail/height_search.hpp"
+
+using namespace contactd;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+double power(double depth, double exponent) {
+    return depth > 0 ? 1e6 * std::pow(depth, exponent) : 0;
+}
+
+HeightTask task_of(std::function<double(double)> estimate, std::function<double(double)> force) {
+    return {std::move(estimate), std::move(force), 0.3, 5.3, 5e4, {1e-9, 40}};
+}
+
+}  // namespace
+
+TEST_CASE("A force that is its estimate is found in one solve") {
+    const auto force = [](double z) { return power(z - 0.3, 1.5); };
+    const HeightFound found = find_height(task_of(force, force));
+    CHECK(found.evidence.converged);
+    CHECK(found.evidence.iterations == 1);
+    CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
+}
+
+TEST_CASE("An estimate that is off by a factor, and a power, costs a few solves more") {
+    const auto force = [](double z) { return power(z - 0.3, 1.6); };
+    const HeightFound found = find_height(task_of([](double z) { return 0.8 * power(z - 0.3, 1.5); }, force));
+    CHECK(found.evidence.converged);
+    CHECK(found.evidence.iterations <= 5);
+    CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
+}
+
+TEST_CASE("Patches that appear are in the estimate, or between bounds") {
+    const auto force = [](double z) { return power(z - 0.3, 1.5) + 3 * power(z - 0.4, 1.5); };
+    const HeightFound known = find_height(task_of(force, force));
+    CHECK(known.evidence.iterations == 1);
+    const HeightFound unknown = find_height(task_of([](double z) { return power(z - 0.3, 1.5); }, force));
+    CHECK(unknown.evidence.converged);
+    CHECK_THAT(force(unknown.z), WithinRel(5e4, 1e-9));
+}
+
+TEST_CASE("A force that jumps over the one that is wanted is an answer that has not converged") {
+    const auto force = [](double z) { return z < 0.41 ? 1e4 : 9e4; };
+    const HeightFound found = find_height(task_of([](double z) { return power(z - 0.3, 1.5); }, force));
+    CHECK_FALSE(found.evidence.converged);
+    CHECK(found.evidence.residual > 0.5);
+    CHECK(std::abs(found.z - 0.41) < 1e-6);
+}
+
+TEST_CASE("A force that never comes is an answer that has not converged") {
+    const auto none = [](double) { return 0.0; };
+    const HeightFound found = find_height(task_of(none, none));
+    CHECK_FALSE(found.evidence.converged);
+}
