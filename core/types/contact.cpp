@@ -56,7 +56,7 @@ void check_radius(double radius, const char* field) {
 void check_gap(const ContactProblem& problem) {
     if (!problem.gap) return;
     if (const auto* array = std::get_if<std::vector<double>>(&*problem.gap))
-        check_array(*array, problem.grid.size(), "gap");
+        check_array(*array, problem.grid.size(), "gap.array");
     if (const auto* paraboloid = std::get_if<Paraboloid>(&*problem.gap)) {
         check_radius(paraboloid->Rx, "gap.paraboloid.Rx");
         check_radius(paraboloid->Ry, "gap.paraboloid.Ry");

@@ -1,4 +1,5 @@
 #include <catch2/catch_test_macros.hpp>
+#include <limits>
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
@@ -250,4 +251,23 @@ TEST_CASE("Where a session is arrives as it was told") {
         CHECK_FALSE(info.ics.upper);
         CHECK(info.motion == motion);
     }
+}
+
+TEST_CASE("A step with a number that is not finite is refused by its field") {
+    const auto refused = [](const auto& say) -> std::string {
+        StepInput input;
+        say(input);
+        ArrayWriter arrays(ArrayEncoding::frame);
+        try {
+            encode_step("abc", 1, input, spec().setup.grid, arrays);
+        } catch (const InvalidArgument& error) {
+            return error.field();
+        }
+        return "";
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(refused([&](StepInput& input) { input.Fn = nan; }) == "Fn");
+    CHECK(refused([&](StepInput& input) { input.gap = SemiAxes{1, nan}; }) == "gap.semi_axes.b");
+    CHECK(refused([&](StepInput& input) { input.friction = FrictionLaw{{nan}, {}}; }) == "friction.mu");
+    CHECK(refused([&](StepInput& input) { input.motion = Rolling{.xi = nan}; }) == "friction.rolling.xi");
 }

@@ -59,7 +59,7 @@ std::int32_t contactd_set_semi_axes(contactd_contact* contact, double a, double 
 }
 
 std::int32_t contactd_set_gap(contactd_contact* contact, const double* gap, std::int32_t count) {
-    return load(contact, [&](Said& said) { set_gap(said, array(gap, count, "gap")); });
+    return load(contact, [&](Said& said) { set_gap(said, array(gap, count, "gap.array")); });
 }
 
 std::int32_t contactd_set_mu(contactd_contact* contact, double mu) {

@@ -31,8 +31,8 @@ json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays) {
         return json{{"array", arrays.write(std::span<const double>(values), shape_of(grid))}};
     };
     if (const auto* axes = std::get_if<SemiAxes>(&gap))
-        return object({{"semi_axes", object({{"a", finite(axes->a, "gap.semi_axes.a")},
-                                             {"b", finite(axes->b, "gap.semi_axes.b")}})}});
+        return object({{"semi_axes", object({{"a", finite_field(axes->a, "gap.semi_axes.a")},
+                                             {"b", finite_field(axes->b, "gap.semi_axes.b")}})}});
     if (const auto* values = std::get_if<std::vector<double>>(&gap)) return sampled_gap(*values);
     const Paraboloid& paraboloid = std::get<Paraboloid>(gap);
     if (!fits_the_wire(paraboloid)) return sampled_gap(sampled(paraboloid, grid));
@@ -115,8 +115,8 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     encode_settings(problem.settings, params);
     encode_bodies(problem, params, arrays);
     if (problem.Fn && problem.approach) require_load(problem);
-    if (problem.Fn) params["Fn"] = finite(*problem.Fn, "Fn");
-    if (problem.approach) params["approach"] = finite(*problem.approach, "approach");
+    if (problem.Fn) params["Fn"] = finite_field(*problem.Fn, "Fn");
+    if (problem.approach) params["approach"] = finite_field(*problem.approach, "approach");
     if (problem.friction)
         params["friction"] =
             encode_friction({problem.friction, problem.motion, problem.rigid_slip}, problem.grid, arrays);

@@ -11,7 +11,7 @@ constexpr Words<SlipLaw, 2> slip_laws{{{"linear", SlipLaw::linear}, {"exponentia
 constexpr Words<RollingKind, 2> rolling_kinds{{{"steady", RollingKind::steady}, {"transient", RollingKind::transient}}};
 
 json encode_component(const std::optional<double>& force) {
-    return force ? json(finite(*force, "A prescribed force")) : json();
+    return force ? json(finite_field(*force, "friction.force")) : json();
 }
 
 /// Adds `force` where a component is prescribed.
@@ -30,9 +30,10 @@ void decode_force(const json& source, Force& force) {
 
 json encode(const Shift& shift) {
     const auto& [x, y] = shift.rigid_shift;
-    json result = object({{"rigid_shift", {finite(x, "friction.rigid_shift"), finite(y, "friction.rigid_shift")}},
-                          {"rotation", finite(shift.rotation, "friction.rotation")},
-                          {"duration", finite(shift.duration, "friction.duration")}});
+    json result =
+        object({{"rigid_shift", {finite_field(x, "friction.rigid_shift"), finite_field(y, "friction.rigid_shift")}},
+                {"rotation", finite_field(shift.rotation, "friction.rotation")},
+                {"duration", finite_field(shift.duration, "friction.duration")}});
     encode_force(shift.force, result);
     return result;
 }
@@ -48,15 +49,15 @@ Shift decode_shift(const json& source, Shift shift = {}) {
 }
 
 json encode(const Rolling& rolling) {
-    json result = object({{"xi", finite(rolling.xi, "friction.rolling.xi")},
-                          {"eta", finite(rolling.eta, "friction.rolling.eta")},
-                          {"phi", finite(rolling.phi, "friction.rolling.phi")},
-                          {"chi", finite(rolling.chi, "friction.rolling.chi")},
-                          {"spin_offset", finite(rolling.spin_offset, "friction.rolling.spin_offset")},
+    json result = object({{"xi", finite_field(rolling.xi, "friction.rolling.xi")},
+                          {"eta", finite_field(rolling.eta, "friction.rolling.eta")},
+                          {"phi", finite_field(rolling.phi, "friction.rolling.phi")},
+                          {"chi", finite_field(rolling.chi, "friction.rolling.chi")},
+                          {"spin_offset", finite_field(rolling.spin_offset, "friction.rolling.spin_offset")},
                           {"kind", word_for(rolling_kinds, rolling.kind)},
                           {"steps", rolling.steps},
-                          {"velocity", finite(rolling.velocity, "friction.rolling.velocity")}});
-    if (rolling.dq != 0) result["dq"] = finite(rolling.dq, "friction.rolling.dq");
+                          {"velocity", finite_field(rolling.velocity, "friction.rolling.velocity")}});
+    if (rolling.dq != 0) result["dq"] = finite_field(rolling.dq, "friction.rolling.dq");
     encode_force(rolling.force, result);
     return result;
 }
@@ -84,8 +85,8 @@ Step known_or_new(const Motion& motion) {
 
 json encode_kinetic(const KineticFriction& kinetic) {
     return {{"law", word_for(slip_laws, kinetic.law)},
-            {"mu", finite(kinetic.mu, "friction.kinetic.mu")},
-            {"slip_velocity", finite(kinetic.slip_velocity, "friction.kinetic.slip_velocity")}};
+            {"mu", finite_field(kinetic.mu, "friction.kinetic.mu")},
+            {"slip_velocity", finite_field(kinetic.slip_velocity, "friction.kinetic.slip_velocity")}};
 }
 
 KineticFriction decode_kinetic(const json& source) {
@@ -109,7 +110,7 @@ json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& 
     };
     if (parts.law) {
         const auto& [mu, kinetic] = *parts.law;
-        result["mu"] = mu.size() == 1 ? json(finite(mu[0], "friction.mu")) : write(mu);
+        result["mu"] = mu.size() == 1 ? json(finite_field(mu[0], "friction.mu")) : write(mu);
         if (kinetic) result["kinetic"] = encode_kinetic(*kinetic);
     }
     if (!parts.rigid_slip.empty())

@@ -13,6 +13,11 @@ double finite(double value, const char* what) {
     return value;
 }
 
+double finite_field(double value, const char* field) {
+    if (!std::isfinite(value)) throw InvalidArgument(field, "is not finite and cannot be sent; it must be a number");
+    return value;
+}
+
 json encode_material(const Material& material) {
     return object({{"G", finite(material.G, "G")}, {"nu", finite(material.nu, "nu")}});
 }

@@ -51,6 +51,8 @@ inline std::vector<std::size_t> shape_of(const Grid& grid) {
 
 /// `value`, which must be finite: JSON would silently turn anything else into null. Throws Error naming `what`.
 double finite(double value, const char* what);
+/// The same of a field of a request. Throws InvalidArgument naming it.
+double finite_field(double value, const char* field);
 
 nlohmann::json encode_grid(const Grid& grid);
 /// Throws StatusError naming the field, before anything of the grid's size is allocated.

@@ -45,7 +45,7 @@ json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
     ContactProblem problem{spec.setup, spec.load};
     problem.initial = {};  // a session starts its steps where the one before ended
     json params = encode_opening(problem, arrays);
-    if (spec.lease_seconds) params["lease_seconds"] = finite(*spec.lease_seconds, "lease_seconds");
+    if (spec.lease_seconds) params["lease_seconds"] = finite_field(*spec.lease_seconds, "lease_seconds");
     params["accept_unconverged"] = spec.accept_unconverged;
     return params;
 }
@@ -95,8 +95,8 @@ json encode_step(const std::string& session, long long step, const StepInput& in
     json params{{"session", session}, {"step", step}};
     if (input.Fn && input.approach)
         throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
-    if (input.Fn) params["Fn"] = finite(*input.Fn, "Fn");
-    if (input.approach) params["approach"] = finite(*input.approach, "approach");
+    if (input.Fn) params["Fn"] = finite_field(*input.Fn, "Fn");
+    if (input.approach) params["approach"] = finite_field(*input.approach, "approach");
     if (input.gap) params["gap"] = encode_gap(*input.gap, grid, arrays);
     if (input.friction || input.motion || !input.rigid_slip.empty()) {
         json friction = encode_friction({input.friction, input.motion, input.rigid_slip}, grid, arrays);

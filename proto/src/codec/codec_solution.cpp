@@ -98,7 +98,11 @@ json encode_friction_results(const ContactSolution& solution, const Grid& grid) 
     for (const auto& [name, value] : dissipation_of(solution))
         if (*value) result[name] = finite(**value, "What friction dissipates");
     if (!solution.motion) return result;
-    result["motion"] = encode_motion(*solution.motion);
+    try {
+        result["motion"] = encode_motion(*solution.motion);
+    } catch (const InvalidArgument& error) {
+        throw Error(error.what());  // found, not asked for
+    }
     if (const auto* rolling = std::get_if<Rolling>(&*solution.motion))
         result["motion"]["dq"] = finite(step_length(*rolling, grid), "friction.rolling.dq");
     return result;

@@ -123,7 +123,7 @@ TEST_CASE("Pointers that are NULL are refused by name", "[c]") {
     CHECK(contactd_set_keys(nowhere.place, nullptr, "b") == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_set_keys(nowhere.place, "a", nullptr) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_set_gap(c, nullptr, 4) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(field() == "gap");
+    CHECK(field() == "gap.array");
     CHECK(contactd_set_mu_array(c, nullptr, 4) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_set_table(c, CONTACTD_BOTH, 1, 1, 1, 1, nullptr, 9) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_set_previous(c, nullptr, one, one, 4) == CONTACTD_INVALID_ARGUMENT);
@@ -250,7 +250,7 @@ TEST_CASE("What was not started cannot step, and what cannot be solved cannot st
     REQUIRE(contactd_set_mu(c, 1) == CONTACTD_OK);
     const double gap[3] = {};
     REQUIRE(contactd_set_gap(c, gap, 3) == CONTACTD_OK);
-    refused("gap");
+    refused("gap.array");
     REQUIRE(contactd_set_paraboloid(c, 0, 1) == CONTACTD_OK);
     refused("gap.paraboloid.Rx");
     REQUIRE(contactd_set_paraboloid(c, 1, 1) == CONTACTD_OK);

@@ -112,7 +112,7 @@ TEST_CASE("numbers whose squares leave the range of a double are refused by name
     std::string field;
     SECTION("gap") {
         problem.gap = values;
-        field = "gap";
+        field = "gap.array";
     }
     SECTION("radius") {
         problem.gap = Paraboloid{1, -1e-160};

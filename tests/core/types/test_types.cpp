@@ -164,8 +164,9 @@ TEST_CASE("A contact problem that cannot be solved names its field") {
     CHECK(refused_problem([](ContactProblem& p) { p.grid.dx = -1; }) == "grid.dx");
     CHECK(refused_problem([](ContactProblem& p) { p.grid.x0 = no_number; }) == "grid.x0");
     CHECK(refused_problem([](ContactProblem& p) { p.bodies.lower.material.nu = 0.6; }) == "bodies.lower.nu");
-    CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(3); }) == "gap");
-    CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(p.grid.size(), infinity); }) == "gap");
+    CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(3); }) == "gap.array");
+    CHECK(refused_problem([](ContactProblem& p) { p.gap = std::vector<double>(p.grid.size(), infinity); }) ==
+          "gap.array");
     CHECK(refused_problem([](ContactProblem& p) { p.approach = no_number; }) == "approach");
     CHECK(refused_problem([](ContactProblem& p) { p.friction = FrictionLaw{{-0.1}}, p.motion = Shift{{0, 0}}; }) ==
           "friction.mu");
