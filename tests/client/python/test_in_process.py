@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import gc
+import gc  # noqa: F401 - for the programs below
 import logging
 import os
 import pickle
@@ -59,6 +59,7 @@ def not_installed(monkeypatch):
 
 
 def threads() -> int:
+    """Of this process, also those that are not Python's."""
     return len(os.listdir("/proc/self/task"))
 
 
@@ -339,28 +340,24 @@ def test_a_program_that_is_interrupted_ends(tmp_path):
     assert ended.stderr.rstrip().endswith("KeyboardInterrupt")
 
 
-def test_an_engine_that_nobody_holds_goes(client):
-    assert client.solve(ROLLING).converged
-    before = threads()
-    block = contactd.local(in_process=True)
-    opened = block.__enter__()
-    opened.solve(ROLLING)
-    assert threads() > before
-    del opened, block
-    gc.collect()
-    assert threads() == before
-
-
 # --- beside the answers ----------------------------------------------------------------------------------------------
 
 
-def test_quick_models_start_no_thread():
-    with contactd.local(in_process=True) as client:
-        before = threads()
-        assert client.solve(QUICKLY).converged
-        assert threads() == before
-        assert client.solve(ROLLING).converged
-        assert threads() == before + 1
+def test_threads_start_when_they_are_wanted_and_end_with_who_holds_them(tmp_path):
+    ended = run(
+        "block = contactd.local(in_process=True)\n"
+        "client = block.__enter__()\n"
+        "opened = threads()\n"
+        "client.solve(QUICKLY)\n"
+        "quick = threads()\n"
+        "client.solve(ROLLING)\n"
+        "full = threads()\n"
+        "del client, block\n"
+        "gc.collect()\n"
+        "print(quick - opened, full - quick, threads())",
+        cwd=tmp_path,
+    )
+    assert (ended.stdout, ended.returncode) == ("0 1 1\n", 0), ended.stderr
 
 
 def test_the_log_goes_to_a_logger(caplog, monkeypatch):
