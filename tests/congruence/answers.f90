@@ -1,0 +1,150 @@
+! What the driver in Fortran says of a step: telling.py has the order.
+module answers
+    use contactd
+    use, intrinsic :: iso_fortran_env, only: int64
+    implicit none
+    private
+    public :: need, tell_step
+
+contains
+
+    subroutine need(code)
+        integer(c_int32_t), intent(in) :: code
+        if (code /= contactd_ok) error stop 3
+    end subroutine
+
+    subroutine tell(value, code)
+        real(c_double), intent(in) :: value
+        integer(c_int32_t), intent(in) :: code
+        if (code == contactd_ok) then
+            write (*, "(1x, z16.16)", advance="no") transfer(value, 0_int64)
+        else
+            write (*, "(a)", advance="no") " -"
+        end if
+    end subroutine
+
+    subroutine tell_whole(value, code)
+        integer(c_int32_t), intent(in) :: value, code
+        if (code == contactd_ok) then
+            write (*, "(1x, i0)", advance="no") value
+        else
+            write (*, "(a)", advance="no") " -"
+        end if
+    end subroutine
+
+    subroutine digest(sum, more)
+        integer(int64), intent(inout) :: sum
+        integer(int64), intent(in) :: more
+        sum = mod(sum * 65599_int64 + more, 4294967291_int64)
+    end subroutine
+
+    subroutine tell_arrays(contact, nx, ny)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t), intent(in) :: nx, ny
+        real(c_double) :: array(nx, ny)
+        integer(c_int32_t) :: division(nx, ny), which
+        integer(int64) :: sum, bits
+        integer :: x, y
+        call need(contactd_get_division(contact, division, nx * ny))
+        sum = 0
+        do y = 1, ny
+            do x = 1, nx
+                call digest(sum, int(division(x, y), int64))
+            end do
+        end do
+        write (*, "(1x, i0)", advance="no") sum
+        do which = contactd_pressure, contactd_slip_y
+            call need(contactd_get_array(contact, which, array, nx * ny))
+            sum = 0
+            do y = 1, ny
+                do x = 1, nx
+                    bits = transfer(array(x, y), 0_int64)
+                    call digest(sum, ibits(bits, 32, 32))
+                    call digest(sum, ibits(bits, 0, 32))
+                end do
+            end do
+            write (*, "(1x, i0)", advance="no") sum
+        end do
+    end subroutine
+
+    subroutine tell_warnings(contact)
+        type(c_ptr), intent(in) :: contact
+        character(2000) :: text
+        integer(c_int32_t) :: warnings, i
+        integer(int64) :: sum
+        integer :: c
+        sum = 0
+        call need(contactd_get_warnings(contact, warnings))
+        do i = 0, warnings - 1
+            call need(contactd_get_warning(contact, i, text))
+            do c = 1, len_trim(text)
+                call digest(sum, int(ichar(text(c:c)), int64))
+            end do
+        end do
+        write (*, "(1x, i0, 1x, i0)", advance="no") warnings, sum
+    end subroutine
+
+    subroutine tell_solvers(contact)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t) :: solver, iterations, converged, code
+        real(c_double) :: v(3)
+        integer :: i
+        call need(contactd_get_converged(contact, converged))
+        call tell_whole(converged, contactd_ok)
+        do solver = contactd_normal, contactd_force
+            code = contactd_get_evidence(contact, solver, iterations, v(1), converged)
+            call tell_whole(iterations, code)
+            call tell(v(1), code)
+            call tell_whole(converged, code)
+        end do
+        code = contactd_get_discretisation(contact, iterations, v(1), v(2), v(3))
+        call tell_whole(iterations, code)
+        do i = 1, 3
+            call tell(v(i), code)
+        end do
+    end subroutine
+
+    subroutine tell_step(contact, nx, ny)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t), intent(in) :: nx, ny
+        integer(c_int32_t) :: n(4), of, by, code
+        real(c_double) :: v(4)
+        integer :: i
+        code = contactd_get_step(contact, n(1))
+        call tell_whole(n(1), code)
+        code = contactd_get_forces(contact, v(1), v(2), v(3), v(4))
+        do i = 1, 4
+            call tell(v(i), code)
+        end do
+        code = contactd_get_approach(contact, v(1))
+        call tell(v(1), code)
+        code = contactd_get_pmax(contact, v(1))
+        call tell(v(1), code)
+        code = contactd_get_areas(contact, v(1), v(2), v(3))
+        do i = 1, 3
+            call tell(v(i), code)
+        end do
+        code = contactd_get_counts(contact, n(1), n(2), n(3), n(4))
+        do i = 1, 4
+            call tell_whole(n(i), code)
+        end do
+        code = contactd_get_creepages(contact, v(1), v(2), v(3))
+        if (code /= contactd_ok) code = contactd_get_shift(contact, v(1), v(2), v(3))
+        do i = 1, 3
+            call tell(v(i), code)
+        end do
+        code = contactd_get_frictional_work(contact, v(1))
+        call tell(v(1), code)
+        code = contactd_get_frictional_power(contact, v(1))
+        call tell(v(1), code)
+        call tell_solvers(contact)
+        do of = contactd_of_fx, contactd_of_approach
+            do by = contactd_by_x, contactd_by_mu
+                code = contactd_get_derivative(contact, of, by, v(1))
+                call tell(v(1), code)
+            end do
+        end do
+        call tell_warnings(contact)
+        call tell_arrays(contact, nx, ny)
+    end subroutine
+end module answers

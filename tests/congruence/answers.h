@@ -1,0 +1,117 @@
+/* What the driver in C says of a step: telling.py has the order. */
+#ifndef ANSWERS_H
+#define ANSWERS_H
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contactd.h"
+
+static double* values(int32_t n) {
+    double* made = calloc((size_t)(n > 0 ? n : 1), sizeof *made);
+    if (made == NULL) exit(3);
+    return made;
+}
+
+static void tell(double value, int32_t code) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    if (code == CONTACTD_OK)
+        printf(" %016" PRIX64, bits);
+    else
+        printf(" -");
+}
+
+static void tell_whole(int32_t value, int32_t code) {
+    if (code == CONTACTD_OK)
+        printf(" %" PRId32, value);
+    else
+        printf(" -");
+}
+
+static uint64_t digest(uint64_t so_far, uint64_t more) {
+    return (so_far * 65599 + more) % 4294967291u;
+}
+
+static void tell_arrays(contactd_contact* contact, int32_t elements) {
+    double* array = values(elements);
+    int32_t* division = calloc((size_t)elements, sizeof *division);
+    uint64_t bits, sum = 0;
+    if (division == NULL || contactd_get_division(contact, division, elements) != CONTACTD_OK) exit(3);
+    for (int32_t i = 0; i < elements; ++i) sum = digest(sum, (uint64_t)division[i]);
+    printf(" %" PRIu64, sum);
+    for (int32_t which = CONTACTD_PRESSURE; which <= CONTACTD_SLIP_Y; ++which) {
+        if (contactd_get_array(contact, which, array, elements) != CONTACTD_OK) exit(3);
+        sum = 0;
+        for (int32_t i = 0; i < elements; ++i) {
+            memcpy(&bits, &array[i], sizeof bits);
+            sum = digest(digest(sum, bits >> 32), bits & 0xFFFFFFFFu);
+        }
+        printf(" %" PRIu64, sum);
+    }
+    free(array);
+    free(division);
+}
+
+static void tell_warnings(contactd_contact* contact) {
+    int32_t warnings = 0;
+    uint64_t sum = 0;
+    char text[2000];
+    contactd_get_warnings(contact, &warnings);
+    for (int32_t i = 0; i < warnings; ++i) {
+        contactd_get_warning(contact, i, text, sizeof text);
+        for (const char* c = text; *c != '\0'; ++c) sum = digest(sum, (unsigned char)*c);
+    }
+    printf(" %" PRId32 " %" PRIu64, warnings, sum);
+}
+
+static void tell_solvers(contactd_contact* contact) {
+    int32_t iterations = 0, converged = 0, across = 0, code;
+    double v[4] = {0};
+    contactd_get_converged(contact, &converged);
+    tell_whole(converged, CONTACTD_OK);
+    for (int32_t solver = CONTACTD_NORMAL; solver <= CONTACTD_FORCE; ++solver) {
+        code = contactd_get_evidence(contact, solver, &iterations, v, &converged);
+        tell_whole(iterations, code);
+        tell(v[0], code);
+        tell_whole(converged, code);
+    }
+    code = contactd_get_discretisation(contact, &across, v, v + 1, v + 2);
+    tell_whole(across, code);
+    for (int i = 0; i < 3; ++i) tell(v[i], code);
+}
+
+static void tell_step(contactd_contact* contact, int32_t elements) {
+    double v[4] = {0};
+    int32_t n[4] = {0}, code = contactd_get_step(contact, n);
+    tell_whole(n[0], code);
+    code = contactd_get_forces(contact, v, v + 1, v + 2, v + 3);
+    for (int i = 0; i < 4; ++i) tell(v[i], code);
+    code = contactd_get_approach(contact, v);
+    tell(v[0], code);
+    code = contactd_get_pmax(contact, v);
+    tell(v[0], code);
+    code = contactd_get_areas(contact, v, v + 1, v + 2);
+    for (int i = 0; i < 3; ++i) tell(v[i], code);
+    code = contactd_get_counts(contact, n, n + 1, n + 2, n + 3);
+    for (int i = 0; i < 4; ++i) tell_whole(n[i], code);
+    code = contactd_get_creepages(contact, v, v + 1, v + 2);
+    if (code != CONTACTD_OK) code = contactd_get_shift(contact, v, v + 1, v + 2);
+    for (int i = 0; i < 3; ++i) tell(v[i], code);
+    code = contactd_get_frictional_work(contact, v);
+    tell(v[0], code);
+    code = contactd_get_frictional_power(contact, v);
+    tell(v[0], code);
+    tell_solvers(contact);
+    for (int32_t of = CONTACTD_OF_FX; of <= CONTACTD_OF_APPROACH; ++of)
+        for (int32_t by = CONTACTD_BY_X; by <= CONTACTD_BY_MU; ++by) {
+            code = contactd_get_derivative(contact, of, by, v);
+            tell(v[0], code);
+        }
+    tell_warnings(contact);
+    tell_arrays(contact, elements);
+}
+
+#endif

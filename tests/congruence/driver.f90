@@ -1,0 +1,225 @@
+! The cases of cases.py, in a file, through the Fortran module; telling.py says what stands in a line.
+!
+!     congruence-fortran ipc:///run/contactd.sock cases.txt
+program driver
+    use contactd
+    use answers
+    use, intrinsic :: iso_fortran_env, only: error_unit
+    implicit none
+    integer, parameter :: most_words = 20
+    type(c_ptr) :: place, contact
+    character(256) :: where, file
+    character(1000) :: line
+    character(60) :: word(0:most_words), name, reason, field
+    integer :: words, unit, status
+    integer(c_int32_t) :: nx, ny, states(0:9), refused
+
+    if (command_argument_count() /= 2) error stop "usage: congruence-fortran WHERE CASES"
+    call get_command_argument(1, where)
+    call get_command_argument(2, file)
+    call need(contactd_open(where, place))
+    contact = c_null_ptr
+    open (newunit=unit, file=file, status="old", action="read")
+    do
+        read (unit, "(a)", iostat=status) line
+        if (status /= 0) exit
+        call split()
+        if (words == 0) cycle
+        call take()
+    end do
+    if (c_associated(contact)) call need(contactd_free(contact))
+    call need(contactd_close(place))
+
+contains
+
+    ! --- what a line says
+
+    subroutine split()
+        integer :: at, next
+        words = 0
+        at = 1
+        do while (at <= len_trim(line))
+            next = index(line(at:) // " ", " ") + at - 1
+            if (next > at .and. words < most_words) then
+                word(words) = line(at:next - 1)
+                words = words + 1
+            end if
+            at = next + 1
+        end do
+    end subroutine
+
+    real(c_double) function number(i)
+        integer, intent(in) :: i
+        read (word(i), *) number
+    end function
+
+    integer(c_int32_t) function whole(i)
+        integer, intent(in) :: i
+        read (word(i), *) whole
+    end function
+
+    ! The place of word i in a list of words.
+    integer(c_int32_t) function place_of(i, list)
+        integer, intent(in) :: i
+        character(*), intent(in) :: list(0:)
+        do place_of = 0, size(list, kind=c_int32_t) - 1
+            if (word(i) == list(place_of)) return
+        end do
+        write (error_unit, *) trim(name), ": ", trim(word(0)), " has no such word"
+        stop 2
+    end function
+
+    integer(c_int32_t) function body(i)
+        integer, intent(in) :: i
+        body = place_of(i, [character(5) :: "upper", "lower", "both", "pair"])
+    end function
+
+    ! "base scale step period": base + scale ((step i) mod period), exactly.
+    function ramp(i) result(made)
+        integer, intent(in) :: i
+        real(c_double) :: made(nx * ny)
+        integer :: n
+        made = [(number(i) + number(i + 1) * mod((n - 1) * whole(i + 2), whole(i + 3)), n=1, nx * ny)]
+    end function
+
+    ! A bowl around the middle of the grid, the same in both directions.
+    function bowl(scale) result(made)
+        real(c_double), intent(in) :: scale
+        real(c_double) :: made(nx, ny)
+        integer :: x, y
+        do y = 1, ny
+            do x = 1, nx
+                made(x, y) = scale * ((2 * x - nx - 1)**2 + (2 * y - ny - 1)**2)
+            end do
+        end do
+    end function
+
+    ! xx, yy and zz that fall by four with each offset, and nothing else.
+    function table(columns, rows, origin) result(made)
+        integer(c_int32_t), intent(in) :: columns, rows
+        real(c_double), intent(in) :: origin
+        real(c_double) :: made(columns, rows, 3, 3)
+        integer :: x, y, axis
+        made = 0
+        do axis = 1, 3
+            do y = 1, rows
+                do x = 1, columns
+                    made(x, y, axis, axis) = scale(origin, -2 * (x + y - 2))
+                end do
+            end do
+        end do
+    end function
+
+    ! --- setters
+
+    integer(c_int32_t) function set_up() result(code)
+        select case (word(0))
+        case ("grid")
+            nx = whole(1)
+            ny = whole(2)
+            code = contactd_set_grid(contact, nx, ny, number(3), number(4), number(5), number(6))
+        case ("material"); code = contactd_set_material(contact, body(1), number(2), number(3))
+        case ("rigid"); code = contactd_set_rigid(contact, body(1))
+        case ("half_space")
+            code = contactd_set_half_space(contact, body(1), place_of(2, [character(8) :: "constant", "bilinear"]))
+        case ("fem")
+            code = contactd_set_fem(contact, body(1), contactd_half_space, contactd_constant, number(2), 0d0)
+        case ("table")
+            code = contactd_set_table(contact, body(1), whole(2), whole(3), number(4), number(5), &
+                table(whole(2), whole(3), number(6)), 9 * whole(2) * whole(3))
+        case ("line_contact"); code = contactd_set_line_contact(contact, number(1))
+        case ("model")
+            code = contactd_set_model(contact, place_of(1, [character(7) :: "full", "hertz", "fastsim"]))
+        case ("tolerance")
+            code = contactd_set_tolerance(contact, place_of(1, [character(10) :: "normal", "tangential", "outer"]), &
+                number(2), whole(3))
+        case ("accept_unconverged"); code = contactd_set_accept_unconverged(contact, 1)
+        case ("lease"); code = contactd_set_lease(contact, number(1))
+        case ("previous"); code = contactd_set_previous(contact, ramp(1), ramp(5), ramp(9), nx * ny)
+        case default; code = -1
+        end select
+    end function
+
+    integer(c_int32_t) function load() result(code)
+        real(c_double) :: nothing(100) = 0
+        select case (word(0))
+        case ("approach"); code = contactd_set_approach(contact, number(1))
+        case ("Fn"); code = contactd_set_Fn(contact, number(1))
+        case ("paraboloid"); code = contactd_set_paraboloid(contact, number(1), number(2))
+        case ("semi_axes"); code = contactd_set_semi_axes(contact, number(1), number(2))
+        case ("gap"); code = contactd_set_gap(contact, bowl(number(1)), nx * ny)
+        case ("gap_of"); code = contactd_set_gap(contact, nothing, whole(1))
+        case ("mu"); code = contactd_set_mu(contact, number(1))
+        case ("mu_array"); code = contactd_set_mu_array(contact, ramp(1), nx * ny)
+        case ("kinetic")
+            code = contactd_set_kinetic(contact, place_of(1, [character(11) :: "linear", "exponential"]), &
+                number(2), number(3))
+        case ("shift"); code = contactd_set_shift(contact, number(1), number(2), number(3))
+        case ("duration"); code = contactd_set_duration(contact, number(1))
+        case ("rolling")
+            code = contactd_set_rolling(contact, place_of(1, [character(9) :: "steady", "transient"]), &
+                number(2), number(3), number(4))
+        case ("direction"); code = contactd_set_direction(contact, number(1), number(2))
+        case ("spin_offset"); code = contactd_set_spin_offset(contact, number(1))
+        case ("rolling_steps"); code = contactd_set_rolling_steps(contact, whole(1))
+        case ("velocity"); code = contactd_set_velocity(contact, number(1))
+        case ("Fx"); code = contactd_set_Fx(contact, number(1))
+        case ("Fy"); code = contactd_set_Fy(contact, number(1))
+        case ("clear_forces"); code = contactd_clear_forces(contact)
+        case ("rigid_slip"); code = contactd_set_rigid_slip(contact, ramp(1), ramp(5), nx * ny)
+        case ("derivatives"); code = contactd_want_derivatives(contact, whole(1))
+        case default; code = -1
+        end select
+    end function
+
+    subroutine note(code)
+        integer(c_int32_t), intent(in) :: code
+        if (code == contactd_ok .or. refused /= contactd_ok) return
+        refused = code
+        reason = contactd_last_reason(contact)
+        field = contactd_last_field(contact)
+    end subroutine
+
+    ! The line of a call; one that a setter has refused for is not made.
+    subroutine make_call()
+        write (*, "(a, 1x, a)", advance="no") trim(name), trim(word(0))
+        if (refused == contactd_ok) then
+            select case (word(0))
+            case ("start"); call note(contactd_start(contact))
+            case ("step"); call note(contactd_step(contact))
+            case ("again"); call note(contactd_step_again(contact))
+            case ("save"); call note(contactd_save(contact, states(whole(1))))
+            case ("restore"); call note(contactd_restore(contact, states(whole(1))))
+            case ("forget"); call note(contactd_forget(contact, states(whole(1))))
+            end select
+        end if
+        if (refused /= contactd_ok) then
+            write (*, "(a, i0, 1x, a, 1x, a)", advance="no") " refused ", refused, trim(reason), trim(field)
+        else if (word(0) == "step" .or. word(0) == "again") then
+            call tell_step(contact, nx, ny)
+        end if
+        write (*, "()")
+        refused = contactd_ok
+    end subroutine
+
+    subroutine take()
+        integer(c_int32_t) :: array, code
+        select case (word(0))
+        case ("case")
+            if (c_associated(contact)) call need(contactd_free(contact))
+            call need(contactd_new(place, contact))
+            refused = contactd_ok
+            name = word(1)
+            do array = contactd_division, contactd_slip_y
+                call need(contactd_want(contact, array, 1))
+            end do
+        case ("start", "step", "again", "save", "restore", "forget")
+            call make_call()
+        case default
+            code = set_up()
+            if (code == -1) code = load()
+            if (code == -1) error stop "a line that this does not know"
+            call note(code)
+        end select
+    end subroutine
+end program driver

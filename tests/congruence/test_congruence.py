@@ -1,0 +1,109 @@
+"""One contact, six ways to it: every interface answers every case alike, to the last bit, and refuses the same."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+import contactd
+from congruence.cases import CASES, write
+from congruence.driver import CALLS, answers
+from integration.conftest import shared_daemon  # noqa: F401
+from support.daemons import BIN
+from support.patience import SLOWER
+
+#: Cases that an interface cannot say, and why; none at present.
+CANNOT: dict[str, dict[str, str]] = {}
+
+
+@pytest.fixture(scope="module")
+def cases(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write(tmp_path_factory.mktemp("congruence") / "cases.txt")
+
+
+@pytest.fixture(scope="module")
+def expected(shared_daemon, cases) -> list[str]:  # noqa: F811
+    """What Python says with a daemon."""
+    with contactd.Client(shared_daemon.endpoint) as client:
+        return list(answers(client, cases))
+
+
+def program(name: str) -> Callable[[str, Path], list[str]]:
+    def run(where: str, cases: Path) -> list[str]:
+        environment = {**os.environ, "LD_LIBRARY_PATH": str(BIN.parent / "lib")}
+        command = [str(BIN / f"congruence-{name}"), where, str(cases)]
+        ended = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=50 * SLOWER)
+        assert ended.returncode == 0, ended.stderr
+        return ended.stdout.splitlines()
+
+    return run
+
+
+def python_in_process(where: str, cases: Path) -> list[str]:
+    with contactd.local(in_process=True) as client:
+        return list(answers(client, cases))
+
+
+WAYS: dict[str, tuple[Callable[[str, Path], list[str]], bool]] = {  # and whether they ask the daemon
+    "python-local": (python_in_process, False),
+    "cpp": (program("cpp"), True),
+    "c": (program("c"), True),
+    "c-local-with-a-daemon": (program("c-local"), True),
+    "c-local": (program("c-local"), False),
+    "fortran": (program("fortran"), True),
+}
+
+
+def one_reason(line: str) -> str:
+    """C, C++ and Fortran look at a problem before they send it, and have one reason for all that is wrong with it."""
+    return line.replace(" ARRAY_INVALID ", " FIELD_INVALID ")
+
+
+def by_case(lines: list[str]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for line in lines:
+        found.setdefault(line.split()[0], []).append(line.rstrip())
+    return found
+
+
+def calls() -> Iterator[tuple[str, str]]:
+    for name, text in CASES.items():
+        yield from ((name, part.split()[0]) for part in text.split(";") if part.split()[0] in CALLS)
+
+
+def test_there_are_enough_cases_of_each_kind(expected):
+    assert len(CASES) >= 60
+    assert sum(len(line.split()) > 50 for line in expected) >= 100, "steps that were solved"
+    refused = {line.split()[0] for line in expected if " refused " in line}
+    assert len(refused) >= 20
+    assert len({tuple(line.split()[2:]) for line in expected if " step " in line}) >= 100, "that are not all the same"
+
+
+def test_every_call_of_every_case_has_its_line(expected):
+    assert [tuple(line.split()[:2]) for line in expected] == list(calls())
+
+
+def test_only_what_is_meant_to_be_refused_is(expected):
+    """A case that all interfaces refuse by mistake would be congruent, too."""
+    names = list(CASES)
+    bad = set(names[names.index("no-elements") :])
+    fail = {"a-step-that-does-not-converge", "a-step-again-after-one-that-failed"}
+    assert {line.split()[0] for line in expected if " refused " in line} == bad | fail
+
+
+@pytest.mark.timeout(200)
+@pytest.mark.parametrize("way", WAYS)
+def test_every_way_answers_alike(way, expected, shared_daemon, cases):  # noqa: F811
+    run, asks_daemon = WAYS[way]
+    found, wanted = by_case(run(shared_daemon.endpoint if asks_daemon else "local", cases)), by_case(expected)
+    assert found.keys() == wanted.keys() == CASES.keys()
+    if way != "python-local":
+        found, wanted = ({name: [*map(one_reason, lines)] for name, lines in all_.items()} for all_ in (found, wanted))
+    cannot = CANNOT.get(way, {})
+    wrong = {name: (found[name], wanted[name]) for name in CASES if name not in cannot and found[name] != wanted[name]}
+    assert not wrong, "\n".join(f"{name}:\n  {way}: {own}\n  daemon: {other}" for name, (own, other) in wrong.items())
+    assert all(found[name] != wanted[name] for name in cannot), "they agree now: take them off the list"
