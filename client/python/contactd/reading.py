@@ -8,7 +8,8 @@ import dataclasses
 import functools
 import operator
 import types
-from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+from collections.abc import Callable
+from typing import Any, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from .problem import AnalyticIcs, FemIcs, Ics
 __all__ = ["read"]
 
 T = TypeVar("T")
+Convert = Callable[[Any, str], Any]  #: a value and its path
 
 
 @functools.cache
@@ -31,44 +33,126 @@ def _hints(kind: Any) -> dict[str, Any]:
     return hints
 
 
+class _Field(NamedTuple):
+    """How a field of a dataclass is read."""
+
+    name: str
+    convert: Convert
+    has_default: bool
+    may_be_none: bool
+
+
+@functools.cache
+def _fields(kind: Any) -> tuple[_Field, ...]:
+    missing = dataclasses.MISSING
+    return tuple(
+        _Field(
+            field.name,
+            _converter(hint := _hints(kind)[field.name]),
+            field.default is not missing or field.default_factory is not missing,
+            type(None) in get_args(hint),
+        )
+        for field in dataclasses.fields(kind)
+    )
+
+
 def read(kind: type[T], value: Any, path: str = "result") -> T:
     """`value` (decoded JSON with its arrays in place) as the dataclass `kind`."""
     if not isinstance(value, dict):
         raise ProtocolError(f"The answer's {path} is a {type(value).__name__} instead of an object.")
-    hints, arguments = _hints(cast(Any, kind)), {}
-    for field in dataclasses.fields(kind):  # type: ignore[arg-type]
-        if field.name in value:
-            arguments[field.name] = _convert(hints[field.name], value[field.name], f"{path}.{field.name}")
-        elif field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING:
-            if type(None) not in get_args(hints[field.name]):
-                raise ProtocolError(f"The answer's {path} lacks {field.name}.")
-            arguments[field.name] = None
+    arguments = {}
+    for name, convert, has_default, may_be_none in _fields(cast(Any, kind)):
+        if name in value:
+            arguments[name] = convert(value[name], f"{path}.{name}")
+        elif not has_default:
+            if not may_be_none:
+                raise ProtocolError(f"The answer's {path} lacks {name}.")
+            arguments[name] = None
     return kind(**arguments)
 
 
-def _convert(hint: Any, value: Any, path: str) -> Any:
+def _misplaced(value: Any, path: str) -> ProtocolError:
+    return ProtocolError(f"The answer's {path} is a {type(value).__name__}, which does not belong there.")
+
+
+@functools.cache
+def _converter(hint: Any) -> Convert:
+    """What reads a value of this type: looked at once, as answers are read again and again."""
     if hint == Ics:
-        return read(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs, value, path)
-    if dataclasses.is_dataclass(hint):
-        return read(hint, value, path)  # type: ignore[arg-type]
+        return _read_ics
     if hint == Motion:
-        return read(Shift if isinstance(value, dict) and "rigid_shift" in value else Rolling, value, path)
+        return _read_motion
+    if dataclasses.is_dataclass(hint):
+        return functools.partial(read, cast(Any, hint))
     origin, inner = get_origin(hint), get_args(hint)
     if origin in (Union, types.UnionType):
+        return _optional(_converter(functools.reduce(operator.or_, (t for t in inner if t is not type(None)))))
+    if origin is tuple:
+        return _tuple_of(_converter(inner[0]))
+    if origin is collections.abc.Mapping:
+        return _mapping_to(_converter(inner[1]))
+    if origin is np.ndarray:
+        return _instance_of(np.ndarray)
+    if origin is Literal:
+        return _instance_of(str)  # a newer daemon may know more words
+    return _read_float if hint is float else _exactly(hint)
+
+
+def _read_ics(value: Any, path: str) -> Any:
+    return read(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs, value, path)
+
+
+def _read_motion(value: Any, path: str) -> Any:
+    return read(Shift if isinstance(value, dict) and "rigid_shift" in value else Rolling, value, path)
+
+
+def _read_float(value: Any, path: str) -> float:
+    if type(value) not in (int, float):
+        raise _misplaced(value, path)
+    return float(value)
+
+
+def _optional(convert: Convert) -> Convert:
+    def read_optional(value: Any, path: str) -> Any:
         # A closed-form table says {} of its errors: it has none to speak of.
         if value is None or (isinstance(value, dict) and not value):
             return None
-        return _convert(functools.reduce(operator.or_, (t for t in inner if t is not type(None))), value, path)
-    if origin is tuple and isinstance(value, list):
-        return tuple(_convert(inner[0], item, f"{path}[{i}]") for i, item in enumerate(value))
-    if origin is collections.abc.Mapping and isinstance(value, dict):
-        return {name: _convert(inner[1], item, f"{path}.{name}") for name, item in value.items()}
-    if origin is np.ndarray and isinstance(value, np.ndarray):
+        return convert(value, path)
+
+    return read_optional
+
+
+def _tuple_of(convert: Convert) -> Convert:
+    def read_tuple(value: Any, path: str) -> Any:
+        if not isinstance(value, list):
+            raise _misplaced(value, path)
+        return tuple(convert(item, f"{path}[{i}]") for i, item in enumerate(value))
+
+    return read_tuple
+
+
+def _mapping_to(convert: Convert) -> Convert:
+    def read_mapping(value: Any, path: str) -> Any:
+        if not isinstance(value, dict):
+            raise _misplaced(value, path)
+        return {name: convert(item, f"{path}.{name}") for name, item in value.items()}
+
+    return read_mapping
+
+
+def _instance_of(kind: type) -> Convert:
+    def read_instance(value: Any, path: str) -> Any:
+        if not isinstance(value, kind):
+            raise _misplaced(value, path)
         return value
-    if hint is float and type(value) in (int, float):
-        return float(value)
-    if hint in (int, str, bool) and type(value) is hint:
+
+    return read_instance
+
+
+def _exactly(kind: Any) -> Convert:
+    def read_exactly(value: Any, path: str) -> Any:
+        if kind not in (int, str, bool) or type(value) is not kind:
+            raise _misplaced(value, path)
         return value
-    if origin is Literal and isinstance(value, str):
-        return value  # a newer daemon may know more words
-    raise ProtocolError(f"The answer's {path} is a {type(value).__name__}, which does not belong there.")
+
+    return read_exactly
