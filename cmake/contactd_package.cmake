@@ -1,4 +1,5 @@
-# Debian packages by CPack: contactd (daemon, builder, unit, configuration), python3-contactd (client), and the C
+# Debian packages by CPack: contactd (daemon, builder, unit, configuration), python3-contactd (client),
+# python3-contactd-local (what the client solves with in process), and the C
 # libraries libcontactd1, libcontactd-local1 and libcontactd-cntc0 with libcontactd-dev and libcontactd-cntc-dev, by which
 # programs are built with them.
 #   ./dev package
@@ -20,7 +21,7 @@ contactd_compressed(${package_files}/debian/changelog changelog share/doc/python
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/contactd COMPONENT programs)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/python3-contactd COMPONENT python)
 foreach(package IN ITEMS libcontactd1=c_library libcontactd-local1=c_local_library libcontactd-dev=c_development
-    libcontactd-cntc0=cntc libcontactd-cntc-dev=cntc_development)
+    libcontactd-cntc0=cntc libcontactd-cntc-dev=cntc_development python3-contactd-local=python_local)
   string(REGEX MATCH "^(.+)=(.+)$" package ${package})
   contactd_compressed(${package_files}/debian/changelog changelog share/doc/${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   install(FILES ${package_files}/debian/copyright DESTINATION share/doc/${CMAKE_MATCH_1} COMPONENT ${CMAKE_MATCH_2})
@@ -39,7 +40,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL programs python c_library c_local_library c_development cntc cntc_development)
+set(CPACK_COMPONENTS_ALL programs python python_local c_library c_local_library c_development cntc cntc_development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -66,6 +67,18 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, contactd")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "client of contactd, elastic contact as a service (Python 3)
 Contact problems, tables of influence coefficients and stresses inside bodies
 from Python: plain classes in, NumPy arrays out.")
+
+# Of one version of Python, as every module that is compiled.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_NAME python3-contactd-local)
+set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_DEPENDS "python3-contactd (= ${PROJECT_VERSION}), \
+python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_python})")
+set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SUGGESTS "contactd")
+set(CPACK_DEBIAN_PYTHON_LOCAL_DESCRIPTION "elastic contact in the process of Python (Python 3)
+What contactd.local() of python3-contactd solves with, instead of a daemon.")
 
 # contactd_library_package(COMPONENT NAME DESCRIPTION...) is a package of a shared library, whose name has its version.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)

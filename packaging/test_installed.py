@@ -1,10 +1,12 @@
-"""Uses an installed daemon through the installed client: closed form, and a table that the builder makes."""
+"""Uses an installed daemon, or what is installed to solve in process ("local"), through the installed client: closed form, and
+a table that the builder makes."""
 
 import sys
 
-from contactd import AnalyticIcs, Client, FemIcs, Friction, Grid, Material, Paraboloid
+from contactd import AnalyticIcs, Client, FemIcs, Friction, Grid, Material, Paraboloid, local
 
-with Client(sys.argv[1], timeout=120) as client:
+place = local(in_process=True) if sys.argv[1] == "local" else Client(sys.argv[1], timeout=120)
+with place as client:
     for ics in (AnalyticIcs(), FemIcs(accuracy=0.02)):
         solution = client.solve(
             grid=Grid(40, 40, 0.06, 0.06) if isinstance(ics, AnalyticIcs) else Grid(12, 12, 0.2, 0.2),

@@ -41,6 +41,9 @@ cd /
 contactd --ping $endpoint
 PYTHONDONTWRITEBYTECODE=1 python3 "$folder/test_installed.py" $endpoint || { cat /tmp/daemon.log >&2; fail "the client failed"; }
 
+say "solving in the process of Python"
+PYTHONDONTWRITEBYTECODE=1 python3 "$folder/test_installed.py" local || fail "the client failed in process"
+
 say "building a C program, with the client's library and with the one that solves in process"
 apt-get install -y -qq --no-install-recommends gcc libc6-dev pkgconf >/tmp/gcc.log 2>&1 || fail "there is no compiler"
 for place in contactd=$endpoint contactd-local=local; do
