@@ -17,12 +17,19 @@ from typing import Any
 from .client import Client
 from .errors import DaemonFailed
 
-__all__ = ["LocalDaemon", "laid_over"]
+__all__ = ["LocalDaemon", "checked", "laid_over"]
 
 
 def _short_temporary_folder() -> str:
     # The path of a Unix socket holds 107 characters at most, and $TMPDIR may be long.
     return tempfile.mkdtemp(prefix="contactd-", dir="/tmp" if len(tempfile.gettempdir()) > 70 else None)
+
+
+def checked(config: Mapping[str, Any] | None) -> Mapping[str, Any]:
+    """What was given as a configuration; none is an empty one. Raises TypeError."""
+    if config is not None and not isinstance(config, Mapping):
+        raise TypeError(f'config is {config!r}; it must be a mapping of sections, such as {{"workers": 4}}')
+    return config or {}
 
 
 def laid_over(own: Mapping[str, Any], config: Mapping[str, Any]) -> dict[str, Any]:
@@ -52,10 +59,11 @@ class LocalDaemon:
         config: Mapping[str, Any] | None = None,
         start_timeout: float = 30.0,
     ) -> None:
+        config = checked(config)
         self._temporary = folder is None
         self.folder = Path(_short_temporary_folder() if folder is None else folder).absolute()
         own = {"endpoint": f"ipc://{self.folder}/socket", "store": {"folder": str(self.folder / "store")}}
-        self.config = laid_over(own, config or {})
+        self.config = laid_over(own, config)
         self.log_path = self.folder / "contactd.log"
         self.endpoint = ""
         self._owner = os.getpid()

@@ -111,7 +111,8 @@ class _Engine:
                 request.cancel()
             raise
         finally:
-            self._log()
+            if self.is_of_this_process:
+                self._log()
 
     def close(self) -> None:
         """May be called twice; does nothing in a forked process."""

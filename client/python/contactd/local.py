@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .client import Client
-from .daemon import LocalDaemon
+from .daemon import LocalDaemon, checked
 from .errors import DaemonFailed
 from .in_process import InProcessClient, can_solve_here
 
@@ -43,7 +43,7 @@ def local(
 
     Raises DaemonFailed when the daemon or the engine cannot be started.
     """
-    why = _needs_daemon(program, config or {})
+    why = _needs_daemon(program, checked(config))
     if in_process and why:
         raise TypeError(f"local() was asked to solve in process, and {why}")
     if in_process is None:

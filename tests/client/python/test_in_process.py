@@ -116,6 +116,18 @@ def test_a_configuration_that_cannot_be_used_is_refused_by_its_field():
         pass
 
 
+def test_a_configuration_that_is_none_is_refused():
+    for in_process in (True, False):
+        with pytest.raises(TypeError, match=r"config is \['workers'\]; it must be a mapping"), contactd.local(config=["workers"], in_process=in_process):
+            pass
+
+
+def test_a_folder_that_cannot_be_used_is_named(tmp_path):
+    (tmp_path / "file").touch()
+    with pytest.raises(DaemonFailed, match="/file/store cannot be made or read"), contactd.local(in_process=True, folder=tmp_path / "file"):
+        pass
+
+
 # --- the same answers ------------------------------------------------------------------------------------------------
 
 
@@ -276,6 +288,21 @@ def test_a_forked_process_is_told_to_open_its_own(client):
         f"This client solves in process {os.getpid()}, from which this one was forked; open another here: contactd.local()."
     )
     assert session.step(Fn=4e4).converged
+
+
+@pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
+def test_a_callback_that_forks_returns_in_both(client):
+    told = []
+
+    def on_progress(_):
+        if not told:
+            told.append(in_fork(lambda: answer_in_fork(client)))
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        client.solve(ENDLESS, on_progress=on_progress)
+    assert "from which this one was forked" in told[0]
+    assert client.solve(CATTANEO).converged
 
 
 def solved_in_its_own():
