@@ -23,7 +23,7 @@ void check(double value, double largest, const std::string& field, const char* u
 }  // namespace
 
 void validate(const WheelRailState& state) {
-    const auto& [position, velocity, rail, roller_pitch, Fz] = state;
+    const auto& [position, velocity, rail, roller_pitch, Fz, Fx] = state;
     check(position.y, largest_length, "position.y", "mm");
     check(position.z, largest_length, "position.z", "mm");
     check(position.roll, largest_angle, "position.roll", "rad");
@@ -44,6 +44,11 @@ void validate(const WheelRailState& state) {
     if (Fz && !(*Fz > 0 && std::isfinite(*Fz)))
         throw InvalidArgument("Fz",
                               "is " + number_text(*Fz) + "; a wheel presses on its rail with a positive force (N)");
+    if (Fx && !std::isfinite(*Fx)) throw InvalidArgument("Fx", "is " + number_text(*Fx) + "; it must be a force (N)");
+    if (Fx && velocity.x == 0 && roller_pitch == 0)
+        throw InvalidArgument("Fx",
+                              "is given, and velocity.x and roller_pitch are 0; a wheel that stands has no pitch "
+                              "rate that brings a force");
 }
 
 }  // namespace contactd

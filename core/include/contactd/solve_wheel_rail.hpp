@@ -45,4 +45,10 @@ class WheelRailContact {
 /// One step of a contact that is not kept.
 WheelRailSolution solve_wheel_rail(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
 
+/// Both wheels of a wheelset that is free to roll: at the height and the roll at which each presses on its rail as
+/// told, heights that agree to `height_tolerance` (mm). Set-ups are those of one left and one right wheel. Throws as
+/// WheelRailContact::solve, and InvalidArgument ("Fz_left", "left", ...).
+WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
+                                Observer& observer, double height_tolerance = 1e-6);
+
 }  // namespace contactd

@@ -103,19 +103,29 @@ struct WheelRailGeometry {
 };
 
 struct WheelRailSolution {
-    double z = 0;                         ///< of the wheelset, as prescribed or found (mm)
-    std::optional<double> clearance;      ///< at this z, as in WheelRailGeometry
-    std::vector<WheelRailPatch> patches;  ///< from the right to the left; none without contact
-    WheelRailForces forces;               ///< of all patches
-    std::optional<SolverEvidence> force;  ///< of the search for z: solves, |F - Fz|/Fz
-    std::vector<std::string> warnings;    ///< sentences, those of the patches among them
+    double z = 0;                                ///< of the wheelset, as prescribed or found (mm)
+    double pitch = 0;                            ///< its pitch rate, as prescribed or found (rad/s)
+    std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
+    std::vector<WheelRailPatch> patches;         ///< from the right to the left; none without contact
+    WheelRailForces forces;                      ///< of all patches
+    std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
+    std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
+    std::vector<std::string> warnings;           ///< sentences, those of the patches among them
 
     bool in_contact() const { return !patches.empty(); }
     bool converged() const {
         for (const WheelRailPatch& patch : patches)
             if (!patch.solution.converged()) return false;
-        return !force || force->converged;
+        return !(force && !force->converged) && !(pitch_search && !pitch_search->converged);
     }
+};
+
+struct WheelsetSolution {
+    double z = 0, roll = 0;  ///< of the wheelset, as found (mm, rad)
+    WheelRailSolution left, right;
+    SolverEvidence roll_search;  ///< solves of both wheels, and by how much their heights differ (mm)
+
+    bool converged() const { return left.converged() && right.converged() && roll_search.converged; }
 };
 
 }  // namespace contactd

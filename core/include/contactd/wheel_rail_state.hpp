@@ -31,16 +31,31 @@ struct RailDeviation {
 };
 
 struct WheelRailState {
-    WheelsetPosition position;
-    WheelsetVelocity velocity;
-    RailDeviation rail;
+    WheelsetPosition position{};
+    WheelsetVelocity velocity{};
+    RailDeviation rail{};
     double roller_pitch =
         0;  ///< pitch rate of a roller (rad/s): > 0 where the wheel on it turns as when rolling forwards
     /// Vertical force of this wheel on the rail (N, > 0), which position.z is found for; its value then only tells
     /// where to start. Absent: position.z is prescribed.
     std::optional<double> Fz{};
+    /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
+    /// then means nothing. Needs friction.
+    std::optional<double> Fx{};
 
     bool operator==(const WheelRailState&) const = default;
+};
+
+/// Both wheels, each under a vertical force of its own: position.z and position.roll are found for them, and their
+/// values tell where to start.
+struct WheelsetState {
+    WheelsetPosition position{};
+    WheelsetVelocity velocity{};
+    RailDeviation left_rail{}, right_rail{};
+    double roller_pitch = 0;           ///< as in WheelRailState
+    double Fz_left = 0, Fz_right = 0;  ///< on the rails (N), > 0
+
+    bool operator==(const WheelsetState&) const = default;
 };
 
 /// Throws InvalidArgument naming the field, e.g. "position.roll".

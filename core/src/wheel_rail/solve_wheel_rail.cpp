@@ -14,6 +14,7 @@
 #include "wheel_rail/mirror.hpp"
 #include "wheel_rail/patch_solver.hpp"
 #include "wheel_rail/resultants.hpp"
+#include "wheel_rail/rising_search.hpp"
 #include "wheel_rail/warnings.hpp"
 
 namespace contactd {
@@ -42,12 +43,16 @@ class RightWheel {
    public:
     RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
                const WheelRailState& state)
-        : setup_(setup), influences_(influences), state_(state), position_(setup, profiles, state) {}
+        : setup_(setup), influences_(influences), state_(state), position_(setup, profiles, state_) {
+        if (state_.Fx && !setup.friction)
+            throw InvalidArgument("Fx", "is given, and there is no friction; without it there is no such force");
+    }
 
     WheelRailSolution solve(Observer& observer) {
-        if (touch()) return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
+        if (touch()) return state_.Fx ? pulling(*state_.Fx, observer) : at_height(observer);
         WheelRailSolution solution;
         solution.z = state_.position.z;
+        solution.pitch = state_.velocity.pitch;
         solution.warnings.emplace_back(nothing_below);
         return solution;
     }
@@ -87,9 +92,14 @@ class RightWheel {
                                                     " mm are no elastic contact: lift the wheelset, or prescribe Fz");
     }
 
+    WheelRailSolution at_height(Observer& observer) {
+        return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
+    }
+
     WheelRailSolution at(double z, Observer& observer) {
         WheelRailSolution solution;
         solution.z = z;
+        solution.pitch = state_.velocity.pitch;
         solution.clearance = position_.clearance(z);
         check_depth(z);
         for (PlaceWithGap& found : position_.places(z)) {
@@ -143,9 +153,40 @@ class RightWheel {
         return solution;
     }
 
+    // A pitch rate that grows pulls the rail forwards. Positions do not depend on it.
+    WheelRailSolution pulling(double Fx, Observer& observer) {
+        WheelRailSolution solution;
+        const auto begin = std::chrono::steady_clock::now();
+        const double speed =
+            setup_.track.roller_radius ? state_.roller_pitch * *setup_.track.roller_radius : state_.velocity.x;
+        const double rolling = -speed / setup_.wheelset.nominal_radius, unit = std::abs(rolling);
+        RisingTask task;
+        double scale = 0;
+        task.function = [&](double pitch) {
+            state_.velocity.pitch = pitch;
+            solution = at_height(observer);
+            scale = solution.forces.track.Fz;
+            return scale > 0 ? (solution.forces.wheelset.Fx - Fx) / scale : 0;
+        };
+        task.start = rolling;
+        task.step = 1e-3 * unit;
+        task.low = rolling - unit;
+        task.high = rolling + unit;
+        task.tolerance = setup_.force.tolerance;
+        task.max_evaluations = setup_.force.max_iterations;
+        const RisingFound found = find_rising(task);
+        const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
+        solution.pitch_search = {found.evaluations, std::abs(found.value), found.converged, duration.count()};
+        if (!found.converged)
+            solution.warnings.push_back("No pitch rate brings Fx = " + number_text(Fx) + " N: at " +
+                                        number_text(found.at) + " rad/s it is " +
+                                        short_text(solution.forces.wheelset.Fx) + " N.");
+        return solution;
+    }
+
     const WheelRailSetup& setup_;
     const InfluenceSource& influences_;
-    const WheelRailState& state_;
+    WheelRailState state_;  // its pitch rate may be searched for
     Position position_;
 };
 

@@ -1,0 +1,27 @@
+// The root of a function that rises, and costs much.
+#pragma once
+
+#include <functional>
+
+namespace contactd {
+
+struct RisingTask {
+    std::function<double(double)> function;
+    double start = 0;
+    double step = 1;           ///< first one, > 0
+    double low = 0, high = 0;  ///< nowhere beyond
+    double tolerance = 0;      ///< of |function|
+    int max_evaluations = 40;
+};
+
+/// Where the function was evaluated last.
+struct RisingFound {
+    double at = 0, value = 0;
+    int evaluations = 0;
+    bool converged = false;
+};
+
+/// Secants between bounds that close in; a jump over zero does not converge.
+RisingFound find_rising(const RisingTask& task);
+
+}  // namespace contactd

@@ -1,0 +1,98 @@
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "contactd/solve_wheel_rail.hpp"
+#include "types/number_text.hpp"
+#include "wheel_rail/rising_search.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr double largest_roll = 0.2;  // rad
+
+WheelRailState state_of(const WheelsetState& state, Side side, double roll) {
+    WheelRailState wheel;
+    wheel.position = state.position;
+    wheel.position.roll = roll;
+    wheel.velocity = state.velocity;
+    wheel.rail = side == Side::left ? state.left_rail : state.right_rail;
+    wheel.roller_pitch = state.roller_pitch;
+    wheel.Fz = side == Side::left ? state.Fz_left : state.Fz_right;
+    return wheel;
+}
+
+void check(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state) {
+    if (left.setup().side != Side::left) throw InvalidArgument("left", "is the contact of a right wheel");
+    if (right.setup().side != Side::right) throw InvalidArgument("right", "is the contact of a left wheel");
+    for (const auto& [value, field] : {std::pair(state.Fz_left, "Fz_left"), std::pair(state.Fz_right, "Fz_right")})
+        if (!(value > 0 && std::isfinite(value)))
+            throw InvalidArgument(field, "is " + number_text(value) + "; it must be a positive force (N)");
+}
+
+/// A roll that lifts the left wheel lets the right one down: the height of the left one less that of the right rises.
+class Rolls {
+   public:
+    Rolls(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state)
+        : left_(left), right_(right), state_(state) {}
+
+    double expected_difference(double roll) const {
+        return left_.locate(state_of(state_, Side::left, roll)).z -
+               right_.locate(state_of(state_, Side::right, roll)).z;
+    }
+    double difference(double roll, Observer& observer) {
+        solution_.left = left_.solve(state_of(state_, Side::left, roll), observer);
+        solution_.right = right_.solve(state_of(state_, Side::right, roll), observer);
+        solution_.roll = roll;
+        solution_.z = 0.5 * (solution_.left.z + solution_.right.z);
+        return solution_.left.z - solution_.right.z;
+    }
+    RisingTask task(double start, double tolerance) const {
+        constexpr double first_step = 1e-4;  // rad
+        return {nullptr, start, first_step, -largest_roll, largest_roll, tolerance, 60};
+    }
+    WheelsetSolution& solution() { return solution_; }
+
+   private:
+    const WheelRailContact &left_, &right_;
+    const WheelsetState& state_;
+    WheelsetSolution solution_;
+};
+
+}  // namespace
+
+// The heights that Hertz's theory expects are off by micrometres, and by nearly the same ones at all rolls.
+WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
+                                Observer& observer, double height_tolerance) {
+    check(left, right, state);
+    const auto begin = std::chrono::steady_clock::now();
+    Rolls rolls(left, right, state);
+    double roll = state.position.roll, offset = 0;
+    int solves = 0;
+    RisingFound found;
+    for (int round = 0; round < 4; ++round) {
+        RisingTask expected = rolls.task(roll, 0.1 * height_tolerance);
+        expected.function = [&](double at) { return rolls.expected_difference(at) + offset; };
+        roll = find_rising(expected).at;
+        found = {roll, rolls.difference(roll, observer), ++solves, false};
+        found.converged = std::abs(found.value) <= height_tolerance;
+        if (found.converged || !std::isfinite(found.value)) break;
+        offset = found.value - rolls.expected_difference(roll);
+    }
+    if (!found.converged && std::isfinite(found.value)) {
+        RisingTask task = rolls.task(roll, height_tolerance);
+        task.step = 1e-6;
+        task.function = [&](double at) { return rolls.difference(at, observer); };
+        found = find_rising(task);
+        solves += found.evaluations;
+    }
+    WheelsetSolution solution = std::move(rolls.solution());
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
+    solution.roll_search = {solves, std::abs(found.value), found.converged, duration.count()};
+    return solution;
+}
+
+}  // namespace contactd

@@ -1,0 +1,108 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators_all.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+
+#include "contactd/error.hpp"
+#include "contactd/solve_wheel_rail.hpp"
+#include "wheel_rail/manchester.hpp"
+#include "wheel_rail/rising_search.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+const WheelRailContact& wheel(Side side) {
+    static const WheelRailContact left(manchester_setup(Side::left)), right(manchester_setup(Side::right));
+    return side == Side::left ? left : right;
+}
+
+WheelsetState wheelset_state(const ManchesterCase& known) {
+    WheelsetState state;
+    state.position = {known.y, 0, 0, known.yaw};
+    state.velocity = {2000, 0, 0, 0, 0, known.pitch_rate};
+    state.Fz_left = state.Fz_right = 10000;
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("A wheelset that is free to roll has the roll of the Manchester benchmark") {
+    const ManchesterCase& known = GENERATE(from_range(std::begin(manchester_cases), std::end(manchester_cases)));
+    if (known.side == Side::left) return;  // the roll is that of both
+    Observer observer;
+    const WheelsetSolution solution =
+        solve_wheelset(wheel(Side::left), wheel(Side::right), wheelset_state(known), observer);
+    INFO("case " << known.number);
+    CHECK(solution.converged());
+    CHECK_THAT(solution.roll, WithinAbs(known.roll, 3e-6));  // a height off by 1e-3 mm is 1.3e-6 rad
+    CHECK_THAT(solution.left.z, WithinAbs(solution.right.z, 1e-6));
+    CHECK_THAT(solution.left.forces.track.Fz, WithinAbs(10000, 0.01));
+    CHECK_THAT(solution.right.forces.track.Fz, WithinAbs(10000, 0.01));
+}
+
+TEST_CASE("A wheelset in the middle does not roll, and unlike loads press it down by elasticity only") {
+    ManchesterCase middle = manchester_cases[0];
+    Observer observer;
+    WheelsetState state = wheelset_state(middle);
+    CHECK(solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer).roll == 0);
+    state.Fz_right = 20000;
+    const double roll = solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer).roll;
+    CHECK(roll > 0);
+    CHECK(roll < 0.03 / 1500);
+}
+
+TEST_CASE("Wheels of the wrong side, and wheels that do not press, are refused") {
+    Observer observer;
+    WheelsetState state = wheelset_state(manchester_cases[0]);
+    CHECK_THROWS_WITH(solve_wheelset(wheel(Side::right), wheel(Side::right), state, observer),
+                      ContainsSubstring("left is the contact of a right wheel"));
+    state.Fz_left = 0;
+    CHECK_THROWS_WITH(solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer),
+                      ContainsSubstring("Fz_left is 0"));
+}
+
+// By the established program: case 5, right wheel, -4.3442191 rad/s.
+TEST_CASE("A longitudinal force finds the pitch rate that brings it") {
+    Observer observer;
+    for (const ManchesterCase& known : manchester_cases) {
+        if (known.side == Side::left || known.number != 5) continue;
+        WheelRailState state = manchester_state(known);
+        state.Fx = -300;
+        const WheelRailSolution solution = wheel(Side::right).solve(state, observer);
+        CHECK(solution.converged());
+        CHECK_THAT(solution.pitch, WithinAbs(-4.3442191, 2e-6));
+        CHECK_THAT(solution.forces.wheelset.Fx, WithinAbs(-300, 0.01));
+        state.velocity.pitch = solution.pitch;
+        state.Fx.reset();
+        CHECK_THAT(wheel(Side::right).solve(state, observer).forces.wheelset.Fx, WithinAbs(-300, 0.02));
+    }
+}
+
+TEST_CASE("A longitudinal force beyond friction is an answer that has not converged, with a word about it") {
+    Observer observer;
+    WheelRailState state = manchester_state(manchester_cases[2]);
+    state.Fx = -5000;
+    const WheelRailSolution solution = wheel(Side::left).solve(state, observer);
+    CHECK_FALSE(solution.converged());
+    REQUIRE_FALSE(solution.warnings.empty());
+    CHECK_THAT(solution.warnings.back(), ContainsSubstring("No pitch rate brings Fx = -5000 N"));
+    state.velocity.x = 0;
+    CHECK_THROWS_AS(wheel(Side::left).solve(state, observer), InvalidArgument);
+}
+
+TEST_CASE("A rising function is searched within its limits") {
+    RisingTask task{[](double x) { return std::atan(50 * (x - 0.7)); }, 0, 1e-3, -5, 5, 1e-10, 60};
+    CHECK_THAT(find_rising(task).at, WithinAbs(0.7, 1e-9));
+    task.high = 0.5;
+    const RisingFound beyond = find_rising(task);
+    CHECK_FALSE(beyond.converged);
+    CHECK(beyond.at == 0.5);
+    task.high = 5;
+    task.function = [](double x) { return x < 0.7 ? -1.0 : 1.0; };
+    CHECK_FALSE(find_rising(task).converged);
+}
