@@ -99,6 +99,8 @@ void validate(const WheelRailSetup& setup) {
     if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
         throw InvalidArgument("friction.along_profile",
                               "is set, and the quick models know one coefficient for all of a patch; take model full");
+    if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
+        throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
     for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})
         require(value >= 1e-4 && value <= 100, field, value, "lie in [1e-4, 100] mm");
     require(setup.dq >= 0 && setup.dq <= 100, "dq", setup.dq, "be zero, for dx, or positive and at most 100 mm");

@@ -61,6 +61,11 @@ struct PatchRules {
 /// reference programs do and what comparisons with them want.
 enum class WheelSurfaceKind { exact, bilinear };
 
+/// What slips before the bodies deform: by the creepages of the reference, as in a plane, which is what reference
+/// programs do; or by the motion of both surfaces at each row of elements, seen along the surface there. The latter is
+/// for conformal contact, and forces do not jump where regions with different rolling radii become one patch.
+enum class RigidSlipKind { plane, surfaces };
+
 /// The coefficient of friction where the rail's surface is inclined by `angle` (rad, from the horizontal, negative on
 /// the gauge side); straight lines between, constant beyond.
 struct FrictionAtAngle {
@@ -92,6 +97,7 @@ struct WheelRailSetup {
     double dq = 0;              ///< step of rolling (mm); 0: dx
     PatchRules patches{};
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
+    RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< surfaces: of model full only
     ContactSettings settings{};
     SolverSettings force{1e-6, 40};  ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
 };

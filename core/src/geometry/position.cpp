@@ -172,6 +172,8 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
         place.approach = ellipse.approach;
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
+    if (setup_.rigid_slip == RigidSlipKind::surfaces)
+        found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
     look_for_doubts(group, z, found);
     return found;
 }

@@ -8,6 +8,7 @@
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
+#include "geometry/motion/creepages.hpp"
 #include "geometry/search/locus.hpp"
 #include "geometry/search/regions.hpp"
 
@@ -26,8 +27,9 @@ struct PlaceWithGap {
     ContactPlace place;
     std::vector<double> gap;  ///< as in WheelRailPatch; empty where a paraboloid stands for it
     Paraboloid paraboloid{};
-    double bend = 0;      ///< largest angle of the rail to the plane within the contact (rad)
-    bool at_end = false;  ///< the overlap reaches the end of a profile
+    std::vector<RowSlip> row_slips;  ///< of rigid slip by surfaces only
+    double bend = 0;                 ///< largest angle of the rail to the plane within the contact (rad)
+    bool at_end = false;             ///< the overlap reaches the end of a profile
 };
 
 /// position.z of the state is that of no function here, but an argument.

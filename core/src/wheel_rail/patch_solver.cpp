@@ -60,6 +60,16 @@ Rolling rolling_of(const Creepages& creepages, double dq) {
     return rolling;
 }
 
+RigidSlip rigid_slip_of(const std::vector<geometry::RowSlip>& rows, const Grid& grid, double ahead) {
+    RigidSlip slip;
+    for (const geometry::RowSlip& row : rows)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+            slip.x.push_back(row.along);
+            slip.y.push_back(row.across + row.spin * (grid.x(ix) + ahead));
+        }
+    return slip;
+}
+
 /// Which region each element belongs to; -1: none, it can not touch.
 std::vector<int> regions_of_elements(const ContactPlace& place, const PatchRules& rules) {
     const double wider = 0.4 * rules.distance_combine, cosine = std::cos(place.reference.angle);
@@ -159,7 +169,13 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWith
     problem.approach = found.place.approach;
     if (friction != nullptr && found.place.creepages.velocity > 0) {
         problem.friction = friction_law(*friction, found.place, rail);
-        problem.motion = rolling_of(found.place.creepages, setup.dq > 0 ? setup.dq : setup.dx);
+        Rolling rolling = rolling_of(found.place.creepages, setup.dq > 0 ? setup.dq : setup.dx);
+        if (!found.row_slips.empty()) {
+            rolling.xi = rolling.eta = rolling.phi = 0;
+            problem.rigid_slip =
+                rigid_slip_of(found.row_slips, problem.grid, spin_offset * rolling.dq * std::cos(rolling.chi));
+        }
+        problem.motion = rolling;
     }
     return problem;
 }

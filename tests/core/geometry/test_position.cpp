@@ -106,7 +106,9 @@ TEST_CASE("Gaps end on both surfaces, along the normal of the plane") {
     const double z_ws = position.clearance(0) + 0.05;
     const auto places = position.places(z_ws);
     REQUIRE_FALSE(places.empty());
-    for (const auto& [place, gap, paraboloid, bend, at_end] : places) {
+    for (const geometry::PlaceWithGap& found : places) {
+        const ContactPlace& place = found.place;
+        const std::vector<double>& gap = found.gap;
         const auto& [x_c, y_c, z_c, angle] = place.reference;
         const double c = std::cos(angle), s = std::sin(angle);
         CHECK(place.approach > 0);

@@ -1,5 +1,6 @@
 #include "geometry/motion/creepages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,12 @@ namespace {
 struct SurfaceMotion {
     Vector3 velocity, turning;
 };
+
+SurfaceMotion of_wheel(const WheelSurface& wheel, const WheelRailState& state, const Vector3& at) {
+    const WheelsetVelocity& v = state.velocity;
+    const Vector3 turning = wheel.frame().axes * Vector3{v.roll, v.pitch, v.yaw};
+    return {Vector3{v.x, v.y, v.z} + cross(turning, at - wheel.frame().origin), turning};
+}
 
 SurfaceMotion of_rail(const RailSurface& rail, const WheelRailState& state, const Vector3& at) {
     const Vector3 tilting{state.rail.roll_velocity, 0, 0};
@@ -37,25 +44,56 @@ struct RollingSpeeds {
 Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                     const ContactReference& reference, double approach) {
     const Frame contact = contact_frame(reference);
-    const Rotation& axes = wheel.frame().axes;
-    const WheelsetVelocity& v = state.velocity;
     const Vector3 on_wheel = contact.origin + approach * contact.axes.z;
-    const Vector3 arm = on_wheel - wheel.frame().origin, turning = axes * Vector3{v.roll, v.pitch, v.yaw};
-    const Vector3 wheel_velocity = Vector3{v.x, v.y, v.z} + cross(turning, arm);
-    const SurfaceMotion ground = of_rail(rail, state, contact.origin);
-    const double rim = cross(axes * Vector3{0, v.pitch, 0}, arm).x;
-    RollingSpeeds speeds{wheel_velocity.x - ground.velocity.x - rim, rim};
-    if (rail.axle()) speeds = {-ground.velocity.x, wheel_velocity.x};
+    const SurfaceMotion rim = of_wheel(wheel, state, on_wheel), ground = of_rail(rail, state, contact.origin);
+    const Vector3 pitching = wheel.frame().axes * Vector3{0, state.velocity.pitch, 0};
+    const double of_rim = cross(pitching, on_wheel - wheel.frame().origin).x;
+    RollingSpeeds speeds{rim.velocity.x - ground.velocity.x - of_rim, of_rim};
+    if (rail.axle()) speeds = {-ground.velocity.x, rim.velocity.x};
 
     Creepages result;
-    result.velocity = rail.axle() ? 0.5 * std::abs(ground.velocity.x + wheel_velocity.x) : speeds.mean();
+    result.velocity = rail.axle() ? 0.5 * std::abs(ground.velocity.x + rim.velocity.x) : speeds.mean();
     result.chi = speeds.forwards() ? 0 : std::numbers::pi;
     if (!(result.velocity > 0)) return {};
-    const Vector3 over = ground.velocity - wheel_velocity;
+    const Vector3 over = ground.velocity - rim.velocity;
     result.xi = dot(over, contact.axes.x) / result.velocity;
     result.eta = dot(over, contact.axes.y) / result.velocity;
-    result.phi = dot(ground.turning - turning, contact.axes.z) / result.velocity;
+    result.phi = dot(ground.turning - rim.turning, contact.axes.z) / result.velocity;
     return result;
+}
+
+namespace {
+
+/// How far the surface between both leans from the plane at row iy, from its neighbours.
+double lean(const std::vector<double>& heights, std::size_t iy, double dy) {
+    const std::size_t before = iy > 0 ? iy - 1 : iy, behind = std::min(iy + 1, heights.size() - 1);
+    const double rise = heights[behind] - heights[before];
+    return std::isfinite(rise) && behind > before ? std::atan(rise / (static_cast<double>(behind - before) * dy)) : 0;
+}
+
+}  // namespace
+
+std::vector<RowSlip> row_slips(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                               const ContactReference& reference, const Creepages& creepages, const Grid& grid) {
+    const Grid column{1, grid.ny, grid.dx, grid.dy, -0.5 * grid.dx, grid.y0};
+    const std::vector<double> of_rail_surface = rail_heights(rail, reference, column);
+    const std::vector<double> of_wheel_surface = wheel_heights(wheel, reference, column);
+    std::vector<double> middle;
+    for (std::size_t i = 0; i < of_rail_surface.size(); ++i)
+        middle.push_back(0.5 * (of_rail_surface[i] + of_wheel_surface[i]));
+    const Frame contact = contact_frame(reference);
+    std::vector<RowSlip> slips(middle.size());
+    for (std::size_t iy = 0; iy < slips.size(); ++iy) {
+        if (!std::isfinite(middle[iy]) || !(creepages.velocity > 0)) continue;
+        const double y = grid.y(static_cast<int>(iy)), angle = lean(middle, iy, grid.dy);
+        const SurfaceMotion ground = of_rail(rail, state, contact.outside({0, y, of_rail_surface[iy]}));
+        const SurfaceMotion rim = of_wheel(wheel, state, contact.outside({0, y, of_wheel_surface[iy]}));
+        const Rotation row = contact_frame({0, 0, 0, reference.angle + angle}).axes;
+        const Vector3 over = ground.velocity - rim.velocity;
+        slips[iy] = {dot(over, row.x) / creepages.velocity, dot(over, row.y) / creepages.velocity,
+                     dot(ground.turning - rim.turning, row.z) / creepages.velocity};
+    }
+    return slips;
 }
 
 }  // namespace contactd::geometry

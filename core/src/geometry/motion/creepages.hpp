@@ -1,6 +1,8 @@
 // What the motion of a wheelset means at one of its contacts: rigid-body kinematics.
 #pragma once
 
+#include <vector>
+
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
 #include "geometry/placement/rail_surface.hpp"
@@ -13,5 +15,14 @@ namespace contactd::geometry {
 /// where it is.
 Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                     const ContactReference& reference, double approach);
+
+/// The same over the rows of a grid, at x = 0 of the contact: of the rail's surface and the wheel's where they are,
+/// seen along the mean of both. Zero in rows where one of them is missing.
+struct RowSlip {
+    double along = 0, across = 0;  ///< as creepages
+    double spin = 0;               ///< (rad/mm)
+};
+std::vector<RowSlip> row_slips(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                               const ContactReference& reference, const Creepages& creepages, const Grid& grid);
 
 }  // namespace contactd::geometry

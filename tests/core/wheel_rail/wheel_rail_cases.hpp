@@ -1,0 +1,24 @@
+// What the tests of a wheel on a rail share.
+#pragma once
+
+#include "contactd/solve_wheel_rail.hpp"
+
+namespace contactd::test {
+
+inline WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state) {
+    Observer observer;
+    return solve_wheel_rail(setup, state, observer);
+}
+
+/// A cylindrical wheel of 450 mm on a rail with one radius, without friction.
+inline WheelRailSetup cylinder_on_arc(double radius) {
+    WheelRailSetup setup;
+    setup.wheel.shape = ConeProfile{0, -40, 40};
+    setup.rail.shape = ArcProfile{radius, 0, -30, 30};
+    setup.track.rail_origin = ProfilePoint{750, 0};
+    setup.wheelset = {1360, -70, 450};
+    setup.friction.reset();
+    return setup;
+}
+
+}  // namespace contactd::test
