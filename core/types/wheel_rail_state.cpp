@@ -23,7 +23,7 @@ void check(double value, double largest, const std::string& field, const char* u
 }  // namespace
 
 void validate(const WheelRailState& state) {
-    const auto& [position, velocity, rail, roller_pitch, Fz, Fx] = state;
+    const auto& [position, velocity, rail, roller_pitch, Fz, Fx, derivatives] = state;
     check(position.y, largest_length, "position.y", "mm");
     check(position.z, largest_length, "position.z", "mm");
     check(position.roll, largest_angle, "position.roll", "rad");

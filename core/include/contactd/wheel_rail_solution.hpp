@@ -102,15 +102,27 @@ struct WheelRailGeometry {
     std::vector<std::string> warnings;
 };
 
+/// Of the forces on the rail in track coordinates, by the state: units are those of a wrench over those of the input.
+/// All inputs but the one are held, height and pitch rate also where forces found them.
+struct WheelRailDerivatives {
+    struct ByPosition {
+        Wrench y, z, roll, yaw;
+    } position;
+    struct ByVelocity {
+        Wrench x, y, z, roll, yaw, pitch;
+    } velocity;
+};
+
 struct WheelRailSolution {
-    double z = 0;                                ///< of the wheelset, as prescribed or found (mm)
-    double pitch = 0;                            ///< its pitch rate, as prescribed or found (rad/s)
-    std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
-    std::vector<WheelRailPatch> patches;         ///< from the right to the left; none without contact
-    WheelRailForces forces;                      ///< of all patches
-    std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
-    std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
-    std::vector<std::string> warnings;           ///< sentences, those of the patches among them
+    double z = 0;                                     ///< of the wheelset, as prescribed or found (mm)
+    double pitch = 0;                                 ///< its pitch rate, as prescribed or found (rad/s)
+    std::optional<double> clearance;                  ///< at this z, as in WheelRailGeometry
+    std::vector<WheelRailPatch> patches;              ///< from the right to the left; none without contact
+    WheelRailForces forces;                           ///< of all patches
+    std::optional<SolverEvidence> force;              ///< of the search for z: solves, |F - Fz|/Fz
+    std::optional<SolverEvidence> pitch_search;       ///< for Fx: searches for z, or solves; |F - Fx|/Fz
+    std::optional<WheelRailDerivatives> derivatives;  ///< where asked for, of a converged solution with contact
+    std::vector<std::string> warnings;                ///< sentences, those of the patches among them
 
     bool in_contact() const { return !patches.empty(); }
     bool converged() const {

@@ -42,6 +42,7 @@ struct WheelRailState {
     /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
     /// then means nothing. Needs friction.
     std::optional<double> Fx{};
+    bool derivatives = false;  ///< whether the solution has those
 
     bool operator==(const WheelRailState&) const = default;
 };

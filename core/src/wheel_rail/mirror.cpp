@@ -77,6 +77,17 @@ void mirror(ContactPlace& place) {
     std::reverse(place.shares.begin(), place.shares.end());
 }
 
+/// By an input that turns its sign, too, or does not.
+void mirror(WheelRailDerivatives& derivatives) {
+    auto& [position, velocity] = derivatives;
+    for (Wrench* held : {&position.z, &velocity.x, &velocity.z, &velocity.pitch}) mirror(*held);
+    for (Wrench* turned : {&position.y, &position.roll, &position.yaw, &velocity.y, &velocity.roll, &velocity.yaw}) {
+        mirror(*turned);
+        for (double* value : {&turned->Fx, &turned->Fy, &turned->Fz, &turned->Mx, &turned->My, &turned->Mz})
+            turn_sign(*value);
+    }
+}
+
 void mirror(WheelRailForces& forces) {
     for (Wrench* wrench : {&forces.track, &forces.rail, &forces.wheelset}) mirror(*wrench);
 }
@@ -108,6 +119,7 @@ WheelRailSolution mirrored(WheelRailSolution solution) {
     for (WheelRailPatch& patch : solution.patches) mirror(patch);
     std::reverse(solution.patches.begin(), solution.patches.end());
     mirror(solution.forces);
+    if (solution.derivatives) mirror(*solution.derivatives);
     return solution;
 }
 

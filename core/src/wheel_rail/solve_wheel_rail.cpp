@@ -1,29 +1,15 @@
 #include "contactd/solve_wheel_rail.hpp"
 
-#include <chrono>
-#include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "contactd/error.hpp"
 #include "geometry/position.hpp"
-#include "types/number_text.hpp"
-#include "wheel_rail/height_search.hpp"
 #include "wheel_rail/influence_keeper.hpp"
 #include "wheel_rail/mirror.hpp"
-#include "wheel_rail/patch_solver.hpp"
-#include "wheel_rail/resultants.hpp"
-#include "wheel_rail/rising_search.hpp"
-#include "wheel_rail/warnings.hpp"
+#include "wheel_rail/right_wheel.hpp"
 
 namespace contactd {
 namespace {
-
-using geometry::PlaceWithGap;
-using geometry::Position;
-
-constexpr double deepest_penetration = 5;  // mm: deeper than anything elastic
 
 InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) {
     if (source || setup.model != Model::full) return source;
@@ -31,164 +17,6 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
         return keeper->of(problem);
     };
 }
-
-std::string missed_force(double Fz, const HeightFound& found) {
-    return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
-           " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
-           std::to_string(found.evidence.iterations) + " solves.";
-}
-
-/// A right wheel in one position.
-class RightWheel {
-   public:
-    RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
-               const WheelRailState& state)
-        : setup_(setup), influences_(influences), state_(state), position_(setup, profiles, state_) {
-        if (state_.Fx && !setup.friction)
-            throw InvalidArgument("Fx", "is given, and there is no friction; without it there is no such force");
-    }
-
-    WheelRailSolution solve(Observer& observer) {
-        if (touch()) return state_.Fx ? pulling(*state_.Fx, observer) : at_height(observer);
-        WheelRailSolution solution;
-        solution.z = state_.position.z;
-        solution.pitch = state_.velocity.pitch;
-        solution.warnings.emplace_back(nothing_below);
-        return solution;
-    }
-
-    WheelRailGeometry locate() {
-        WheelRailGeometry geometry;
-        geometry.z = state_.position.z;
-        if (!touch()) {
-            geometry.warnings.emplace_back(nothing_below);
-            return geometry;
-        }
-        if (state_.Fz) geometry.z = expected_height(*state_.Fz);
-        geometry.clearance = position_.clearance(geometry.z);
-        check_depth(geometry.z);
-        for (const PlaceWithGap& found : position_.places(geometry.z)) {
-            geometry.places.push_back(found.place);
-            for (std::string& warning : warnings_of(found, setup_.side, false))
-                geometry.warnings.push_back(std::move(warning));
-        }
-        return geometry;
-    }
-
-    std::optional<double> touch() const {
-        const double clearance = position_.clearance(0);
-        return std::isfinite(clearance) ? std::optional(clearance) : std::nullopt;
-    }
-
-   private:
-    static constexpr const char* nothing_below = "No part of the wheel is above the rail: there is no contact.";
-
-    void check_depth(double z) const {
-        const double clearance = position_.clearance(z);
-        if (clearance < -deepest_penetration)
-            throw InvalidArgument("position.z", "is " + number_text(z) + "; there the wheel is " +
-                                                    short_text(-clearance) + " mm inside the rail, and more than " +
-                                                    number_text(deepest_penetration) +
-                                                    " mm are no elastic contact: lift the wheelset, or prescribe Fz");
-    }
-
-    WheelRailSolution at_height(Observer& observer) {
-        return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
-    }
-
-    WheelRailSolution at(double z, Observer& observer) {
-        WheelRailSolution solution;
-        solution.z = z;
-        solution.pitch = state_.velocity.pitch;
-        solution.clearance = position_.clearance(z);
-        check_depth(z);
-        for (PlaceWithGap& found : position_.places(z)) {
-            solution.patches.push_back(solve(found, z, observer));
-            solution.forces = sum(solution.forces, solution.patches.back().forces);
-            for (std::string& warning : warnings_of(found, setup_.side, setup_.friction.has_value()))
-                solution.warnings.push_back(std::move(warning));
-        }
-        return solution;
-    }
-
-    WheelRailPatch solve(PlaceWithGap& found, double z, Observer& observer) const {
-        const WheelRailFriction* friction = setup_.friction ? &*setup_.friction : nullptr;
-        WheelRailPatch patch;
-        patch.solution = solve_place(problem_of(setup_, found, position_.rail(), friction), found.place, setup_.patches,
-                                     influences_, observer);
-        patch.place = found.place;
-        patch.gap = std::move(found.gap);
-        patch.forces = resultants(patch.place.reference, patch.place.grid, patch.solution, setup_.model != Model::full,
-                                  position_.rail().frame(), position_.wheel(z).frame());
-        return patch;
-    }
-
-    HeightTask height_task(double Fz) {
-        const double compliance = setup_.bodies.materials().normal_compliance();
-        HeightTask task;
-        task.estimate = [this, compliance](double z) { return position_.expected_force(z, compliance); };
-        task.force = task.estimate;
-        task.touch = *touch();
-        task.deepest = task.touch + deepest_penetration;
-        task.target = Fz;
-        task.settings = setup_.force;
-        return task;
-    }
-
-    double expected_height(double Fz) { return find_height(height_task(Fz)).z; }
-
-    WheelRailSolution under_force(double Fz, Observer& observer) {
-        const auto begin = std::chrono::steady_clock::now();
-        WheelRailSolution solution;
-        HeightTask task = height_task(Fz);
-        task.force = [&](double z) {
-            solution = at(z, observer);
-            return solution.forces.track.Fz;
-        };
-        const HeightFound found = find_height(task);
-        solution.force = found.evidence;
-        if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
-        const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
-        solution.force->seconds = duration.count();
-        return solution;
-    }
-
-    // A pitch rate that grows pulls the rail forwards. Positions do not depend on it.
-    WheelRailSolution pulling(double Fx, Observer& observer) {
-        WheelRailSolution solution;
-        const auto begin = std::chrono::steady_clock::now();
-        const double speed =
-            setup_.track.roller_radius ? state_.roller_pitch * *setup_.track.roller_radius : state_.velocity.x;
-        const double rolling = -speed / setup_.wheelset.nominal_radius, unit = std::abs(rolling);
-        RisingTask task;
-        double scale = 0;
-        task.function = [&](double pitch) {
-            state_.velocity.pitch = pitch;
-            solution = at_height(observer);
-            scale = solution.forces.track.Fz;
-            return scale > 0 ? (solution.forces.wheelset.Fx - Fx) / scale : 0;
-        };
-        task.start = rolling;
-        task.step = 1e-3 * unit;
-        task.low = rolling - unit;
-        task.high = rolling + unit;
-        task.tolerance = setup_.force.tolerance;
-        task.max_evaluations = setup_.force.max_iterations;
-        const RisingFound found = find_rising(task);
-        const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
-        solution.pitch_search = {found.evaluations, std::abs(found.value), found.converged, duration.count()};
-        if (!found.converged)
-            solution.warnings.push_back("No pitch rate brings Fx = " + number_text(Fx) + " N: at " +
-                                        number_text(found.at) + " rad/s it is " +
-                                        short_text(solution.forces.wheelset.Fx) + " N.");
-        return solution;
-    }
-
-    const WheelRailSetup& setup_;
-    const InfluenceSource& influences_;
-    WheelRailState state_;  // its pitch rate may be searched for
-    Position position_;
-};
 
 }  // namespace
 

@@ -1,0 +1,51 @@
+// A right wheel on its rail in one position, and what is asked of it.
+#pragma once
+
+#include <optional>
+
+#include "contactd/solve_wheel_rail.hpp"
+#include "geometry/position.hpp"
+#include "wheel_rail/height_search.hpp"
+
+namespace contactd {
+
+class RightWheel {
+   public:
+    /// All but the state must live longer. Throws InvalidArgument ("Fx") where there is no friction to bring it.
+    RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
+               const WheelRailState& state);
+
+    WheelRailSolution solve(Observer& observer);
+    /// At this height, whatever the state says of height and force.
+    WheelRailSolution at(double z, Observer& observer);
+    WheelRailGeometry locate();
+    std::optional<double> touch() const;
+
+    const WheelRailSetup& setup() const { return setup_; }
+    const WheelRailState& state() const { return state_; }
+    /// The same wheel elsewhere, or with other tolerances; both arguments must live longer.
+    RightWheel again(const WheelRailSetup& setup, const WheelRailState& state) const {
+        return {setup, profiles_, influences_, state};
+    }
+    /// Positions do not depend on it.
+    void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
+    geometry::Position& position() { return position_; }
+    ContactProblem problem_of(const geometry::PlaceWithGap& found) const;
+    ContactSolution solve(ContactProblem problem, const ContactPlace& place, Observer& observer) const;
+
+   private:
+    void check_depth(double z) const;
+    WheelRailSolution at_height(Observer& observer);
+    WheelRailPatch solve(geometry::PlaceWithGap& found, double z, Observer& observer) const;
+    HeightTask height_task(double Fz);
+    WheelRailSolution under_force(double Fz, Observer& observer);
+    WheelRailSolution pulling(double Fx, Observer& observer);
+
+    const WheelRailSetup& setup_;
+    const geometry::Profiles& profiles_;
+    const InfluenceSource& influences_;
+    WheelRailState state_;  // its pitch rate may be searched for
+    geometry::Position position_;
+};
+
+}  // namespace contactd
