@@ -86,9 +86,10 @@ Profile make_profile(const ProfileSpec& spec) {
             if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, ProfilePoints>)
                 return of_points(shape, spec.kind);
             else {
-                ProfileCurve curve(geometry::formula_points(shape));
-                const std::size_t count = curve.points().size();
-                return {spec.kind, std::move(curve), {count, count}};
+                const auto points = geometry::formula_points(shape);  // sides of an inclined head may lean under it
+                ProfileCurve curve(spec.kind == ProfileKind::rail ? geometry::rail_seen_from_above(points) : points);
+                const std::size_t kept = curve.points().size();
+                return {spec.kind, std::move(curve), {points.size(), kept}};
             }
         },
         spec.shape);

@@ -95,6 +95,13 @@ TEST_CASE("smoothing takes noise away, and states how far the points are from th
     CHECK(largest_difference(smooth.curve, exact, -25, 15) < 0.5 * largest_difference(rough.curve, exact, -25, 15));
 }
 
+TEST_CASE("of an inclined head remains what is seen from above", "[profile]") {
+    const double inclination = GENERATE(0.0, 1.0 / 40, 1.0 / 20, 1.0 / 10);
+    const Profile made = make_profile({ProfileKind::rail, Rail60E1{inclination}});
+    CHECK(made.curve.y_is_monotone());
+    CHECK((made.evidence.points_kept < made.evidence.points_given) == (inclination > 0.04));
+}
+
 TEST_CASE("kinks survive smoothing", "[profile]") {
     ProfilePoints roof;
     for (int i = -40; i <= 40; ++i) roof.points.push_back({0.5 * i, 0.4 * std::abs(i)});

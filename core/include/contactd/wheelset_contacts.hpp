@@ -1,0 +1,55 @@
+// Where the wheels of a rigid wheelset touch rigid rails: contact points, angles and radii against its lateral shift.
+//
+// Track coordinates: y to the right in the direction of travel, z down, the origin on the plane of the track. Profiles
+// have y to the field side on both sides. Lengths in mm, angles in rad.
+#pragma once
+
+#include "contactd/profile.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+
+namespace contactd {
+
+/// A wheel above its rail, seen from the middle of the track outwards.
+struct WheelOverRail {
+    ProfileCurve wheel;
+    ProfileCurve rail;
+    double wheel_origin = 750;   ///< from the middle of the axle to y = 0 of the wheel's profile
+    ProfilePoint rail_origin{};  ///< of the rail's profile, from the middle of the track
+};
+
+struct WheelsetOnTrack {
+    WheelOverRail left, right;
+    double nominal_radius = 460;  ///< of a wheel where its profile has z = 0
+};
+
+/// Throws InvalidArgument naming the field, "track.gauge", "wheelset.flange_back_distance", ...
+WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
+                              const Wheelset& wheelset = {});
+/// With the same profiles on both sides. Throws as wheel_over_rail.
+WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
+                                  const Wheelset& wheelset = {});
+
+/// The roll of the wheelset: as both contacts demand, or none, where each wheel finds its own height.
+enum class WheelsetRoll { demanded, neglected };
+
+struct RigidContact {
+    double y = 0, z = 0;  ///< in track coordinates
+    double angle = 0;     ///< of the rail's tangent there, atan2(dz, dy): negative at the right wheel's flange
+    double radius = 0;    ///< of the wheel there
+    double height = 0;    ///< z of the wheelset, against wheels that touch z = 0 with their nominal radius
+    double wheel_s = 0, rail_s = 0;  ///< in the curves of the profiles
+    bool at_end = false;             ///< of the wheel's or the rail's profile: it ends before the bodies part
+};
+
+struct WheelsetContacts {
+    double shift = 0, roll = 0;
+    RigidContact left, right;
+
+    double radius_difference() const { return right.radius - left.radius; }
+};
+
+/// The wheelset shifted to the right by `shift`, without yaw. Where a wheel touches in two points at once, that with
+/// the least gap by rounding. Throws InvalidArgument for shifts at which a wheel is not above its rail.
+WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll = WheelsetRoll::demanded);
+
+}  // namespace contactd

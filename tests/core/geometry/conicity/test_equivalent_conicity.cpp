@@ -1,0 +1,169 @@
+// Equivalent conicity, against cones, arcs, and the motion integrated step by step.
+#include "contactd/equivalent_conicity.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "contactd/error.hpp"
+#include "contactd/make_profile.hpp"
+#include "geometry/conicity/radius_difference.hpp"
+
+using namespace contactd;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+WheelsetOnTrack on_60e1(const ProfileShape& wheel, double inclination) {
+    return wheelset_on_track(make_profile({ProfileKind::wheel, wheel}).curve,
+                             make_profile({ProfileKind::rail, Rail60E1{inclination}}).curve);
+}
+
+/// Half a wavelength over sqrt(2e r0), by steps of Runge and Kutta from rest until the motion rests again.
+double half_swing_by_steps(const geometry::RadiusDifference& difference, double amplitude) {
+    double y = amplitude, velocity = 0, length = 0;
+    const double step = 1e-3;
+    while (true) {
+        const double v0 = velocity, v1 = v0 - step / 2 * difference(y), y2 = y + step / 2 * v1,
+                     v2 = v0 - step / 2 * difference(y + step / 2 * v0), v3 = v0 - step * difference(y2);
+        const double slope =
+            (difference(y) + 2 * difference(y + step / 2 * v0) + 2 * difference(y2) + difference(y + step * v2)) / 6;
+        const double next = velocity - step * slope;
+        if (next > 0 && velocity < 0) return length + step * velocity / (velocity - next);
+        y += step * (v0 + 2 * v1 + 2 * v2 + v3) / 6;
+        velocity = next;
+        length += step;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a cone has its own conicity, whatever the amplitude", "[conicity]") {
+    const std::vector<double> amplitudes{1, 3, 8};
+    for (const auto& found : equivalent_conicities(on_60e1(ConeProfile{-0.05, -60, 60}, 1.0 / 40), amplitudes)) {
+        CHECK_THAT(found.integrated, WithinAbs(0.05, 1e-9));
+        CHECK_THAT(found.harmonic, WithinAbs(0.05, 1e-9));
+        CHECK_THAT(found.wavelength, WithinRel(2 * pi * std::sqrt(750 * 460 / 0.05), 1e-8));  // Klingel
+    }
+}
+
+TEST_CASE("with roll a cone rolls as its closed form", "[conicity]") {
+    const double R = 300, angle = 0.01, closed = angle * (750 + R * angle) / (750 - 460 * angle);
+    const WheelOverRail pair{make_profile({ProfileKind::wheel, ConeProfile{-std::tan(angle), -60, 60}}).curve,
+                             make_profile({ProfileKind::rail, ArcProfile{R, -std::tan(angle)}}).curve,
+                             750,
+                             {750, 0}};
+    const std::vector<double> amplitudes{1};
+    const auto found = equivalent_conicities({pair, pair}, amplitudes, {WheelsetRoll::demanded}).front();
+    CHECK_THAT(found.integrated, WithinRel(closed, 1e-3));
+    CHECK_THAT(found.harmonic, WithinRel(found.integrated, 1e-3));
+}
+
+TEST_CASE("arcs on arcs have the conicity of their closed form", "[conicity]") {
+    const double Rw = 500, Rr = 300, lean = std::atan(0.05);
+    const WheelOverRail pair{make_profile({ProfileKind::wheel, ArcProfile{Rw, -0.05}}).curve,
+                             make_profile({ProfileKind::rail, ArcProfile{Rr, -0.05}}).curve,
+                             750,
+                             {750, 0}};
+    const std::vector<double> amplitudes{0.1};
+    const auto found = equivalent_conicities({pair, pair}, amplitudes).front();
+    CHECK_THAT(found.integrated, WithinRel(Rw / (Rw - Rr) * std::tan(lean), 1e-5));
+    CHECK_THAT(found.harmonic, WithinRel(found.integrated, 1e-5));
+}
+
+TEST_CASE("the energy integral gives the wavelength of the motion integrated step by step", "[conicity]") {
+    const auto stiffening = [](double y) { return 0.1 * y + 0.02 * y * y * y; };
+    const auto jump = [](double y) { return y > 2 ? 1 + 0.1 * y : y < -2 ? -1 + 0.1 * y : 0.1 * y; };
+    for (const geometry::RadiusDifference& difference :
+         {geometry::RadiusDifference(6, 1e-4, stiffening), geometry::RadiusDifference(6, 1e-4, jump)})
+        for (const double amplitude : {1.0, 3.0, 5.0})
+            CHECK_THAT(difference.half_swing(amplitude), WithinRel(half_swing_by_steps(difference, amplitude), 2e-3));
+    CHECK_THAT(geometry::RadiusDifference(6, 1e-4, stiffening).harmonic(3), WithinRel(0.05 + 0.01 * 0.75 * 9, 1e-4));
+}
+
+TEST_CASE("a motion around another middle is that around zero", "[conicity]") {
+    const auto cubic = [](double y) { return 0.1 * y + 0.02 * y * y * y; };
+    const geometry::RadiusDifference centred(6, 1e-4, cubic), beside(6, 1e-4, [&](double y) { return cubic(y - 0.4); });
+    CHECK_THAT(beside.half_swing(3), WithinRel(centred.half_swing(3), 1e-5));
+    CHECK_THAT(beside.harmonic(3), WithinRel(centred.harmonic(3), 1e-5));
+}
+
+TEST_CASE("what does not swing has no wavelength", "[conicity]") {
+    const geometry::RadiusDifference away(6, 1e-4, [](double y) { return -0.1 * y; });
+    CHECK(std::isnan(away.half_swing(2)));
+    const geometry::RadiusDifference aside(6, 1e-4, [](double) { return 1.0; });
+    CHECK(std::isnan(aside.half_swing(2)));
+    CHECK(std::isnan(aside.harmonic(2)));
+}
+
+TEST_CASE("S1002 on 60E1 has the conicity that its profiles give point by point", "[conicity]") {
+    const double inclination = GENERATE(1.0 / 40, 1.0 / 20);
+    const auto wheelset = on_60e1(S1002{}, inclination);
+    const auto& [wheel, rail, wheel_origin, rail_origin] = wheelset.right;
+    const auto radius = [&](double shift) {  // of the point with the least gap, among points
+        double least = 1e9, z_there = 0;
+        for (double y = -45; y < 45; y += 0.02) {
+            const double z = wheel.at(wheel.s_at_y(y)).z, on_rail = y + shift + wheel_origin - rail_origin.y;
+            if (on_rail < -36 || on_rail > 34) continue;
+            if (const double gap = rail.at(rail.s_at_y(on_rail)).z - z; gap < least) least = gap, z_there = z;
+        }
+        return z_there;
+    };
+    const double amplitude = 3;
+    double sum = 0;
+    const int turn = 180;
+    for (int k = 0; k < turn; ++k) {
+        const double sine = std::sin(2 * pi * (k + 0.5) / turn);
+        sum += (radius(amplitude * sine) - radius(-amplitude * sine)) / 2 * sine;
+    }
+    const double expected = 2 * sum / turn / amplitude;
+    const auto found = equivalent_conicities(wheelset, std::vector{amplitude}).front();
+    CHECK_THAT(found.harmonic, WithinRel(expected, 0.02));
+    CHECK_THAT(found.integrated, WithinRel(expected, 0.03));
+}
+
+TEST_CASE("S1002 on 60E1 is conical on rails of 1/40, and hardly so on rails of 1/20 before its flange touches",
+          "[conicity]") {
+    const std::vector<double> amplitudes{1, 2, 3, 4, 5, 6, 7, 8};
+    const auto steep = equivalent_conicities(on_60e1(S1002{}, 1.0 / 40), amplitudes);
+    const auto flat = equivalent_conicities(on_60e1(S1002{}, 1.0 / 20), amplitudes);
+    for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+        INFO(amplitudes[k] << " mm: " << steep[k].integrated << ", " << flat[k].integrated);
+        CHECK(steep[k].integrated > flat[k].integrated);
+        CHECK_THAT(steep[k].harmonic, WithinRel(steep[k].integrated, 0.2));
+        CHECK((flat[k].integrated < 0.012) == (amplitudes[k] < 6.5));
+        CHECK(std::isfinite(flat[k].wavelength));
+    }
+}
+
+TEST_CASE("amplitudes beyond a profile's end are refused", "[conicity]") {
+    const auto wheelset = wheelset_on_track(make_profile({ProfileKind::wheel, ArcProfile{400, -0.05, -10, 10}}).curve,
+                                            make_profile({ProfileKind::rail, Rail60E1{1.0 / 40}}).curve);
+    CHECK(equivalent_conicities(wheelset, std::vector{1.0}).front().integrated > 0.05);
+    CHECK_THROWS_MATCHES(equivalent_conicities(wheelset, std::vector{6.0}), InvalidArgument,
+                         MessageMatches(ContainsSubstring("amplitudes reach 6 mm, and at the shift -")));
+}
+
+TEST_CASE("amplitudes and settings that make no sense are refused", "[conicity]") {
+    const auto wheelset = on_60e1(ConeProfile{-0.05, -60, 60}, 0);
+    const auto refused = [&](double amplitude, const ConicitySettings& settings, const std::string& what) {
+        const std::vector<double> amplitudes{3, amplitude};
+        CHECK_THROWS_MATCHES(equivalent_conicities(wheelset, amplitudes, settings), InvalidArgument,
+                             MessageMatches(ContainsSubstring(what)));
+    };
+    refused(0, {}, "amplitudes[1] is 0");
+    refused(std::nan(""), {}, "amplitudes[1] is nan");
+    refused(100, {}, "amplitudes[1] is 100");
+    refused(1, {WheelsetRoll::neglected, 0}, "contact_distance is 0");
+    refused(1, {WheelsetRoll::neglected, 1500, 1e-9}, "tolerance is 1e-09");
+    CHECK(equivalent_conicities(wheelset, {}).empty());
+}
