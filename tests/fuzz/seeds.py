@@ -189,6 +189,24 @@ def ic_files() -> Iterator[bytes]:
         yield bytes(file.id.get_file_image())
 
 
+def profile_files() -> Iterator[bytes]:
+    """A format's number, as profile_file.cpp reads it, and a rough wheel or rail in this format."""
+    wheel = [(-68, 20), (-55, 28), (-41, 19), (-38, 11), (-30, 4), (-20, 1.6), (-10, 0.5), (0, 0), (20, -0.3), (40, -1.3), (60, -2.6)]
+    rail = [(y, 0.006 * y * y + 1e-7 * y**4) for y in range(-36, 37, 4)]
+    for number in range(10):  # from five on smoothed
+        is_wheel = number % 5 in (0, 2)
+        upwards = number % 5 in (2, 3)
+        points = "".join(f"{y} {-z if upwards else z}\n" for y, z in (wheel if is_wheel else rail))
+        if number % 5 < 2:
+            keys = "shift.y = 0.5\nrotate = 1\nbound.y.min = 1\nbound.y.max = 0\nmirror.y = 0\nunits.len.f = 1000\nunits.ang.f = 57.3\n"
+            head = f"header.begin\ntype = {int(is_wheel)} ! kind\nheader.end\nspline.begin\n{keys}point.begin\n"
+            yield bytes([number]) + f"{head}{points}point.end\nspline.end\n".encode()
+        elif upwards:
+            yield bytes([number]) + f"Date=1\nColumnDef=X,Y\n\n{points}".encode()
+        else:
+            yield bytes([number]) + f"# y, z\n{points}".encode()
+
+
 def ic_contents() -> Iterator[bytes]:
     """Edits, as ic_content.cpp reads them: none, of an attribute, of a dataset."""
     for family in (0, 1):
@@ -204,7 +222,7 @@ def main() -> None:
     (folder / "json.dict").write_text(dictionary())
     kinds = {
         "request": requests, "session": sessions, "reply": replies, "array": arrays, "config": configurations,
-        "ic_file": ic_files, "ic_content": ic_contents,
+        "ic_file": ic_files, "ic_content": ic_contents, "profile_file": profile_files,
     }  # fmt: skip
     for target, inputs in kinds.items():
         (folder / target).mkdir(exist_ok=True)
