@@ -44,7 +44,7 @@ class ProfileCurve {
     const std::vector<ProfilePoint>& points() const;
     const std::vector<std::size_t>& kinks() const;
     const std::vector<double>& knots() const;  ///< s of the points
-    bool y_is_monotone() const;                ///< strictly, of the points
+    bool y_is_monotone() const;                ///< strictly, of the points, by 1e-6 mm at least from end to end
 
     /// y -> -y, run through from the other end, so that y of the points still ascends (or descends).
     ProfileCurve mirrored() const;

@@ -16,7 +16,7 @@ using geometry::Cubic;
 using geometry::IntervalFinder;
 using geometry::SplinePiece;
 
-constexpr double largest_coordinate = 1e5;  // mm
+constexpr double largest_coordinate = 1e5, narrowest = 1e-6;  // mm
 
 void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks) {
     if (points.size() < 2)
@@ -110,7 +110,8 @@ struct ProfileCurve::Tables {
                 return;
             }
         }
-        by_y = IntervalFinder(std::move(values));
+        if (values.back() - values.front() < narrowest) y_sense = 0;  // no buckets in what is next to nothing
+        if (y_sense != 0) by_y = IntervalFinder(std::move(values));
     }
 
     /// The s in an interval at which y is reached; y lies between those of its points.

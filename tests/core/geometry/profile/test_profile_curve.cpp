@@ -111,6 +111,14 @@ TEST_CASE("a curve is found by y where it stands upright", "[profile]") {
     for (const double y : {19.9, 19.999, 19.999999}) CHECK_THAT(curve.at(curve.s_at_y(y)).y, WithinAbs(y, 1e-12));
 }
 
+TEST_CASE("an upright line has its places, too", "[profile]") {
+    const ProfileCurve upright({{0, 0}, {5e-324, 1}, {1e-323, 2}});
+    CHECK_FALSE(upright.y_is_monotone());
+    CHECK(upright.s_at_y(1) == 0);  // all points are as near
+    CHECK(upright.s_at_y(-1) == 0);
+    CHECK_THAT(upright.angle(0.5), WithinAbs(pi / 2, 1e-15));
+}
+
 TEST_CASE("a curve breaks at its kinks", "[profile]") {
     const ProfileCurve roof({{0, 1}, {1, 0.5}, {2, 0}, {3, 0.5}, {4, 1}}, {2});
     const double kink = roof.knots()[2];
