@@ -96,12 +96,12 @@ namespace {
 
 class OpenExchange final : public Exchange {
    public:
-    OpenExchange(std::shared_ptr<void> owner, const Config& config, const DaemonParts& parts)
-        : owner_(std::move(owner)), config_(config), parts_(parts) {}
+    OpenExchange(std::shared_ptr<void> owner, const DaemonParts& parts)
+        : owner_(std::move(owner)), parts_(parts), spin_(parts.config.spin) {}
 
     std::optional<Message> next(Clock::time_point until) override {
         const auto deadline = call_ ? call_->deadline() : Clock::time_point::max();
-        if (auto message = messages_->take(std::min(until, deadline), config_.spin)) return message;
+        if (auto message = messages_->take(std::min(until, deadline), std::exchange(spin_, {}))) return message;
         if (Clock::now() < deadline) return std::nullopt;
         call_->check_deadline();
         parts_.drop_abandoned();
@@ -121,9 +121,9 @@ class OpenExchange final : public Exchange {
     void wait_for(CallPtr call) { call_ = std::move(call); }
 
    private:
-    const std::shared_ptr<void> owner_;  // of the two below
-    const Config& config_;
+    const std::shared_ptr<void> owner_;  // of the parts
     const DaemonParts& parts_;
+    std::chrono::microseconds spin_;  // once, when the answer is first waited for
     const std::shared_ptr<Messages> messages_ = std::make_shared<Messages>();
     CallPtr call_;  // null of what could not be read
 };
@@ -149,7 +149,7 @@ std::unique_ptr<Exchange> InProcess::ask(const std::string& envelope, std::vecto
     const DaemonParts& parts = state.service.parts();
     ++parts.counters.requests;
     parts.sessions.expire(received);
-    auto exchange = std::make_unique<OpenExchange>(state_, state.config, parts);
+    auto exchange = std::make_unique<OpenExchange>(state_, parts);
     const auto post = [&state, messages = exchange->messages()](Answer answer) {
         if (!answer.is_progress) state.note(answer);
         messages->put(message_of(std::move(answer)));
