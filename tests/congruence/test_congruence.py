@@ -95,6 +95,12 @@ def test_only_what_is_meant_to_be_refused_is(expected):
     assert {line.split()[0] for line in expected if " refused " in line} == bad | fail
 
 
+def test_what_was_restored_takes_the_same_step_again(expected):
+    _, first, _, second, third, _, again = by_case(expected)["save-and-restore"]
+    assert again == second
+    assert len({first, second, third}) == 3
+
+
 @pytest.mark.timeout(200)
 @pytest.mark.parametrize("way", WAYS)
 def test_every_way_answers_alike(way, expected, shared_daemon, cases):  # noqa: F811
