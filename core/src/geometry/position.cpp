@@ -64,7 +64,7 @@ Range range_of(double from, double to, double step) {
 }
 
 double along_rail(const RailSurface& rail, double y) {
-    double s = y < rail.visible().low ? rail.visible().from : rail.visible().to;
+    double s = y <= rail.visible().low ? rail.visible().from : rail.visible().to;
     if (y > rail.visible().low && y < rail.visible().high) rail.find_y(y, s);
     return rail.profile().arc_length(s);
 }

@@ -21,6 +21,12 @@ using geometry::PlaceWithGap;
 constexpr double deepest_penetration = 5;  // mm: deeper than anything elastic
 constexpr const char* nothing_below = "No part of the wheel is above the rail: there is no contact.";
 
+/// Adds sentences to what has some.
+template <class Answer>
+void warn(Answer& answer, std::vector<std::string> warnings) {
+    for (std::string& warning : warnings) answer.warnings.push_back(std::move(warning));
+}
+
 std::string missed_force(double Fz, const HeightFound& found) {
     return "No height brings Fz = " + number_text(Fz) + " N: at z = " + number_text(found.z) +
            " mm the force is off by " + short_text(found.evidence.residual) + " of it after " +
@@ -61,8 +67,7 @@ WheelRailGeometry RightWheel::locate() {
     check_depth(geometry.z);
     for (const PlaceWithGap& found : position_.places(geometry.z)) {
         geometry.places.push_back(found.place);
-        for (std::string& warning : warnings_of(found, setup_.side, false))
-            geometry.warnings.push_back(std::move(warning));
+        warn(geometry, warnings_of(found, setup_.side, false));
     }
     return geometry;
 }
@@ -93,9 +98,10 @@ WheelRailSolution RightWheel::at(double z, Observer& observer) {
     check_depth(z);
     for (PlaceWithGap& found : position_.places(z)) {
         solution.patches.push_back(solve(found, z, observer));
-        solution.forces = sum(solution.forces, solution.patches.back().forces);
-        for (std::string& warning : warnings_of(found, setup_.side, setup_.friction.has_value()))
-            solution.warnings.push_back(std::move(warning));
+        const WheelRailPatch& patch = solution.patches.back();
+        solution.forces = sum(solution.forces, patch.forces);
+        warn(solution, warnings_of(found, setup_.side, setup_.friction.has_value()));
+        warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
     }
     return solution;
 }

@@ -32,4 +32,10 @@ std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side s
     return warnings;
 }
 
+std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution) {
+    std::vector<std::string> warnings;
+    for (const std::string& warning : solution.warnings) warnings.push_back(name_of(reference, side) + ": " + warning);
+    return warnings;
+}
+
 }  // namespace contactd

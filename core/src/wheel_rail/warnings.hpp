@@ -10,5 +10,7 @@ namespace contactd {
 
 /// Of a place of a right wheel, called by where it is on its own side.
 std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction);
+/// Those of its solution, under the same name.
+std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution);
 
 }  // namespace contactd

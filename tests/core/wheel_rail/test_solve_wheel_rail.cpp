@@ -151,3 +151,27 @@ TEST_CASE("Random positions have an answer, and their forces balance") {
         }
     }
 }
+
+TEST_CASE("A contact that reaches the ends of a profile is solved, and says so") {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    const double from = GENERATE(-3.0, -30.0), to = from < -10 ? 2.0 : 3.0;
+    setup.rail.shape = ArcProfile{300, 0, from, to};
+    setup.dx = setup.dy = 0.5;
+    WheelRailState state;
+    state.Fz = 60000;
+    const WheelRailSolution solution = solve(setup, state);
+    CHECK(solution.converged());
+    REQUIRE(solution.patches.size() == 1);
+    CHECK_THAT(solution.warnings.at(0), ContainsSubstring("reaches the end of a profile"));
+}
+
+TEST_CASE("What a patch's solution warns of is said with the patch's name") {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.dx = setup.dy = 3;
+    WheelRailState state;
+    state.Fz = 1000;
+    const WheelRailSolution solution = solve(setup, state);
+    REQUIRE_FALSE(solution.patches.at(0).solution.warnings.empty());
+    CHECK_THAT(solution.warnings.at(0), ContainsSubstring("The contact at y = 750 mm: "));
+    CHECK_THAT(solution.warnings.at(0), ContainsSubstring(solution.patches[0].solution.warnings[0]));
+}

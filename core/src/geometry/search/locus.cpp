@@ -38,8 +38,8 @@ double Locus::curvature() const {
     return 0.5 / wheel_.nominal_radius() + 0.5 * rail_.curvature_along();
 }
 
-void Locus::look_at(std::size_t i, Start& start) {
-    LocusRow& row = rows_[i];
+/// Fills the row at row.y; false where there is no wheel or no rail.
+bool Locus::look(LocusRow& row, Start& start) const {
     const double step = row.y - start.y, along = rail_.curvature_along();
     double rail_s = start.rail_s + step * start.rail_slope, wheel_s = start.wheel_s + step * start.wheel_slope;
     ProfileCurve::Place rail;
@@ -52,13 +52,35 @@ void Locus::look_at(std::size_t i, Start& start) {
         wheel = wheel_.locus(s, along);
         return Sloped{wheel.at.y, wheel.y_slope};
     };
-    if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s)) return;
-    if (!find_ascending(wheel_at, row.y, wheel_.visible().from, wheel_.visible().to, wheel_s)) return;
+    if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s)) return false;
+    if (!find_ascending(wheel_at, row.y, wheel_.visible().from, wheel_.visible().to, wheel_s)) return false;
     start = {row.y, wheel_s, rail_s, 1 / wheel.y_slope, 1 / rail.slope.y};
-    wheel_s_[i] = wheel_s;
     const double z = rail_.z_at(wheel.at.x, rail.at.z);
     row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, std::atan2(rail.slope.z, rail.slope.y)};
-    least_gap_ = std::min(least_gap_, row.gap);
+    return true;
+}
+
+void Locus::look_at(std::size_t i, Start& start) {
+    if (!look(rows_[i], start)) return;
+    wheel_s_[i] = start.wheel_s;
+    least_gap_ = std::min(least_gap_, rows_[i].gap);
+}
+
+// Straight lines are not enough where the rail is steep: from row to row it falls by more than wheels penetrate.
+LocusRow Locus::crossing(std::size_t inside, std::size_t outside, double height) const {
+    constexpr double settled = 1e-7;  // mm
+    LocusRow in = rows_[inside], out = rows_[outside];
+    Start start = start_at(inside);
+    for (int iteration = 0; iteration < 20 && std::abs(out.y - in.y) > settled; ++iteration) {
+        const double share = (height - in.gap) / (out.gap - in.gap);
+        LocusRow between;
+        // Near one end a straight line moves that end only: now and then the middle.
+        between.y = in.y + (iteration % 3 == 2 ? 0.5 : share) * (out.y - in.y);
+        if (between.y == in.y || between.y == out.y || !look(between, start)) break;
+        if (std::abs(between.gap - height) < settled) return between;
+        (between.gap < height ? in : out) = between;
+    }
+    return in;
 }
 
 void Locus::look_below(double height) {

@@ -29,6 +29,8 @@ class Locus {
     /// Has all rows looked at that may have a gap below `height`.
     void look_below(double height);
     const std::vector<LocusRow>& rows() const { return rows_; }
+    /// Where the gap is `height` between two rows, of which the one inside has less, the neighbour outside not.
+    LocusRow crossing(std::size_t inside, std::size_t outside, double height) const;
     double step() const { return step_; }
     double least_gap() const { return least_gap_; }  ///< infinite where no part of the wheel is above the rail
 
@@ -41,6 +43,7 @@ class Locus {
         double y, wheel_s, rail_s;
         double wheel_slope = 0, rail_slope = 0;  // ds/dy
     };
+    bool look(LocusRow& row, Start& start) const;
     void look_at(std::size_t row, Start& start);
     void look_between(std::size_t begin);
     Start start_at(std::size_t row) const { return {rows_[row].y, wheel_s_[row], rows_[row].rail_s}; }

@@ -15,19 +15,13 @@ double away_from_upright(double angle) {
     return std::copysign(std::abs(angle) < upright ? upright - least : upright + least, angle);
 }
 
-/// Of the row in between where the gap is z, by a straight line, or of the row itself where it is the last one.
-LocusRow crossing(const std::vector<LocusRow>& rows, std::size_t inside, long step, double z) {
+/// Where the gap is z beside the last row inside, or that row itself where nothing is known beyond it.
+LocusRow edge(const Locus& locus, std::size_t inside, long step, double z) {
     const long next = static_cast<long>(inside) + step;
-    const LocusRow& last = rows[inside];
-    if (next < 0 || next >= static_cast<long>(rows.size())) return last;
-    const LocusRow& out = rows[static_cast<std::size_t>(next)];
-    if (!std::isfinite(out.gap)) return last;
-    const double share = (z - last.gap) / (out.gap - last.gap);
-    LocusRow edge = last;
-    edge.y += share * (out.y - last.y);
-    edge.rail_z += share * (out.rail_z - last.rail_z);
-    edge.rail_s += share * (out.rail_s - last.rail_s);
-    return edge;
+    const std::vector<LocusRow>& rows = locus.rows();
+    if (next < 0 || next >= static_cast<long>(rows.size())) return rows[inside];
+    const auto outside = static_cast<std::size_t>(next);
+    return std::isfinite(rows[outside].gap) ? locus.crossing(inside, outside, z) : rows[inside];
 }
 
 /// The height of the rail at (x, y); y lies between rows.
@@ -57,7 +51,7 @@ OverlapRegion region_of(const Locus& locus, std::size_t begin, std::size_t end, 
     region.reference = {mean.x / sum, mean.y / sum, 0, away_from_upright(mean.angle / sum)};
     region.reference.z = rail_height(rail, region.reference.x, region.reference.y, rows[(begin + end) / 2].rail_s);
     region.x = x;
-    const LocusRow from = crossing(rows, begin, -1, z), to = crossing(rows, end - 1, 1, z);
+    const LocusRow from = edge(locus, begin, -1, z), to = edge(locus, end - 1, 1, z);
     region.y = {from.y, to.y};
     region.z = {from.rail_z, to.rail_z};
     region.size = locus.step() * 16.0 / 15 * sum / std::sqrt(a);
