@@ -13,13 +13,13 @@
 #include "geometry/distance/heights.hpp"
 #include "geometry/motion/creepages.hpp"
 #include "geometry/search/equivalent_ellipse.hpp"
+#include "geometry/search/patch_grid.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {
 
-constexpr std::size_t most_elements = 200'000;  // of one patch
-constexpr double out_of_reach = 10;             // gap (mm) of elements that have no wheel or no rail
+constexpr double out_of_reach = 10;  // gap (mm) of elements that have no wheel or no rail
 
 /// With the name that the profile has in the setup.
 ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
@@ -51,36 +51,6 @@ void check_fit(const WheelRailSetup& setup, const ProfileCurve& wheel, const Pro
 WheelsetPosition at_zero(WheelsetPosition position) {
     position.z = 0;
     return position;
-}
-
-/// Multiples of the step around zero that cover the extent, with one more on both sides.
-struct Range {
-    int first, last;
-    int count() const { return last - first + 1; }
-};
-
-Range range_of(double from, double to, double step) {
-    return {static_cast<int>(std::floor(from / step)) - 1, static_cast<int>(std::ceil(to / step)) + 1};
-}
-
-double along_rail(const RailSurface& rail, double y) {
-    double s = y <= rail.visible().low ? rail.visible().from : rail.visible().to;
-    if (y > rail.visible().low && y < rail.visible().high) rail.find_y(y, s);
-    return rail.profile().arc_length(s);
-}
-
-Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy) {
-    const double here = along_rail(rail, group.reference.y);
-    const double x_from = group.x.from - group.reference.x, x_to = group.x.to - group.reference.x;
-    const double y_from = along_rail(rail, group.y.from) - here, y_to = along_rail(rail, group.y.to) - here;
-    const double elements = ((x_to - x_from) / dx + 4) * ((y_to - y_from) / dy + 4);
-    if (!(elements <= static_cast<double>(most_elements)))
-        throw InvalidArgument("dx", "and dy are " + number_text(dx) + " and " + number_text(dy) +
-                                        " mm, of which a contact of " + short_text(x_to - x_from) + " mm by " +
-                                        short_text(y_to - y_from) + " mm would have " + short_text(elements) +
-                                        "; make them larger, or lift the wheelset (position.z)");
-    const Range columns = range_of(x_from, x_to, dx), rows = range_of(y_from, y_to, dy);
-    return {columns.count(), rows.count(), dx, dy, (columns.first - 0.5) * dx, (rows.first - 0.5) * dy};
 }
 
 /// Distances along the normal; not a number where wheel or rail are not above the plane.
@@ -164,12 +134,19 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
     place.grid = grid_of(group, rail_, setup_.dx, setup_.dy);
     place.radii = radii_of(wheel, rail_, place.reference);
     if (setup_.model == Model::full) {
-        found.gap = distances(setup_, wheel, rail_, place.reference, place.grid);
-        place.approach = take_out_approach(found.gap);
+        constexpr int most_rounds = 50;
+        Grid grid = place.grid;
+        for (int round = 0; round < most_rounds; ++round) {
+            place.grid = grid;
+            found.gap = distances(setup_, wheel, rail_, place.reference, grid);
+            place.approach = take_out_approach(found.gap);
+            if (!grow(grid, found.gap, place.approach)) break;
+        }
     } else {
         const EquivalentEllipse ellipse = equivalent_ellipse(locus_, z, group);
         found.paraboloid = ellipse.radii();
         place.approach = ellipse.approach;
+        cover(place.grid, ellipse.along, ellipse.across);
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     if (setup_.rigid_slip == RigidSlipKind::surfaces)

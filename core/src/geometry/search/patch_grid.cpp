@@ -1,0 +1,81 @@
+#include "geometry/search/patch_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "contactd/error.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+constexpr std::size_t most_elements = 200'000;  // of one patch
+
+/// Multiples of the step around zero that cover the extent, with one more on both sides.
+struct Range {
+    int first, last;
+    int count() const { return last - first + 1; }
+};
+
+Range range_of(double from, double to, double step) {
+    return {static_cast<int>(std::floor(from / step)) - 1, static_cast<int>(std::ceil(to / step)) + 1};
+}
+
+double along_rail(const RailSurface& rail, double y) {
+    double s = y <= rail.visible().low ? rail.visible().from : rail.visible().to;
+    if (y > rail.visible().low && y < rail.visible().high) rail.find_y(y, s);
+    return rail.profile().arc_length(s);
+}
+
+}  // namespace
+
+Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, double dy) {
+    const double here = along_rail(rail, group.reference.y);
+    const double x_from = group.x.from - group.reference.x, x_to = group.x.to - group.reference.x;
+    const double y_from = along_rail(rail, group.y.from) - here, y_to = along_rail(rail, group.y.to) - here;
+    const double elements = ((x_to - x_from) / dx + 4) * ((y_to - y_from) / dy + 4);
+    if (!(elements <= static_cast<double>(most_elements)))
+        throw InvalidArgument("dx", "and dy are " + number_text(dx) + " and " + number_text(dy) +
+                                        " mm, of which a contact of " + short_text(x_to - x_from) + " mm by " +
+                                        short_text(y_to - y_from) + " mm would have " + short_text(elements) +
+                                        "; make them larger, or lift the wheelset (position.z)");
+    const Range columns = range_of(x_from, x_to, dx), rows = range_of(y_from, y_to, dy);
+    return {columns.count(), rows.count(), dx, dy, (columns.first - 0.5) * dx, (rows.first - 0.5) * dy};
+}
+
+bool grow(Grid& grid, const std::vector<double>& gap, double approach) {
+    constexpr int more = 2;
+    const auto overlaps = [&](int ix, int iy) {
+        return gap[static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix)] <
+               approach;
+    };
+    bool left = false, right = false, below = false, above = false;
+    for (int iy = 0; iy < grid.ny; ++iy) {
+        left = left || overlaps(0, iy);
+        right = right || overlaps(grid.nx - 1, iy);
+    }
+    for (int ix = 0; ix < grid.nx; ++ix) {
+        below = below || overlaps(ix, 0);
+        above = above || overlaps(ix, grid.ny - 1);
+    }
+    grid.x0 -= left * more * grid.dx;
+    grid.y0 -= below * more * grid.dy;
+    grid.nx += (left + right) * more;
+    grid.ny += (below + above) * more;
+    return (left || right || below || above) && grid.size() <= most_elements;
+}
+
+void cover(Grid& grid, double along, double across) {
+    const auto more = [](double beyond, double size) {
+        return std::max(0, static_cast<int>(std::ceil(beyond / size)));
+    };
+    const int left = more(grid.x0 + along, grid.dx), right = more(along - grid.x0 - grid.nx * grid.dx, grid.dx);
+    const int below = more(grid.y0 + across, grid.dy), above = more(across - grid.y0 - grid.ny * grid.dy, grid.dy);
+    grid.x0 -= left * grid.dx;
+    grid.y0 -= below * grid.dy;
+    grid.nx += left + right;
+    grid.ny += below + above;
+}
+
+}  // namespace contactd::geometry
