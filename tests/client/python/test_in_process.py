@@ -176,6 +176,13 @@ def test_arrays_and_forces_are_there_to_the_last_bit_again(client):
     assert client.solve(ROLLING, fields=[]).Fx == first.Fx
 
 
+def test_threads_that_spin_answer_the_same(client):
+    with contactd.local(in_process=True, config={"spin_microseconds": 500}) as spinning:
+        assert spinning.solve(ROLLING).Fx == client.solve(ROLLING).Fx
+        with pytest.raises(DeadlineExceeded):
+            spinning.solve(ENDLESS, timeout=0.05)
+
+
 # --- several at once -------------------------------------------------------------------------------------------------
 
 
