@@ -7,6 +7,7 @@
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -43,11 +44,20 @@ json endless() {
              {{"mu", 0.3}, {"rolling", {{"kind", "transient"}, {"xi", 2e-3}, {"phi", 1e-3}, {"steps", 1000}}}}}};
 }
 
+json quick() {
+    json params = endless();
+    params["model"] = "hertz";
+    params["grid"] = {{"nx", 20}, {"ny", 20}, {"dx", 0.12}, {"dy", 0.12}};
+    params.erase("friction");
+    params.erase("ics");
+    return params;
+}
+
 /// The answer, behind whatever progress there was.
 json answer_of(Exchange& exchange) {
     for (;;) {
         const auto message = exchange.next(Exchange::Clock::now() + 20s);
-        REQUIRE(message);
+        if (!message) throw std::runtime_error("no answer");  // Catch2 is for one thread
         json envelope = json::parse(message->front());
         if (envelope.contains("status")) return envelope;
     }
@@ -111,15 +121,33 @@ TEST_CASE("Small solves need no thread of the service") {
     const TemporaryFolder folder;
     InProcess service(config_in(folder));
     const auto blocks = service.ask(request("contact.solve", endless()), {});  // the only worker
-    json small = endless();
-    small["model"] = "hertz";
-    small["grid"] = {{"nx", 20}, {"ny", 20}, {"dx", 0.12}, {"dy", 0.12}};
-    small.erase("friction");
-    small.erase("ics");
-    const auto solved = service.ask(request("contact.solve", small), {});
-    const json answer = answer_of(*solved);
-    CHECK(answer["status"]["code"] == 0);
+    CHECK(answer_of(*service.ask(request("contact.solve", quick()), {}))["status"]["code"] == 0);
     blocks->cancel();
+}
+
+TEST_CASE("Threads that ask at once are all answered") {
+    const TemporaryFolder folder;
+    InProcess service(config_in(folder, 2));
+    const auto ask = [&](const std::string& method, const json& params = json::object()) {
+        return answer_of(*service.ask(request(method, params), {}));
+    };
+    std::atomic<int> good = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (int n = 0; n < 4; ++n)
+            threads.emplace_back([&] {
+                for (int turn = 0; turn < 5; ++turn) {
+                    const json session = ask("session.open", quick())["result"]["session"];
+                    for (const char* method : {"server.info", "server.metrics", "job.list", "session.list"})
+                        good += ask(method)["status"]["code"] == 0;
+                    good += ask("contact.solve", quick())["status"]["code"] == 0;
+                    good += ask("session.step", {{"session", session}, {"step", 1}})["status"]["code"] == 0;
+                    good += ask("contact.solve_many", {{"problems", {quick(), quick()}}})["status"]["code"] == 0;
+                    good += ask("session.close", {{"session", session}})["status"]["code"] == 0;
+                }
+            });
+    }
+    CHECK(good == 4 * 5 * 8);
 }
 
 TEST_CASE("The end answers what is open, and what comes later is refused") {
