@@ -63,7 +63,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-contactd)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.10), python3-numpy, python3-zmq")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, contactd")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, contactd, python3-contactd-local")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "client of contactd, elastic contact as a service (Python 3)
 Contact problems, tables of influence coefficients and stresses inside bodies
 from Python: plain classes in, NumPy arrays out.")
