@@ -70,13 +70,16 @@ class _Engine:
     def is_of_this_process(self) -> bool:
         return self._owner == os.getpid()
 
-    def take(self) -> _Engine:
-        """Raises ConnectionFailed."""
+    def _check_process(self) -> None:
         if not self.is_of_this_process:
             raise ConnectionFailed(
                 f"This client solves in process {self._owner}, from which this one was forked; "
                 "open another here: contactd.local()."
             )
+
+    def take(self) -> _Engine:
+        """Raises ConnectionFailed."""
+        self._check_process()
         if self.is_closed:
             raise ConnectionFailed("The client is closed.")
         return self
@@ -105,7 +108,7 @@ class _Engine:
                     return reply_of(answer, message[1:])
                 if on_progress is not None:
                     on_progress(answer["progress"])
-                    self.take()  # a callback that has forked returns here, too
+                    self._check_process()  # a callback that has forked returns here, too
         except BaseException:
             if self.is_of_this_process:
                 request.cancel()

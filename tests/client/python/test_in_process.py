@@ -276,6 +276,16 @@ def test_closing_ends_the_calls_of_other_threads(client, background):
     client.close()
 
 
+def test_who_watches_hears_of_the_end(client, background):
+    states = []
+    last = background(client.watch_health, states.append)
+    while not states:
+        time.sleep(0.01)
+    client.close()
+    assert last.result() == "stopping"
+    assert states == ["serving", "stopping"]
+
+
 # --- processes -------------------------------------------------------------------------------------------------------
 
 
