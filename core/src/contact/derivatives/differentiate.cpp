@@ -17,19 +17,15 @@ namespace {
 
 using Vector = KrylovSpace::Vector;
 using Table = DerivativeTable;
+using Right = KrylovSpace::Right;
 
-constexpr double usual_tolerance = 2e-5;  // of linear equations, relative
-constexpr double coupled_tolerance = 3e-6;
-// The same where what is left of them is made up for, so that forces err by its square.
-constexpr double symmetric_tolerance = 1e-3;
+// Of linear equations, relative: what may be left of right-hand sides, or the change of forces in a step.
+constexpr double residual_tolerance = 2e-5, coupled_tolerance = 1e-6, change_tolerance = 2e-5;
+// The same where forces err by its square.
+constexpr double symmetric_tolerance = 7e-4;
+// Of the contact: what friction does in slip is found as a difference, and is a part of it where little slips.
+constexpr double least_slip_part = 0.1;
 
-/// Changes for one unit of an input.
-struct Change {
-    Vector dp, dq, dg;
-    Vector residual{};  // of the tangential equations
-};
-
-/// One after the other: pressures follow the approach alone.
 class Differentiation {
    public:
     Differentiation(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution,
@@ -46,93 +42,117 @@ class Differentiation {
         return table_;
     }
 
-    SolverEvidence evidence() const { return {iterations_, residual_, residual_ <= tolerance_, stopwatch_.seconds()}; }
+    SolverEvidence evidence() const { return {iterations_, residual_, converged_, stopwatch_.seconds()}; }
 
    private:
-    using Map = KrylovSpace::Map;
-
+    // Bodies alike: pressures follow the approach alone.
     void find_in_turn() {
-        tolerance_ = contact_.symmetric() ? symmetric_tolerance : usual_tolerance;
-        KrylovSpace normal(
-            contact_.pressures(), [&](const Vector& p, Vector& u) { contact_.normal(p, u); },
-            [&](const Vector& r, Vector& z) { contact_.precondition_normal(r, z); });
-        const Vector ones = Vector::Ones(contact_.pressures());
-        const auto pressed = solve(normal, ones, ones.norm(), usual_tolerance);
-        iterations_ += normal.steps();
-        const Vector none = Vector::Zero(contact_.pressures());
-        Change by_approach{pressed.x, Vector::Zero(contact_.tractions()), contact_.bound_of_pressure(pressed.x)};
-        if (!problem_.friction || contact_.tractions() == 0) {
-            take(Table::approach, by_approach);
-            if (problem_.friction) take(Table::mu, {none, by_approach.dq, contact_.bound_of_friction()});
+        const Vector dp = press(), dg = contact_.bound_of_pressure(dp);
+        if (!problem_.friction) return;
+        const Vector friction = contact_.bound_of_friction();
+        if (contact_.tractions() == 0) {
+            take(Table::approach, contact_.forces_of_bound(dg));
+            take(Table::mu, contact_.forces_of_bound(friction));
             return;
         }
-        KrylovSpace tangential(
-            contact_.tractions(), [&](const Vector& p, Vector& u) { contact_.tangential(p, u); },
-            [&](const Vector& r, Vector& z) { contact_.precondition_tangential(r, z); });
-        const auto respond = [&](Table::Column column, Change change, const HeldContact::Right& right) {
-            auto found = solve(tangential, right.values, right.size, tolerance_);
-            change.dq = std::move(found.x);
-            change.residual = contact_.unweighted(std::move(found.residual));
-            take(column, change);
-            return change;
+        std::vector<Table::Column> columns(motions.begin(), motions.end());
+        std::vector<Right> rights;
+        for (int k = 0; k < 3; ++k) rights.push_back(right(contact_.of_slip(k), Vector::Zero(3)));
+        const auto add_bound = [&](Table::Column column, const Vector& change) {
+            columns.push_back(column);
+            rights.push_back(right(contact_.of_bound(change), contact_.forces_of_bound(change)));
         };
-        for (int k = 0; k < 3; ++k) slips_.push_back(respond(motions[k], {none, {}, none}, contact_.of_slip(k)));
-        respond(Table::approach, by_approach, contact_.of_bound(by_approach.dg));
-        if (!is_homogeneous()) {
-            const Vector dg = contact_.bound_of_friction();
-            respond(Table::mu, {none, {}, dg}, contact_.of_bound(dg));
-        }
-        iterations_ += tangential.steps();
-        if (contact_.symmetric()) make_up_for_residuals();
+        add_bound(Table::approach, dg);
+        if (!is_homogeneous()) add_bound(Table::mu, friction);
+        const KrylovSpace space =
+            solve({[this](const Vector& p, Vector& u) { contact_.tangential(p, u); },
+                   [this](const Vector& r, Vector& z, int step) { contact_.precondition_tangential(r, z, step); },
+                   contact_.symmetric(), contact_.weights(), contact_.forces_of_tractions()},
+                  rights, tolerance());
+        for (std::size_t i = 0; i < columns.size(); ++i) take(columns[i], space.sums(i));
+    }
+
+    KrylovSpace::Tolerance tolerance() const {
+        if (contact_.symmetric()) return {symmetric_tolerance};
+        const double part = is_homogeneous() ? std::max(contact_.slip_part(), least_slip_part) : 1;
+        return {residual_tolerance, part * change_tolerance, change_of_forces()};
+    }
+
+    // Pressures for one unit of approach, and their force.
+    Vector press() {
+        const Eigen::Index size = contact_.pressures();
+        const Vector ones = Vector::Ones(size);
+        const KrylovSpace space =
+            solve({[this](const Vector& p, Vector& u) { contact_.normal(p, u); },
+                   [this](const Vector& r, Vector& z, int) { contact_.precondition_normal(r, z); }, true, ones,
+                   contact_.element_area() * ones},
+                  {{ones, ones.norm(), Vector::Zero(1)}}, {residual_tolerance});
+        table_.values[Table::Fn][Table::approach] = space.sums(0)[0];
+        return space.solution(0);
     }
 
     void find_together() {
-        tolerance_ = coupled_tolerance;
         const Eigen::Index pressures = contact_.pressures(), tractions = contact_.tractions();
-        KrylovSpace all(
-            pressures + tractions, [&](const Vector& p, Vector& u) { contact_.all(p, u); },
-            [&](const Vector& r, Vector& z) { contact_.precondition_all(r, z); });
-        const auto respond = [&](Table::Column column, const Vector& normal, const HeldContact::Right& tangential,
-                                 const Vector& dg, double measure = 1) {
-            Vector right(pressures + tractions);
-            right << normal, tangential.values;
-            const Vector x = solve(all, right, std::hypot(normal.norm(), tangential.size), tolerance_, measure).x;
-            const Vector dp = x.head(pressures);
-            take(column, {dp, x.tail(tractions), contact_.bound_of_pressure(dp) + dg});
+        const std::array columns{Table::along_x, Table::along_y, Table::about_z, Table::approach, Table::mu};
+        std::vector<Right> rights;
+        const auto add_right = [&](const Vector& normal, const HeldContact::Right& tangential, const Vector& known,
+                                   double measure = 1) {
+            Vector all(pressures + tractions);
+            all << normal, tangential.values;
+            rights.push_back({all, std::hypot(normal.norm(), tangential.size), known, measure});
         };
-        const Vector ones = Vector::Ones(pressures), none = Vector::Zero(pressures);
-        for (int k = 0; k < 3; ++k) respond(motions[k], none, contact_.of_slip(k), none);
+        const Vector none = Vector::Zero(pressures);
+        for (int k = 0; k < 3; ++k) add_right(none, contact_.of_slip(k), Vector::Zero(4));
         // What friction makes of pressures is so much less, and wanted as well.
-        respond(Table::approach, ones, {Vector::Zero(tractions), 0}, none, std::min(contact_.mean_friction(), 1.0));
+        add_right(Vector::Ones(pressures), {Vector::Zero(tractions), 0}, Vector::Zero(4),
+                  std::min(contact_.mean_friction(), 1.0));
         const Vector dg = contact_.bound_of_friction();
-        respond(Table::mu, contact_.pressures_of_bound(dg), contact_.of_bound(dg), dg);
-        iterations_ += all.steps();
-    }
-
-    // Residuals count relative to `measure` times the right-hand side.
-    KrylovSpace::Solution solve(KrylovSpace& space, const Vector& right, double size, double tolerance,
-                                double measure = 1) {
-        if (!(measure > 0)) measure = 1;
-        auto found = space.solve(right, size, measure * tolerance, observer_);
-        residual_ = std::max(residual_, found.relative / measure);
-        return found;
-    }
-
-    void take(Table::Column column, const Change& change) {
-        const std::array<double, 4> forces = contact_.forces(change.dp, change.dq, change.dg);
-        for (int row = 0; row < Table::rows; ++row) table_.values[row][column] = forces[row];
-        residuals_[column] = change.residual;
-    }
-
-    // J x_k = -P e_k and F_k = e_k . dq, so that -x_k . r is what F_k misses for the residual r, but for the product of
-    // both errors.
-    void make_up_for_residuals() {
-        const double area = problem_.grid.element_area();
-        for (int column = 0; column < Table::columns; ++column) {
-            if (residuals_[column].size() == 0) continue;
-            for (int k = 0; k < 3; ++k)
-                table_.values[Table::Fx + k][column] -= area * slips_[k].dq.dot(residuals_[column]);
+        Vector known(4);
+        known << 0, contact_.forces_of_bound(dg);
+        add_right(contact_.pressures_of_bound(dg), contact_.of_bound(dg), known);
+        const KrylovSpace space =
+            solve({[this](const Vector& p, Vector& u) { contact_.all(p, u); },
+                   [this](const Vector& r, Vector& z, int step) { contact_.precondition_all(r, z, step); }, false,
+                   contact_.weights_of_all(), contact_.forces_of_all()},
+                  rights, {coupled_tolerance, change_tolerance, change_of_all()});
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const Vector sums = space.sums(i);
+            table_.values[Table::Fn][columns[i]] = sums[0];
+            take(columns[i], sums.tail(3));
         }
+    }
+
+    static Right right(const HeldContact::Right& from, const Vector& known) { return {from.values, from.size, known}; }
+
+    KrylovSpace solve(LinearEquations equations, const std::vector<Right>& rights,
+                      const KrylovSpace::Tolerance& tolerance) {
+        KrylovSpace space(std::move(equations));
+        space.solve(rights, tolerance, observer_);
+        iterations_ += space.steps();
+        residual_ = std::max(residual_, space.residual());
+        converged_ = converged_ && space.converged();
+        return space;
+    }
+
+    // Of Fx, Fy and Mz, over the largest of them.
+    double relative_change(const Vector& now, const Vector& before) const {
+        const Eigen::Vector3d unit(1, 1, 1 / contact_.length());
+        const double largest = now.cwiseProduct(unit).cwiseAbs().maxCoeff();
+        return (now - before).cwiseProduct(unit).cwiseAbs().maxCoeff() / largest;
+    }
+    KrylovSpace::Change change_of_forces() const {
+        return [this](const Vector& now, const Vector& before) { return relative_change(now, before); };
+    }
+    // And of Fn, over the largest of all.
+    KrylovSpace::Change change_of_all() const {
+        return [this](const Vector& now, const Vector& before) {
+            const double normal = std::abs(now[0] - before[0]) / now.cwiseAbs().maxCoeff();
+            return std::max(normal, relative_change(now.tail(3), before.tail(3)));
+        };
+    }
+
+    void take(Table::Column column, const HeldContact::Forces& forces) {
+        for (int k = 0; k < 3; ++k) table_.values[Table::Fx + k][column] = forces[k];
     }
 
     // Whether tractions double with bounds and motion: where slip owes nothing to anything else.
@@ -181,10 +201,9 @@ class Differentiation {
     HeldContact contact_;
     Observer& observer_;
     DerivativeTable table_;
-    std::vector<Change> slips_;
-    std::array<Vector, Table::columns> residuals_;
-    double tolerance_ = 0, residual_ = 0;
+    double residual_ = 0;
     int iterations_ = 0;
+    bool converged_ = true;
     Stopwatch stopwatch_;
 };
 

@@ -77,7 +77,8 @@ HeldContact::HeldContact(const ContactProblem& problem, const ContactInfluence& 
     take_law(solution);
     if (rubbed_.size() == 0) return;
     const auto [x, y] = step_of(problem);
-    compliance_ = compliance_of({influence_, change_, grid_, x, y}, rubbed_);
+    // Several right-hand sides share steps, so that levels would save a sixth of them and make each half as dear again.
+    compliance_ = compliance_of({influence_, change_, grid_, x, y, PreconditionerLevels::never}, rubbed_);
     compliance_->linearise(law_);
     take_weights();
 }
@@ -185,11 +186,11 @@ void HeldContact::give_normal(double* result) const {
     for (const Contact::Run& run : pressed_.runs) std::copy_n(&u_[run.grid_first], run.size, result + run.first);
 }
 
-// P u + D dq for the response u in out_, weighted. Nothing that adheres turns.
+// P u + D dq for the response u in out_. Nothing that adheres turns.
 HeldContact::Vector HeldContact::tangential_residual() {
     add_product(rubbed_.size(), law_.turning.data(), in_.x.data(), out_.x.data());
     add_product(rubbed_.size(), law_.turning.data(), in_.y.data(), out_.y.data());
-    return free_of(out_).cwiseProduct(weights_);
+    return free_of(out_);
 }
 
 void HeldContact::normal(const Vector& dp, Vector& result) {
@@ -210,10 +211,10 @@ void HeldContact::tangential(const Vector& dq, Vector& result) {
     result = tangential_residual();
 }
 
-void HeldContact::precondition_tangential(const Vector& r, Vector& z) {
-    take_free(unweighted(r));
-    const auto kind = iteration_ == 0 ? Compliance::Residual::first : Compliance::Residual::later;
-    compliance_->precondition(in_, out_, kind, iteration_++);
+void HeldContact::precondition_tangential(const Vector& r, Vector& z, int step) {
+    take_free(r);
+    const auto kind = step == 0 ? Compliance::Residual::first : Compliance::Residual::later;
+    compliance_->precondition(in_, out_, kind, step);
     z = free_of(out_);
 }
 
@@ -238,10 +239,10 @@ void HeldContact::all(const Vector& both, Vector& result) {
     give_normal(result.data());
 }
 
-void HeldContact::precondition_all(const Vector& r, Vector& z) {
+void HeldContact::precondition_all(const Vector& r, Vector& z, int step) {
     Vector dp(pressures()), dq(tractions());
     precondition_normal(r.head(pressures()), dp);
-    if (tractions() > 0) precondition_tangential(r.tail(tractions()), dq);
+    if (tractions() > 0) precondition_tangential(r.tail(tractions()), dq, step);
     z << dp, dq;
 }
 

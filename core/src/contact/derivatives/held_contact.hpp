@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -39,19 +39,31 @@ class HeldContact {
     bool symmetric() const { return change_ == nullptr; }
     // Over the elements in contact.
     double mean_friction() const;
+    // Of the elements with a bound.
+    double slip_part() const { return 1 - static_cast<double>(adhering_.size()) / static_cast<double>(rubbed_.size()); }
+    // About the size of the contact (mm).
+    double length() const { return std::sqrt(grid_.element_area() * static_cast<double>(pressed_.size())); }
     Eigen::Index pressures() const { return static_cast<Eigen::Index>(pressed_.size()); }
     Eigen::Index tractions() const { return weights_.size(); }
 
     void normal(const Vector& dp, Vector& result);
     void precondition_normal(const Vector& r, Vector& z);
     void tangential(const Vector& dq, Vector& result);
-    void precondition_tangential(const Vector& r, Vector& z);
+    void precondition_tangential(const Vector& r, Vector& z, int step);
     // Both, as they depend on each other.
     void all(const Vector& both, Vector& result);
-    void precondition_all(const Vector& r, Vector& z);
+    void precondition_all(const Vector& r, Vector& z, int step);
 
-    // What stands on the right, and its length before all that is not free of it was projected out, without which
-    // rounding alone may be left.
+    // How residuals of the tangential equations are measured, and those of both.
+    const Vector& weights() const { return weights_; }
+    Vector weights_of_all() const;
+    // Columns: what makes the forces Fn, Fx, Fy and Mz of dp and dq, the bounds following the pressures.
+    Eigen::MatrixXd forces_of_all();
+    // The same of dq alone: Fx, Fy and Mz.
+    Eigen::MatrixXd forces_of_tractions();
+
+    // What stands on the right, and its weighted length before all that is not free of it was projected out, without
+    // which rounding alone may be left.
     struct Right {
         Vector values;
         double size;
@@ -61,14 +73,14 @@ class HeldContact {
     // For bounds that change by dg while pressures stay, of the tangential equations and of the others.
     Right of_bound(const Vector& dg);
     Vector pressures_of_bound(const Vector& dg);
-    // A residual of the tangential equations as it is; these are weighted.
-    Vector unweighted(const Vector& residual) const { return residual.cwiseQuotient(weights_); }
     // dg of each element in contact for one unit of friction, and for a change of the pressures.
     Vector bound_of_friction() const;
     Vector bound_of_pressure(const Vector& dp) const;
 
-    // Changes of Fn, Fx, Fy and Mz.
-    std::array<double, 4> forces(const Vector& dp, const Vector& dq, const Vector& dg);
+    // Changes of Fx, Fy and Mz.
+    using Forces = Eigen::Vector3d;
+    Forces forces_of_bound(const Vector& dg);
+    double element_area() const { return grid_.element_area(); }
 
    private:
     Values crop(std::span<const double> whole) const;
@@ -103,7 +115,6 @@ class HeldContact {
     Values p_, u_;
     Field q_, s_, coupling_;
     Field in_, out_;
-    int iteration_ = 0;
 };
 
 }  // namespace contactd

@@ -19,7 +19,7 @@ HeldContact::Right HeldContact::right_of_slip() const {
         const double weight = weights_[static_cast<Eigen::Index>(e)];
         squares += weight * weight * (out_.x[e] * out_.x[e] + out_.y[e] * out_.y[e]);
     }
-    return {-free_of(out_).cwiseProduct(weights_), std::sqrt(squares)};
+    return {-free_of(out_), std::sqrt(squares)};
 }
 
 HeldContact::Right HeldContact::of_slip(int direction) {
@@ -57,12 +57,36 @@ HeldContact::Vector HeldContact::bound_of_pressure(const Vector& dp) const {
     return dg;
 }
 
-std::array<double, 4> HeldContact::forces(const Vector& dp, const Vector& dq, const Vector& dg) {
+HeldContact::Vector HeldContact::weights_of_all() const {
+    Vector weights(pressures() + tractions());
+    weights << Vector::Ones(pressures()), weights_;
+    return weights;
+}
+
+// What a unit of rigid slip acts on is what sums up to the force.
+Eigen::MatrixXd HeldContact::forces_of_tractions() {
+    Eigen::MatrixXd forces(tractions(), 3);
+    for (int k = 0; k < 3; ++k) forces.col(k) = -grid_.element_area() * of_slip(k).values;
+    return forces;
+}
+
+Eigen::MatrixXd HeldContact::forces_of_all() {
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(pressures() + tractions(), 4);
+    const double area = grid_.element_area();
+    for (Eigen::Index e = 0; e < pressures(); ++e) {
+        const std::size_t i = pressed_.elements[static_cast<std::size_t>(e)];
+        const double x = grid_.x(static_cast<int>(i) % grid_.nx), y = grid_.y(static_cast<int>(i) / grid_.nx);
+        const double along_x = mu_[i] * radial_.x[i], along_y = mu_[i] * radial_.y[i];
+        forces.row(e) << area, area * along_x, area * along_y, area * (x * along_y - y * along_x);
+    }
+    forces.bottomRightCorner(tractions(), 3) = forces_of_tractions();
+    return forces;
+}
+
+HeldContact::Forces HeldContact::forces_of_bound(const Vector& dg) {
     take_bounds(dg);
-    take_free(dq);
-    add_free();
     const TangentialForces sum = tangential_forces(grid_, q_.x, q_.y);
-    return {dp.sum() * grid_.element_area(), sum.Fx, sum.Fy, sum.Mz};
+    return {sum.Fx, sum.Fy, sum.Mz};
 }
 
 }  // namespace contactd

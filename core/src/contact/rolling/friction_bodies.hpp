@@ -8,6 +8,7 @@
 #include "contactd/grid.hpp"
 #include "contactd/influence_operator.hpp"
 #include "contactd/step_operator.hpp"
+#include "rolling_compliance.hpp"
 
 namespace contactd {
 
@@ -17,6 +18,8 @@ struct FrictionBodies {
     const StepOperator* change;
     Grid grid;
     double step_x = 0, step_y = 0;  ///< as of RollingBodies, where there is a `change`
+    /// Of steady rolling: levels save iterations, but each costs more.
+    PreconditionerLevels levels = PreconditionerLevels::on_many_elements;
 };
 
 /// The bodies' operators and the contact outlive it.

@@ -22,13 +22,14 @@ std::vector<double> times(double factor, std::vector<double> values) {
 
 }  // namespace
 
-RollingCompliance::RollingCompliance(const RollingBodies& bodies, const Contact& contact)
+RollingCompliance::RollingCompliance(const RollingBodies& bodies, const Contact& contact, PreconditionerLevels levels)
     : influence_(bodies.influence),
       change_(bodies.change),
       contact_(contact),
       m_(contact.size()),
       influence_self_(tangential_diagonal(influence_, contact)),
       sweep_(bodies.grid, bodies.step_x, bodies.step_y, contact, times(sweep_self, influence_self_)),
+      with_levels_(levels),
       swept_(m_),
       full_in_(influence_.size()),
       full_out_(influence_.size()),
@@ -56,7 +57,8 @@ void RollingCompliance::linearise(const Linearisation& law) {
 
 void RollingCompliance::linearise_levels() {
     uses_levels_ = false;
-    if (m_ < smallest_with_levels || slip_part() < part_with_levels) return;
+    if (with_levels_ == PreconditionerLevels::never || m_ < smallest_with_levels || slip_part() < part_with_levels)
+        return;
     if (!levels_) {
         const double self = std::accumulate(self_.begin(), self_.end(), 0.0) / static_cast<double>(m_);
         levels_ = TurningLevels::make(change_, contact_, self);

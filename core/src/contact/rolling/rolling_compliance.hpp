@@ -11,6 +11,8 @@
 
 namespace contactd {
 
+enum class PreconditionerLevels { on_many_elements, never };
+
 // C is not symmetric. Where the contact has a leading edge but no trailing one, C = A T with T p = p(x) - p(x + step),
 // and C^-1 = T^-1 A^-1; where it has a trailing edge only it is A^-1 T^-1. Adhesion has both, and the mean of the two
 // serves it twice as well as either alone, the more so for the first step, whose residual is smooth up to the edges.
@@ -18,7 +20,8 @@ namespace contactd {
 // their own, and what both halves make of the whole contact is for adhesion only.
 class RollingCompliance final : public Compliance {
    public:
-    RollingCompliance(const RollingBodies& bodies, const Contact& contact);
+    RollingCompliance(const RollingBodies& bodies, const Contact& contact,
+                      PreconditionerLevels levels = PreconditionerLevels::on_many_elements);
 
     void apply(const Field& p, Field& u) override;
     const std::vector<double>& self() const override { return self_; }
@@ -40,6 +43,7 @@ class RollingCompliance final : public Compliance {
     const std::size_t m_;
     const std::vector<double> influence_self_;  // of each element in contact, A's diagonal
     RollingSweep sweep_;
+    const PreconditionerLevels with_levels_;
     std::unique_ptr<TurningLevels> levels_;  // null until they are of use
     bool uses_levels_ = false;
     const Linearisation* law_ = nullptr;
