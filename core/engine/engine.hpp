@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <span>
+#include <vector>
 
 #include "contactd/contact.hpp"
 #include "contactd/observer.hpp"
@@ -16,12 +18,14 @@
 #include "engine/operation/counters.hpp"
 #include "engine/operation/log.hpp"
 #include "engine/steps/contact_steps.hpp"
+#include "engine/wheel_rail/prepared_contacts.hpp"
 
 namespace contactd::engine {
 
 struct EngineSettings {
     std::filesystem::path store_folder;                         ///< of the tables that finite elements made
     std::size_t influence_budget_bytes = std::size_t{1} << 28;  ///< of operators that are kept between solves
+    std::size_t most_patch_elements = 200'000;                  ///< of a patch between wheel and rail
     IcService::Settings tables{};
 };
 
@@ -42,6 +46,13 @@ class Engine {
     ContactSolution solve(ContactSteps& steps, const StepState& before, const ContactSteps::Statement& statement,
                           Observer& observer);
 
+    /// A wheel on its rail. Bodies are half-spaces in closed form; profiles and operators are kept for the next step
+    /// with an equal set-up. Throws InvalidArgument naming "setup.track.gauge", "state.position.z", ..., and Cancelled.
+    WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
+    /// The search for contacts alone. Throws the same, naming "states[i].position.z".
+    std::vector<WheelRailGeometry> locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
+                                          Observer& observer);
+
     // For those who cannot wait: first the tables, then the solve with them.
     /// Of tables by finite elements; opens the store when it is first asked for. Throws StoreError.
     IcService& tables();
@@ -57,13 +68,15 @@ class Engine {
     IcAnswer fetch(const IcSpec& spec, Observer& observer);
     IcAnswers fetch(const ContactSetup& setup, Observer& observer);
     void count(const ContactSolution& solution);
+    ContactInfluence patch_influence(const ContactProblem& problem);
 
     const EngineSettings settings_;
     Counters counters_;
     JobTable jobs_;
     InfluenceCache influences_;
-    IcCache closed_forms_;  // of those who wait
-    std::mutex mutex_;      // guards what follows
+    IcCache closed_forms_;  // of those who wait, and of wheels on rails
+    PreparedContacts wheels_on_rails_;
+    std::mutex mutex_;  // guards what follows
     std::unique_ptr<IcService> tables_;
 };
 

@@ -100,6 +100,8 @@ struct WheelRailSetup {
     RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< surfaces: of model full only
     ContactSettings settings{};
     SolverSettings force{1e-6, 40};  ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
+
+    bool operator==(const WheelRailSetup&) const = default;
 };
 
 /// Throws InvalidArgument naming the field, in the words of these structs.

@@ -1,0 +1,91 @@
+// The engine's wheels on rails.
+#include <string>
+
+#include "contactd/error.hpp"
+#include "contactd/proto/status.hpp"
+#include "engine/engine.hpp"
+#include "engine/ics/problem_tables.hpp"
+
+namespace contactd::engine {
+namespace {
+
+/// Tables are somewhat larger than needed: the next patch may be, too.
+int rounded_up(int count) {
+    constexpr int step = 32;
+    return (count + step - 1) / step * step;
+}
+
+void check_half_spaces(const Bodies& bodies) {
+    for (const auto& [body, field] : {std::pair(&bodies.upper, "upper"), std::pair(&bodies.lower, "lower")}) {
+        const Ics* ics = body->computed();
+        const bool elsewise = !body->material.is_rigid() && (ics == nullptr || *ics != Ics{});
+        if (bodies.pair || elsewise)
+            throw InvalidArgument(std::string("bodies.") + field,
+                                  "is no half-space in closed form; wheels and rails are solved as such only");
+    }
+}
+
+/// What `ask` throws, with the name that the field has among set-up and state.
+template <class Ask>
+auto with_names(const std::string& setup, const std::string& state, const Ask& ask) {
+    try {
+        return ask();
+    } catch (const InvalidArgument& error) {
+        const std::string &field = error.field(), sentence = error.what();
+        if (field.starts_with("friction.rolling."))
+            throw InvalidArgument(setup + "model",
+                                  "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
+                                  "everywhere; take fastsim or full, or leave friction out");
+        const bool of_state = field.starts_with("position.") || field.starts_with("F");
+        throw InvalidArgument((of_state ? state : setup) + field, sentence.substr(field.size() + 1));
+    }
+}
+
+void check(const WheelRailState& state, const std::string& name) {
+    with_names(name, name, [&] { validate(state); });
+}
+
+}  // namespace
+
+ContactInfluence Engine::patch_influence(const ContactProblem& problem) {
+    if (problem.grid.size() > settings_.most_patch_elements)
+        throw proto::invalid_field("setup.dx",
+                                   "and dy make a patch of " + std::to_string(problem.grid.size()) +
+                                       " elements; at most " + std::to_string(settings_.most_patch_elements) +
+                                       " are allowed (limits.max_grid_elements)",
+                                   proto::reason::limit_exceeded);
+    ContactSetup larger = problem;
+    larger.grid.nx = rounded_up(problem.grid.nx);
+    larger.grid.ny = rounded_up(problem.grid.ny);
+    Observer observer;
+    return influence_of(problem, fetch(larger, observer), influences_);
+}
+
+WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
+    check(state, "state.");
+    WheelRailSolution solution = with_names("setup.", "state.", [&] {
+        check_half_spaces(setup.bodies);
+        return wheels_on_rails_.of(setup)->solve(state, observer);
+    });
+    for (const WheelRailPatch& patch : solution.patches) count(patch.solution);
+    return solution;
+}
+
+std::vector<WheelRailGeometry> Engine::locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
+                                              Observer& observer) {
+    const PreparedContacts::Contact contact = with_names("setup.", "", [&] { return wheels_on_rails_.of(setup); });
+    std::vector<WheelRailGeometry> geometries;
+    for (const WheelRailState& state : states) {
+        const std::string name = "states[" + std::to_string(geometries.size()) + "].";
+        check(state, name);
+        geometries.push_back(with_names("setup.", name, [&] { return contact->locate(state); }));
+        Progress progress;
+        progress.stage = "search";
+        progress.fraction = static_cast<double>(geometries.size()) / static_cast<double>(states.size());
+        observer.on_progress(progress);
+        observer.throw_if_cancelled();
+    }
+    return geometries;
+}
+
+}  // namespace contactd::engine

@@ -1,0 +1,34 @@
+#include "prepared_contacts.hpp"
+
+#include <algorithm>
+
+namespace contactd::engine {
+namespace {
+
+constexpr std::size_t most_kept = 32;  // both wheels of 16 wheelsets; at most 2 MB each, by the limit of points
+
+}  // namespace
+
+PreparedContacts::Contact PreparedContacts::of(const WheelRailSetup& setup) {
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto found =
+            std::ranges::find_if(contacts_, [&](const Contact& contact) { return contact->setup() == setup; });
+        if (found != contacts_.end()) {
+            contacts_.splice(contacts_.begin(), contacts_, found);
+            return contacts_.front();
+        }
+    }
+    auto made = std::make_shared<const WheelRailContact>(setup, source_);  // two steps may make the same
+    const std::scoped_lock lock(mutex_);
+    contacts_.push_front(made);
+    if (contacts_.size() > most_kept) contacts_.pop_back();
+    return made;
+}
+
+std::size_t PreparedContacts::size() const {
+    const std::scoped_lock lock(mutex_);
+    return contacts_.size();
+}
+
+}  // namespace contactd::engine
