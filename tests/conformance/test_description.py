@@ -59,6 +59,8 @@ def test_every_parameter_is_described(document):
         ("contact.solve", {**SOLVE, "model": "hertz"}),
         ("contact.solve_many", {"problems": [SOLVE, {**SOLVE, "gap": {"array": [[1]]}}]}),
         ("contact.subsurface", STRESS),
+        ("wheelrail.solve", {"setup": {"friction": {"mu": 0.3}, "dx": 1, "dy": 1}, "state": {"Fz": 10000}}),
+        ("wheelrail.geometry", {"states": [{"position": {"y": 3}, "Fz": 10000}]}),
     ],
     ids=lambda part: part if isinstance(part, str) else "",
 )

@@ -3,6 +3,7 @@
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/session.hpp"
+#include "contactd/proto/wheel_rail.hpp"
 #include "input.hpp"
 
 using namespace contactd::proto;
@@ -14,6 +15,8 @@ void decode(const std::string& method, const nlohmann::json& result, const std::
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
+    if (method == "wheelrail.solve") decode_wheel_rail_solution(result, frames);
+    if (method == "wheelrail.geometry") decode_wheel_rail_geometries(result);
     if (method == "session.info") decode_session_info(result);
     if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::centred(2, 1, 1, 1));
 }

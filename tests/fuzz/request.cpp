@@ -3,6 +3,7 @@
 #include "contactd/error.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
+#include "contactd/proto/wheel_rail.hpp"
 #include "input.hpp"
 
 using namespace contactd;
@@ -44,6 +45,9 @@ void decode(const Request& request) {
         for (const auto& problem : params.at("problems")) check_problem(decode_problem(problem, request.frames));
     } else if (request.method == "contact.subsurface") {
         decode_subsurface_request(params, request.frames, limits);
+    } else if (request.method.starts_with("wheelrail.")) {
+        decode_wheel_rail_setup(params, request.frames);
+        if (params.contains("state")) decode_wheel_rail_state(params["state"]);
     }
 }
 

@@ -27,6 +27,9 @@ SUBSURFACE_PARAMS = {
     "block": {"x": [0, 1], "y": [0], "z": [0, -1]},
 }
 
+WHEEL_RAIL = {"friction": {"mu": 0.3}, "dx": 1, "dy": 1}
+ROLLING = {"velocity": {"x": 2000, "pitch": -4.348}, "Fz": 10000}
+
 
 @pytest.mark.parametrize("arrays", ["frame", "list"])
 @pytest.mark.parametrize(
@@ -42,6 +45,8 @@ SUBSURFACE_PARAMS = {
         ("contact.solve", CATTANEO_PARAMS),
         ("contact.solve", {name: CATTANEO_PARAMS[name] for name in CATTANEO_PARAMS if name != "friction"}),
         ("contact.subsurface", SUBSURFACE_PARAMS),
+        ("wheelrail.solve", {"setup": WHEEL_RAIL, "state": ROLLING, "gap": True}),
+        ("wheelrail.geometry", {"setup": WHEEL_RAIL, "states": [ROLLING]}),
         ("job.list", {}),
     ],
     ids=lambda part: part if isinstance(part, str) else "",

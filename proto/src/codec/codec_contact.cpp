@@ -14,7 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Words<Model, 3> models{{{"full", Model::full}, {"hertz", Model::hertz}, {"fastsim", Model::fastsim}}};
 constexpr double flat = std::numeric_limits<double>::infinity();
 /// Largest radius that the schema takes.
 constexpr double largest_radius = 1e12;
@@ -59,7 +58,8 @@ auto solvers_of(Settings& settings) {
                       std::pair("outer", &settings.outer)};
 }
 
-/// Defaults are left out: what is not sent need not be read.
+}  // namespace
+
 void encode_settings(const ContactSettings& settings, json& params) {
     static const ContactSettings defaults;
     const auto of_defaults = solvers_of(defaults);
@@ -83,6 +83,8 @@ ContactSettings decode_settings(const json& params) {
     }
     return settings;
 }
+
+namespace {
 
 /// The arrays of `initial` or `previous` with their names; State may be const.
 template <class State>
@@ -111,7 +113,7 @@ SurfaceState decode_state(const std::string& field, const json& params, const st
 json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     json params = object({{"grid", encode_grid(problem.grid)}});
     if (problem.gap) params["gap"] = encode_gap(*problem.gap, problem.grid, arrays);
-    if (problem.model != Model::full) params["model"] = word_for(models, problem.model);
+    if (problem.model != Model::full) params["model"] = word_for(model_words, problem.model);
     encode_settings(problem.settings, params);
     encode_bodies(problem, params, arrays);
     if (problem.Fn && problem.approach) require_load(problem);
@@ -129,7 +131,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
 ContactProblem decode_opening(const json& params, const std::vector<std::string>& frames) {
     ContactProblem problem;
     problem.grid = decode_grid(params["grid"]);
-    if (params.contains("model")) problem.model = meaning_of(params["model"], models);
+    if (params.contains("model")) problem.model = meaning_of(params["model"], model_words);
     decode_bodies(params, frames, problem);
     if (params.contains("gap")) problem.gap = decode_gap(params["gap"], frames, problem.grid);
     if (params.contains("Fn")) problem.Fn = params["Fn"].get<double>();

@@ -83,6 +83,8 @@ Step known_or_new(const Motion& motion) {
     return known ? *known : Step{};
 }
 
+}  // namespace
+
 json encode_kinetic(const KineticFriction& kinetic) {
     return {{"law", word_for(slip_laws, kinetic.law)},
             {"mu", finite_field(kinetic.mu, "friction.kinetic.mu")},
@@ -96,8 +98,6 @@ KineticFriction decode_kinetic(const json& source) {
     kinetic.slip_velocity = source["slip_velocity"].get<double>();
     return kinetic;
 }
-
-}  // namespace
 
 json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& arrays) {
     json result = json::object();

@@ -44,6 +44,9 @@ Enum meaning_of(const nlohmann::json& word, const Words<Enum, n>& words) {
     throw Error("The word " + word.dump() + " is unknown.");
 }
 
+inline constexpr Words<Model, 3> model_words{
+    {{"full", Model::full}, {"hertz", Model::hertz}, {"fastsim", Model::fastsim}}};
+
 /// The shape [ny, nx] of arrays over a grid.
 inline std::vector<std::size_t> shape_of(const Grid& grid) {
     return {static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
@@ -98,6 +101,14 @@ ContactProblem decode_opening(const nlohmann::json& params, const std::vector<st
 
 nlohmann::json encode_use(const IcUse& use);
 
+/// `settings` of a request. Defaults are left out: what is not sent need not be read.
+void encode_settings(const ContactSettings& settings, nlohmann::json& params);
+ContactSettings decode_settings(const nlohmann::json& params);
+
+/// `friction.kinetic` of a request.
+nlohmann::json encode_kinetic(const KineticFriction& kinetic);
+KineticFriction decode_kinetic(const nlohmann::json& source);
+
 /// What a request says of friction: each part is absent, or empty, where it is not said.
 struct FrictionParts {
     std::optional<FrictionLaw> law;
@@ -113,7 +124,8 @@ nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid)
 void decode_summary(const nlohmann::json& result, ContactSolution& solution);
 nlohmann::json encode_evidence(const ContactEvidence& evidence);
 ContactEvidence decode_contact_evidence(const nlohmann::json& source);
-/// `element_division` of a result.
+nlohmann::json encode_solver_evidence(const SolverEvidence& evidence);
+SolverEvidence decode_solver_evidence(const nlohmann::json& source);
 /// Adds those of `fields` that the solution has.
 void encode_arrays(const ContactSolution& solution, const SolutionFields& fields, const Grid& grid, ArrayWriter& arrays,
                    nlohmann::json& result);

@@ -9,18 +9,6 @@ namespace {
 
 using nlohmann::json;
 
-json encode_solver_evidence(const SolverEvidence& evidence) {
-    return object({{"iterations", evidence.iterations},
-                   {"residual", finite(evidence.residual, "The residual of a solve")},
-                   {"converged", evidence.converged},
-                   {"seconds", finite(evidence.seconds, "The duration of a solve")}});
-}
-
-SolverEvidence decode_solver_evidence(const json& source) {
-    return {source["iterations"].get<int>(), source["residual"].get<double>(), source["converged"].get<bool>(),
-            source["seconds"].get<double>()};
-}
-
 constexpr Words<ErrorSource, 2> error_sources{{{"hertz", ErrorSource::hertz}, {"estimate", ErrorSource::estimate}}};
 
 json encode_discretisation(const Discretisation& evidence) {
@@ -109,6 +97,18 @@ json encode_friction_results(const ContactSolution& solution, const Grid& grid) 
 }
 
 }  // namespace
+
+json encode_solver_evidence(const SolverEvidence& evidence) {
+    return object({{"iterations", evidence.iterations},
+                   {"residual", finite(evidence.residual, "The residual of a solve")},
+                   {"converged", evidence.converged},
+                   {"seconds", finite(evidence.seconds, "The duration of a solve")}});
+}
+
+SolverEvidence decode_solver_evidence(const json& source) {
+    return {source["iterations"].get<int>(), source["residual"].get<double>(), source["converged"].get<bool>(),
+            source["seconds"].get<double>()};
+}
 
 json encode_use(const IcUse& use) {
     return object({{"origin", use.origin}, {"key", use.key}, {"evidence", encode_evidence(use.evidence)}});

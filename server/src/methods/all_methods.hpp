@@ -5,16 +5,17 @@
 
 namespace contactd::server {
 
-void add_server_methods(MethodTable& methods);   ///< server.*, health.watch
-void add_ic_methods(MethodTable& methods);       ///< ic.*
-void add_contact_methods(MethodTable& methods);  ///< contact.*
-void add_session_methods(MethodTable& methods);  ///< session.*
-void add_job_methods(MethodTable& methods);      ///< job.*, request.cancel
+void add_server_methods(MethodTable& methods);     ///< server.*, health.watch
+void add_ic_methods(MethodTable& methods);         ///< ic.*
+void add_contact_methods(MethodTable& methods);    ///< contact.*
+void add_wheelrail_methods(MethodTable& methods);  ///< wheelrail.*
+void add_session_methods(MethodTable& methods);    ///< session.*
+void add_job_methods(MethodTable& methods);        ///< job.*, request.cancel
 
 inline MethodTable all_methods() {
     MethodTable methods;
-    for (const auto add :
-         {add_server_methods, add_ic_methods, add_contact_methods, add_session_methods, add_job_methods})
+    for (const auto add : {add_server_methods, add_ic_methods, add_contact_methods, add_wheelrail_methods,
+                           add_session_methods, add_job_methods})
         add(methods);
     return methods;
 }

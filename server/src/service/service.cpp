@@ -26,6 +26,7 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
     const auto& builds = config.builds;
     return {config.store.folder,
             config.store.influence_budget_bytes,
+            config.max_grid_elements,
             {{builds.launcher, builds.program, builds.environment, builds.max_memory_bytes,
               std::chrono::seconds(builds.stall_seconds), std::chrono::seconds(builds.max_seconds)},
              builds.concurrent,

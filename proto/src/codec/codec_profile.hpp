@@ -1,0 +1,20 @@
+// A profile, by its formula or by points.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/profile_spec.hpp"
+#include "contactd/proto/message.hpp"
+
+namespace contactd::proto {
+
+nlohmann::json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays);
+/// `field` is where it stands. Throws StatusError for points that are too many or no pairs, and for ends in the wrong
+/// order.
+ProfileSpec decode_profile(const nlohmann::json& source, ProfileKind kind, const std::vector<std::string>& frames,
+                           const std::string& field);
+
+}  // namespace contactd::proto

@@ -1,0 +1,180 @@
+// `setup` of wheelrail.solve and wheelrail.geometry.
+#include <span>
+#include <utility>
+
+#include "codec_profile.hpp"
+#include "contactd/proto/object.hpp"
+#include "contactd/proto/wheel_rail.hpp"
+#include "named_numbers.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+constexpr Words<Side, 2> sides{{{"left", Side::left}, {"right", Side::right}}};
+constexpr Words<WheelSurfaceKind, 2> wheel_surfaces{
+    {{"exact", WheelSurfaceKind::exact}, {"bilinear", WheelSurfaceKind::bilinear}}};
+
+// Each of something that may be const.
+template <class Part>
+auto numbers_of_track(Part& track) {
+    return named(std::pair("gauge", &track.gauge), std::pair("gauge_height", &track.gauge_height),
+                 std::pair("cant", &track.cant));
+}
+
+template <class Part>
+auto numbers_of_wheelset(Part& wheelset) {
+    return named(std::pair("flange_back_distance", &wheelset.flange_back_distance),
+                 std::pair("flange_back_position", &wheelset.flange_back_position),
+                 std::pair("nominal_radius", &wheelset.nominal_radius));
+}
+
+template <class Part>
+auto numbers_of_patches(Part& rules) {
+    return named(std::pair("angle_separate", &rules.angle_separate),
+                 std::pair("distance_separate", &rules.distance_separate),
+                 std::pair("distance_combine", &rules.distance_combine),
+                 std::pair("distance_turn", &rules.distance_turn), std::pair("locus_step", &rules.locus_step));
+}
+
+template <class Part>
+auto numbers_of_elements(Part& setup) {
+    return named(std::pair("dx", &setup.dx), std::pair("dy", &setup.dy), std::pair("dq", &setup.dq));
+}
+
+json encode_track(const Track& track) {
+    json result = encode_numbers(numbers_of_track(track));
+    if (track.rail_origin)
+        result["rail_origin"] = object({{"y", finite(track.rail_origin->y, "rail_origin.y")},
+                                        {"z", finite(track.rail_origin->z, "rail_origin.z")}});
+    if (track.roller_radius) result["roller_radius"] = finite(*track.roller_radius, "roller_radius");
+    return result;
+}
+
+Track decode_track(const json& source) {
+    Track track;
+    decode_numbers(source, numbers_of_track(track));
+    if (source.contains("rail_origin"))
+        track.rail_origin =
+            ProfilePoint{source["rail_origin"]["y"].get<double>(), source["rail_origin"]["z"].get<double>()};
+    if (source.contains("roller_radius")) track.roller_radius = source["roller_radius"].get<double>();
+    return track;
+}
+
+json encode_body(const Body& body, const char* field) {
+    if (body.material.is_rigid()) return {{"rigid", true}};
+    if (const Ics* ics = body.computed(); ics == nullptr || *ics != Ics{})
+        throw InvalidArgument(std::string("setup.bodies.") + field + ".ics",
+                              "is no half-space in closed form; the daemon knows wheels and rails as such only");
+    return encode_material(body.material);
+}
+
+json encode_bodies(const Bodies& bodies) {
+    if (bodies.pair)
+        throw InvalidArgument(
+            "setup.bodies.pair",
+            "holds coefficients of a grid, and the grids of wheels on rails are found; give materials");
+    return object({{"upper", encode_body(bodies.upper, "upper")}, {"lower", encode_body(bodies.lower, "lower")}});
+}
+
+Body decode_body(const json& source) {
+    return {source.contains("rigid") ? Material::rigid() : decode_material(source)};
+}
+
+json encode_friction(const WheelRailFriction& friction) {
+    json result = object({{"along_profile", friction.along_profile}});
+    if (friction.mu.size() == 1 && friction.mu[0].angle == 0) {
+        result["mu"] = finite(friction.mu[0].mu, "friction.mu");
+    } else {
+        result["mu"] = json::array();
+        for (const auto& [angle, mu] : friction.mu)
+            result["mu"].push_back(
+                object({{"angle", finite(angle, "friction.mu.angle")}, {"mu", finite(mu, "friction.mu.mu")}}));
+    }
+    if (friction.kinetic) result["kinetic"] = encode_kinetic(*friction.kinetic);
+    return result;
+}
+
+WheelRailFriction decode_friction(const json& source) {
+    WheelRailFriction friction;
+    friction.mu.clear();
+    if (source["mu"].is_number()) {
+        friction.mu.push_back({0, source["mu"].get<double>()});
+    } else {
+        for (const json& entry : source["mu"])
+            friction.mu.push_back({entry["angle"].get<double>(), entry["mu"].get<double>()});
+    }
+    friction.along_profile = source.value("along_profile", false);
+    if (source.contains("kinetic")) friction.kinetic = decode_kinetic(source["kinetic"]);
+    return friction;
+}
+
+json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
+    json result = encode_numbers(numbers_of_elements(setup));
+    result["side"] = word_for(sides, setup.side);
+    result["wheel"] = encode_profile(setup.wheel, arrays);
+    result["rail"] = encode_profile(setup.rail, arrays);
+    result["track"] = encode_track(setup.track);
+    result["wheelset"] = encode_numbers(numbers_of_wheelset(setup.wheelset));
+    result["bodies"] = encode_bodies(setup.bodies);
+    result["model"] = word_for(model_words, setup.model);
+    if (setup.friction) result["friction"] = encode_friction(*setup.friction);
+    result["patches"] = encode_numbers(numbers_of_patches(setup.patches));
+    result["wheel_surface"] = word_for(wheel_surfaces, setup.wheel_surface);
+    encode_settings(setup.settings, result);
+    result["force"] = object({{"tolerance", finite(setup.force.tolerance, "force.tolerance")},
+                              {"max_iterations", setup.force.max_iterations}});
+    return result;
+}
+
+}  // namespace
+
+json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state, const PatchFields& fields,
+                               ArrayWriter& arrays) {
+    json params = object({{"setup", encode_setup(setup, arrays)}, {"state", encode_wheel_rail_state(state)}});
+    if (fields.solution != all_solution_fields) params["fields"] = encode_fields(fields.solution);
+    if (fields.gap) params["gap"] = true;
+    return params;
+}
+
+json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelRailState> states, ArrayWriter& arrays) {
+    json params = object({{"setup", encode_setup(setup, arrays)}, {"states", json::array()}});
+    for (const WheelRailState& state : states) params["states"].push_back(encode_wheel_rail_state(state));
+    return params;
+}
+
+PatchFields decode_patch_fields(const json& params) {
+    return {decode_fields(params, all_solution_fields), params.value("gap", false)};
+}
+
+WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std::string>& frames) {
+    WheelRailSetup setup;
+    setup.friction.reset();
+    if (!params.contains("setup")) return setup;
+    const json& source = params["setup"];
+    const auto has = [&](const char* field) { return source.contains(field); };
+    decode_numbers(source, numbers_of_elements(setup));
+    if (has("side")) setup.side = meaning_of(source["side"], sides);
+    if (has("wheel")) setup.wheel = decode_profile(source["wheel"], ProfileKind::wheel, frames, "setup.wheel");
+    if (has("rail")) setup.rail = decode_profile(source["rail"], ProfileKind::rail, frames, "setup.rail");
+    if (has("track")) setup.track = decode_track(source["track"]);
+    if (has("wheelset")) decode_numbers(source["wheelset"], numbers_of_wheelset(setup.wheelset));
+    if (has("bodies")) {
+        const json& bodies = source["bodies"];
+        setup.bodies.upper = decode_body(bodies["upper"]);
+        setup.bodies.lower = bodies.contains("lower") ? decode_body(bodies["lower"]) : setup.bodies.upper;
+    }
+    if (has("model")) setup.model = meaning_of(source["model"], model_words);
+    if (has("friction")) setup.friction = decode_friction(source["friction"]);
+    if (has("patches")) decode_numbers(source["patches"], numbers_of_patches(setup.patches));
+    if (has("wheel_surface")) setup.wheel_surface = meaning_of(source["wheel_surface"], wheel_surfaces);
+    setup.settings = decode_settings(source);
+    if (has("force")) {
+        setup.force.tolerance = source["force"].value("tolerance", setup.force.tolerance);
+        setup.force.max_iterations = source["force"].value("max_iterations", setup.force.max_iterations);
+    }
+    return setup;
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,131 @@
+// Results of wheelrail.solve and wheelrail.geometry.
+#include <span>
+#include <utility>
+
+#include "codec_contact_place.hpp"
+#include "contactd/proto/object.hpp"
+#include "contactd/proto/wheel_rail.hpp"
+#include "named_numbers.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+// Each of something that may be const.
+template <class Part>
+auto numbers_of_wrench(Part& wrench) {
+    return named(std::pair("Fx", &wrench.Fx), std::pair("Fy", &wrench.Fy), std::pair("Fz", &wrench.Fz),
+                 std::pair("Mx", &wrench.Mx), std::pair("My", &wrench.My), std::pair("Mz", &wrench.Mz));
+}
+
+template <class Part>
+auto wrenches_of(Part& forces) {
+    return std::array{std::pair("track", &forces.track), std::pair("rail", &forces.rail),
+                      std::pair("wheelset", &forces.wheelset)};
+}
+
+template <class Part>
+auto searches_of(Part& solution) {
+    return std::array{std::pair("force", &solution.force), std::pair("pitch_search", &solution.pitch_search)};
+}
+
+json encode_forces(const WheelRailForces& forces) {
+    json result = json::object();
+    for (const auto& [name, wrench] : wrenches_of(forces)) result[name] = encode_numbers(numbers_of_wrench(*wrench));
+    return result;
+}
+
+WheelRailForces decode_forces(const json& source) {
+    WheelRailForces forces;
+    for (const auto& [name, wrench] : wrenches_of(forces)) decode_numbers(source[name], numbers_of_wrench(*wrench));
+    return forces;
+}
+
+json encode_patch(const WheelRailPatch& patch, const PatchFields& fields, ArrayWriter& arrays) {
+    const Grid& grid = patch.place.grid;
+    json solution = encode_summary(patch.solution, grid);
+    solution["evidence"] = encode_evidence(patch.solution.evidence);
+    encode_arrays(patch.solution, fields.solution, grid, arrays, solution);
+    json result = object({{"place", encode_place(patch.place)},
+                          {"solution", std::move(solution)},
+                          {"forces", encode_forces(patch.forces)}});
+    if (fields.gap && !patch.gap.empty())
+        result["gap"] = arrays.write(std::span<const double>(patch.gap), shape_of(grid));
+    return result;
+}
+
+WheelRailPatch decode_patch(const json& source, const std::vector<std::string>& frames) {
+    WheelRailPatch patch;
+    patch.place = decode_place(source["place"]);
+    const std::vector<std::size_t> shape = shape_of(patch.place.grid);
+    if (source.contains("gap")) patch.gap = read_array(source["gap"], frames, shape, "gap");
+    decode_summary(source["solution"], patch.solution);
+    patch.solution.evidence = decode_contact_evidence(source["solution"]["evidence"]);
+    decode_arrays(source["solution"], frames, shape, patch.solution);
+    patch.forces = decode_forces(source["forces"]);
+    return patch;
+}
+
+json encode_geometry(const WheelRailGeometry& geometry) {
+    json places = json::array();
+    for (const ContactPlace& place : geometry.places) places.push_back(encode_place(place));
+    json result = object({{"z", finite(geometry.z, "z of the wheelset")},
+                          {"places", std::move(places)},
+                          {"warnings", geometry.warnings}});
+    if (geometry.clearance) result["clearance"] = finite(*geometry.clearance, "The clearance");
+    return result;
+}
+
+WheelRailGeometry decode_geometry(const json& source) {
+    WheelRailGeometry geometry;
+    geometry.z = source["z"].get<double>();
+    for (const json& place : source["places"]) geometry.places.push_back(decode_place(place));
+    if (source.contains("clearance")) geometry.clearance = source["clearance"].get<double>();
+    geometry.warnings = source["warnings"].get<std::vector<std::string>>();
+    return geometry;
+}
+
+}  // namespace
+
+json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields, ArrayWriter& arrays) {
+    json patches = json::array();
+    for (const WheelRailPatch& patch : solution.patches) patches.push_back(encode_patch(patch, fields, arrays));
+    json result = object({{"z", finite(solution.z, "z of the wheelset")},
+                          {"pitch", finite(solution.pitch, "The pitch rate")},
+                          {"forces", encode_forces(solution.forces)},
+                          {"patches", std::move(patches)},
+                          {"warnings", solution.warnings},
+                          {"converged", solution.converged()}});
+    if (solution.clearance) result["clearance"] = finite(*solution.clearance, "The clearance");
+    for (const auto& [name, search] : searches_of(solution))
+        if (*search) result[name] = encode_solver_evidence(**search);
+    return result;
+}
+
+WheelRailSolution decode_wheel_rail_solution(const json& result, const std::vector<std::string>& frames) {
+    WheelRailSolution solution;
+    solution.z = result["z"].get<double>();
+    solution.pitch = result["pitch"].get<double>();
+    if (result.contains("clearance")) solution.clearance = result["clearance"].get<double>();
+    for (const json& patch : result["patches"]) solution.patches.push_back(decode_patch(patch, frames));
+    solution.forces = decode_forces(result["forces"]);
+    for (const auto& [name, search] : searches_of(solution))
+        if (result.contains(name)) *search = decode_solver_evidence(result[name]);
+    solution.warnings = result["warnings"].get<std::vector<std::string>>();
+    return solution;
+}
+
+json encode_wheel_rail_geometries(std::span<const WheelRailGeometry> geometries) {
+    json result = object({{"geometries", json::array()}});
+    for (const WheelRailGeometry& geometry : geometries) result["geometries"].push_back(encode_geometry(geometry));
+    return result;
+}
+
+std::vector<WheelRailGeometry> decode_wheel_rail_geometries(const json& result) {
+    std::vector<WheelRailGeometry> geometries;
+    for (const json& geometry : result["geometries"]) geometries.push_back(decode_geometry(geometry));
+    return geometries;
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,86 @@
+// wheelrail.*: wheels on their rails.
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "all_methods.hpp"
+#include "contactd/proto/wheel_rail.hpp"
+#include "jobs/job_reports.hpp"
+
+namespace contactd::server {
+namespace {
+
+/// The job of a call that its worker does, with what it tells and what ends it.
+class WorkOnCall {
+   public:
+    WorkOnCall(const CallPtr& call, const DaemonParts& parts)
+        : call_(call),
+          job_(job_of(call, "solve", parts.jobs)),
+          reporter_(call, job_),
+          observer_(call, job_, [this](const Progress& progress) { reporter_.report(to_job_progress(progress)); }) {
+        job_->set_running();
+    }
+
+    Observer& observer() { return observer_; }
+    void succeed(const nlohmann::json& result, std::vector<std::string> frames = {}) {
+        job_->end();
+        call_->succeed(result, std::move(frames));
+    }
+
+   private:
+    const CallPtr call_;
+    const std::shared_ptr<Job> job_;
+    Reporter reporter_;
+    JobObserver observer_;
+};
+
+WheelRailSetup setup_of(const CallPtr& call) {
+    const proto::Request& request = call->request;
+    WheelRailSetup setup = proto::decode_wheel_rail_setup(request.params, request.frames);
+    proto::check_frames_used(request.params, request.frames);  // after those that are missing
+    return setup;
+}
+
+/// Grids are found with the contacts. Those of model full are held against the limit before they are solved on; a quick
+/// model needs no more than their arrays.
+void check_grids(const WheelRailSolution& solution, std::size_t most) {
+    for (const WheelRailPatch& patch : solution.patches)
+        if (const Grid& grid = patch.place.grid; grid.size() > most)
+            throw proto::invalid_field("setup.dx",
+                                       "and dy make a patch of " + std::to_string(grid.size()) + " elements; at most " +
+                                           std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                       proto::reason::limit_exceeded);
+}
+
+void solve(const CallPtr& call, const DaemonParts& parts) {
+    const nlohmann::json& params = call->request.params;
+    const WheelRailSetup setup = setup_of(call);
+    const WheelRailState state = proto::decode_wheel_rail_state(params.at("state"));
+    ++parts.counters.solves;
+    WorkOnCall work(call, parts);
+    const WheelRailSolution solution = parts.engine.solve(setup, state, work.observer());
+    check_grids(solution, parts.config.max_grid_elements);
+    proto::ArrayWriter arrays(call->request.arrays);
+    const nlohmann::json result =
+        proto::encode_wheel_rail_solution(solution, proto::decode_patch_fields(params), arrays);
+    work.succeed(result, arrays.take_frames());
+}
+
+void locate(const CallPtr& call, const DaemonParts& parts) {
+    const WheelRailSetup setup = setup_of(call);
+    std::vector<WheelRailState> states;
+    for (const nlohmann::json& state : call->request.params.at("states"))
+        states.push_back(proto::decode_wheel_rail_state(state));
+    WorkOnCall work(call, parts);
+    work.succeed(proto::encode_wheel_rail_geometries(parts.engine.locate(setup, states, work.observer())));
+}
+
+}  // namespace
+
+void add_wheelrail_methods(MethodTable& methods) {
+    methods.add({.name = "wheelrail.solve", .job = "solve", .handle = solve});
+    methods.add({.name = "wheelrail.geometry", .job = "solve", .handle = locate});
+}
+
+}  // namespace contactd::server

@@ -1,0 +1,298 @@
+// wheelrail.solve and wheelrail.geometry.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <limits>
+
+#include "contactd/error.hpp"
+#include "contactd/proto/schema.hpp"
+#include "contactd/proto/wheel_rail.hpp"
+#include "wire.hpp"
+
+using namespace contactd;
+using namespace contactd::proto;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+json sent(const json& message) {
+    return json::parse(dump(message));
+}
+
+/// No field as its default.
+WheelRailSetup unusual_setup() {
+    WheelRailSetup setup;
+    setup.side = Side::left;
+    setup.wheel = {ProfileKind::wheel, ConeProfile{-0.05, -30, 30.5}};
+    setup.rail = {ProfileKind::rail, ProfilePoints{{{-10, 0.1 + 0.2}, {0, 0}, {10, 0.17}}, 1000, true, true, 5}};
+    setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500};
+    setup.wheelset = {1440, -69, 475};
+    setup.bodies = Bodies::of({{80000, 0.3}, Material::rigid()});
+    setup.friction = WheelRailFriction{{{-1.2, 0.1}, {0, 0.4}}, true, KineticFriction{SlipLaw::linear, 0.05, 900}};
+    setup.dx = 0.5;
+    setup.dy = 0.25;
+    setup.dq = 0.4;
+    setup.patches = {1, 7, 3, 11, 0.5};
+    setup.wheel_surface = WheelSurfaceKind::bilinear;
+    setup.settings.tangential = {1e-7, 12};
+    setup.force = {1e-5, 30};
+    return setup;
+}
+
+WheelRailState unusual_state() {
+    WheelRailState state;
+    state.position = {1, 2, 0.1, 0.2};
+    state.velocity = {3, 4, 5, 6, 7, 8};
+    state.rail = {9, 10, 0.3, 12, 13, 14};
+    state.roller_pitch = 15;
+    state.Fz = 16;
+    state.Fx = -17;
+    return state;
+}
+
+ContactPlace place() {
+    ContactPlace place;
+    place.reference = {1, 2, 3, -0.1};
+    place.regions = {{{4, 5, 6, 0.2}, {-1, 1}, {-2, 3}, {0, 0.5}, 0.01, 1e-5}, {{7, 8, 9, 0}, {}, {}, {}, 0.02, 2e-5}};
+    place.shares = {1, 0.4, 0.4, 1};
+    place.grid = {2, 1, 0.5, 0.5, -0.75, 0.25};
+    place.approach = 0.1 + 0.2;
+    place.penetration = 0.25;
+    place.creepages = {1e-3, -2e-3, 3e-4, 0, 2000};
+    place.radii = {460, -330, infinite, 300};
+    return place;
+}
+
+WheelRailSolution solution() {
+    WheelRailSolution solution;
+    solution.z = 0.2;
+    solution.pitch = -4.3;
+    solution.clearance = -0.02;
+    solution.forces.track = {1, 2, 3, 4, 5, 6};
+    solution.forces.rail = {7, 8, 9, 10, 11, 12};
+    solution.forces.wheelset = {13, 14, 15, 16, 17, 18};
+    solution.force = SolverEvidence{3, 1e-9, true, 0.1};
+    solution.pitch_search = SolverEvidence{4, 1e-8, false, 0.2};
+    solution.warnings = {"The contact reaches the end of a profile."};
+    WheelRailPatch& patch = solution.patches.emplace_back();
+    patch.place = place();
+    patch.gap = {0, 0.5};
+    patch.solution.pressure = {1, 2};
+    patch.solution.traction_x = {-0.1, 0.2};
+    patch.solution.traction_y = {0, 0};
+    patch.solution.element_division = {ElementState::adhesion, ElementState::slip};
+    patch.solution.forces = {3, 0.1, 0, 0};
+    patch.solution.evidence.normal = {2, 1e-10, true, 0};
+    patch.forces.track = {21, 22, 23, 24, 25, 26};
+    return solution;
+}
+
+std::string refusal_of(const json& params, const std::vector<std::string>& frames = {}) {
+    const auto status = wire::status_thrown_by([&] {
+        check_params("wheelrail.solve", params);
+        decode_wheel_rail_setup(params, frames);
+    });
+    return status ? status->reason + ": " + status->message : "taken";
+}
+
+json minimal() {
+    return {{"setup", json::object()}, {"state", json::object()}};
+}
+
+}  // namespace
+
+TEST_CASE("A wheel on a rail arrives as it was sent", "[codec]") {
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    const WheelRailSetup setup = unusual_setup();
+    const WheelRailState state = unusual_state();
+    const PatchFields fields{{SolutionField::pressure}, true};
+    ArrayWriter arrays(encoding);
+
+    const json params = sent(encode_wheel_rail_request(setup, state, fields, arrays));
+    const auto frames = arrays.take_frames();
+    CHECK_NOTHROW(check_params("wheelrail.solve", params));
+    CHECK_NOTHROW(check_frames_used(params, frames));
+
+    CHECK(decode_wheel_rail_setup(params, frames) == setup);
+    CHECK(decode_wheel_rail_state(params["state"]) == state);
+    CHECK(decode_patch_fields(params).solution == fields.solution);
+    CHECK(decode_patch_fields(params).gap);
+}
+
+TEST_CASE("Each profile arrives as it was sent", "[codec]") {
+    const ProfileShape shape =
+        GENERATE(ProfileShape(S1002{}), ProfileShape(Rail60E1{0.05}), ProfileShape(ArcProfile{-300, 0.1, -20, 21}),
+                 ProfileShape(ConeProfile{0.025, -7, 8}));
+    WheelRailSetup setup;
+    setup.wheel.shape = shape;
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = sent(encode_wheel_rail_request(setup, {}, {}, arrays));
+    CHECK_NOTHROW(check_params("wheelrail.solve", params));
+    CHECK(decode_wheel_rail_setup(params, {}) == setup);
+}
+
+TEST_CASE("What is not said of a wheel on a rail is as in C++, but without friction", "[codec]") {
+    WheelRailSetup setup;
+    setup.friction.reset();
+    CHECK(decode_wheel_rail_setup(json::object(), {}) == setup);
+    CHECK(decode_wheel_rail_setup(minimal(), {}) == setup);
+    CHECK(decode_wheel_rail_state(json::object()) == WheelRailState{});
+    CHECK(decode_patch_fields(minimal()).solution == all_solution_fields);
+    CHECK_FALSE(decode_patch_fields(minimal()).gap);
+}
+
+TEST_CASE("The states of a search arrive as they were sent", "[codec]") {
+    const std::vector<WheelRailState> states{unusual_state(), {}};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = sent(encode_geometry_request(unusual_setup(), states, arrays));
+    CHECK_NOTHROW(check_params("wheelrail.geometry", params));
+    REQUIRE(params["states"].size() == 2);
+    CHECK(decode_wheel_rail_state(params["states"][0]) == states[0]);
+    CHECK(decode_wheel_rail_state(params["states"][1]) == states[1]);
+}
+
+TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    const WheelRailSolution original = solution();
+    ArrayWriter arrays(encoding);
+    const json result = sent(encode_wheel_rail_solution(original, {all_solution_fields, true}, arrays));
+    CHECK(violations_of("wheelrail.solve.result", result).empty());
+    CHECK(result["converged"] == false);
+
+    const WheelRailSolution read = decode_wheel_rail_solution(result, arrays.take_frames());
+
+    CHECK(read.z == original.z);
+    CHECK(read.pitch == original.pitch);
+    CHECK(read.clearance == original.clearance);
+    CHECK(read.warnings == original.warnings);
+    CHECK(read.forces.track == original.forces.track);
+    CHECK(read.forces.rail == original.forces.rail);
+    CHECK(read.forces.wheelset == original.forces.wheelset);
+    REQUIRE(read.force);
+    CHECK(read.force->iterations == 3);
+    REQUIRE(read.pitch_search);
+    CHECK(read.pitch_search->residual == 1e-8);
+    REQUIRE(read.patches.size() == 1);
+    const WheelRailPatch &patch = read.patches[0], &wanted = original.patches[0];
+    CHECK(patch.place.reference == wanted.place.reference);
+    CHECK(patch.place.regions == wanted.place.regions);
+    CHECK(patch.place.shares == wanted.place.shares);
+    CHECK(patch.place.grid == wanted.place.grid);
+    CHECK(patch.place.approach == wanted.place.approach);
+    CHECK(patch.place.penetration == wanted.place.penetration);
+    CHECK(patch.place.creepages == wanted.place.creepages);
+    CHECK(patch.place.radii == wanted.place.radii);
+    CHECK(patch.gap == wanted.gap);
+    CHECK(patch.solution.pressure == wanted.solution.pressure);
+    CHECK(patch.solution.traction_x == wanted.solution.traction_x);
+    CHECK(patch.solution.element_division == wanted.solution.element_division);
+    CHECK(patch.solution.forces.Fn == 3);
+    CHECK(patch.solution.evidence.normal.iterations == 2);
+    CHECK(patch.forces.track == wanted.forces.track);
+}
+
+TEST_CASE("Arrays of patches come where they are asked for", "[codec]") {
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = encode_wheel_rail_solution(solution(), {{SolutionField::traction_y}, false}, arrays);
+    const json& patch = result["patches"][0];
+    CHECK_FALSE(patch.contains("gap"));
+    CHECK_FALSE(patch["solution"].contains("pressure"));
+    CHECK(patch["solution"].contains("traction_y"));
+}
+
+TEST_CASE("No contact is an answer", "[codec]") {
+    ArrayWriter arrays(ArrayEncoding::frame);
+    WheelRailSolution none;
+    const json result = sent(encode_wheel_rail_solution(none, {}, arrays));
+    CHECK(violations_of("wheelrail.solve.result", result).empty());
+    CHECK(result["converged"] == true);
+    const WheelRailSolution read = decode_wheel_rail_solution(result, {});
+    CHECK_FALSE(read.in_contact());
+    CHECK_FALSE(read.clearance);
+    CHECK_FALSE(read.force);
+}
+
+TEST_CASE("Geometries come back exactly", "[codec]") {
+    WheelRailGeometry geometry;
+    geometry.z = 0.3;
+    geometry.clearance = -0.1;
+    geometry.places = {place()};
+    geometry.warnings = {"One."};
+    const std::vector<WheelRailGeometry> geometries{geometry, {}};
+    const json result = sent(encode_wheel_rail_geometries(geometries));
+    CHECK(violations_of("wheelrail.geometry.result", result).empty());
+
+    const std::vector<WheelRailGeometry> read = decode_wheel_rail_geometries(result);
+
+    REQUIRE(read.size() == 2);
+    CHECK(read[0].z == 0.3);
+    CHECK(read[0].clearance == -0.1);
+    CHECK(read[0].warnings == geometry.warnings);
+    REQUIRE(read[0].places.size() == 1);
+    CHECK(read[0].places[0].regions == geometry.places[0].regions);
+    CHECK(read[0].places[0].radii == geometry.places[0].radii);
+    CHECK(read[1].places.empty());
+    CHECK_FALSE(read[1].clearance);
+}
+
+TEST_CASE("A force that is not finite is not sent", "[codec]") {
+    WheelRailSolution bad = solution();
+    bad.patches[0].forces.rail.My = infinite;
+    ArrayWriter arrays(ArrayEncoding::frame);
+    CHECK_THROWS_AS(encode_wheel_rail_solution(bad, {}, arrays), Error);
+}
+
+TEST_CASE("Bodies that the daemon has no grid for are refused before they are sent", "[codec]") {
+    WheelRailSetup setup;
+    Ics ics;
+    ics.source = IcSource::fem;
+    setup.bodies.lower.ics = ics;
+    ArrayWriter arrays(ArrayEncoding::frame);
+    CHECK_THROWS_AS(encode_wheel_rail_request(setup, {}, {}, arrays), InvalidArgument);
+}
+
+TEST_CASE("A bad field of a wheel on a rail is named", "[codec]") {
+    struct Case {
+        const char* pointer;
+        const char* value;
+        const char* says;
+    };
+    const auto c = GENERATE(
+        Case{"/setup/side", "\"both\"", R"(setup.side is "both"; it must be one of "left", "right")"},
+        Case{"/setup/track", R"({"gauge": 0})", "setup.track.gauge is 0"},
+        Case{"/setup/track", R"({"width": 0})", "setup.track.width is not a field of setup.track"},
+        Case{"/setup/track", R"({"rail_origin": {"y": 1}})", "setup.track.rail_origin.z is missing"},
+        Case{"/setup/wheel", "{}", "setup.wheel.s1002 is missing"},
+        Case{"/setup/wheel", R"({"s1002": true, "unit": 1})", "setup.wheel.unit does not go with s1002"},
+        Case{"/setup/wheel", R"({"s1002": true, "cone": {"slope": 0}})", "cone does not go with s1002"},
+        Case{"/setup/wheel", R"({"cone": {}})", "setup.wheel.cone.slope is missing"},
+        Case{"/setup/wheel", R"({"cone": {"slope": 0.1, "ends": [5, 5.5]}})",
+             "setup.wheel.cone.ends are [5,5.5]; the second must be at least 1 mm above the first"},
+        Case{"/setup/rail", R"({"arc": {"radius": 300, "ends": [5]}})", "setup.rail.arc.ends has 1 values"},
+        Case{"/setup/rail", R"({"points": [1, 2]})",
+             "ARRAY_INVALID: setup.rail.points has shape [2]; it must be [n,2]"},
+        Case{"/setup/rail", R"({"points": [[1, 2, 3]]})", "setup.rail.points has shape [1,3]; it must be [n,2]"},
+        Case{"/setup/rail", R"({"points": [[1, 2], [3]]})", "setup.rail.points has 1 values at [1]; it must have 2"},
+        Case{"/setup/bodies", R"({"upper": {"G": 1, "nu": 0, "ics": {}}})", "setup.bodies.upper.ics is not a field"},
+        Case{"/setup/friction", "{}", "setup.friction.mu is missing"},
+        Case{"/setup/friction", R"({"mu": [{"angle": 0}]})", "setup.friction.mu[0].mu is missing"},
+        Case{"/setup/friction", R"({"mu": []})", "setup.friction.mu has 0 values"},
+        Case{"/setup/dx", "0", "setup.dx is 0"}, Case{"/state/Fz", "0", "state.Fz is 0"},
+        Case{"/state/position", R"({"roll": 3})", "state.position.roll is 3; it must lie in [-0.5, 0.5]"},
+        Case{"/state/speed", "1", "state.speed is not a field of state"});
+    CAPTURE(c.pointer, c.value);
+    json params = minimal();
+    params[json::json_pointer(c.pointer)] = json::parse(c.value);
+    CHECK_THAT(refusal_of(params), ContainsSubstring(c.says));
+}
+
+TEST_CASE("Points of a profile are limited before they take memory", "[codec]") {
+    json params = minimal();
+    params["setup"]["rail"]["points"]["$array"] = {{"frame", 1}, {"dtype", "<f8"}, {"shape", {4'000'000, 2}}};
+    CHECK_THAT(refusal_of(params, {""}),
+               ContainsSubstring("LIMIT_EXCEEDED: setup.rail.points are 4000000; 20000 are the most"));
+}
