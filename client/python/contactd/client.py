@@ -32,6 +32,9 @@ from .solution import ContactSolution, IcTable, Job, Limits, Progress, Quarantin
 from .steps import StepInput, StepSolution
 from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
 from .waiting import may_build, say_that_the_build_goes_on, seconds_of, spin_of
+from .wheel_rail import WheelRailSetup, WheelRailState
+from .wheel_rail_params import setup_params, state_params
+from .wheel_rail_solution import WheelRailGeometry, WheelRailSolution, read_wheel_rail
 
 __all__ = ["Client"]
 
@@ -372,6 +375,54 @@ class Client(Shown):
         stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
         _check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
         return stress
+
+    def wheel_rail(
+        self,
+        setup: WheelRailSetup,
+        state: WheelRailState,
+        *,
+        fields: Fields | None = None,
+        gap: bool = False,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> WheelRailSolution:
+        """The contact of a wheel with its rail: patches, and forces on the rail. `contactd.wheel_rail` says how to ask.
+
+        `fields` names the arrays wanted back of each patch, as for `solve`; `gap` asks for the undeformed distances.
+        A set-up that was asked for before costs less: the daemon keeps its profiles and operators. Raises InvalidArgument
+        naming ``setup.track.gauge``, ``state.position.z``, ...
+        """
+        names = None if fields is None else names_of(fields)
+        params: dict[str, Any] = {"setup": setup_params(setup), "state": state_params(state, "state")}
+        if names is not None:
+            params["fields"] = names
+        if gap:
+            params["gap"] = True
+        result = self.call("wheelrail.solve", params, timeout=timeout, on_progress=on_progress)
+        return read_wheel_rail(names, gap, result)
+
+    def wheel_rail_geometry(
+        self,
+        setup: WheelRailSetup,
+        states: Iterable[WheelRailState],
+        *,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+    ) -> list[WheelRailGeometry]:
+        """Where a wheel touches its rail in 1 to 1000 states, without a solve: contact points, angles, radii, creepages.
+
+        Where a state has Fz the wheelset stands at the height at which Hertz's theory expects that force.
+        """
+        listed = list(states)
+        if not listed:
+            return []
+        given = [state_params(state, f"states[{index}]") for index, state in enumerate(listed)]
+        params = {"setup": setup_params(setup), "states": given}
+        result = self.call("wheelrail.geometry", params, timeout=timeout, on_progress=on_progress)
+        geometries = result.get("geometries")
+        if not isinstance(geometries, list) or len(geometries) != len(given):
+            raise ProtocolError("The answer to wheelrail.geometry lacks a geometry for each state.")
+        return [read(WheelRailGeometry, item, f"result.geometries[{i}]") for i, item in enumerate(geometries)]
 
     def session(
         self,

@@ -15,13 +15,13 @@ from .reading import read
 from .showing import with_inherited_attributes
 from .solution import ContactSolution, Solution
 
-__all__ = ["Field", "Fields", "PartialSolution", "check_arrays", "names_of", "read_solution"]
+__all__ = ["ALL_FIELDS", "Field", "Fields", "PartialSolution", "check_arrays", "names_of", "read_solution"]
 
 Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
 Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
 
 _SLIP = ("slip_x", "slip_y")  # not there without friction
-_ALL = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
+ALL_FIELDS = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
 
 
 @with_inherited_attributes
@@ -52,5 +52,5 @@ def read_solution(
 ) -> ContactSolution | PartialSolution:
     """The solution of a problem that was asked for the arrays `names`; None: for all."""
     solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
-    check_arrays(solution, _ALL if names is None else names, grid)
+    check_arrays(solution, ALL_FIELDS if names is None else names, grid)
     return solution

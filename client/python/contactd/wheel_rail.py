@@ -1,0 +1,279 @@
+"""A wheel on a rail: what `Client.wheel_rail` takes, profiles, track, wheelset and where it is.
+
+::
+
+    from contactd import Client
+    from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
+
+    setup = WheelRailSetup(side="right")  # S1002 on 60E1 at 1/40, gauge 1435, steel, mu = 0.3
+    state = WheelRailState(
+        position=WheelsetPosition(y=3),
+        velocity=WheelsetVelocity(x=20e3, pitch=-20e3 / 460),
+        Fz=80e3,
+    )
+    with Client("tcp://127.0.0.1:5555") as client:
+        solution = client.wheel_rail(setup, state)
+        print(solution.z, solution.forces.track.Fy, len(solution.patches))
+
+Lengths are in mm, angles in rad, forces in N. Track coordinates have x forwards, y to the right, z down; docs/wheel-rail.md
+draws them. Forces act on the rail. What is None takes the daemon's default.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from .friction import KineticFriction
+from .problem import Material, Model, RigidBody, SolverSettings
+from .wheel_rail_profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
+from .wheel_rail_solution import (
+    ContactPlace,
+    ContactRadii,
+    ContactReference,
+    Creepages,
+    OverlapRegion,
+    WheelRailForces,
+    WheelRailGeometry,
+    WheelRailPatch,
+    WheelRailSolution,
+    Wrench,
+)
+
+__all__ = [
+    "S1002",
+    "ArcProfile",
+    "ConeProfile",
+    "ContactPlace",
+    "ContactRadii",
+    "ContactReference",
+    "Creepages",
+    "OverlapRegion",
+    "PatchRules",
+    "Profile",
+    "ProfilePoints",
+    "Rail60E1",
+    "RailDeviation",
+    "Track",
+    "WheelRailForces",
+    "WheelRailFriction",
+    "WheelRailGeometry",
+    "WheelRailPatch",
+    "WheelRailSetup",
+    "WheelRailSolution",
+    "WheelRailState",
+    "Wheelset",
+    "WheelsetPosition",
+    "WheelsetVelocity",
+    "Wrench",
+]
+
+Side = Literal["left", "right"]
+WheelSurface = Literal["exact", "bilinear"]
+
+
+@dataclass(frozen=True)
+class Track:
+    """Where the rails lie.
+
+    Attributes:
+        gauge: Between the gauge faces (mm); default 1435.
+        gauge_height: How far below the tops the gauge is measured (mm); default 14.
+        cant: Of the rail's profile as given, leaning inwards where positive (rad); default 0.
+        rail_origin: (y, z) of the origin of the rail's profile, y to the field side from the centre of the track (mm);
+            gauge and gauge_height mean nothing then.
+        roller_radius: A roller turns under the wheel in place of the rail: its radius where the profile has z = 0 (mm).
+    """
+
+    gauge: float | None = None
+    gauge_height: float | None = None
+    cant: float | None = None
+    rail_origin: tuple[float, float] | None = None
+    roller_radius: float | None = None
+
+
+@dataclass(frozen=True)
+class Wheelset:
+    """Where the wheels sit on their axle.
+
+    Attributes:
+        flange_back_distance: Between the backs of the flanges (mm); default 1360.
+        flange_back_position: y of the flange's back in the wheel's profile (mm); default -70.
+        nominal_radius: Of the wheel where its profile has z = 0 (mm); default 460.
+    """
+
+    flange_back_distance: float | None = None
+    flange_back_position: float | None = None
+    nominal_radius: float | None = None
+
+
+@dataclass(frozen=True)
+class PatchRules:
+    """What becomes of regions of overlap that lie close to each other (mm, rad): docs/wheel-rail.md.
+
+    Attributes:
+        angle_separate: Patches of their own where the planes' angles differ by more; default pi/2.
+        distance_separate: Parts of one patch, which feel a share of each other, below; default 8.
+        distance_combine: One patch below; default 4.
+        distance_turn: Planes that turn towards each other below; default 12.
+        locus_step: Of the search across the track, in elements dy; default 0.3.
+    """
+
+    angle_separate: float | None = None
+    distance_separate: float | None = None
+    distance_combine: float | None = None
+    distance_turn: float | None = None
+    locus_step: float | None = None
+
+
+@dataclass(frozen=True)
+class WheelRailFriction:
+    """Coulomb friction, the same everywhere or by the angle of the rail's surface.
+
+    ::
+
+        WheelRailFriction(0.3)
+        WheelRailFriction([(-1.2, 0.1), (-0.4, 0.3)])  # less at the gauge face
+
+    Attributes:
+        mu: (Static) coefficient, or pairs (angle from the horizontal, coefficient), ascending, with straight lines
+            between; angles are negative on the gauge side (rad).
+        along_profile: Whether the angle is that of the rail at each row of elements; default: that of the patch.
+        kinetic: How it falls with the slip velocity; None: it does not.
+    """
+
+    mu: float | Sequence[tuple[float, float]] = 0.3
+    along_profile: bool | None = None
+    kinetic: KineticFriction | None = None
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class WheelRailSetup:
+    """A wheel on a rail: what all steps of a simulation have in common. The daemon keeps what it prepared for one, so
+    that the next step with an equal set-up costs less.
+
+    Attributes:
+        side: Which wheel of the wheelset, seen in the direction of travel: "right" (default) or "left".
+        wheel: The wheel's profile; default S1002().
+        rail: The rail's profile; default Rail60E1(1 / 40).
+        track: Where the rails lie.
+        wheelset: Where the wheels sit.
+        upper: Material of the rail; default steel (G 82000, nu 0.28).
+        lower: Material of the wheel; None: as the rail.
+        model: "full" (default): boundary elements; "hertz", "fastsim".
+        friction: Default 0.3; None: frictionless.
+        dx: Size of the elements along x, in the plane of a contact (mm); default 0.2.
+        dy: Size of the elements across (mm); default 0.2.
+        dq: Step of rolling (mm); default: dx.
+        patches: How regions of overlap are merged.
+        wheel_surface: "exact" (default), or "bilinear" between corners of a mesh as large as the elements.
+        normal: Stop test of NORM, for the pressures.
+        tangential: Stop test for the tractions.
+        outer: Stop test of the loop that bodies that differ and kinetic friction need.
+        force: Of the search for a height that brings Fz: |F - Fz|/Fz, default 1e-6, and solves, default 40.
+    """
+
+    side: Side | None = None
+    wheel: Profile | None = None
+    rail: Profile | None = None
+    track: Track | None = None
+    wheelset: Wheelset | None = None
+    upper: Material | RigidBody | None = None
+    lower: Material | RigidBody | None = None
+    model: Model | None = None
+    friction: WheelRailFriction | None = WheelRailFriction()
+    dx: float | None = None
+    dy: float | None = None
+    dq: float | None = None
+    patches: PatchRules | None = None
+    wheel_surface: WheelSurface | None = None
+    normal: SolverSettings | None = None
+    tangential: SolverSettings | None = None
+    outer: SolverSettings | None = None
+    force: SolverSettings | None = None
+
+    def replace(self, **changes: Any) -> WheelRailSetup:
+        """A copy with some fields changed."""
+        return replace(self, **changes)
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelsetPosition:
+    """Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the track.
+
+    Attributes:
+        y: To the right (mm).
+        z: Down (mm); where Fz is given, only where to start.
+        roll: From y to z (rad).
+        yaw: From x to y (rad), turned first.
+    """
+
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    yaw: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelsetVelocity:
+    """Of the wheelset's centre in track coordinates (mm/s), and about its own axes (rad/s).
+
+    Attributes:
+        x: Forwards.
+        y: To the right.
+        z: Down.
+        roll: About x.
+        yaw: About z.
+        pitch: About y: rolling forwards is negative, near -x/nominal_radius.
+    """
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    yaw: float = 0.0
+    pitch: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class RailDeviation:
+    """Of the rail from where track and gauge have it, in track coordinates also for a left one.
+
+    Attributes:
+        y: To the right (mm).
+        z: Down (mm).
+        roll: From y to z (rad).
+        y_velocity: (mm/s).
+        z_velocity: (mm/s).
+        roll_velocity: (rad/s).
+    """
+
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    y_velocity: float = 0.0
+    z_velocity: float = 0.0
+    roll_velocity: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelRailState:
+    """Where the wheelset is, and how it moves.
+
+    Attributes:
+        position: Of its centre.
+        velocity: Of its centre.
+        rail: Deviation of the rail.
+        roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
+        Fz: Vertical force of this wheel on the rail (N), > 0, which position.z is found for; None: that is prescribed.
+        Fx: Longitudinal force on the rail along the wheelset's x axis (N), which velocity.pitch is found for; None: that
+            is prescribed.
+    """
+
+    position: WheelsetPosition = WheelsetPosition()
+    velocity: WheelsetVelocity = WheelsetVelocity()
+    rail: RailDeviation = RailDeviation()
+    roller_pitch: float = 0.0
+    Fz: float | None = None
+    Fx: float | None = None
