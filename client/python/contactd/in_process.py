@@ -96,11 +96,9 @@ class _Engine:
         on_progress: Callable[[dict[str, Any]], None] | None,
     ) -> Reply:
         """As Connection.exchange. It is the envelope's `timeout_ms` that ends it."""
+        request = None  # an interrupt may come as soon as it is made; one that is let go of ends, too
         try:
-            request = self._service.ask(json.dumps(envelope, allow_nan=False).encode(), list(frames))
-        except RuntimeError as error:  # closed by another thread, just now
-            raise ConnectionFailed(str(error)) from None
-        try:
+            request = self._ask(json.dumps(envelope, allow_nan=False).encode(), frames)
             while True:
                 message = request.next()
                 answer = parsed(message[0])
@@ -110,12 +108,18 @@ class _Engine:
                     on_progress(answer["progress"])
                     self._check_process()  # a callback that has forked returns here, too
         except BaseException:
-            if self.is_of_this_process:
+            if request is not None and self.is_of_this_process:
                 request.cancel()
             raise
         finally:
             if self.is_of_this_process:
                 self._log()
+
+    def _ask(self, envelope: bytes, frames: Sequence[bytes]) -> Any:
+        try:
+            return self._service.ask(envelope, list(frames))
+        except RuntimeError as error:  # closed by another thread, just now
+            raise ConnectionFailed(str(error)) from None
 
     def close(self) -> None:
         """May be called twice; does nothing in a forked process."""

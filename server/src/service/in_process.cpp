@@ -98,6 +98,11 @@ class OpenExchange final : public Exchange {
    public:
     OpenExchange(std::shared_ptr<void> owner, const DaemonParts& parts)
         : owner_(std::move(owner)), parts_(parts), spin_(parts.config.spin) {}
+    ~OpenExchange() override {
+        if (::getpid() == process_) give_up();  // not in a process that was forked, where locks may be held for ever
+    }
+    OpenExchange(const OpenExchange&) = delete;
+    OpenExchange& operator=(const OpenExchange&) = delete;
 
     std::optional<Message> next(Clock::time_point until) override {
         const auto deadline = call_ ? call_->deadline() : Clock::time_point::max();
@@ -107,7 +112,13 @@ class OpenExchange final : public Exchange {
         parts_.drop_abandoned();
         return messages_->take(until, {});
     }
-    void cancel() override {
+    void cancel() override { give_up(); }
+
+    const std::shared_ptr<Messages>& messages() const { return messages_; }
+    void wait_for(CallPtr call) { call_ = std::move(call); }
+
+   private:
+    void give_up() {
         if (!call_ || call_->answered()) return;
         call_->fail({proto::StatusCode::cancelled,
                      "The request was cancelled by its client.",
@@ -117,10 +128,7 @@ class OpenExchange final : public Exchange {
         parts_.drop_abandoned();
     }
 
-    const std::shared_ptr<Messages>& messages() const { return messages_; }
-    void wait_for(CallPtr call) { call_ = std::move(call); }
-
-   private:
+    const int process_ = ::getpid();
     const std::shared_ptr<void> owner_;  // of the parts
     const DaemonParts& parts_;
     std::chrono::microseconds spin_;  // once, when the answer is first waited for

@@ -12,7 +12,8 @@
 
 namespace contactd::server {
 
-/// One request and the messages that answer it. For the thread that asked.
+/// One request and the messages that answer it. For the thread that asked. Who lets go of it before it is answered
+/// cancels it.
 class Exchange {
    public:
     using Clock = std::chrono::steady_clock;

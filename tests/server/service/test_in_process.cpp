@@ -117,6 +117,14 @@ TEST_CASE("A request in process that is cancelled leaves its worker to others") 
     CHECK(reason_of(answer_of(*service.ask(request("contact.solve", endless(), 50), {}))) == "DEADLINE_PASSED");
 }
 
+TEST_CASE("A request that nobody holds any more leaves its worker to others") {
+    const TemporaryFolder folder;
+    InProcess service(config_in(folder));
+    service.ask(request("contact.solve", endless()), {}).reset();
+    CHECK(reason_of(answer_of(*service.ask(request("contact.solve", endless(), 50), {}))) == "DEADLINE_PASSED");
+    CHECK(answer_of(*service.ask(request("job.list"), {}))["result"]["jobs"].empty());
+}
+
 TEST_CASE("Small solves need no thread of the service") {
     const TemporaryFolder folder;
     InProcess service(config_in(folder));
