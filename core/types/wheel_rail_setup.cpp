@@ -49,6 +49,25 @@ void check(const Wheelset& wheelset) {
             "be less than half the flange_back_distance, so that the wheel is on its side of the axle");
 }
 
+void check_slices(const WheelRailSetup& setup) {
+    const std::vector<RailSlice>& slices = setup.rail_slices;
+    if (slices.empty()) return;
+    if (slices.size() == 1) throw InvalidArgument("rail_slices", "has one slice; give two at least, or `rail` instead");
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        const std::string field = "rail_slices[" + std::to_string(i) + "]";
+        if (slices[i].profile.kind != ProfileKind::rail)
+            throw InvalidArgument(field + ".profile.kind", "is wheel; it must be rail");
+        require(std::abs(slices[i].x) <= 1e9, field + ".x", slices[i].x, "be a place along the track (mm)");
+        if (i > 0)
+            require(slices[i].x - slices[i - 1].x >= 1e-3, field + ".x", slices[i].x,
+                    "be beyond the one before, " + number_text(slices[i - 1].x));
+    }
+    if (!setup.track.rail_origin)
+        throw InvalidArgument("track.rail_origin",
+                              "is missing; slices may have no gauge point, so that it must say where the rail lies");
+    if (setup.track.roller_radius) throw InvalidArgument("track.roller_radius", "is given; a roller has no slices");
+}
+
 void check(const PatchRules& rules) {
     require(rules.angle_separate > 0 && rules.angle_separate <= std::numbers::pi, "patches.angle_separate",
             rules.angle_separate, "lie in (0, pi]");
@@ -91,6 +110,7 @@ void validate(const WheelRailSetup& setup) {
     };
     check_profile(setup.wheel, ProfileKind::wheel, "wheel");
     check_profile(setup.rail, ProfileKind::rail, "rail");
+    check_slices(setup);
     check(setup.track);
     check(setup.wheelset);
     // The grid is known at each contact only; bodies that need one are checked there.

@@ -24,6 +24,7 @@ void check(double value, double largest, const std::string& field, const char* u
 
 void validate(const WheelRailState& state) {
     const auto& [position, velocity, rail, roller_pitch, Fz, Fx, derivatives] = state;
+    check(position.x, 1e9, "position.x", "mm");
     check(position.y, largest_length, "position.y", "mm");
     check(position.z, largest_length, "position.z", "mm");
     check(position.roll, largest_angle, "position.roll", "rad");

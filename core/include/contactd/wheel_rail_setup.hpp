@@ -42,6 +42,14 @@ struct Wheelset {
     bool operator==(const Wheelset&) const = default;
 };
 
+/// The rail's profile at a place along the track (mm), in the same coordinates for all.
+struct RailSlice {
+    double x = 0;
+    ProfileSpec profile{ProfileKind::rail, Rail60E1{1.0 / 40}};
+
+    bool operator==(const RailSlice&) const = default;
+};
+
 /// What becomes of regions of overlap that lie close to each other: patches of their own, whose planes turn towards
 /// each other (below distance_turn); parts of one patch that feel a share of each other (blended, below
 /// distance_separate); or one patch (below distance_combine). Distances in mm; 0 < distance_combine < distance_separate
@@ -87,6 +95,10 @@ struct WheelRailSetup {
     Side side = Side::right;
     ProfileSpec wheel{ProfileKind::wheel, S1002{}};
     ProfileSpec rail{ProfileKind::rail, Rail60E1{1.0 / 40}};
+    /// In place of `rail` where it varies along the track: two or more slices by ascending x. From slice to slice
+    /// points are joined that lie at equal shares of the length, between kinks where all slices have as many. Needs
+    /// track.rail_origin.
+    std::vector<RailSlice> rail_slices{};
     Track track;
     Wheelset wheelset;
     /// Upper is the rail, lower the wheel: forces and tractions act on the rail.

@@ -10,6 +10,7 @@ namespace contactd {
 /// first.
 struct WheelsetPosition {
     double y = 0, z = 0, roll = 0, yaw = 0;
+    double x = 0;  ///< along the track (mm), where the rail varies; forces and references are told from there on
 
     bool operator==(const WheelsetPosition&) const = default;
 };

@@ -61,7 +61,7 @@ std::vector<double> distances(const WheelRailSetup& setup, const WheelSurface& w
                                 ? wheel_heights(wheel, reference, grid)
                                 : meshed_wheel_heights(wheel, reference, grid);
     const auto nx = static_cast<std::size_t>(grid.nx);
-    for (std::size_t i = 0; i < h.size(); ++i) h[i] = of_rail[of_rail.size() == h.size() ? i : i / nx] - h[i];
+    for (std::size_t i = 0; i < h.size(); ++i) h[i] = of_rail[rail.varies() ? i : i / nx] - h[i];
     return h;
 }
 
@@ -89,20 +89,36 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
             radius(rail.profile().curvature(rail_s))};
 }
 
+std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup) {
+    if (setup.rail_slices.empty()) return nullptr;
+    std::vector<double> x;
+    std::vector<ProfileCurve> curves;
+    for (std::size_t i = 0; i < setup.rail_slices.size(); ++i) {
+        x.push_back(setup.rail_slices[i].x);
+        curves.push_back(curve_of(setup.rail_slices[i].profile, "rail_slices[" + std::to_string(i) + "].profile"));
+    }
+    return std::make_shared<const SlicedRail>(std::move(x), curves);
+}
+
+RailSurface rail_surface(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state) {
+    if (profiles.slices) return {profiles.slices, state.position.x, setup.track, profiles.rail_origin, state.rail};
+    return {profiles.rail, setup.track, profiles.rail_origin, state.rail};
+}
+
 }  // namespace
 
 Profiles make_profiles(const WheelRailSetup& setup) {
     ProfileCurve wheel = curve_of(setup.wheel, "wheel"), rail = curve_of(setup.rail, "rail");
     check_fit(setup, wheel, rail);
     const ProfilePoint origin = rail_origin(rail, setup.track);
-    return {std::move(wheel), std::move(rail), origin};
+    return {std::move(wheel), std::move(rail), origin, sliced_rail(setup)};
 }
 
 Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state)
     : setup_(setup),
       state_(state),
       wheel_(profiles.wheel, setup.wheelset, at_zero(state.position)),
-      rail_(profiles.rail, setup.track, profiles.rail_origin, state.rail),
+      rail_(rail_surface(setup, profiles, state)),
       locus_(wheel_, rail_, setup.patches.locus_step * setup.dy) {}
 
 std::vector<PlaceWithGap> Position::places(double z) {

@@ -1,6 +1,7 @@
 // A right wheel on its rail in one position: where they touch, and how far they are apart there.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contactd/gap.hpp"
@@ -18,6 +19,7 @@ namespace contactd::geometry {
 struct Profiles {
     ProfileCurve wheel, rail;
     ProfilePoint rail_origin;
+    std::shared_ptr<const SlicedRail> slices{};  ///< in place of the rail
 };
 
 /// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used.

@@ -31,8 +31,8 @@ class Surfaces {
 
     /// By how much a point of the track is farther from the wheelset's axle than the wheel's surface, by z prescribed.
     double outside_wheel(double x, double y, double z, double z_ws) const {
-        const auto& [y_ws, unused, roll, yaw] = state_.position;
-        const double dy = y - y_ws, dz = z - (z_ws - setup_.wheelset.nominal_radius);
+        const double roll = state_.position.roll, yaw = state_.position.yaw;
+        const double dy = y - state_.position.y, dz = z - (z_ws - setup_.wheelset.nominal_radius);
         const double unrolled_y = std::cos(roll) * dy + std::sin(roll) * dz;
         const double unrolled_z = -std::sin(roll) * dy + std::cos(roll) * dz;
         const double along = std::cos(yaw) * x + std::sin(yaw) * unrolled_y;

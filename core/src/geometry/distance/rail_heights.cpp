@@ -1,4 +1,7 @@
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "geometry/distance/heights.hpp"
 #include "geometry/placement/ascending_root.hpp"
@@ -6,14 +9,18 @@
 namespace contactd::geometry {
 namespace {
 
-/// The profile at some x, in the coordinates of the contact.
+/// A profile of the rail, in the coordinates of the contact.
 class Section {
    public:
-    Section(const RailSurface& rail, const ContactReference& reference)
-        : rail_(rail), reference_(reference), cosine_(std::cos(reference.angle)), sine_(std::sin(reference.angle)) {
-        s_ = 0.5 * (rail.visible().from + rail.visible().to);
-        rail.find_y(reference.y, s_);
-        span_ = ascending_span(rail.profile(), s_, [&](const ProfilePoint& point) {
+    Section(const RailSurface& rail, ProfileCurve profile, const ContactReference& reference)
+        : rail_(rail),
+          profile_(std::move(profile)),
+          reference_(reference),
+          cosine_(std::cos(reference.angle)),
+          sine_(std::sin(reference.angle)) {
+        const Vector3 inside = rail.frame().inside({0, reference.y, reference.z});
+        s_ = profile_.s_at_y(inside.y);
+        span_ = ascending_span(profile_, s_, [&](const ProfilePoint& point) {
             const Vector3 at = rail.frame().outside({0, point.y, point.z});
             return cosine_ * at.y + sine_ * at.z;
         });
@@ -23,10 +30,10 @@ class Section {
         Vector3 at;
         const bool found = find_ascending(
             [&](double s) {
-                const auto place = rail_.place(s);
-                at = {x, place.at.y - reference_.y, rail_.z_at(x, place.at.z) - reference_.z};
+                const auto place = rail_.placed(profile_, s);
+                at = {x, place.at.y - reference_.y, rail_.turned_z(x, place.at.z) - reference_.z};
                 return Sloped{cosine_ * at.y + sine_ * at.z,
-                              cosine_ * place.slope.y + sine_ * rail_.z_slope_at(x, place.at.z) * place.slope.z};
+                              cosine_ * place.slope.y + sine_ * rail_.turned_slope(x, place.at.z) * place.slope.z};
             },
             y, span_.from, span_.to, s_);
         return found ? cosine_ * at.z - sine_ * at.y : no_height;
@@ -34,6 +41,7 @@ class Section {
 
    private:
     const RailSurface& rail_;
+    const ProfileCurve profile_;
     const ContactReference& reference_;
     double cosine_, sine_, s_ = 0;
     Span span_;
@@ -42,13 +50,15 @@ class Section {
 }  // namespace
 
 std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const Grid& grid) {
-    Section section(rail, reference);
-    std::vector<double> heights;
-    const int columns = rail.axle() ? grid.nx : 1;
-    heights.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(grid.ny));
-    for (int iy = 0; iy < grid.ny; ++iy)
-        for (int ix = 0; ix < columns; ++ix)
-            heights.push_back(section.height(reference.x + (rail.axle() ? grid.x(ix) : 0), grid.y(iy)));
+    const auto nx = static_cast<std::size_t>(rail.varies() ? grid.nx : 1), ny = static_cast<std::size_t>(grid.ny);
+    std::vector<double> heights(nx * ny);
+    std::optional<Section> section;
+    for (std::size_t ix = 0; ix < nx; ++ix) {
+        const double x = reference.x + grid.x(static_cast<int>(ix));
+        if (!section || rail.is_sliced()) section.emplace(rail, rail.section(x), reference);
+        for (std::size_t iy = 0; iy < ny; ++iy)
+            heights[iy * nx + ix] = section->height(x, grid.y(static_cast<int>(iy)));
+    }
     return heights;
 }
 

@@ -12,6 +12,8 @@
 namespace contactd::geometry {
 namespace {
 
+constexpr double column_width = 2;  // mm
+
 ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
     return {cosine * point.y - sine * point.z, sine * point.y + cosine * point.z};
 }
@@ -44,12 +46,23 @@ RailSurface::RailSurface(ProfileCurve profile, const Track& track, ProfilePoint 
     cosine_ = std::cos(angle);
     sine_ = std::sin(angle);
     if (radius_) axle_ = frame_.origin.z + *radius_;
-    visible_ = visible_span(
-        profile_, [this](const ProfilePoint& point) { return frame_.origin.y + turned(point, cosine_, sine_).y; });
+    visible_ = visible_part(profile_);
 }
 
-ProfileCurve::Place RailSurface::place(double s) const {
-    ProfileCurve::Place place = profile_.place(s);
+RailSurface::RailSurface(std::shared_ptr<const SlicedRail> slices, double x, const Track& track, ProfilePoint origin,
+                         const RailDeviation& deviation)
+    : RailSurface(slices->at(x), track, origin, deviation) {
+    slices_ = std::move(slices);
+    x_ = x;
+}
+
+Span RailSurface::visible_part(const ProfileCurve& profile) const {
+    return visible_span(
+        profile, [this](const ProfilePoint& point) { return frame_.origin.y + turned(point, cosine_, sine_).y; });
+}
+
+ProfileCurve::Place RailSurface::placed(const ProfileCurve& profile, double s) const {
+    ProfileCurve::Place place = profile.place(s);
     for (ProfilePoint* part : {&place.at, &place.slope, &place.curving}) *part = turned(*part, cosine_, sine_);
     place.at.y += frame_.origin.y;
     place.at.z += frame_.origin.z;
@@ -65,7 +78,45 @@ bool RailSurface::find_y(double y, double& s) const {
         y, visible_.from, visible_.to, s);
 }
 
-double RailSurface::z_slope_at(double x, double z) const {
+// Between columns a cubic through the four around: slices lie farther apart.
+double RailSurface::z_at(double x, double y, double z) const {
+    if (!slices_) return turned_z(x, z);
+    const double position = x / column_width;
+    const double first = std::floor(position) - 1, t = position - first;  // 1 to 2
+    const auto column = [&](int k) { return column_z(static_cast<int>(first) + k, y); };
+    return -(t - 1) * (t - 2) * (t - 3) / 6 * column(0) + t * (t - 2) * (t - 3) / 2 * column(1) -
+           t * (t - 1) * (t - 3) / 2 * column(2) + t * (t - 1) * (t - 2) / 6 * column(3);
+}
+
+double RailSurface::slope_along(double x, double y, double z) const {
+    if (slices_) {
+        constexpr double step = 0.25 * column_width;
+        return (z_at(x + step, y, z) - z_at(x - step, y, z)) / (2 * step);
+    }
+    if (!axle_) return 0;
+    const double radius = *axle_ - z;
+    return x / std::sqrt(std::max(radius * radius - x * x, 1e-12));
+}
+
+double RailSurface::column_z(int column, double y) const {
+    auto found = columns_.find(column);
+    if (found == columns_.end()) {
+        const ProfileCurve profile = section(column * column_width);
+        const Span visible = visible_part(profile);
+        found = columns_.emplace(column, Column{profile, visible, 0.5 * (visible.from + visible.to)}).first;
+    }
+    Column& at = found->second;
+    const auto look = [&](double s) {
+        const auto here = placed(at.profile, s);
+        return Sloped{here.at.y, here.slope.y};
+    };
+    double s = at.s;
+    if (!find_ascending(look, y, at.visible.from, at.visible.to, s)) return std::numeric_limits<double>::quiet_NaN();
+    at.s = s;
+    return placed(at.profile, s).at.z;
+}
+
+double RailSurface::turned_slope(double x, double z) const {
     if (!axle_) return 1;
     const double radius = *axle_ - z;
     return radius / std::sqrt(std::max(radius * radius - x * x, 1e-12));

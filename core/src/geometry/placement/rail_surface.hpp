@@ -1,11 +1,14 @@
 // A right rail, or the roller in its place, in track coordinates.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_state.hpp"
+#include "geometry/placement/sliced_rail.hpp"
 #include "geometry/placement/span.hpp"
 #include "geometry/placement/vector3.hpp"
 
@@ -15,21 +18,35 @@ namespace contactd::geometry {
 /// InvalidArgument ("track.gauge_height") where the profile has no gauge point.
 ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track);
 
+/// The profile at x = 0, and how the surface goes on from there along the track: straight, around a roller's axle, or
+/// from slice to slice.
 class RailSurface {
    public:
     /// `origin` is that of rail_origin.
     RailSurface(ProfileCurve profile, const Track& track, ProfilePoint origin, const RailDeviation& deviation);
+    /// Of slices, from `x` along the track on.
+    RailSurface(std::shared_ptr<const SlicedRail> slices, double x, const Track& track, ProfilePoint origin,
+                const RailDeviation& deviation);
 
     /// The profile at x = 0, placed: the point and its derivatives by s.
-    ProfileCurve::Place place(double s) const;
+    ProfileCurve::Place place(double s) const { return placed(profile_, s); }
+    /// The same of a profile of the same rail elsewhere.
+    ProfileCurve::Place placed(const ProfileCurve& profile, double s) const;
     /// Of the profile, as far as it is seen from above.
     const Span& visible() const { return visible_; }
     /// Finds the s of the visible part that has this y; `s` is where to start.
     bool find_y(double y, double& s) const;
 
-    /// Height of the surface at x above the point of the profile that has z at x = 0.
-    double z_at(double x, double z) const { return axle_ ? roller_z(x, z) : z; }
-    double z_slope_at(double x, double z) const;  ///< its derivative by z
+    /// Height of the surface at (x, y), where the profile has z at x = 0; not a number where there is none.
+    double z_at(double x, double y, double z) const;
+    double slope_along(double x, double y, double z) const;  ///< its derivative by x
+    bool varies() const { return axle_ || slices_; }         ///< along the track
+    bool is_sliced() const { return slices_ != nullptr; }
+    /// The profile at x; that of rollers is turned about their axle, by the two functions below.
+    ProfileCurve section(double x) const { return slices_ ? slices_->at(x_ + x) : profile_; }
+    double turned_z(double x, double z) const { return axle_ ? roller_z(x, z) : z; }
+    double turned_slope(double x, double z) const;  ///< its derivative by z
+
     /// 1/R of the surface along x (1/mm), positive where convex; zero of a rail.
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }
     std::optional<double> axle() const { return axle_; }  ///< z of a roller's axle, which lies along y
@@ -38,13 +55,25 @@ class RailSurface {
     const ProfileCurve& profile() const { return profile_; }
 
    private:
-    double roller_z(double x, double z) const;
+    /// A profile that was needed, as far as it is seen from above, and where it was looked at last.
+    struct Column {
+        ProfileCurve profile;
+        Span visible;
+        double s;
+    };
 
+    double roller_z(double x, double z) const;
+    Span visible_part(const ProfileCurve& profile) const;
+    double column_z(int column, double y) const;
+
+    std::shared_ptr<const SlicedRail> slices_;
+    double x_ = 0;  // of the origin, along the slices
     ProfileCurve profile_;
     Frame frame_;
     double cosine_, sine_;
     Span visible_;
     std::optional<double> radius_, axle_;
+    mutable std::map<int, Column> columns_;  // of slices: one surface is one thread's
 };
 
 }  // namespace contactd::geometry

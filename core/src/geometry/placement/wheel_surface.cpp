@@ -49,11 +49,40 @@ LocusPoint WheelSurface::locus(double s, double other) const {
         }
     const bool beyond = !(std::abs(x) <= limit);
     if (beyond) x = x > 0 ? limit : -limit;
-    const double x_slope = beyond ? 0 : Y.x / X.x * (here.slope.z * incline + rho * incline_slope);
+    return locus_point(here, x, beyond ? 0 : Y.x / X.x * (here.slope.z * incline + rho * incline_slope));
+}
+
+// The same condition, by secants in x.
+LocusPoint WheelSurface::locus(double s, const std::function<double(double x)>& other_slope) const {
+    constexpr double settled = 1e-7;  // mm
+    const ProfileCurve::Place here = profile_.place(s);
+    const auto& [X, Y, Z] = frame_.axes;
+    const double rho = radius_ + here.at.z, side = base_y_ + here.at.y, limit = radius_ / 2;
+    const double incline = here.slope.z / here.slope.y;
+    const auto excess = [&](double x) {
+        const double height = std::sqrt(std::max(rho * rho - x * x, 1e-12));
+        const double lift = X.z * x - Y.z * rho * incline + Z.z * height;
+        return x - (rho * incline * Y.x - height * Z.x - other_slope(X.x * x + Y.x * side + Z.x * height) * lift) / X.x;
+    };
+    double before = std::clamp(rho * incline * Y.x / X.x, -limit, limit), at_before = excess(before);
+    double x = std::clamp(before - at_before, -limit, limit);
+    for (int iteration = 0; iteration < 12 && std::abs(x - before) > settled; ++iteration) {
+        const double at_x = excess(x);
+        if (!std::isfinite(at_x) || at_x == at_before) break;
+        const double next = std::clamp(x - at_x * (x - before) / (at_x - at_before), -limit, limit);
+        before = x;
+        at_before = at_x;
+        x = next;
+    }
+    return locus_point(here, x, 0);
+}
+
+LocusPoint WheelSurface::locus_point(const ProfileCurve::Place& here, double x, double x_slope) const {
+    const auto& [X, Y, Z] = frame_.axes;
+    const double rho = radius_ + here.at.z;
     const double height = std::sqrt(std::max(rho * rho - x * x, 1e-12));
-    const Vector3 inside{x, y, height};
     const double height_slope = (rho * here.slope.z - x * x_slope) / height;
-    return {frame_.outside(inside), X.y * x_slope + Y.y * here.slope.y + Z.y * height_slope};
+    return {frame_.outside({x, base_y_ + here.at.y, height}), X.y * x_slope + Y.y * here.slope.y + Z.y * height_slope};
 }
 
 }  // namespace contactd::geometry

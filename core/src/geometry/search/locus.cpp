@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "geometry/placement/ascending_root.hpp"
@@ -48,14 +49,16 @@ bool Locus::look(LocusRow& row, Start& start) const {
         rail = rail_.place(s);
         return Sloped{rail.at.y, rail.slope.y};
     };
+    const std::function<double(double)> rail_slope = [&](double x) { return rail_.slope_along(x, row.y, rail.at.z); };
     const auto wheel_at = [&](double s) {
-        wheel = wheel_.locus(s, along);
+        wheel = rail_.is_sliced() ? wheel_.locus(s, rail_slope) : wheel_.locus(s, along);
         return Sloped{wheel.at.y, wheel.y_slope};
     };
     if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s)) return false;
     if (!find_ascending(wheel_at, row.y, wheel_.visible().from, wheel_.visible().to, wheel_s)) return false;
     start = {row.y, wheel_s, rail_s, 1 / wheel.y_slope, 1 / rail.slope.y};
-    const double z = rail_.z_at(wheel.at.x, rail.at.z);
+    const double z = rail_.z_at(wheel.at.x, row.y, rail.at.z);
+    if (!std::isfinite(z)) return false;
     row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, std::atan2(rail.slope.z, rail.slope.y)};
     return true;
 }

@@ -27,7 +27,7 @@ LocusRow edge(const Locus& locus, std::size_t inside, long step, double z) {
 /// The height of the rail at (x, y); y lies between rows.
 double rail_height(const RailSurface& rail, double x, double y, double start) {
     rail.find_y(y, start);
-    return rail.z_at(x, rail.place(start).at.z);
+    return rail.z_at(x, y, rail.place(start).at.z);
 }
 
 // The weight of a row is the integral over x of the squared penetration there, 16/15 (-g)^2.5/sqrt(a).

@@ -1,0 +1,116 @@
+// Rails that vary along the track.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+
+#include "contactd/error.hpp"
+#include "contactd/make_profile.hpp"
+#include "geometry/placement/sliced_rail.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// The points of a profile, higher by `lift` and moved aside.
+ProfileSpec moved(const ProfileSpec& spec, double lift, double aside = 0) {
+    ProfilePoints points;
+    const ProfileCurve curve = make_profile(spec).curve;
+    for (const ProfilePoint& point : curve.points()) points.points.push_back({point.y + aside, point.z - lift});
+    return {ProfileKind::rail, points};
+}
+
+WheelRailSetup sliced(const WheelRailSetup& plain, double rise) {
+    WheelRailSetup setup = plain;
+    for (const double x : {-200.0, -60.0, 50.0, 210.0}) setup.rail_slices.push_back({x, moved(plain.rail, rise * x)});
+    return setup;
+}
+
+}  // namespace
+
+TEST_CASE("Between slices a point goes along a cubic spline") {
+    const ProfileSpec arc{ProfileKind::rail, ArcProfile{300, 0, -30, 30}};
+    std::vector<double> x;
+    std::vector<ProfileCurve> curves;
+    for (int i = 0; i < 9; ++i) {
+        x.push_back(25.0 * i);
+        curves.push_back(make_profile(moved(arc, 2 * std::sin(x.back() / 60))).curve);
+    }
+    const geometry::SlicedRail rail(x, curves);
+    const double at = GENERATE(87.0, 112.5, 75.0);
+    const ProfileCurve curve = rail.at(at);
+    CHECK_THAT(curve.at(curve.s_at_y(0)).z, WithinAbs(-2 * std::sin(at / 60), 2e-3));
+    const ProfileCurve beyond = rail.at(900);
+    CHECK_THAT(beyond.at(beyond.s_at_y(0)).z, WithinAbs(-2 * std::sin(x.back() / 60), 1e-6));
+}
+
+TEST_CASE("Slices that are all the same are a rail") {
+    WheelRailSetup setup;
+    setup.track.rail_origin = ProfilePoint{760, 0};
+    setup.dx = setup.dy = 0.4;
+    WheelRailState state;
+    state.position = {GENERATE(2.0, 6.5), 0, 0.0005, 0.01};
+    state.position.x = 17;
+    state.velocity = {20000, 0, 0, 0, 0, -43.4};
+    state.Fz = 60000;
+    const WheelRailSolution plain = solve(setup, state), same = solve(sliced(setup, 0), state);
+    CHECK_THAT(same.z, WithinAbs(plain.z, 2e-4));  // points of slices lie at other places of the curve
+    CHECK_THAT(same.forces.track.Fx, WithinAbs(plain.forces.track.Fx, 0.01 * 18000));
+    CHECK_THAT(same.forces.track.Fy, WithinAbs(plain.forces.track.Fy, 0.01 * 18000));
+    REQUIRE(same.patches.size() == plain.patches.size());
+    CHECK_THAT(same.patches[0].place.reference.y, WithinAbs(plain.patches[0].place.reference.y, 0.1));
+}
+
+TEST_CASE("On a rail that rises a wheel touches ahead of its centre") {
+    const double rise = 0.01;
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.dx = setup.dy = 0.4;
+    WheelRailState state;
+    state.Fz = 40000;
+    const WheelRailSolution level = solve(setup, state), rising = solve(sliced(setup, rise), state);
+    REQUIRE(rising.patches.size() == 1);
+    const double angle = std::atan(rise);
+    CHECK_THAT(rising.patches[0].place.reference.x, WithinRel(450 * std::sin(angle), 2e-3));
+    // The rail's surface is higher there, and the wheel's rim, too.
+    const double lift = 450 / std::cos(angle) - 450;
+    CHECK_THAT(rising.z, WithinAbs(level.z - lift, 2e-4));
+    CHECK_THAT(rising.patches[0].solution.pmax, WithinRel(level.patches[0].solution.pmax, 5e-3));
+}
+
+TEST_CASE("A rail that moves aside takes the contact along") {
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.dx = setup.dy = 0.4;
+    const ProfileSpec rail = setup.rail;
+    for (const double x : {0.0, 1000.0}) setup.rail_slices.push_back({x, moved(rail, 0, 0.01 * x)});
+    WheelRailState state;
+    state.Fz = 40000;
+    for (const double x : {100.0, 700.0}) {
+        state.position.x = x;
+        const WheelRailSolution solution = solve(setup, state);
+        REQUIRE(solution.patches.size() == 1);
+        CHECK_THAT(solution.patches[0].place.reference.y, WithinAbs(750 + 0.01 * x, 2e-3));
+    }
+}
+
+TEST_CASE("Slices that make no rail are refused by name") {
+    const auto refused = [](const WheelRailSetup& setup, const std::string& sentence) {
+        CHECK_THROWS_AS(WheelRailContact(setup), InvalidArgument);
+        CHECK_THROWS_WITH(WheelRailContact(setup), ContainsSubstring(sentence));
+    };
+    WheelRailSetup setup;
+    setup.rail_slices = {{0}};
+    refused(setup, "rail_slices has one slice");
+    setup.rail_slices = {{0}, {0}};
+    refused(setup, "rail_slices[1].x is 0");
+    setup.rail_slices = {{0}, {10}};
+    refused(setup, "track.rail_origin is missing");
+    setup.track.rail_origin = ProfilePoint{760, 0};
+    setup.rail_slices[1].profile.shape = ProfilePoints{{{0, 0}}};
+    refused(setup, "rail_slices[1].profile.points");
+}
