@@ -45,6 +45,7 @@ class Locus {
     };
     bool look(LocusRow& row, Start& start) const;
     void look_at(std::size_t row, Start& start);
+    double dent(std::size_t begin, std::size_t end) const;
     void look_between(std::size_t begin);
     Start start_at(std::size_t row) const { return {rows_[row].y, wheel_s_[row], rows_[row].rail_s}; }
 
