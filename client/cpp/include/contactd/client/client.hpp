@@ -25,6 +25,9 @@
 #include "contactd/ic_spec.hpp"
 #include "contactd/solve_reply.hpp"
 #include "contactd/subsurface_stress.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
 
 namespace contactd::client {
 
@@ -121,6 +124,19 @@ class Client {
     /// of that body: z <= 0 is inside, for the upper one too. Throws InvalidArgument naming an array that does not fit
     /// the grid.
     SubsurfaceReply subsurface(const SubsurfaceRequest& request, const CallOptions& options = {});
+
+    /// The contact of a wheel with its rail: patches, and forces on the rail; no contact is an answer. Bodies are
+    /// half-spaces in closed form. A set-up that was asked for before costs less. Arrays of the patches that `fields`
+    /// does not name are empty, and so are their gaps unless `gap` asks for them. Throws InvalidArgument naming
+    /// "setup.track.gauge", "state.position.roll", ...
+    WheelRailSolution wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,
+                                 const CallOptions& options = {}, const SolutionFields& fields = all_solution_fields,
+                                 bool gap = false);
+    /// The search for contacts alone, in up to 1000 states; where one has Fz, at the height at which Hertz's theory
+    /// expects that force.
+    std::vector<WheelRailGeometry> wheel_rail_geometry(const WheelRailSetup& setup,
+                                                       std::span<const WheelRailState> states,
+                                                       const CallOptions& options = {});
 
     /// The open sessions, oldest first.
     std::vector<SessionSummary> sessions(const CallOptions& options = {});

@@ -1,0 +1,66 @@
+// The client's wheels on rails.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "client_impl.hpp"
+#include "contactd/client/client.hpp"
+#include "contactd/error.hpp"
+#include "contactd/proto/wheel_rail.hpp"
+
+namespace contactd::client {
+namespace {
+
+/// Validates a set-up or a state, with the name that its field has in the request.
+template <class Part>
+void validate_as(const std::string& name, const Part& part) {
+    try {
+        validate(part);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(name + "." + error.field(), std::string(error.what()).substr(error.field().size() + 1));
+    }
+}
+
+/// What is there has the size of its grid; read_array has seen to that.
+void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields) {
+    if (std::find(fields.begin(), fields.end(), SolutionField::pressure) == fields.end()) return;
+    for (const WheelRailPatch& patch : solution.patches)
+        if (patch.solution.pressure.empty())
+            throw ProtocolError("The daemon's answer lacks the pressures of a patch, which were asked for.");
+}
+
+}  // namespace
+
+WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,
+                                     const CallOptions& options, const SolutionFields& fields, bool gap) {
+    validate_as("setup", setup);
+    validate_as("state", state);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_wheel_rail_request(setup, state, {fields, gap}, arrays);
+    const Reply reply = impl_->call("wheelrail.solve", std::move(params), arrays.take_frames(), options);
+    return decoded([&] {
+        WheelRailSolution solution = proto::decode_wheel_rail_solution(reply.result, reply.frames);
+        check_pressures(solution, fields);
+        return solution;
+    });
+}
+
+std::vector<WheelRailGeometry> Client::wheel_rail_geometry(const WheelRailSetup& setup,
+                                                           std::span<const WheelRailState> states,
+                                                           const CallOptions& options) {
+    if (states.empty()) return {};
+    validate_as("setup", setup);
+    for (std::size_t i = 0; i < states.size(); ++i) validate_as("states[" + std::to_string(i) + "]", states[i]);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_geometry_request(setup, states, arrays);
+    const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
+    return decoded([&] {
+        std::vector<WheelRailGeometry> geometries = proto::decode_wheel_rail_geometries(reply.result);
+        if (geometries.size() != states.size())
+            throw ProtocolError("The daemon's answer has " + std::to_string(geometries.size()) + " geometries; " +
+                                std::to_string(states.size()) + " states were sent.");
+        return geometries;
+    });
+}
+
+}  // namespace contactd::client

@@ -1,0 +1,95 @@
+// What the client sends of a wheel on a rail, and what it makes of the answer.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include "contactd/client/client.hpp"
+#include "contactd/proto/wheel_rail.hpp"
+#include "fake_solver.hpp"
+
+using namespace contactd;
+using namespace contactd::client;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using fake::Frames, fake::message_of;
+using nlohmann::json;
+
+namespace {
+
+WheelRailPatch patch_with(std::size_t pressures) {
+    WheelRailPatch patch;
+    patch.place.grid = Grid::centred(2, 1, 0.2, 0.2);
+    patch.place.reference.y = 750;
+    patch.solution.pressure.assign(pressures, 3);
+    return patch;
+}
+
+}  // namespace
+
+TEST_CASE("A wheel on a rail is asked for and read", "[client]") {
+    std::size_t pressures = 2;
+    WheelRailSetup setup;
+    setup.side = Side::left;
+    WheelRailState state;
+    state.Fz = 7;
+    fake::Daemon daemon([&](const json& request, const Frames& frames) -> std::vector<Frames> {
+        CHECK(request["method"] == "wheelrail.solve");
+        CHECK(proto::decode_wheel_rail_setup(request["params"], frames) == setup);
+        WheelRailSolution solution;
+        solution.z = *proto::decode_wheel_rail_state(request["params"]["state"]).Fz;
+        solution.patches = {patch_with(pressures)};
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        const json result = proto::encode_wheel_rail_solution(
+            solution, {pressures == 2 ? SolutionFields{SolutionField::pressure} : SolutionFields{}, false}, arrays);
+        return message_of(request, result, arrays);
+    });
+    Client client(daemon.endpoint());
+
+    SECTION("as it comes") {
+        const WheelRailSolution solution = client.wheel_rail(setup, state, {}, {SolutionField::pressure});
+        CHECK(solution.z == 7);
+        REQUIRE(solution.patches.size() == 1);
+        CHECK(solution.patches[0].solution.pressure == std::vector<double>{3, 3});
+    }
+    SECTION("an array that was asked for and did not come is the daemon's fault") {
+        pressures = 0;
+        CHECK_THROWS_AS(client.wheel_rail(setup, state), ProtocolError);
+    }
+    SECTION("a bad field is named before anything is sent") {
+        state.position.roll = 3;
+        CHECK_THROWS_MATCHES(client.wheel_rail(setup, state), InvalidArgument,
+                             MessageMatches(ContainsSubstring("state.position.roll is 3")));
+        setup.track.gauge = -1;
+        CHECK_THROWS_MATCHES(client.wheel_rail(setup, state), InvalidArgument,
+                             MessageMatches(ContainsSubstring("setup.track.gauge is -1")));
+    }
+}
+
+TEST_CASE("Geometries are asked for and read", "[client]") {
+    std::vector<WheelRailGeometry> found(2);
+    found[1].z = 0.5;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        CHECK(request["method"] == "wheelrail.geometry");
+        return {{fake::reply(request, proto::encode_wheel_rail_geometries(found))}};
+    });
+    Client client(daemon.endpoint());
+    std::vector<WheelRailState> states(2);
+
+    SECTION("one for each state") {
+        const auto geometries = client.wheel_rail_geometry({}, states);
+        REQUIRE(geometries.size() == 2);
+        CHECK(geometries[1].z == 0.5);
+    }
+    SECTION("none of none, without asking") {
+        CHECK(client.wheel_rail_geometry({}, {}).empty());
+    }
+    SECTION("too few are the daemon's fault") {
+        found.pop_back();
+        CHECK_THROWS_AS(client.wheel_rail_geometry({}, states), ProtocolError);
+    }
+    SECTION("a bad state is named") {
+        states[1].Fz = -1;
+        CHECK_THROWS_MATCHES(client.wheel_rail_geometry({}, states), InvalidArgument,
+                             MessageMatches(ContainsSubstring("states[1].Fz is -1")));
+    }
+}
