@@ -89,3 +89,24 @@ def test_the_demo_reaches_the_accuracy_of_the_paper_and_draws_a_picture(folder):
     assert picture.read_bytes().startswith(b"\x89PNG")
     picture.unlink()
     assert left_in(folder) == ["sub"]
+
+
+@pytest.mark.timeout(300)
+def test_the_demo_of_a_wheelset_agrees_with_the_benchmark_and_draws_a_picture(folder):
+    demo = start(folder, "wheelrail", "--bin", BIN, "--output", folder / "sub" / "picture.png")
+    output, errors = demo.communicate(timeout=280)
+    assert demo.returncode == 0, output + errors
+    assert errors == ""
+    assert "FAIL" not in output
+    assert output.count("pass") == 9
+    picture = folder / "sub" / "picture.png"
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    picture.unlink()
+    assert left_in(folder) == ["sub"]
+
+
+def test_a_demo_that_there_is_not_is_refused(folder):
+    demo = start(folder, "railway")
+    _, errors = demo.communicate(timeout=50)
+    assert demo.returncode == 2
+    assert "invalid choice: 'railway'" in errors

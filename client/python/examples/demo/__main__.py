@@ -1,6 +1,7 @@
-"""contactd shows what it does: a finite-element table, the cache, and the Cattaneo problem beside its closed form.
+"""contactd shows what it does: a finite-element table, the cache, and the Cattaneo problem beside its closed form; or a
+wheelset across the track beside a published benchmark.
 
-Run: python3 client/python/examples/demo --bin build/production/bin [--output PICTURE]
+Run: python3 client/python/examples/demo [cattaneo | wheelrail] --bin build/production/bin [--output PICTURE]
 
 Starts a daemon in a temporary folder and stops it again. Ends with 0 when the numbers have the paper's accuracy, 1 when
 one has not, 2 when the daemon failed.
@@ -19,6 +20,7 @@ from checks import Check, cattaneo_checks, table_checks
 from closed_form import Sphere
 from picture import draw
 from terminal import ProgressBar, rows, say, section, styled, table, verdict
+from wheelrail import show_wheelset
 
 from contactd import (
     Client,
@@ -175,10 +177,14 @@ def run(options: argparse.Namespace) -> int:
     with LocalDaemon(options.bin / "contactd") as daemon:
         with daemon.client(timeout=60) as client:
             show_daemon(daemon, client)
-            checks = [*show_steel_table(client), *show_cattaneo(client, options.output)]
+            if options.what == "wheelrail":
+                checks, question = show_wheelset(client, options.output), "Is it as the benchmark has it?"
+            else:
+                checks = [*show_steel_table(client), *show_cattaneo(client, options.output)]
+                question = "Is it as accurate as the paper?"
         status = daemon.stop()
     checks.append((status == 0, f"{'daemon, exit status':34} {status:9}, after SIGTERM"))
-    section(4, "Is it as accurate as the paper?")
+    section(3 if options.what == "wheelrail" else 4, question)
     for passed, text in checks:
         verdict(passed, text)
     failed = sum(not passed for passed, _ in checks)
@@ -194,6 +200,9 @@ def run(options: argparse.Namespace) -> int:
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="demo", description=(__doc__ or "").split("\n\n")[0])
+    parser.add_argument(
+        "what", nargs="?", choices=["cattaneo", "wheelrail"], default="cattaneo", help="what to show (cattaneo)"
+    )
     parser.add_argument(
         "--bin", type=Path, default=Path("build/production/bin"), help="folder with contactd, contactd-ic"
     )
