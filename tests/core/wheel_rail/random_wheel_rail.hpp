@@ -29,6 +29,19 @@ inline ProfileSpec measured(Dice& dice, const ProfileSpec& profile) {
     return {profile.kind, points};
 }
 
+/// The rail's points, moved from slice to slice.
+inline void slice(Dice& dice, WheelRailSetup& setup) {
+    const ProfileCurve curve = make_profile(setup.rail).curve;
+    setup.track.roller_radius.reset();
+    setup.track.rail_origin = ProfilePoint{760, dice.uniform(-1, 1)};
+    for (double x = -600; x <= 600; x += dice.uniform(100, 500)) {
+        const double y = dice.uniform(-2, 2), z = dice.uniform(-1, 1);
+        ProfilePoints points;
+        for (const ProfilePoint& point : curve.points()) points.points.push_back({point.y + y, point.z + z});
+        setup.rail_slices.push_back({x, {ProfileKind::rail, points}});
+    }
+}
+
 /// `dx` of the elements: the smallest.
 inline WheelRailSetup random_setup(Dice& dice, double dx) {
     WheelRailSetup setup;
@@ -48,6 +61,8 @@ inline WheelRailSetup random_setup(Dice& dice, double dx) {
     else if (dice.chance(0.3))
         setup.friction =
             WheelRailFriction{{{-0.8, 0.1}, {-0.2, 0.35}}, setup.model == Model::full && dice.chance(0.5), {}};
+    if (setup.model == Model::full && dice.chance(0.2)) setup.rigid_slip = RigidSlipKind::surfaces;
+    if (dice.chance(0.1)) slice(dice, setup);
     return setup;
 }
 
@@ -62,10 +77,15 @@ inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) 
     state.velocity.yaw = dice.uniform(-0.1, 0.1);
     state.roller_pitch = state.velocity.x / contact.setup().track.roller_radius.value_or(500);
     if (contact.setup().track.roller_radius) state.velocity.x = 0;
+    state.position.x = dice.uniform(-500, 500);
+    state.derivatives = dice.chance(0.05);
     if (dice.chance(0.5))
         state.Fz = dice.log_uniform(10, 3e5);
     else if (const auto touch = contact.touch(state))
         state.position.z = *touch + dice.uniform(-0.05, 0.15);
+    const bool rolls = state.velocity.x != 0 || state.roller_pitch != 0;
+    if (state.Fz && rolls && contact.setup().friction && dice.chance(0.1))
+        state.Fx = dice.uniform(-0.4, 0.4) * *state.Fz;
     return state;
 }
 
