@@ -1,0 +1,13 @@
+// Gauss's rule on [0, 1] of any number of points.
+#pragma once
+
+#include <vector>
+
+#include "influence/gauss_rules.hpp"
+
+namespace contactd {
+
+/// Nodes ascending, in (0, 1); the weights sum to one. By Newton's iteration on Legendre's polynomial.
+std::vector<GaussPoint> gauss_legendre(int points);
+
+}  // namespace contactd

@@ -1,0 +1,53 @@
+// The radial functions of a layered body integrated over elements: displacements at offsets from a load.
+#pragma once
+
+#include <vector>
+
+#include "influence/layered/edge_rule.hpp"
+#include "influence/layered/offset_lattice.hpp"
+#include "influence/layered/radial_functions.hpp"
+
+namespace contactd {
+
+/// Constant tractions. With the vector fields of which the kernels are divergences only the edges of the element are
+/// left of its integral, so that nothing is singular:
+///   zz = div (D e_rho), and of xx, yy and xy the part div (F e_rho) and derivatives of E e_rho; xz = -d Phi/dx.
+class ConstantLoad {
+   public:
+    /// For edges at distances from `least` to `largest`.
+    ConstantLoad(const Layers& body, double least, double largest);
+
+    /// In mm^3/N, [l][k].
+    std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets) const;
+
+   private:
+    struct EdgeSums;
+    EdgeSums sums(double across, double from, double to) const;
+
+    double least_;
+    RadialFunctions<4> radial_;
+    EdgeRule rule_;
+};
+
+/// Bilinear tractions: a tent is bilinear on each of the four cells between element centres, so that moments of the
+/// kernels over cells are enough; those again are integrals along edges. With D, F and Phi as above, Psi' = -E, and Q,
+/// R the radial fields whose divergences are Psi and Phi:
+///   the integral of x div (D e_rho) is that of rho D along edges x = constant,
+///   xx has -(second difference of Psi along x)/dx, under the tent along y,
+///   xy = -(differences of the integrals of Psi over cells)/(dx dy),  xz = slope of the tent times Phi.
+class TentLoad {
+   public:
+    TentLoad(const Layers& body, double least, double largest);
+    std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets) const;
+
+   private:
+    struct EdgeSums;
+    struct Cell;
+    EdgeSums sums(double across, double from, double to) const;
+
+    double least_;
+    RadialFunctions<5> radial_;
+    EdgeRule rule_;
+};
+
+}  // namespace contactd

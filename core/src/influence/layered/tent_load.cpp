@@ -1,0 +1,131 @@
+#include <algorithm>
+
+#include "influence/layered/load_integrals.hpp"
+
+namespace contactd {
+namespace {
+
+using Kernel = RadialFunction::Kernel;
+
+constexpr std::array<RadialFunction, 5> functions{
+    RadialFunction{[](const WaveCompliance& wave) { return wave.c; }, 1, Kernel::J1},                       // D
+    RadialFunction{[](const WaveCompliance& wave) { return wave.d; }, 1, Kernel::J1},                       // F
+    RadialFunction{[](const WaveCompliance& wave) { return wave.a - wave.d; }, 2, Kernel::J0_regularised},  // Psi
+    RadialFunction{[](const WaveCompliance& wave) { return wave.a - wave.d; }, 3, Kernel::J1_regularised},  // Q
+    RadialFunction{[](const WaveCompliance& wave) { return wave.b; }, 2, Kernel::J1_regularised}};          // R
+
+/// Integrals over a cell of a kernel times 1, x, y and xy.
+struct CellMoments {
+    double one, x, y, xy;
+
+    /// With the hat functions that rise (or fall) along x and y from the cell's lower to its upper lines.
+    double hats(bool rise_x, bool rise_y, double x0, double y0, double dx, double dy) const {
+        const double ax = rise_x ? -x0 : x0 + dx, ay = rise_y ? -y0 : y0 + dy;  // hat = (a +- s)/size
+        const double sx = rise_x ? 1 : -1, sy = rise_y ? 1 : -1;
+        return (ax * ay * one + sx * ay * x + sy * ax * y + sx * sy * xy) / (dx * dy);
+    }
+};
+
+}  // namespace
+
+/// Along an edge, with n the axis across it and s the one along it. "first" are moments with s.
+struct TentLoad::EdgeSums {
+    double D = 0, F = 0, Q = 0, R = 0;        ///< times n/rho
+    double rho_D = 0, rho_F = 0, rho_R = 0;   ///< times rho
+    double first_rho_D = 0, first_rho_F = 0;  ///< times s rho
+    double Psi_rising = 0, Psi_falling = 0;   ///< times weights from 0 to 1, and from 1 to 0
+};
+
+struct TentLoad::Cell {
+    CellMoments c, d;  ///< of the kernels of zz, and of both xx and yy
+    double Psi = 0;    ///< integral
+    double Phi = 0, Phi_x = 0, Phi_y = 0;
+};
+
+TentLoad::TentLoad(const Layers& body, double least, double largest)
+    : least_(least), radial_(body, functions, least, largest), rule_(least) {}
+
+TentLoad::EdgeSums TentLoad::sums(double across, double from, double to) const {
+    EdgeSums edge;
+    rule_.along(across, from, to, [&](double t, double rho, double weight) {
+        const auto [D, F, Psi, Q, R] = radial_.at(rho);
+        const double normal = weight * across / std::max(rho, least_), wide = weight * rho;
+        edge.D += normal * D;
+        edge.F += normal * F;
+        edge.Q += normal * Q;
+        edge.R += normal * R;
+        edge.rho_D += wide * D;
+        edge.rho_F += wide * F;
+        edge.rho_R += wide * R;
+        edge.first_rho_D += wide * t * D;
+        edge.first_rho_F += wide * t * F;
+        edge.Psi_rising += weight * Psi * (t - from) / (to - from);
+        edge.Psi_falling += weight * Psi * (to - t) / (to - from);
+    });
+    return edge;
+}
+
+std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets) const {
+    const EdgeLines lines(offsets, LoadShape::bilinear);
+    const double dx = offsets.dx, dy = offsets.dy;
+    const std::size_t columns = lines.x.size(), rows = lines.y.size();
+    std::vector<EdgeSums> along_x(rows * columns), along_y(rows * columns);  // from the crossing (i, j) on
+    std::vector<Cell> cells(rows * columns);
+    const auto crossing = [&](std::size_t i, std::size_t j) { return j * columns + i; };
+    for (std::size_t j = 0; j < rows; ++j)
+        for (std::size_t i = 0; i < columns; ++i) {
+            if (i + 1 < columns) along_x[crossing(i, j)] = sums(lines.y[j], lines.x[i], lines.x[i + 1]);
+            if (j + 1 < rows) along_y[crossing(i, j)] = sums(lines.x[i], lines.y[j], lines.y[j + 1]);
+        }
+    for (std::size_t j = 0; j + 1 < rows; ++j)
+        for (std::size_t i = 0; i + 1 < columns; ++i) {
+            const EdgeSums &left = along_y[crossing(i, j)], &right = along_y[crossing(i + 1, j)];
+            const EdgeSums &below = along_x[crossing(i, j)], &above = along_x[crossing(i, j + 1)];
+            const auto out = [&](double EdgeSums::* sum) {
+                return (right.*sum - left.*sum) + (above.*sum - below.*sum);
+            };
+            Cell& cell = cells[crossing(i, j)];
+            cell.c = {out(&EdgeSums::D), right.rho_D - left.rho_D, above.rho_D - below.rho_D,
+                      right.first_rho_D - left.first_rho_D};
+            cell.d = {out(&EdgeSums::F), right.rho_F - left.rho_F, above.rho_F - below.rho_F,
+                      right.first_rho_F - left.first_rho_F};
+            cell.Psi = out(&EdgeSums::Q);
+            cell.Phi = out(&EdgeSums::R);
+            cell.Phi_x = right.rho_R - left.rho_R;
+            cell.Phi_y = above.rho_R - below.rho_R;
+        }
+
+    std::vector<SurfaceCoefficients> result(offsets.index(0, offsets.ny));
+    for (int l = 0; l < offsets.ny; ++l)
+        for (int k = 0; k < offsets.nx; ++k) {
+            SurfaceCoefficients& sum = result[offsets.index(k, l)];
+            for (const bool low_y : {true, false})
+                for (const bool low_x : {true, false}) {  // cells below the point along an axis have rising hats
+                    const std::size_t i = static_cast<std::size_t>(k) + (low_x ? 0 : 1);
+                    const std::size_t j = static_cast<std::size_t>(l) + (low_y ? 0 : 1);
+                    const Cell& cell = cells[crossing(i, j)];
+                    const double x0 = lines.x[i], y0 = lines.y[j];
+                    const double slope_x = (low_x ? 1 : -1) / dx, slope_y = (low_y ? 1 : -1) / dy;
+                    sum.zz += cell.c.hats(low_x, low_y, x0, y0, dx, dy);
+                    const double both = cell.d.hats(low_x, low_y, x0, y0, dx, dy);
+                    sum.xx += both;
+                    sum.yy += both;
+                    sum.xy -= slope_x * slope_y * cell.Psi;
+                    const double hat_x = low_x ? cell.Phi_x - x0 * cell.Phi : (x0 + dx) * cell.Phi - cell.Phi_x;
+                    const double hat_y = low_y ? cell.Phi_y - y0 * cell.Phi : (y0 + dy) * cell.Phi - cell.Phi_y;
+                    sum.xz += slope_x * hat_y / dy;
+                    sum.yz += slope_y * hat_x / dx;
+                }
+            for (const std::size_t line : {0, 1, 2}) {  // second differences of Psi under the tent
+                const double factor = line == 1 ? 2 : -1;
+                const std::size_t i = static_cast<std::size_t>(k), j = static_cast<std::size_t>(l);
+                sum.xx += factor / dx *
+                          (along_y[crossing(i + line, j)].Psi_rising + along_y[crossing(i + line, j + 1)].Psi_falling);
+                sum.yy += factor / dy *
+                          (along_x[crossing(i, j + line)].Psi_rising + along_x[crossing(i + 1, j + line)].Psi_falling);
+            }
+        }
+    return result;
+}
+
+}  // namespace contactd
