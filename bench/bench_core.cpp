@@ -1,6 +1,7 @@
 // Products and the contact solvers on the paper's Cattaneo problem (section 4), n x n elements over the same window.
 // Counter A_p: time of the row in products A p (one scalar convolution), measured in the same run.
 #include "contact_cases.hpp"
+#include "contactd/closed_form_record.hpp"
 
 namespace {
 
@@ -63,6 +64,18 @@ void closed_form_table(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(bench::pair_table(grid, {200, 0.42}));
 }
 
+// Of three layers, with the errors that are estimated.
+void layers_table(benchmark::State& state) {
+    const int n = static_cast<int>(state.range(0));
+    IcSpec spec;
+    spec.body = BodyShape::layered;
+    spec.layered = Layers{{{0.3, 3, 0.2}, {0.8, 0.5, 0.5}, {1.5, 8, 0.33}}, {1, 0.28}};
+    spec.material = spec.layered->surface();
+    spec.dx = spec.dy = 2.4 / n;
+    spec.nx = spec.ny = n;
+    for (auto _ : state) benchmark::DoNotOptimize(closed_form_record(spec));
+}
+
 void convolution_operator(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const IcTable pair = bench::pair_table(Grid::centred(n, n, 2.4 / n, 2.4 / n), {200, 0.42});
@@ -82,6 +95,7 @@ BENCHMARK(NORM_force)->Apply(sizes);
 BENCHMARK(TangCG)->Apply(sizes);
 BENCHMARK(TangCG_warm)->ArgNames({"n", "turned"})->ArgsProduct({{40, 160, 320}, {0, 1}})->Unit(benchmark::kMicrosecond);
 BENCHMARK(closed_form_table)->Apply(sizes);
+BENCHMARK(layers_table)->Apply(sizes);
 BENCHMARK(convolution_operator)->Apply(sizes);
 
 }  // namespace

@@ -48,6 +48,23 @@ const Ics* Body::computed() const {
     return material.is_rigid() ? nullptr : std::get_if<Ics>(&ics);
 }
 
+const Layers* Body::layered() const {
+    const Ics* source = computed();
+    return source != nullptr && source->layered ? &*source->layered : nullptr;
+}
+
+Body Body::of(const Layers& layers, LoadShape load_shape) {
+    Ics source;
+    source.body = BodyShape::layered;
+    source.load_shape = load_shape;
+    source.layered = layers;
+    return {layers.layers.empty() ? Material{} : layers.surface(), source};
+}
+
+bool Bodies::any_layered() const {
+    return !pair && (upper.layered() != nullptr || lower.layered() != nullptr);
+}
+
 bool Bodies::any_given() const {
     return pair || upper.given() != nullptr || lower.given() != nullptr;
 }
@@ -62,8 +79,10 @@ std::optional<LineContactSpec> line_contact_of(const Bodies& bodies) {
 void validate(const Bodies& bodies, const Grid& grid) {
     if (bodies.pair) return validate(*bodies.pair, grid, "ics");
     const std::array named{std::pair("bodies.upper", &bodies.upper), std::pair("bodies.lower", &bodies.lower)};
-    for (const auto& [name, body] : named)
+    for (const auto& [name, body] : named) {
+        if (const Layers* layers = body->layered()) validate(*layers, grid.dx, (std::string(name) + ".ics").c_str());
         if (!body->material.is_rigid()) validate(body->material, name, takes_incompressible(*body));
+    }
     if (bodies.upper.material.is_rigid() && bodies.lower.material.is_rigid())
         throw InvalidArgument("bodies.lower", "is rigid, and bodies.upper too; one of them must be elastic");
     for (const auto& [name, body] : named)

@@ -65,8 +65,24 @@ void validate_aspect(const IcSpec& spec) {
                                              "y take ics.line_contact");
 }
 
+void validate_layers(const IcSpec& spec) {
+    if (spec.body != BodyShape::layered)
+        throw InvalidArgument("ics.layers", "go with body layered; body is " + std::string(name_of(spec.body)));
+    if (!spec.layered) throw InvalidArgument("ics.layers", "is missing; body layered has layers, on a base");
+    validate(*spec.layered, spec.dx, "ics");
+    if (spec.material != spec.layered->surface())
+        throw InvalidArgument("material.G", "is " + number_text(spec.material.G) + ", with nu " +
+                                                number_text(spec.material.nu) +
+                                                "; it must be the material of the topmost layer, or be left out");
+    if (spec.source != IcSource::analytic)
+        throw InvalidArgument("ics.source", "is fem; coefficients of layers are analytic");
+    if (spec.line_contact)
+        throw InvalidArgument("ics.line_contact",
+                              "goes with half-spaces, not with layers: take a long row of elements");
+}
+
 void validate_body(const IcSpec& spec) {
-    if (spec.body == BodyShape::half_space) return;
+    if (spec.body != BodyShape::block) return;
     if (spec.source == IcSource::analytic)
         throw InvalidArgument("ics.body", "is block, which has no closed form; take source fem");
     if (spec.accuracy == 0 && spec.fem.far_boundary != FarBoundary::clamped)
@@ -117,6 +133,7 @@ std::optional<FemSpec> fem_preset(std::string_view name) {
 
 void validate(const IcSpec& spec) {
     validate(Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "grid");
+    if (spec.layered || spec.body == BodyShape::layered) validate_layers(spec);
     validate(spec.material, "material", spec.source == IcSource::analytic);
     if (spec.line_contact)
         validate_line_contact(spec);
@@ -209,6 +226,12 @@ IcSpec dimensionless(const IcSpec& spec) {
                 number = rounded(field.dimension == Dimension::length ? number / spec.dx : number);
             });
     });
+    if (result.layered) {
+        for (Layer& layer : result.layered->layers)
+            layer = {rounded(layer.thickness / spec.dx), rounded(layer.G / spec.material.G), rounded(layer.nu)};
+        Material& base = result.layered->base;
+        if (!base.is_rigid()) base = {rounded(base.G / spec.material.G), rounded(base.nu)};
+    }
     if (spec.source == IcSource::analytic) {
         result.fem = FemSpec{};
         return result;

@@ -65,6 +65,7 @@ SAME = [
     ("definitions", "grid", "Grid", "Grid"),
     ("definitions", "rolling", "Rolling", "Rolling"),
     ("definitions", "ics/line_contact", "LineContactSpec", "LineContact"),
+    ("definitions", "ics/layers", "Layer", "Layer"),
     ("definitions", "ic_evidence", "IcEvidence", "IcEvidence"),
     ("definitions", "ic_evidence/mesh", "FemSpec", "FemIcs"),
     ("definitions", "ic_evidence/seconds", "BuildSeconds", ""),

@@ -71,6 +71,12 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
                      "rolling": {**rolling, "kind": "transient", "steps": 3, "force": [None, 1.5]}},
         "previous": {"pressure": array(1, 2, 3), "traction_x": array(2, 2, 3), "traction_y": array(1, 2, 3)},
     }, [ones, ones]
+    layers = [{"thickness": 2, "G": 1, "nu": 0.5}, {"thickness": 0.1, "G": 30, "nu": 0.2}]
+    layered = {"source": "analytic", "body": "layered", "layers": layers, "base": {"rigid": True}}
+    yield {
+        **base, "bodies": {"upper": {"ics": {**layered, "base": {"G": 5, "nu": 0.3}}}, "lower": {"ics": layered}},
+        "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2,
+    }, []
     table = np.zeros((3, 3, 2, 3))
     table[range(3), range(3), 0, 0] = 1
     yield {

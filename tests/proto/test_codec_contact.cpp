@@ -349,3 +349,28 @@ TEST_CASE("Coefficients are said by a body, or for both", "[codec]") {
         CHECK_FALSE(violations_of("contact.solve.params", params).empty());
     }
 }
+
+TEST_CASE("Bodies of layers are sent and received unchanged", "[codec]") {
+    const Layers rubber{{{2, 1, 0.5}}, Material::rigid()};
+    const Layers coated{{{0.01, 120000, 0.25}, {0.5, 3e4, 1.0 / 3}}, {82000, 0.28}};
+    ContactProblem original = problem();
+    original.bodies.lower = Body::of(rubber);
+    CHECK(arrived(original).bodies == original.bodies);
+    original.bodies.upper = Body::of(coated);
+    CHECK(arrived(original).bodies == original.bodies);
+    original.bodies = {Body::of(coated, LoadShape::bilinear), {Material::rigid()}};
+    CHECK(arrived(original).bodies == original.bodies);
+}
+
+TEST_CASE("Layers that stand for both bodies are refused, since they have materials of their own", "[codec]") {
+    const json layered{{"source", "analytic"},
+                       {"body", "layered"},
+                       {"layers", {{{"thickness", 2}, {"G", 1}, {"nu", 0.5}}}},
+                       {"base", {{"rigid", true}}}};
+    const json params{{"grid", {{"nx", 2}, {"ny", 2}, {"dx", 1}, {"dy", 1}}},
+                      {"bodies", {{"upper", {{"G", 200}, {"nu", 0.3}}}}},
+                      {"ics", layered},
+                      {"gap", {{"paraboloid", {{"Rx", 10}}}}},
+                      {"Fn", 1}};
+    CHECK(refused_field(params) == "ics.body");
+}

@@ -84,6 +84,11 @@ module contactd_calls
         integer(c_int32_t) function contactd_set_line_contact(contact, datum) bind(c)
             import; type(c_ptr), value :: contact; real(c_double), value :: datum
         end function
+        integer(c_int32_t) function contactd_set_layers(contact, body, load_shape, thickness, G, nu, count, &
+                                                        base_G, base_nu) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, load_shape, count
+            real(c_double), intent(in) :: thickness(*), G(*), nu(*); real(c_double), value :: base_G, base_nu
+        end function
         integer(c_int32_t) function contactd_set_model(contact, model) bind(c)
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: model
         end function

@@ -164,6 +164,11 @@ CONTACTD_API int32_t contactd_set_table(contactd_contact* contact, int32_t body,
                                         double dy, const double* values, int32_t count);
 /* Of half-spaces on a grid with ny = 1: plane strain, displacements vanish at `datum` (mm). */
 CONTACTD_API int32_t contactd_set_line_contact(contactd_contact* contact, double datum);
+/* Layers bonded to each other, from the surface down: thickness[count] (mm), G[count] (N/mm^2), nu[count], on a
+ * half-space of base_G and base_nu; base_G = 0: on a rigid base. They are the body's material, too. docs/layers.md. */
+CONTACTD_API int32_t contactd_set_layers(contactd_contact* contact, int32_t body, int32_t load_shape,
+                                         const double* thickness, const double* G, const double* nu, int32_t count,
+                                         double base_G, double base_nu);
 CONTACTD_API int32_t contactd_set_model(contactd_contact* contact, int32_t model);
 /* `solver`: CONTACTD_NORMAL, _TANGENTIAL or _OUTER. */
 CONTACTD_API int32_t contactd_set_tolerance(contactd_contact* contact, int32_t solver, double tolerance,

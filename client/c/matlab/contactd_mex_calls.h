@@ -49,6 +49,7 @@ static int call_that_sets(const char* command) {
     CALL(set_fem, c, whole(0), whole(1), whole(2), number(3), number(4))
     CALL(set_table, c, whole(0), whole(1), whole(2), number(3), number(4), array(5), length(5, 5))
     CALL(set_line_contact, c, number(0))
+    CALL(set_layers, c, whole(0), whole(1), array(2), array(3), array(4), length(2, 4), number(5), number(6))
     CALL(set_model, c, whole(0))
     CALL(set_tolerance, c, whole(0), number(1), whole(2))
     CALL(set_accept_unconverged, c, whole(0))

@@ -57,7 +57,10 @@ std::int32_t contactd_set_grid_centred(contactd_contact* contact, std::int32_t n
 std::int32_t contactd_set_material(contactd_contact* contact, std::int32_t body, double G, double nu) {
     return set_up(contact, "material", [&](Said& said) {
         const Material material{finite(G, "G"), finite(nu, "nu")};
-        each_body(said, body, [&](Body& changed) { changed.material = material; });
+        each_body(said, body, [&](Body& changed) {
+            if (changed.layered() != nullptr) changed.ics = Ics{};  // which were the layers'
+            changed.material = material;
+        });
     });
 }
 
@@ -113,6 +116,22 @@ std::int32_t contactd_set_line_contact(contactd_contact* contact, double datum) 
         Ics ics;
         ics.line_contact = contactd::LineContactSpec{finite(datum, "ics.line_contact.datum")};
         set_coefficients(said, CONTACTD_BOTH, ics);
+    });
+}
+
+std::int32_t contactd_set_layers(contactd_contact* contact, std::int32_t body, std::int32_t load_shape,
+                                 const double* thickness, const double* G, const double* nu, std::int32_t count,
+                                 double base_G, double base_nu) {
+    return set_up(contact, "coefficients", [&](Said& said) {
+        const auto thicknesses = array(thickness, count, "ics.layers.thickness");
+        const auto moduli = array(G, count, "ics.layers.G"), ratios = array(nu, count, "ics.layers.nu");
+        contactd::Layers layers{{}, Material::rigid()};
+        for (std::size_t i = 0; i < moduli.size(); ++i) layers.layers.push_back({thicknesses[i], moduli[i], ratios[i]});
+        if (finite(base_G, "ics.base.G") != 0) layers.base = {base_G, finite(base_nu, "ics.base.nu")};
+        if (layers.layers.empty()) throw contactd::InvalidArgument("count", "is 0; it must be at least 1");
+        const Body layered = Body::of(layers, load_shape_of(load_shape));
+        each_body(said, body, [&](Body& changed) { changed = layered; });
+        said.problem.bodies.pair.reset();
     });
 }
 

@@ -24,7 +24,7 @@ from .many_steps import stepped_sessions
 from .outcomes import outcomes
 from .partial import Fields, PartialSolution, names_of, read_solution
 from .pieces import fetch_in_pieces
-from .problem import ContactProblem, Estimate, Grid, Ics, Material
+from .problem import ContactProblem, Estimate, Grid, Ics, LayeredBody, Material
 from .reading import read
 from .session import Session, SessionSummary, joined_session, listed_sessions, opened_session
 from .showing import Rows, Shown
@@ -161,7 +161,7 @@ class Client(Shown):
 
     def get_ic(
         self,
-        material: Material,
+        material: Material | LayeredBody,
         grid: Grid,
         ics: Ics,
         *,
@@ -191,7 +191,7 @@ class Client(Shown):
 
     def export_ic(
         self,
-        material: Material,
+        material: Material | LayeredBody,
         grid: Grid,
         ics: Ics,
         format: Literal["hdf5", "contact"] = "hdf5",

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .errors import ContactdError, TableFileError
-from .problem import AnalyticIcs, FemIcs, Grid, Material
+from .problem import AnalyticIcs, FemIcs, Grid, Layer, LayeredBody, Material, RigidBody
 from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase
 
 __all__ = ["read_hdf5"]
@@ -63,8 +63,14 @@ def _table(file: Any, name: str) -> IcTable:
     grid = Grid(array.shape[3], array.shape[2], dx, spec.get("dy", dx * spec["dy_over_dx"]))
     kind: type[Any] = FemIcs if spec["source"] == "fem" else AnalyticIcs
     ics = kind(**{f.name: spec[f.name] for f in fields(kind) if f.name in spec and f.name != "any_nu"})
-    material = Material(spec.get("G", 1.0), spec["nu"])
+    layers = file["spec"].get("layers")
+    material = Material(spec.get("G", 1.0), spec["nu"]) if layers is None else _layered(_attributes(layers))
     return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(evidence))
+
+
+def _layered(said: dict[str, Any]) -> LayeredBody:
+    layers = [Layer(*numbers) for numbers in zip(said["thickness"], said["G"], said["nu"], strict=True)]
+    return LayeredBody(layers, Material(said["base_G"], said["base_nu"]) if "base_G" in said else RigidBody())
 
 
 def _evidence(group: Any) -> IcEvidence:

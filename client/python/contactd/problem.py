@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import reprlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from dataclasses import fields as dataclass_fields
 from numbers import Real
@@ -35,6 +35,8 @@ __all__ = [
     "FemSolver",
     "Grid",
     "Ics",
+    "Layer",
+    "LayeredBody",
     "LineContact",
     "LoadShape",
     "Material",
@@ -98,6 +100,65 @@ def _shear_modulus(E: float, nu: float) -> float:
 @dataclass(frozen=True)
 class RigidBody:
     """A body that does not deform; the other one must be elastic. Influence coefficients mean nothing to it."""
+
+
+@dataclass(frozen=True)
+class Layer:
+    """A layer of a LayeredBody.
+
+    Attributes:
+        thickness: mm, > 0.
+        G: Shear modulus (N/mm^2), > 0.
+        nu: Poisson's ratio, 0 to 0.5; 0.5 is meant exactly.
+    """
+
+    thickness: float
+    G: float
+    nu: float
+
+
+@dataclass(frozen=True)
+class LayeredBody:
+    """Layers that are bonded to each other and to what they lie on, uniform along x and y: rubber, coatings, films.
+
+    ::
+
+        LayeredBody([Layer(thickness=2, G=1, nu=0.5)], base=RigidBody())
+        LayeredBody([Layer(0.01, G=120000, nu=0.25), Layer(0.5, G=30000, nu=0.3)], base=Material(G=82000, nu=0.28))
+
+    Their coefficients are computed in milliseconds, exactly but for rounding; evidence states the error
+    (docs/layers.md). Of `ics` only load_shape means something to such a body.
+
+    Attributes:
+        layers: From the surface down; at most 20, whose shear moduli differ by a factor of at most 1e9.
+        base: The half-space below them, or a RigidBody, which does not move.
+    """
+
+    layers: tuple[Layer, ...]
+    base: Material | RigidBody
+
+    def __init__(self, layers: Iterable[Layer], base: Material | RigidBody) -> None:
+        found = tuple(layers)
+        for i, layer in enumerate(found):
+            check_type(f"layers[{i}]", layer, Layer)
+        check_type("base", base, Material, RigidBody)
+        object.__setattr__(self, "layers", found)
+        object.__setattr__(self, "base", base)
+
+    @property
+    def G(self) -> float:
+        """Shear modulus at the surface (N/mm^2)."""
+        return self.layers[0].G
+
+    @property
+    def nu(self) -> float:
+        """Poisson's ratio at the surface."""
+        return self.layers[0].nu
+
+    def params(self) -> dict[str, Any]:
+        """What `ics` of the body say of it."""
+        base = {"rigid": True} if isinstance(self.base, RigidBody) else plain(self.base)
+        return {"body": "layered", "layers": [plain(layer) for layer in self.layers], "base": base}
 
 
 @dataclass(frozen=True)
@@ -188,13 +249,13 @@ class AnalyticIcs:
     """Influence coefficients of the elastic half-space in closed form.
 
     Attributes:
-        body: "half_space" (default); there is no closed form of another body.
+        body: "half_space" (default); "layered" is what answers say of a LayeredBody.
         load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
             (1 - |x|/dx) (1 - |y|/dy).
         line_contact: A contact that does not change along y; None: elements end along y.
     """
 
-    body: Literal["half_space"] | None = None
+    body: Literal["half_space", "layered"] | None = None
     load_shape: LoadShape | None = None
     line_contact: LineContact | None = None
 
@@ -367,10 +428,10 @@ class ContactProblem:
     """
 
     grid: Grid
-    upper: Material | RigidBody | None = None
+    upper: Material | RigidBody | LayeredBody | None = None
     gap: Paraboloid | SemiAxes | npt.ArrayLike = _REQUIRED
     approach: float | None = None
-    lower: Material | RigidBody | None = None
+    lower: Material | RigidBody | LayeredBody | None = None
     ics: Ics | TableIcs = AnalyticIcs()
     friction: Friction | None = None
     normal: SolverSettings | None = None
@@ -406,7 +467,7 @@ def check_field_types(fields: Mapping[str, Any]) -> None:
     check_type("grid", fields.get("grid"), Grid)
     check_type("ics", fields.get("ics", AnalyticIcs()), AnalyticIcs, FemIcs, TableIcs)
     for name in ("upper", "lower"):
-        check_type(name, fields.get(name), Material, RigidBody, optional=True)
+        check_type(name, fields.get(name), Material, RigidBody, LayeredBody, optional=True)
         check_type(f"{name}_ics", fields.get(f"{name}_ics"), AnalyticIcs, FemIcs, TableIcs, optional=True)
     check_type("friction", fields.get("friction"), Friction, optional=True)
     check_type("derivatives", fields.get("derivatives"), bool, optional=True)
@@ -429,22 +490,39 @@ def ics_params(ics: Ics) -> dict[str, Any]:
     """`ics` of ic.get, ic.export and contact.solve."""
     source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
     given = plain(ics)
+    if given.get("body") == "layered":
+        raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
     if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
         given["line_contact"] = plain(ics.line_contact)
     return {"source": source, **given}
 
 
-def table_params(material: Material, grid: Grid, ics: Ics) -> dict[str, Any]:
+def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict[str, Any]:
     """The parameters of ic.get; where the grid lies does not matter to a table."""
-    check_type("material", material, Material)
+    check_type("material", material, Material, LayeredBody)
     check_type("grid", grid, Grid)
     check_type("ics", ics, AnalyticIcs, FemIcs)
     extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
+    if isinstance(material, LayeredBody):
+        return {"grid": extent, "ics": layered_params(material, ics)}
     return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}
 
 
-def body_params(body: Material | RigidBody, ics: Ics | TableIcs | None, grid: Grid) -> dict[str, Any]:
-    """`bodies.upper` or `bodies.lower`; `ics` is the body's own."""
+def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
+    """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
+    if isinstance(ics, TableIcs):
+        raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
+    said = plain(ics) if isinstance(ics, FemIcs) else ics_params(replace(ics, body=None))
+    kept = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
+    return {"source": "analytic", **kept, **body.params()}
+
+
+def body_params(
+    body: Material | RigidBody | LayeredBody, ics: Ics | TableIcs | None, grid: Grid, both: Ics | TableIcs
+) -> dict[str, Any]:
+    """`bodies.upper` or `bodies.lower`; `ics` is the body's own, where it is not that of both."""
+    if isinstance(body, LayeredBody):
+        return {"ics": layered_params(body, both if ics is None else ics)}
     params = {"rigid": True} if isinstance(body, RigidBody) else plain(body)
     return params if ics is None else {**params, "ics": coefficient_params(ics, grid)}
 
@@ -500,7 +578,7 @@ def _influence_params(given: Mapping[str, Any]) -> dict[str, Any]:
         bodies["lower"] = bodies["upper"]
     params: dict[str, Any] = {}
     if bodies:
-        params["bodies"] = {name: body_params(body, own[name], grid) for name, body in bodies.items()}
+        params["bodies"] = {name: body_params(body, own[name], grid, ics) for name, body in bodies.items()}
     if not isinstance(ics, TableIcs) or (is_full and any(own.values())):
         params["ics"] = coefficient_params(ics, grid)
     return params

@@ -15,7 +15,7 @@ import numpy as np
 
 from .errors import ProtocolError
 from .friction import Motion, Rolling, Shift
-from .problem import AnalyticIcs, FemIcs, Ics
+from .problem import AnalyticIcs, FemIcs, Ics, LayeredBody, Material, RigidBody
 
 __all__ = ["read"]
 
@@ -60,6 +60,9 @@ def read(kind: type[T], value: Any, path: str = "result") -> T:
     """`value` (decoded JSON with its arrays in place) as the dataclass `kind`."""
     if not isinstance(value, dict):
         raise ProtocolError(f"The answer's {path} is a {type(value).__name__} instead of an object.")
+    of_wire = getattr(kind, "of_wire", None)
+    if of_wire is not None:
+        value = of_wire(value)
     arguments = {}
     for name, convert, has_default, may_be_none in _fields(cast(Any, kind)):
         if name in value:
@@ -80,6 +83,8 @@ def _converter(hint: Any) -> Convert:
     """What reads a value of this type: looked at once, as answers are read again and again."""
     if hint == Ics:
         return _read_ics
+    if hint in (Material | LayeredBody, Material | LayeredBody | RigidBody, Material | RigidBody):
+        return _read_body
     if hint == Motion:
         return _read_motion
     if dataclasses.is_dataclass(hint):
@@ -100,6 +105,12 @@ def _converter(hint: Any) -> Convert:
 
 def _read_ics(value: Any, path: str) -> Any:
     return read(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs, value, path)
+
+
+def _read_body(value: Any, path: str) -> Any:
+    if isinstance(value, dict) and "rigid" in value:
+        return RigidBody()
+    return read(LayeredBody if isinstance(value, dict) and "layers" in value else Material, value, path)
 
 
 def _read_motion(value: Any, path: str) -> Any:

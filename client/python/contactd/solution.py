@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from .friction import Motion
-from .problem import Array, FemIcs, Grid, Ics, Material
+from .problem import Array, FemIcs, Grid, Ics, LayeredBody, Material
 from .showing import Rows, Shown, number, with_inherited_attributes
 
 __all__ = [
@@ -187,9 +187,17 @@ class IcSpec:
         ics: Closed form or finite elements, with every option.
     """
 
-    material: Material
+    material: Material | LayeredBody
     grid: Grid
     ics: Ics
+
+    @staticmethod
+    def of_wire(spec: dict[str, Any]) -> dict[str, Any]:
+        """With the layers, which stand in `ics` there, in place of the material."""
+        ics = spec.get("ics")
+        if not isinstance(ics, dict) or "layers" not in ics:
+            return spec
+        return {**spec, "material": {name: ics[name] for name in ("layers", "base") if name in ics}}
 
 
 _AXES = "xyz"
@@ -222,7 +230,11 @@ class IcTable(Shown):
 
     def _rows(self) -> Rows:
         material, grid, ics = self.spec.material, self.spec.grid, self.spec.ics
-        rows: Rows = [("G", material.G), ("nu", material.nu), ("dx", grid.dx), ("dy", grid.dy)]
+        if isinstance(material, LayeredBody):
+            rows: Rows = [("layers", len(material.layers))]
+        else:
+            rows = [("G", material.G), ("nu", material.nu)]
+        rows += [("dx", grid.dx), ("dy", grid.dy)]
         rows.append(("source", _recipe(ics)))
         rows += [("origin", self.origin), ("zz at the origin", float(self["zz"][0, 0]))]
         if (errors := self.evidence.errors) is not None:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import array_of, invalid, plain
-from .problem import Array, ContactProblem, Estimate, RigidBody, check_type, ics_params, traction_params
+from .problem import Array, ContactProblem, Estimate, LayeredBody, RigidBody, check_type, ics_params, traction_params
 from .showing import Rows, Shown
 from .solution import ContactSolution
 from .table_ics import TableIcs
@@ -143,5 +143,11 @@ def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
     material = problem.upper if body == "upper" or problem.lower is None else problem.lower
     if isinstance(material, RigidBody):
         raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
+    if isinstance(material, LayeredBody):
+        raise invalid(
+            "body",
+            f"is {body!r}, which has layers; the closed form of the stresses is that of the half-space, and stresses in "
+            "layers are not computed yet",
+        )
     assert material is not None  # only with a table, which is refused
     return material.nu

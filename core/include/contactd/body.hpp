@@ -14,13 +14,17 @@ namespace contactd {
 using Coefficients = std::variant<Ics, GivenIcs>;
 
 struct Body {
-    Material material;   ///< or rigid
+    Material material;   ///< or rigid; of layers that of their surface
     Coefficients ics{};  ///< of the body alone; of no meaning when it is rigid
 
     /// A table that the request brings along, or null: a rigid body has none.
     const GivenIcs* given() const;
     /// The source of a table, or null where there is none to make.
     const Ics* computed() const;
+    /// Of a body of layers, or null.
+    const Layers* layered() const;
+    /// One of layers.
+    static Body of(const Layers& layers, LoadShape load_shape = LoadShape::constant);
 
     bool operator==(const Body&) const = default;
 };
@@ -37,6 +41,8 @@ struct Bodies {
     }
     /// Whether the request brings coefficients along, of the pair or of a body.
     bool any_given() const;
+    /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
+    bool any_layered() const;
 
     bool operator==(const Bodies&) const = default;
 };

@@ -1,4 +1,4 @@
-// Tables of half-spaces in closed form, as the store and the daemon hold tables.
+// Tables of half-spaces in closed form, and of layers, as the store and the daemon hold tables.
 #pragma once
 
 #include "contactd/ic_record.hpp"
@@ -6,7 +6,7 @@
 namespace contactd {
 
 /// The dimensionless table of `spec` (whose source is analytic), with the evidence that closed forms have: source and
-/// version.
+/// version, and of layers the estimated errors.
 IcRecord closed_form_record(const IcSpec& spec);
 
 }  // namespace contactd

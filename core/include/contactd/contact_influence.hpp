@@ -23,7 +23,8 @@ struct ContactInfluence {
 /// About what the operators for that many elements take, with that of rolling, which a step may ask for.
 std::size_t influence_bytes(std::size_t elements);
 
-/// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none.
+/// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none. Where one
+/// has layers and rolls, the other's must be analytic, too; else give them one by one.
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair);
 
 /// Of the bodies one by one: their tables are added where they are of a kind, else their operators (sum_of). That of a

@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "contactd/enum_words.hpp"
+#include "contactd/layers.hpp"
 #include "contactd/material.hpp"
 
 namespace contactd {
 
-/// The elastic body: the half-space z <= 0, or the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top.
-enum class BodyShape { half_space, block };
+/// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, or layers.
+enum class BodyShape { half_space, block, layered };
 /// Traction of the loaded element: 1 over it, or the "tent" of bilinear tractions (paper, Remark 1): 1 at its centre,
 /// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
 enum class LoadShape { constant, bilinear };
-enum class IcSource { analytic, fem };  ///< closed form of the half-space, or finite elements
+/// Closed form of the half-space, and of layers a form that is integrated to rounding; or finite elements.
+enum class IcSource { analytic, fem };
 /// Mesh1 of the paper (hexahedra, section 3.1), Mesh2 (prisms, extruded along x), or hexahedra refined where an
 /// a-posteriori estimate of the error asks for it.
 enum class MeshKind { hex, prism, adaptive };
@@ -39,7 +41,7 @@ enum class Diagonal { outward, across };
 
 /// What name_of and from_name call these, on the wire and in files.
 template <>
-inline constexpr auto enum_words<BodyShape> = std::to_array<std::string_view>({"half_space", "block"});
+inline constexpr auto enum_words<BodyShape> = std::to_array<std::string_view>({"half_space", "block", "layered"});
 template <>
 inline constexpr auto enum_words<LoadShape> = std::to_array<std::string_view>({"constant", "bilinear"});
 template <>
@@ -106,8 +108,9 @@ struct Ics {
     double accuracy = 0;
     /// Of source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
     std::optional<LineContactSpec> line_contact;
-    bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
-    FemSpec fem;          ///< of no meaning when source is analytic
+    std::optional<Layers> layered;  ///< of body layered, and of none other
+    bool any_nu = false;            ///< the family of tables over Poisson's ratio instead of one table
+    FemSpec fem;                    ///< of no meaning when source is analytic
 
     bool operator==(const Ics&) const = default;
 };
@@ -147,7 +150,7 @@ void for_each_part_field(const Visit& visit) {
 
 /// One table: its coefficients' source, and what it is a table of.
 struct IcSpec : Ics {
-    Material material;  ///< nu has no meaning when any_nu is set
+    Material material;  ///< nu has no meaning when any_nu is set; of body layered that of its surface
     double dx = 0;      ///< element size along x (mm)
     double dy = 0;      ///< element size along y (mm)
     int nx = 0;         ///< extent: offsets 0..nx-1 along x

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "influence/layered/shifted_layers.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
 #include "operators/sum_operator.hpp"
@@ -29,11 +30,54 @@ bool have_closed_form(const Bodies& bodies) {
     return true;
 }
 
-ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, double x, double y) {
+ShiftedTable ahead_of(const ContactProblem& problem, const IcTable& pair, double x, double y) {
     const std::optional<HalfSpaces> nearest = nearest_half_spaces(problem.bodies);
-    const ShiftedTable ahead = have_closed_form(problem.bodies) ? shifted_half_spaces(*nearest, problem.grid, x, y)
-                                                                : shifted_table(pair, nearest, problem.grid, x, y);
+    return have_closed_form(problem.bodies) ? shifted_half_spaces(*nearest, problem.grid, x, y)
+                                            : shifted_table(pair, nearest, problem.grid, x, y);
+}
+
+ShiftedTable ahead_of(const ContactProblem& problem, const Body& body, const IcTable& table, double x, double y) {
+    const Ics* ics = body.computed();
+    if (ics != nullptr && ics->layered) return shifted_layers(*ics->layered, ics->load_shape, problem.grid, x, y);
+    if (body.material.is_rigid()) return {problem.grid.nx, problem.grid.ny};
+    ContactProblem alone = problem;
+    alone.bodies = {{Material::rigid()}, body};
+    return ahead_of(alone, table, x, y);
+}
+
+/// Of bodies of which one has layers: with them each is shifted by itself, for what they differ from half-spaces is as
+/// sharp as they are thin.
+ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const IcTable& upper, const IcTable& lower) {
+    const auto [x, y] = step_of(problem);
+    const ShiftedTable above = ahead_of(problem, problem.bodies.upper, upper, x, y);
+    ShiftedTable ahead = ahead_of(problem, problem.bodies.lower, lower, x, y);
+    const std::size_t size = ahead.component_size();
+    for (std::size_t i = 0; i < ahead.values.size(); ++i) {
+        const bool normal_load = i / size % 3 == static_cast<std::size_t>(Axis::z);
+        ahead.values[i] += normal_load ? -above.values[i] : above.values[i];
+    }
     return change_over_step(pair, ahead);
+}
+
+/// With what a step changes, where there is one.
+ContactInfluence influence_of(const ContactProblem& problem, IcTable pair, std::optional<ShiftedTable> change) {
+    const Grid& grid = problem.grid;
+    ContactInfluence influence;
+    if (change) influence.change = std::make_shared<const ShiftedOperator>(*std::move(change));
+    if (pair.nx == grid.nx && pair.ny == grid.ny)
+        influence.here = std::make_shared<const ConvolutionOperator>(std::move(pair));
+    else
+        influence.here = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
+    return influence;
+}
+
+ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, const IcTable& lower) {
+    const auto [x, y] = step_of(problem);
+    if (!problem.bodies.any_layered() || (x == 0 && y == 0))
+        return make_influence(problem, pair_of(std::move(upper), lower));
+    IcTable pair = pair_of(upper, lower);
+    ShiftedTable change = change_of(problem, pair, upper, lower);
+    return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
 /// Of one body alone, as if it lay below a rigid one; none of a rigid body.
@@ -56,22 +100,18 @@ std::size_t influence_bytes(std::size_t elements) {
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {
-    const Grid& grid = problem.grid;
-    ContactInfluence influence;
-    if (const auto [x, y] = step_of(problem); x != 0 || y != 0)
-        influence.change = std::make_shared<const ShiftedOperator>(change_of(problem, pair, x, y));
-    if (pair.nx == grid.nx && pair.ny == grid.ny)
-        influence.here = std::make_shared<const ConvolutionOperator>(std::move(pair));
-    else
-        influence.here = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
-    return influence;
+    const auto [x, y] = step_of(problem);
+    if (x == 0 && y == 0) return influence_of(problem, std::move(pair), std::optional<ShiftedTable>());
+    ShiftedTable change = problem.bodies.any_layered() ? change_of(problem, pair, pair, pair)
+                                                       : change_over_step(pair, ahead_of(problem, pair, x, y));
+    return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower) {
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
             if constexpr (std::is_same_v<Upper, Lower>)
-                return make_influence(problem, pair_of(std::move(above), below));
+                return influence_of(problem, std::move(above), std::move(below));
             else
                 return sum_of(influence_of(problem, problem.bodies.upper, std::move(above)),
                               influence_of(problem, problem.bodies.lower, std::move(below)));

@@ -1,14 +1,25 @@
 #include "contactd/closed_form_record.hpp"
 
+#include <utility>
+
 #include "contactd/half_space.hpp"
 #include "contactd/version.hpp"
+#include "influence/layered/layered_table.hpp"
 
 namespace contactd {
 
 IcRecord closed_form_record(const IcSpec& spec) {
     IcRecord record;
     record.spec = dimensionless(spec);
-    record.tables = half_space_table(record.spec);
+    const IcSpec& scaled = record.spec;
+    if (scaled.layered) {
+        IcTable table = layered_table(*scaled.layered, scaled.load_shape, scaled.nx, scaled.ny, scaled.dx, scaled.dy);
+        record.evidence.errors = layered_errors(*scaled.layered, scaled.load_shape, table, scaled.dx, scaled.dy);
+        record.evidence.errors_estimated = true;
+        record.tables = std::move(table);
+    } else {
+        record.tables = half_space_table(scaled);
+    }
     record.evidence.source = name_of(IcSource::analytic);
     record.evidence.version = "contactd " + version();
     return record;

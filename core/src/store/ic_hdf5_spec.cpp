@@ -15,6 +15,37 @@ FemSpec read_fem(const H5::Group& group) {
     return fem;
 }
 
+namespace {
+
+void write_layers(H5::Group group, const Layers& body) {
+    std::vector<double> thickness, G, nu;
+    for (const Layer& layer : body.layers) {
+        thickness.push_back(layer.thickness);
+        G.push_back(layer.G);
+        nu.push_back(layer.nu);
+    }
+    put(group, "thickness", thickness);
+    put(group, "G", G);
+    put(group, "nu", nu);
+    if (body.base.is_rigid()) return;
+    put(group, "base_G", body.base.G);
+    put(group, "base_nu", body.base.nu);
+}
+
+Layers read_layers(const H5::Group& group) {
+    Layers body;
+    const std::vector<double> thickness = numbers(group, "thickness"), G = numbers(group, "G"),
+                              nu = numbers(group, "nu");
+    if (thickness.empty() || thickness.size() != G.size() || G.size() != nu.size())
+        throw DamagedTable("The layers of the file are not complete.");
+    for (std::size_t i = 0; i < G.size(); ++i) body.layers.push_back({thickness[i], G[i], nu[i]});
+    body.base =
+        group.attrExists("base_G") ? Material{number(group, "base_G"), number(group, "base_nu")} : Material::rigid();
+    return body;
+}
+
+}  // namespace
+
 void write_spec(H5::Group group, const IcSpec& spec) {
     put(group, "body", spec.body);
     put(group, "source", spec.source);
@@ -34,6 +65,7 @@ void write_spec(H5::Group group, const IcSpec& spec) {
         for_each_part_field<Part>(
             [&](const PartField<Part>& field) { put(object, field.name, (*value).*field.member); });
     });
+    if (spec.layered) write_layers(group.createGroup("layers"), *spec.layered);
     if (spec.accuracy != 0) {
         put(group, "accuracy", spec.accuracy);
         if (spec.body == BodyShape::block) put(group, "L_over_h", spec.fem.L_over_h);
@@ -58,6 +90,7 @@ IcSpec read_spec(const H5::Group& group) {
         Part& value = (spec.*part.member).emplace();
         for_each_part_field<Part>([&](const PartField<Part>& field) { get(object, field.name, value.*field.member); });
     });
+    if (group.nameExists("layers")) spec.layered = read_layers(group.openGroup("layers"));
     if (group.attrExists("accuracy")) {
         spec.accuracy = number(group, "accuracy");
         spec.fem.L_over_h = spec.body == BodyShape::block ? number(group, "L_over_h") : 0;

@@ -22,6 +22,12 @@ class CanonicalObject {
         if (number) add(name, *number);
     }
     void add_object(const char* name, const CanonicalObject& object) { members_[name] = object.text(); }
+    /// A list, from the first on.
+    void add_list(const char* name, const std::vector<CanonicalObject>& list) {
+        std::string text;
+        for (const CanonicalObject& object : list) text += (text.empty() ? "" : ",") + object.text();
+        members_[name] = '[' + text + ']';
+    }
     void add_true(const char* name) { members_[name] = "true"; }
 
     std::string text() const {
@@ -58,6 +64,19 @@ CanonicalObject canonical(const Part& part) {
     return json;
 }
 
+CanonicalObject canonical(const Material& material) {
+    CanonicalObject json;
+    json.add("G", material.G);
+    json.add("nu", material.nu);
+    return json;
+}
+
+CanonicalObject canonical(const Layer& layer) {
+    CanonicalObject json = canonical(layer.material());
+    json.add("thickness", layer.thickness);
+    return json;
+}
+
 CanonicalObject canonical(const IcSpec& spec) {
     CanonicalObject json;
     if (spec.accuracy != 0) json.add("accuracy", spec.accuracy);
@@ -73,6 +92,12 @@ CanonicalObject canonical(const IcSpec& spec) {
     for_each_ics_part([&](const auto& part) {
         if (const auto& value = spec.*part.member) json.add_object(part.name, canonical(*value));
     });
+    if (spec.layered) {
+        std::vector<CanonicalObject> layers;
+        for (const Layer& layer : spec.layered->layers) layers.push_back(canonical(layer));
+        json.add_list("layers", layers);
+        if (!spec.layered->base.is_rigid()) json.add_object("base", canonical(spec.layered->base));
+    }
     json.add("load_shape", spec.load_shape);
     if (!spec.any_nu) json.add("nu", spec.material.nu);
     if (spec.accuracy != 0) json.add("recipe", accuracy_recipe);

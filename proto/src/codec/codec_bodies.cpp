@@ -12,11 +12,15 @@ bool is_table(const json& ics) {
     return ics["source"] == "table";
 }
 
-/// The source that stands for both bodies, or null where they have different ones, or tables.
+bool is_layered(const json& ics) {
+    return ics.value("body", "") == name_of(BodyShape::layered);
+}
+
+/// The source that stands for both bodies, or null where they have different ones, tables, or layers.
 const Ics* shared_source(const Bodies& bodies) {
     const Ics* upper = bodies.upper.computed();
     const Ics* lower = bodies.lower.computed();
-    if (bodies.any_given()) return nullptr;
+    if (bodies.any_given() || bodies.any_layered()) return nullptr;
     if (upper == nullptr || lower == nullptr) return upper != nullptr ? upper : lower;
     return *upper == *lower ? upper : nullptr;
 }
@@ -28,8 +32,8 @@ json encode_coefficients(const Body& body, ArrayWriter& arrays) {
 
 json encode_body(const Body& body, bool with_ics, ArrayWriter& arrays) {
     if (body.material.is_rigid()) return {{"rigid", true}};
-    json result = encode_material(body.material);
-    if (with_ics) result["ics"] = encode_coefficients(body, arrays);
+    json result = body.layered() != nullptr ? json::object() : encode_material(body.material);
+    if (with_ics || body.layered() != nullptr) result["ics"] = encode_coefficients(body, arrays);
     return result;
 }
 
@@ -45,6 +49,12 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
     Body body;
     if (source.contains("rigid")) {
         body.material = Material::rigid();
+        return body;
+    }
+    if (source.contains("ics") && is_layered(source["ics"])) {  // also with quick models, which refuse them
+        const Ics ics = decode_ics(source["ics"]);
+        body.material = ics.layered->surface();
+        body.ics = ics;
         return body;
     }
     body.material = decode_material(source);
@@ -78,7 +88,7 @@ void encode_bodies(const ContactSetup& setup, json& params, ArrayWriter& arrays)
     const Ics* both = shared_source(bodies);
     const bool apart = full && both == nullptr;
     params["bodies"] = object({{"upper", encode_body(bodies.upper, apart, arrays)}});
-    if (apart || bodies.lower.material != bodies.upper.material)
+    if (apart || bodies.lower.material != bodies.upper.material || bodies.any_layered())
         params["bodies"]["lower"] = encode_body(bodies.lower, apart, arrays);
     if (full && both != nullptr) params["ics"] = encode_ics(*both);
 }
@@ -92,6 +102,9 @@ void decode_bodies(const json& params, const std::vector<std::string>& frames, C
         setup.bodies.pair = decode_given_ics(*ics, frames, setup.grid, "ics");
         return;
     }
+    if (ics != nullptr && is_layered(*ics))
+        throw invalid_field("ics.body",
+                            "is layered; layers are of one body: give them as bodies.upper.ics or bodies.lower.ics");
     const json& bodies = params["bodies"];
     setup.bodies.upper = decode_body(bodies["upper"], ics, "bodies.upper", frames, setup);
     setup.bodies.lower = bodies.contains("lower") ? decode_body(bodies["lower"], ics, "bodies.lower", frames, setup)

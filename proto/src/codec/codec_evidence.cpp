@@ -81,8 +81,6 @@ void encode_build(const IcEvidence& evidence, json& result) {
                                 {"solve", finite(evidence.seconds.solve, "The duration of the solves")},
                                 {"total", finite(evidence.seconds.total, "The duration of the build")}});
     result["load_cases"] = std::move(load_cases);
-    result["errors"] = encode_errors(evidence.errors);
-    result["errors_estimated"] = evidence.errors_estimated;
 }
 
 void decode_build(const json& source, IcEvidence& evidence) {
@@ -105,6 +103,10 @@ void decode_build(const json& source, IcEvidence& evidence) {
 json encode_evidence(const IcEvidence& evidence) {
     json result = object({{"source", evidence.source}, {"version", evidence.version}});
     if (evidence.elements > 0) encode_build(evidence, result);
+    if (evidence.elements > 0 || evidence.errors.zz) {  // of a closed form there are none
+        result["errors"] = encode_errors(evidence.errors);
+        result["errors_estimated"] = evidence.errors_estimated;
+    }
     if (!evidence.warnings.empty()) result["warnings"] = evidence.warnings;
     if (!evidence.solver.empty()) result["solver"] = evidence.solver;
     if (evidence.mesh) result["mesh"] = encode_fem(*evidence.mesh);

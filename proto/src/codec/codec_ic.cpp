@@ -27,15 +27,17 @@ Material decode_material(const json& source) {
 }
 
 json encode_ic_spec(const IcSpec& spec) {
-    return {{"material", encode_material(spec.material)},
-            {"grid", {{"nx", spec.nx}, {"ny", spec.ny}, {"dx", finite(spec.dx, "dx")}, {"dy", finite(spec.dy, "dy")}}},
-            {"ics", encode_ics(spec)}};
+    json result{
+        {"grid", {{"nx", spec.nx}, {"ny", spec.ny}, {"dx", finite(spec.dx, "dx")}, {"dy", finite(spec.dy, "dy")}}},
+        {"ics", encode_ics(spec)}};
+    if (!spec.layered) result["material"] = encode_material(spec.material);
+    return result;
 }
 
 IcSpec decode_ic_spec(const json& params) {
     const json& grid = params["grid"];
     IcSpec spec{decode_ics(params["ics"]), {}, 0, 0, 0, 0};
-    spec.material = decode_material(params["material"]);
+    spec.material = spec.layered ? spec.layered->surface() : decode_material(params["material"]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();
     spec.nx = decode_count(grid, "nx");

@@ -5,6 +5,7 @@
 
 #include "codec_parts.hpp"
 #include "contactd/fem_fields.hpp"
+#include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -76,6 +77,21 @@ Part decode_part(const json& source) {
     return part;
 }
 
+json encode_layer(const Layer& layer) {
+    return object({{"thickness", finite(layer.thickness, "thickness")},
+                   {"G", finite(layer.G, "G")},
+                   {"nu", finite(layer.nu, "nu")}});
+}
+
+Layers decode_layers(const json& source) {
+    Layers body;
+    for (const json& layer : source["layers"])
+        body.layers.push_back({layer["thickness"].get<double>(), layer["G"].get<double>(), layer["nu"].get<double>()});
+    const json& base = source["base"];
+    body.base = base.contains("rigid") ? Material::rigid() : decode_material(base);
+    return body;
+}
+
 }  // namespace
 
 json encode_fem(const FemSpec& fem) {
@@ -95,6 +111,11 @@ json encode_ics(const Ics& ics) {
     for_each_ics_part([&](const auto& part) {
         if (const auto& value = ics.*part.member) result[part.name] = encode_part(*value);
     });
+    if (ics.layered) {
+        for (const Layer& layer : ics.layered->layers) result["layers"].push_back(encode_layer(layer));
+        const Material& base = ics.layered->base;
+        result["base"] = base.is_rigid() ? json{{"rigid", true}} : encode_material(base);
+    }
     if (ics.source == IcSource::analytic) return result;
     if (ics.accuracy != 0) {
         result["accuracy"] = finite(ics.accuracy, "accuracy");
@@ -111,6 +132,7 @@ Ics decode_ics(const json& source) {
     read_name(source["source"], ics.source);
     if (source.contains("body")) read_name(source["body"], ics.body);
     if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
+    if (ics.body == BodyShape::layered) ics.layered = decode_layers(source);
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
         if (source.contains(part.name)) ics.*part.member = decode_part<Part>(source[part.name]);
     });

@@ -85,6 +85,10 @@ void check_is_half_space(const Ics& ics) {
         throw invalid_field("ics.line_contact",
                             "has loads that never end along y; the closed form of the stresses is that of elements, "
                             "which do");
+    if (ics.body == BodyShape::layered)
+        throw invalid_field("ics.body",
+                            "is layered; the closed form of the stresses is that of the half-space, and stresses in "
+                            "layers are not computed yet");
     if (ics.body != BodyShape::half_space)
         throw invalid_field("ics.body",
                             "is block; the closed form of the stresses is that of the half-space, which a block "

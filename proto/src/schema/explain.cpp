@@ -195,7 +195,9 @@ class Explainer {
         const json properties = condition.value("properties", json::object());
         for (const json& name : condition.value("required", json::array()))
             if (!properties.contains(name)) add(name);
-        for (const auto& property : properties.items()) add(property.key() + " " + shown(property.value()["const"]));
+        for (const auto& property : properties.items())
+            add(property.key() + (property.value().contains("const") ? " " + shown(property.value()["const"])
+                                                                     : "." + conditions_of(property.value())));
         return words;
     }
 

@@ -39,6 +39,8 @@ inline std::map<std::string, Call> every_call(Arguments& a) {
         {"contactd_set_half_space", [](C c) { return contactd_set_half_space(c, CONTACTD_BOTH, CONTACTD_CONSTANT); }},
         {"contactd_set_fem", [](C c) { return contactd_set_fem(c, CONTACTD_BOTH, CONTACTD_BLOCK, 0, 0.01, 40); }},
         {"contactd_set_table", [&a](C c) { return contactd_set_table(c, CONTACTD_BOTH, 1, 1, 1, 1, a.in, 9); }},
+        {"contactd_set_layers",
+         [&a](C c) { return contactd_set_layers(c, CONTACTD_LOWER, CONTACTD_CONSTANT, a.in, a.in, a.in, 1, 0, 0); }},
         {"contactd_set_line_contact", [](C c) { return contactd_set_line_contact(c, 10); }},
         {"contactd_set_model", [](C c) { return contactd_set_model(c, CONTACTD_FULL); }},
         {"contactd_set_tolerance", [](C c) { return contactd_set_tolerance(c, CONTACTD_OUTER, 1e-6, 10); }},

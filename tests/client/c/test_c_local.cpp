@@ -36,6 +36,17 @@ TEST_CASE("In process and behind a daemon the same is refused, by code, field an
              contactd_set_fem(c, CONTACTD_UPPER, 0, 0, 0.01, 0);
          }},
         {"block", [](contactd_contact* c) { contactd_set_fem(c, CONTACTD_UPPER, CONTACTD_BLOCK, 0, 0.01, -5); }},
+        {"layer",
+         [](contactd_contact* c) {
+             const double thickness = 0, G = 20, nu = 0.3;
+             contactd_set_layers(c, CONTACTD_LOWER, CONTACTD_CONSTANT, &thickness, &G, &nu, 1, 0, 0);
+         }},
+        {"quick layers",
+         [](contactd_contact* c) {
+             const double thickness = 1, G = 20, nu = 0.3;
+             contactd_set_layers(c, CONTACTD_LOWER, CONTACTD_CONSTANT, &thickness, &G, &nu, 1, 300, 0.3);
+             contactd_set_model(c, CONTACTD_HERTZ);
+         }},
         {"line", [](contactd_contact* c) { contactd_set_line_contact(c, 10); }},
         {"dq",
          [](contactd_contact* c) {

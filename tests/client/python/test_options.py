@@ -7,12 +7,24 @@ from typing import Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
-from contactd import AnalyticIcs, FemIcs, Job, Limits, Progress, QuarantinedIc, ServerInfo, SessionSummary, StoredIc
+from contactd import (
+    AnalyticIcs,
+    FemIcs,
+    Job,
+    Layer,
+    LayeredBody,
+    Limits,
+    Progress,
+    QuarantinedIc,
+    ServerInfo,
+    SessionSummary,
+    StoredIc,
+)
 
 ROOT = Path(__file__).parents[3]
 SCHEMA = json.loads((ROOT / "proto" / "schema" / "definitions.json").read_text())["definitions"]["ics"]
 OPTIONS = {name: option for name, option in SCHEMA["properties"].items() if name != "source"}
-FEM_OPTIONS = set(OPTIONS) - {"line_contact"}  # of the closed form only
+FEM_OPTIONS = set(OPTIONS) - {"line_contact", "layers", "base"}  # of closed forms only
 JSON_TYPES = {"integer": int, "number": float, "boolean": bool}
 
 
@@ -31,7 +43,7 @@ def test_an_option_has_the_type_of_the_schema(name):
     kind = kind_of(FemIcs, name)
     if "enum" in OPTIONS[name]:
         assert get_origin(kind) is Literal
-        assert list(get_args(kind)) == OPTIONS[name]["enum"]
+        assert list(get_args(kind)) == [word for word in OPTIONS[name]["enum"] if word != "layered"]
     else:
         assert kind is JSON_TYPES[OPTIONS[name]["type"]]
 
@@ -39,7 +51,9 @@ def test_an_option_has_the_type_of_the_schema(name):
 def test_the_closed_form_has_the_options_that_go_with_it():
     (condition,) = [rule["then"] for rule in SCHEMA["allOf"] if "source" in rule["if"].get("properties", {})]
     names = {field.name for field in fields(AnalyticIcs)}
-    assert {"source", *names} == set(condition["propertyNames"]["enum"])
+    of_layers = {field.name for field in fields(LayeredBody)}
+    assert {"source", *names, *of_layers} == set(condition["propertyNames"]["enum"])
+    assert {field.name for field in fields(Layer)} == set(OPTIONS["layers"]["items"]["properties"])
     assert list(get_args(kind_of(AnalyticIcs, "load_shape"))) == OPTIONS["load_shape"]["enum"]
 
 

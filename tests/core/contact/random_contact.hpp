@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/tangential/friction_law.hpp"
+#include "influence/layered/layered_table.hpp"
 #include "random_problems.hpp"
 
 namespace contactd::test {
@@ -93,24 +94,57 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
 struct Surface {
     Values x, y, z;
 };
+
+/// Coefficients of a body between elements whose offsets have either sign, at points that far from the centres.
+class BodyCoefficients {
+   public:
+    BodyCoefficients(const Grid& grid, const Body& body, double shift_x, double shift_y)
+        : grid_(grid), body_(body), shift_x_(shift_x), shift_y_(shift_y) {
+        lattice_ = {.first_x = (1 - grid.nx) * grid.dx + shift_x,
+                    .first_y = (1 - grid.ny) * grid.dy + shift_y,
+                    .nx = 2 * grid.nx - 1,
+                    .ny = 2 * grid.ny - 1,
+                    .dx = grid.dx,
+                    .dy = grid.dy};
+        if (const Layers* layers = body.layered())
+            layers_ = layered_coefficients(*layers, body.computed()->load_shape, lattice_);
+    }
+
+    /// 0 <= k < 2 nx - 1, 0 <= l < 2 ny - 1.
+    double at(Axis i, Axis j, int k, int l) const {
+        using enum Axis;
+        if (body_.material.is_rigid()) return 0;
+        if (layers_.empty())
+            return half_space_coefficient(i, j, (k - grid_.nx + 1) * grid_.dx + shift_x_,
+                                          (l - grid_.ny + 1) * grid_.dy + shift_y_, grid_.dx, grid_.dy, body_.material);
+        const SurfaceCoefficients& at = layers_[lattice_.index(k, l)];
+        if (i == j) return i == x ? at.xx : i == y ? at.yy : at.zz;
+        if (i != z && j != z) return at.xy;
+        return j == z ? (i == x ? at.xz : at.yz) : (j == x ? -at.xz : -at.yz);
+    }
+
+   private:
+    const Grid& grid_;
+    const Body& body_;
+    double shift_x_, shift_y_;
+    OffsetLattice lattice_;
+    std::vector<SurfaceCoefficients> layers_;
+};
+
 inline Surface displacements(const ContactProblem& problem, const Values& pz, const Values& px, const Values& py,
                              double shift_x, double shift_y) {
     const Grid& grid = problem.grid;
     const int mx = 2 * grid.nx - 1, my = 2 * grid.ny - 1;
+    const BodyCoefficients upper(grid, problem.bodies.upper, shift_x, shift_y);
+    const BodyCoefficients lower(grid, problem.bodies.lower, shift_x, shift_y);
     const auto coefficients = [&](Axis i, Axis j) {
         const bool couples = (i == Axis::z) != (j == Axis::z);
         Values table;
         for (int l = 0; l < my; ++l)
             for (int k = 0; k < mx; ++k) {
-                const auto of = [&](const Material& body) {
-                    return body.is_rigid()
-                               ? 0
-                               : half_space_coefficient(i, j, (k - grid.nx + 1) * grid.dx + shift_x,
-                                                        (l - grid.ny + 1) * grid.dy + shift_y, grid.dx, grid.dy, body);
-                };
                 // The lower body carries the opposite, in a frame that is mirrored for what couples.
-                table.push_back(couples ? of(problem.bodies.lower.material) - of(problem.bodies.upper.material)
-                                        : of(problem.bodies.upper.material) + of(problem.bodies.lower.material));
+                const double above = upper.at(i, j, k, l), below = lower.at(i, j, k, l);
+                table.push_back(couples ? below - above : above + below);
             }
         return table;
     };
@@ -220,13 +254,14 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
 }
 
 /// The state before the last step of a transient with several, by taking the steps one by one.
-inline SurfaceState state_before_last(const ContactProblem& problem) {
+inline SurfaceState state_before_last(const ContactProblem& problem,
+                                      ContactSolution (*solve)(const ContactProblem&) = solve_half_spaces) {
     if (!problem.friction) return problem.previous;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (rolling == nullptr || rolling->steady() || rolling->steps == 1) return problem.previous;
     ContactProblem shorter = problem;
     --std::get<Rolling>(shorter.motion).steps;
-    const ContactSolution before = solve_half_spaces(shorter);
+    const ContactSolution before = solve(shorter);
     return {before.pressure, before.traction_x, before.traction_y};
 }
 

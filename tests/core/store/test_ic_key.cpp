@@ -103,3 +103,25 @@ TEST_CASE("The key of a family is the same for every Poisson's ratio") {
     other.material.nu = 0.42;
     CHECK(ic_key(other) == ic_key(spec));
 }
+
+TEST_CASE("The key of layers is the same for every unit, and depends on each layer and the base") {
+    const auto key_of = [](const Layers& layers, double dx) {
+        IcSpec spec;
+        spec.body = BodyShape::layered;
+        spec.layered = layers;
+        spec.material = layers.surface();
+        spec.dx = spec.dy = dx;
+        spec.nx = spec.ny = 4;
+        return ic_key(spec);
+    };
+    const Layers layers{{{0.3, 2, 0.5}, {1, 40, 0.2}}, {8, 0.3}};
+    const std::string key = key_of(layers, 0.1);
+    CHECK(key_of({{{0.6, 10, 0.5}, {2, 200, 0.2}}, {40, 0.3}}, 0.2) == key);
+    CHECK(key_of(layers, 0.2) != key);
+    CHECK(key_of({{{0.3, 2, 0.5}, {1, 40, 0.2}}, Material::rigid()}, 0.1) != key);
+    CHECK(key_of({{{0.3, 2, 0.5}, {1, 40, 0.2}}, {8, 0.31}}, 0.1) != key);
+    CHECK(key_of({{{0.3, 2, 0.5}, {1, 41, 0.2}}, {8, 0.3}}, 0.1) != key);
+    CHECK(key_of({{{0.3, 2, 0.49}, {1, 40, 0.2}}, {8, 0.3}}, 0.1) != key);
+    CHECK(key_of({{{1, 40, 0.2}, {0.3, 2, 0.5}}, {8, 0.3}}, 0.1) != key);
+    CHECK(key_of({{{0.3, 2, 0.5}}, {8, 0.3}}, 0.1) != key);
+}

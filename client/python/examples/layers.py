@@ -1,0 +1,25 @@
+"""A ball on rubber that is bonded to steel, from thick to thin, and with Poisson's ratio 0.5: what a half-space gets wrong.
+
+Run: layers.py [ENDPOINT]; without one it starts a daemon of its own (`contactd` on PATH).
+"""
+
+import sys
+from contextlib import ExitStack
+
+from contactd import Client, Grid, Layer, LayeredBody, LocalDaemon, Material, Paraboloid, RigidBody
+
+with ExitStack() as stack:
+    endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
+    client = stack.enter_context(Client(endpoint))
+    grid, ball, steel = Grid.centred(60, 60, 6, 6), Paraboloid(50, 50), Material(G=82000, nu=0.28)
+
+    def press(name, lower):
+        solution = client.solve(grid=grid, upper=RigidBody(), lower=lower, gap=ball, Fn=5)
+        radius = (solution.area.contact / 3.14159) ** 0.5
+        print(f"{name:28} {solution.approach:9.5f} {radius:8.3f} {solution.pmax:9.3f}")
+
+    print(f"{'rubber':28} {'approach':>9} {'radius':>8} {'pmax':>9}")
+    for nu in (0.45, 0.5):
+        press(f"half-space, nu {nu}", Material(G=1, nu=nu))
+        for thickness in (10, 2, 0.5):
+            press(f"{thickness:4} mm on steel, nu {nu}", LayeredBody([Layer(thickness, G=1, nu=nu)], base=steel))

@@ -1,0 +1,13 @@
+// Coefficients of layered bodies at points some distance away from the element centres.
+#pragma once
+
+#include "contactd/layers.hpp"
+#include "influence/shifted_table.hpp"
+
+namespace contactd {
+
+/// Of layers below a rigid body. Only the numbers and the sizes of the elements of `grid` matter. As exact as
+/// layered_table, also on the borders between elements.
+ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid& grid, double shift_x, double shift_y);
+
+}  // namespace contactd

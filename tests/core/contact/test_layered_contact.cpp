@@ -1,0 +1,116 @@
+// Contact of bodies of layers: what it tends to, and that random problems meet all contact conditions.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include "random_layers.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+const Material steel{82000, 0.28};
+
+Body steel_in_layers() {
+    return Body::of(Layers{{{0.3, steel.G, steel.nu}, {1.7, steel.G, steel.nu}}, steel});
+}
+
+double largest_difference(const Values& one, const Values& other) {
+    double result = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) result = std::max(result, std::abs(one[i] - other[i]));
+    return result;
+}
+
+ContactProblem ball(int n, double size, const Body& upper, const Body& lower) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(n, n, size / n, size / n);
+    problem.bodies = {upper, lower};
+    problem.gap = Paraboloid{100, 60};
+    problem.approach = 0.01;
+    problem.settings.normal.tolerance = 1e-10;
+    return problem;
+}
+
+}  // namespace
+
+TEST_CASE("layers of one material are in contact as the half-space is") {
+    ContactProblem problem = ball(24, 3, {steel}, {steel});
+    problem.friction = FrictionLaw{{0.3}};
+    SECTION("a shift") {
+        problem.motion = Shift{{1e-3, 5e-4}, 1e-3};
+    }
+    SECTION("steady rolling, by an element") {
+        problem.motion = Rolling{.xi = 1e-3, .eta = 5e-4, .phi = 1e-3};
+    }
+    SECTION("steady rolling at an angle, by a part of an element") {
+        problem.motion = Rolling{.xi = 1e-3, .chi = 0.4, .dq = 0.07};
+    }
+    SECTION("transient rolling") {
+        Rolling rolling{.xi = 1e-3, .dq = 0.2};
+        rolling.kind = RollingKind::transient;
+        rolling.steps = 3;
+        problem.motion = rolling;
+    }
+    const ContactSolution expected = solve_half_spaces(problem);
+    REQUIRE(expected.converged());
+    const bool below = GENERATE(true, false), above = GENERATE(true, false);
+    if (below) problem.bodies.lower = steel_in_layers();
+    if (above) problem.bodies.upper = steel_in_layers();
+    const ContactSolution found = solve_layers(problem);
+    REQUIRE(found.converged());
+    CHECK(largest_difference(found.pressure, expected.pressure) < 1e-7 * expected.pmax);
+    CHECK(largest_difference(found.traction_x, expected.traction_x) < 1e-4 * expected.pmax);
+    CHECK(largest_difference(found.traction_y, expected.traction_y) < 1e-4 * expected.pmax);
+}
+
+TEST_CASE("a ball on a thin layer on a rigid base presses as on a Winkler foundation") {
+    const Layers layer{{{0.002, 10, 0.3}}, Material::rigid()};
+    const ContactProblem problem = ball(40, 3, {Material::rigid()}, Body::of(layer));
+    const ContactSolution solution = solve_layers(problem);
+    REQUIRE(solution.converged());
+    const double stiffness = 2 * 10 * 0.7 / (0.4 * 0.002);
+    const Values h = undeformed_distance(problem);
+    for (std::size_t i = 0; i < h.size(); ++i)
+        CHECK_THAT(solution.pressure[i], WithinAbs(stiffness * std::max(0.01 - h[i], 0.0), 1e-7 * stiffness * 0.01));
+}
+
+TEST_CASE("bodies that change places press alike and rub the other way") {
+    const Body rubber = Body::of(Layers{{{0.5, 5, 0.5}}, Material::rigid()});
+    const Body coated = Body::of(Layers{{{0.05, 50, 0.2}}, {8, 0.3}});
+    ContactProblem problem = ball(20, 3, rubber, coated);
+    problem.friction = FrictionLaw{{0.4}};
+    problem.motion = Rolling{.xi = 0.02, .dq = 0.1};
+    const ContactSolution one = solve_layers(problem);
+    REQUIRE(one.converged());
+    CHECK(one.evidence.outer);  // they are coupled
+    std::swap(problem.bodies.upper, problem.bodies.lower);
+    std::get<Rolling>(problem.motion).xi = -0.02;
+    const ContactSolution other = solve_layers(problem);
+    REQUIRE(other.converged());
+    CHECK(largest_difference(one.pressure, other.pressure) < 1e-5 * one.pmax);
+    for (std::size_t i = 0; i < one.pressure.size(); ++i)
+        CHECK_THAT(other.traction_x[i], WithinAbs(-one.traction_x[i], 1e-4 * one.pmax));
+}
+
+TEST_CASE("a thin incompressible layer holds the contact that its stiffness asks for") {
+    // Beneath a wide contact it hardly yields; the equations are nearly singular there.
+    const double thickness = GENERATE(0.3, 0.1, 0.02);
+    const Layers layer{{{thickness, 1, 0.5}}, Material::rigid()};
+    const ContactProblem problem = ball(40, 3, {Material::rigid()}, Body::of(layer));
+    const ContactSolution solution = solve_layers(problem);
+    CHECK(solution.converged());
+    CHECK(contact_faults(problem, solution, {}, 1e-4).empty());
+}
+
+TEST_CASE("random problems of layers meet all contact conditions", "[contact]") {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const ContactProblem problem = random_layered_contact(seed, 10);
+        const ContactSolution solution = solve_layers(problem);
+        INFO("seed " << seed);
+        CHECK(solution.converged());
+        CHECK(contact_faults(problem, solution, state_before_last(problem, solve_layers), 1e-4) == "");
+    }
+}
