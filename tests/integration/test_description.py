@@ -118,7 +118,7 @@ def test_counters_count(daemon):
     assert after["requests"] == before["requests"] + 3
 
 
-@pytest.mark.parametrize("example", ["cattaneo.py", "ic_table.py", "cosimulation.py"])
+@pytest.mark.parametrize("example", ["cattaneo.py", "ic_table.py", "layers.py", "cosimulation.py"])
 def test_the_examples_of_the_client_run(shared_daemon, example):
     path = REPOSITORY / "client" / "python" / "examples" / example
     ended = subprocess.run(
@@ -130,6 +130,7 @@ def test_the_examples_of_the_client_run(shared_daemon, example):
         {
             "cattaneo.py": r"Fz 9\.1973\d+ N, Fx -3\.2221",
             "ic_table.py": r"\d+ elements",
+            "layers.py": r"half-space, nu 0\.5 .*(?s:.)*0\.5 mm on steel, nu 0\.5",
             "cosimulation.py": r"[1-9]\d* taken back.*(?s:.)*lost in friction \+ -?0\.\d+",
         }[example],
         ended.stdout,

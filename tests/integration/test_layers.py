@@ -6,6 +6,7 @@ import pytest
 from contactd import (
     AnalyticIcs,
     Client,
+    ContactProblem,
     Friction,
     Grid,
     InvalidArgument,
@@ -112,17 +113,13 @@ def test_a_material_beside_layers_is_refused(shared_daemon):
     assert "ics.body" in {violation.field for violation in refused.value.violations}
 
 
-def test_stresses_in_layers_are_refused(shared):
-    solution = shared.solve(**BALL, upper=STEEL, lower=RUBBER, Fn=1)
-    assert solution.converged
-    with pytest.raises(InvalidArgument, match="not computed yet"):
-        shared.call(
-            "contact.subsurface",
-            {
-                "grid": {"nx": 2, "ny": 2, "dx": 1, "dy": 1},
-                "nu": 0.3,
-                "ics": {"source": "analytic", **RUBBER.params()},
-                "pressure": [[1, 1], [1, 1]],
-                "points": [[0, 0, -1]],
-            },
-        )
+def test_stresses_in_layers_are_refused_and_those_beneath_their_partner_are_not(shared, shared_daemon):
+    problem = ContactProblem(**BALL, upper=STEEL, lower=RUBBER, Fn=1)
+    solution = shared.solve(problem)
+    for nu in (None, 0.5):
+        with pytest.raises(InvalidArgument, match="not computed yet"):
+            shared.subsurface(problem, solution, body="lower", points=[[0, 0, -1]], nu=nu)
+    assert shared.subsurface(problem, solution, body="upper", points=[[0, 0, -1]]).zz[0] < 0
+    params = {"grid": {"nx": 1, "ny": 1, "dx": 1, "dy": 1}, "nu": 0.3, "pressure": [[1]], "points": [[0, 0, -1]]}
+    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument, match="not computed yet"):
+        client.call("contact.subsurface", {**params, "ics": {"source": "analytic", **RUBBER.params()}})

@@ -107,6 +107,7 @@ def subsurface_params(
     if "pressure" not in tractions:
         raise invalid("pressure", "is missing; it must be that of a solution")
     params = {"grid": plain(problem.grid), **_ics(problem), "body": body, **tractions}
+    _check_layers(problem, body)
     params["nu"] = _nu(problem, body) if nu is None else nu
     if (points is None) == (block is None):
         raise TypeError("subsurface() takes either points or block")
@@ -137,17 +138,21 @@ def _ics(problem: ContactProblem) -> dict[str, Any]:
     return {} if params == {"source": "analytic"} else {"ics": params}
 
 
-def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
-    if body not in ("lower", "upper"):
-        raise invalid("body", f'is {body!r}; it must be "lower" or "upper"')
+def _check_layers(problem: ContactProblem, body: str) -> None:
     material = problem.upper if body == "upper" or problem.lower is None else problem.lower
-    if isinstance(material, RigidBody):
-        raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
     if isinstance(material, LayeredBody):
         raise invalid(
             "body",
             f"is {body!r}, which has layers; the closed form of the stresses is that of the half-space, and stresses in "
             "layers are not computed yet",
         )
+
+
+def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
+    if body not in ("lower", "upper"):
+        raise invalid("body", f'is {body!r}; it must be "lower" or "upper"')
+    material = problem.upper if body == "upper" or problem.lower is None else problem.lower
+    if isinstance(material, RigidBody):
+        raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
     assert material is not None  # only with a table, which is refused
     return material.nu

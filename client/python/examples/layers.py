@@ -3,6 +3,7 @@
 Run: layers.py [ENDPOINT]; without one it starts a daemon of its own (`contactd` on PATH).
 """
 
+import math
 import sys
 from contextlib import ExitStack
 
@@ -11,11 +12,11 @@ from contactd import Client, Grid, Layer, LayeredBody, LocalDaemon, Material, Pa
 with ExitStack() as stack:
     endpoint = sys.argv[1] if sys.argv[1:] else stack.enter_context(LocalDaemon()).endpoint
     client = stack.enter_context(Client(endpoint))
-    grid, ball, steel = Grid.centred(60, 60, 6, 6), Paraboloid(50, 50), Material(G=82000, nu=0.28)
+    grid, ball, steel = Grid.centred(64, 64, 9, 9), Paraboloid(50, 50), Material(G=82000, nu=0.28)
 
     def press(name, lower):
         solution = client.solve(grid=grid, upper=RigidBody(), lower=lower, gap=ball, Fn=5)
-        radius = (solution.area.contact / 3.14159) ** 0.5
+        radius = math.sqrt(solution.area.contact / math.pi)
         print(f"{name:28} {solution.approach:9.5f} {radius:8.3f} {solution.pmax:9.3f}")
 
     print(f"{'rubber':28} {'approach':>9} {'radius':>8} {'pmax':>9}")
