@@ -36,7 +36,7 @@ auto with_names(const std::string& setup, const std::string& state, const Ask& a
             throw InvalidArgument(setup + "model",
                                   "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
                                   "everywhere; take fastsim or full, or leave friction out");
-        const bool of_state = field.starts_with("position.") || field.starts_with("F");
+        const bool of_state = field.starts_with("position.") || field.starts_with("F") || field == "derivatives";
         throw InvalidArgument((of_state ? state : setup) + field, sentence.substr(field.size() + 1));
     }
 }

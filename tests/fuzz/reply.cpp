@@ -17,6 +17,7 @@ void decode(const std::string& method, const nlohmann::json& result, const std::
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
     if (method == "wheelrail.solve") decode_wheel_rail_solution(result, frames);
     if (method == "wheelrail.geometry") decode_wheel_rail_geometries(result);
+    if (method == "wheelrail.geometry" && result.contains("conicities")) decode_conicities(result["conicities"]);
     if (method == "session.info") decode_session_info(result);
     if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::centred(2, 1, 1, 1));
 }

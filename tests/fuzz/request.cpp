@@ -48,6 +48,7 @@ void decode(const Request& request) {
     } else if (request.method.starts_with("wheelrail.")) {
         decode_wheel_rail_setup(params, request.frames);
         if (params.contains("state")) decode_wheel_rail_state(params["state"]);
+        if (params.contains("conicity")) decode_conicity(params["conicity"]);
     }
 }
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
 import pytest
 
-from contactd import Client, InvalidArgument, Material, RigidBody, TimeoutExpired
+from contactd import Client, InvalidArgument, Material, RigidBody, SolverSettings, TimeoutExpired
 from contactd.wheel_rail import (
     ArcProfile,
     ConeProfile,
@@ -127,6 +128,29 @@ def test_a_longitudinal_force_is_brought_by_the_pitch_rate(shared):
     assert solution.pitch == pytest.approx(-2000 / 460, rel=0.01)
 
 
+def test_derivatives_are_differences_of_solutions(shared):
+    fine = SolverSettings(1e-10)
+    setup = COARSE.replace(dx=0.4, dy=0.4, normal=fine, tangential=fine)
+    at = {"roll": 0, "yaw": 0.007, "Fz": None, "z": 0.2}
+    asked = rolling(3, **at)
+    solution = shared.wheel_rail(setup, dataclasses.replace(asked, derivatives=True), fields=[])
+    assert solution.derivatives is not None
+    step = 1e-4
+    up, down = (shared.wheel_rail(setup, rolling(3, **at | {"z": 0.2 + dz}), fields=[]) for dz in (step, -step))
+    slope = (up.forces.track.Fz - down.forces.track.Fz) / (2 * step)
+    assert solution.derivatives.position.z.Fz == pytest.approx(slope, rel=0.02)
+    assert solution.derivatives.position.z.Fz > 0
+
+
+def test_slices_that_are_alike_make_a_rail_that_does_not_vary(shared):
+    track = Track(rail_origin=(752, 0))
+    one = shared.wheel_rail(COARSE.replace(track=track), CENTRED, fields=[])
+    slices = [(-500.0, Rail60E1(1 / 40)), (0.0, Rail60E1(1 / 40)), (500.0, Rail60E1(1 / 40))]
+    many = shared.wheel_rail(COARSE.replace(track=track, rail_slices=slices), CENTRED, fields=[])
+    assert many.z == pytest.approx(one.z, abs=1e-3)
+    assert many.forces.track.Fy == pytest.approx(one.forces.track.Fy, abs=10)
+
+
 @pytest.mark.parametrize("model", ["full", "hertz", "fastsim"])
 def test_every_model_knows_wheels_on_rails(shared, model):
     friction = None if model == "hertz" else WheelRailFriction(0.3)  # it knows no spin
@@ -177,6 +201,8 @@ def test_points_make_the_same_profile_as_their_formula(shared):
         ({"upper": RigidBody(), "lower": RigidBody()}, {}, "setup.bodies"),
         ({"upper": Material(G=-1, nu=0.3)}, {}, "setup.bodies.upper.G"),
         ({"model": "hertz"}, {"Fz": 1e4, "velocity": WheelsetVelocity(x=2000, pitch=-4.3)}, "setup.model"),
+        ({"rail_slices": [(0, Rail60E1()), (1, Rail60E1())]}, {}, "setup.track.rail_origin"),
+        ({"rigid_slip": "surfaces", "model": "fastsim"}, {}, "setup.rigid_slip"),
         ({}, {"Fz": 0}, "state.Fz"),
         ({}, {"position": WheelsetPosition(z=10)}, "state.position.z"),
         ({}, {"position": WheelsetPosition(roll=2)}, "state.position.roll"),
@@ -188,6 +214,36 @@ def test_points_make_the_same_profile_as_their_formula(shared):
 def test_bad_input_is_named_by_its_field(shared_daemon, setup, state, field):
     with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument) as caught:
         client.wheel_rail(RIGHT.replace(**setup), WheelRailState(**state))
+    assert caught.value.violations[0].field.startswith(field), caught.value
+
+
+def test_a_cone_has_its_own_conicity(shared):
+    cone = RIGHT.replace(wheel=ConeProfile(-0.05, ends=(-60, 60)))
+    for found in shared.equivalent_conicity(cone, [1, 3, 5]):
+        assert found.integrated == pytest.approx(0.05, rel=1e-6)
+        assert found.harmonic == pytest.approx(0.05, rel=1e-6)
+        assert found.wavelength == pytest.approx(2 * math.pi * math.sqrt(1500 * 460 / (2 * 0.05)), rel=1e-6)
+
+
+def test_s1002_on_60e1_has_the_conicity_that_is_known_of_it(shared):
+    (found,) = shared.equivalent_conicity(RIGHT, [3])
+    assert found.integrated == pytest.approx(0.180, abs=0.001)
+    assert found.harmonic == pytest.approx(0.182, abs=0.001)
+
+
+@pytest.mark.parametrize(
+    ("setup", "amplitudes", "field"),
+    [
+        ({}, [0], "conicity.amplitudes[0]"),
+        ({}, [], "conicity.amplitudes"),
+        ({"rail": ArcProfile(300, ends=(-5, 5))}, [10], "conicity.amplitudes"),
+        ({"rail": ProfilePoints([[0, 0]])}, [1], "setup.rail.points"),
+        ({"track": Track(gauge=30)}, [1], "setup.track.gauge"),
+    ],
+)
+def test_a_bad_request_for_conicity_is_named(shared_daemon, setup, amplitudes, field):
+    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument) as caught:
+        client.equivalent_conicity(RIGHT.replace(**setup), amplitudes)
     assert caught.value.violations[0].field.startswith(field), caught.value
 
 

@@ -3,6 +3,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <cmath>
 #include <limits>
 
 #include "contactd/error.hpp"
@@ -29,6 +30,9 @@ WheelRailSetup unusual_setup() {
     setup.side = Side::left;
     setup.wheel = {ProfileKind::wheel, ConeProfile{-0.05, -30, 30.5}};
     setup.rail = {ProfileKind::rail, ProfilePoints{{{-10, 0.1 + 0.2}, {0, 0}, {10, 0.17}}, 1000, true, true, 5}};
+    setup.rail_slices = {{-5, {ProfileKind::rail, Rail60E1{0.05}}},
+                         {5, {ProfileKind::rail, ProfilePoints{{{-1, 0}, {1, 0.5}}}}}};
+    setup.rigid_slip = RigidSlipKind::surfaces;
     setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500};
     setup.wheelset = {1440, -69, 475};
     setup.bodies = Bodies::of({{80000, 0.3}, Material::rigid()});
@@ -45,12 +49,13 @@ WheelRailSetup unusual_setup() {
 
 WheelRailState unusual_state() {
     WheelRailState state;
-    state.position = {1, 2, 0.1, 0.2};
+    state.position = {1, 2, 0.1, 0.2, 77};
     state.velocity = {3, 4, 5, 6, 7, 8};
     state.rail = {9, 10, 0.3, 12, 13, 14};
     state.roller_pitch = 15;
     state.Fz = 16;
     state.Fx = -17;
+    state.derivatives = true;
     return state;
 }
 
@@ -77,6 +82,8 @@ WheelRailSolution solution() {
     solution.forces.wheelset = {13, 14, 15, 16, 17, 18};
     solution.force = SolverEvidence{3, 1e-9, true, 0.1};
     solution.pitch_search = SolverEvidence{4, 1e-8, false, 0.2};
+    solution.derivatives.emplace().position.roll = {31, 32, 33, 34, 35, 36};
+    solution.derivatives->velocity.pitch = {41, 42, 43, 44, 45, 46};
     solution.warnings = {"The contact reaches the end of a profile."};
     WheelRailPatch& patch = solution.patches.emplace_back();
     patch.place = place();
@@ -176,6 +183,7 @@ TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
     CHECK(read.force->iterations == 3);
     REQUIRE(read.pitch_search);
     CHECK(read.pitch_search->residual == 1e-8);
+    CHECK(read.derivatives == original.derivatives);
     REQUIRE(read.patches.size() == 1);
     const WheelRailPatch &patch = read.patches[0], &wanted = original.patches[0];
     CHECK(patch.place.reference == wanted.place.reference);
@@ -239,6 +247,26 @@ TEST_CASE("Geometries come back exactly", "[codec]") {
     CHECK_FALSE(read[1].clearance);
 }
 
+TEST_CASE("Conicities are asked for and come back", "[codec]") {
+    const ConicityRequest wanted{{1, 2.5}, {WheelsetRoll::demanded, 1510, 1e-2}};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = sent(encode_conicity_request(unusual_setup(), wanted, arrays));
+    CHECK_NOTHROW(check_params("wheelrail.geometry", params));
+    CHECK(decode_conicity(params["conicity"]) == wanted);
+    CHECK(decode_conicity({{"amplitudes", {3}}}) == ConicityRequest{{3}});
+
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<EquivalentConicity> conicities{{1, 0.2, 0.21, 30e3}, {2, none, 0.3, infinite}};
+    const json result = sent({{"geometries", json::array()}, {"conicities", encode_conicities(conicities)}});
+    CHECK(violations_of("wheelrail.geometry.result", result).empty());
+    const auto read = decode_conicities(result["conicities"]);
+    REQUIRE(read.size() == 2);
+    CHECK(read[0].integrated == 0.2);
+    CHECK(read[0].wavelength == 30e3);
+    CHECK(std::isnan(read[1].integrated));
+    CHECK(read[1].harmonic == 0.3);
+}
+
 TEST_CASE("A force that is not finite is not sent", "[codec]") {
     WheelRailSolution bad = solution();
     bad.patches[0].forces.rail.My = infinite;
@@ -281,7 +309,11 @@ TEST_CASE("A bad field of a wheel on a rail is named", "[codec]") {
         Case{"/setup/friction", "{}", "setup.friction.mu is missing"},
         Case{"/setup/friction", R"({"mu": [{"angle": 0}]})", "setup.friction.mu[0].mu is missing"},
         Case{"/setup/friction", R"({"mu": []})", "setup.friction.mu has 0 values"},
-        Case{"/setup/dx", "0", "setup.dx is 0"}, Case{"/state/Fz", "0", "state.Fz is 0"},
+        Case{"/setup/rail_slices", R"([{"x": 0, "profile": {"s1002": true}}])", "setup.rail_slices has 1 values"},
+        Case{"/setup/rail_slices", R"([{"x": 0, "profile": {"points": [1]}}, {"x": 1, "profile": {"s1002": true}}])",
+             "setup.rail_slices[0].profile.points has shape [1]"},
+        Case{"/setup/rigid_slip", "\"flat\"", "setup.rigid_slip is \"flat\""}, Case{"/setup/dx", "0", "setup.dx is 0"},
+        Case{"/state/Fz", "0", "state.Fz is 0"},
         Case{"/state/position", R"({"roll": 3})", "state.position.roll is 3; it must lie in [-0.5, 0.5]"},
         Case{"/state/speed", "1", "state.speed is not a field of state"});
     CAPTURE(c.pointer, c.value);
@@ -295,4 +327,13 @@ TEST_CASE("Points of a profile are limited before they take memory", "[codec]") 
     params["setup"]["rail"]["points"]["$array"] = {{"frame", 1}, {"dtype", "<f8"}, {"shape", {4'000'000, 2}}};
     CHECK_THAT(refusal_of(params, {""}),
                ContainsSubstring("LIMIT_EXCEEDED: setup.rail.points are 4000000; 20000 are the most"));
+}
+
+TEST_CASE("Points of many slices are limited, though they come in one frame", "[codec]") {
+    json params = minimal();
+    json slice{{"x", 0}};
+    slice["profile"]["points"]["$array"] = {{"frame", 1}, {"dtype", "<f8"}, {"shape", {20'000, 2}}};
+    params["setup"]["rail_slices"] = json(11, slice);
+    CHECK_THAT(refusal_of(params, {std::string(320'000, '\0')}),
+               ContainsSubstring("LIMIT_EXCEEDED: setup.rail_slices have more than 200000 points together"));
 }

@@ -63,4 +63,17 @@ std::vector<WheelRailGeometry> Client::wheel_rail_geometry(const WheelRailSetup&
     });
 }
 
+std::vector<EquivalentConicity> Client::equivalent_conicities(const WheelRailSetup& setup,
+                                                              const ConicityRequest& wanted,
+                                                              const CallOptions& options) {
+    validate_as("setup", setup);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_conicity_request(setup, wanted, arrays);
+    const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
+    return decoded([&] {
+        if (!reply.result.contains("conicities")) throw ProtocolError("The daemon's answer lacks the conicities.");
+        return proto::decode_conicities(reply.result["conicities"]);
+    });
+}
+
 }  // namespace contactd::client

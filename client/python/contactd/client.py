@@ -34,7 +34,7 @@ from .subsurface import StressBlock, SubsurfaceStress, subsurface_params
 from .waiting import may_build, say_that_the_build_goes_on, seconds_of, spin_of
 from .wheel_rail import WheelRailSetup, WheelRailState
 from .wheel_rail_params import setup_params, state_params
-from .wheel_rail_solution import WheelRailGeometry, WheelRailSolution, read_wheel_rail
+from .wheel_rail_solution import EquivalentConicity, WheelRailGeometry, WheelRailSolution, read_wheel_rail
 
 __all__ = ["Client"]
 
@@ -423,6 +423,31 @@ class Client(Shown):
         if not isinstance(geometries, list) or len(geometries) != len(given):
             raise ProtocolError("The answer to wheelrail.geometry lacks a geometry for each state.")
         return [read(WheelRailGeometry, item, f"result.geometries[{i}]") for i, item in enumerate(geometries)]
+
+    def equivalent_conicity(
+        self,
+        setup: WheelRailSetup,
+        amplitudes: Iterable[float],
+        *,
+        roll: Literal["demanded", "neglected"] | None = None,
+        contact_distance: float | None = None,
+        tolerance: float | None = None,
+        timeout: float | None = None,
+    ) -> list[EquivalentConicity]:
+        """The equivalent conicity of a wheelset with the profiles of the set-up on both sides, for 1 to 100 amplitudes
+        (mm): integrated over the kinematic motion (EN 15302), and by the harmonic approximation.
+
+        `roll` is "neglected" (default), by which a cone has its own conicity, or as both contacts demand. `contact_distance`
+        is that between the contact points of both wheels (mm, default 1500), `tolerance` that of the radius difference
+        (mm, default 1e-3).
+        """
+        given = {"roll": roll, "contact_distance": contact_distance, "tolerance": tolerance}
+        wanted = {"amplitudes": list(amplitudes), **{name: v for name, v in given.items() if v is not None}}
+        params = {"setup": setup_params(setup), "conicity": wanted}
+        conicities = self.call("wheelrail.geometry", params, timeout=timeout).get("conicities")
+        if not isinstance(conicities, list):
+            raise ProtocolError("The answer to wheelrail.geometry lacks the conicities.")
+        return [read(EquivalentConicity, item, f"result.conicities[{i}]") for i, item in enumerate(conicities)]
 
     def session(
         self,

@@ -33,12 +33,16 @@ from .wheel_rail_solution import (
     ContactRadii,
     ContactReference,
     Creepages,
+    EquivalentConicity,
     OverlapRegion,
+    WheelRailDerivatives,
     WheelRailForces,
     WheelRailGeometry,
     WheelRailPatch,
     WheelRailSolution,
     Wrench,
+    WrenchesByPosition,
+    WrenchesByVelocity,
 )
 
 __all__ = [
@@ -49,6 +53,7 @@ __all__ = [
     "ContactRadii",
     "ContactReference",
     "Creepages",
+    "EquivalentConicity",
     "OverlapRegion",
     "PatchRules",
     "Profile",
@@ -56,6 +61,7 @@ __all__ = [
     "Rail60E1",
     "RailDeviation",
     "Track",
+    "WheelRailDerivatives",
     "WheelRailForces",
     "WheelRailFriction",
     "WheelRailGeometry",
@@ -67,10 +73,13 @@ __all__ = [
     "WheelsetPosition",
     "WheelsetVelocity",
     "Wrench",
+    "WrenchesByPosition",
+    "WrenchesByVelocity",
 ]
 
 Side = Literal["left", "right"]
 WheelSurface = Literal["exact", "bilinear"]
+RigidSlipKind = Literal["plane", "surfaces"]
 
 
 @dataclass(frozen=True)
@@ -157,6 +166,8 @@ class WheelRailSetup:
         side: Which wheel of the wheelset, seen in the direction of travel: "right" (default) or "left".
         wheel: The wheel's profile; default S1002().
         rail: The rail's profile; default Rail60E1(1 / 40).
+        rail_slices: In place of `rail` where it varies along the track: pairs (x, profile), by ascending x (mm), in the
+            same coordinates. Needs Track.rail_origin.
         track: Where the rails lie.
         wheelset: Where the wheels sit.
         upper: Material of the rail; default steel (G 82000, nu 0.28).
@@ -168,6 +179,8 @@ class WheelRailSetup:
         dq: Step of rolling (mm); default: dx.
         patches: How regions of overlap are merged.
         wheel_surface: "exact" (default), or "bilinear" between corners of a mesh as large as the elements.
+        rigid_slip: By the creepages of the reference, as in a "plane" (default), or by the motion of both "surfaces" at
+            each row of elements: for conformal contact, of model "full".
         normal: Stop test of NORM, for the pressures.
         tangential: Stop test for the tractions.
         outer: Stop test of the loop that bodies that differ and kinetic friction need.
@@ -177,6 +190,7 @@ class WheelRailSetup:
     side: Side | None = None
     wheel: Profile | None = None
     rail: Profile | None = None
+    rail_slices: Sequence[tuple[float, Profile]] | None = None
     track: Track | None = None
     wheelset: Wheelset | None = None
     upper: Material | RigidBody | None = None
@@ -188,6 +202,7 @@ class WheelRailSetup:
     dq: float | None = None
     patches: PatchRules | None = None
     wheel_surface: WheelSurface | None = None
+    rigid_slip: RigidSlipKind | None = None
     normal: SolverSettings | None = None
     tangential: SolverSettings | None = None
     outer: SolverSettings | None = None
@@ -207,12 +222,14 @@ class WheelsetPosition:
         z: Down (mm); where Fz is given, only where to start.
         roll: From y to z (rad).
         yaw: From x to y (rad), turned first.
+        x: Along the track (mm), where the rail varies; forces and references are told from there on.
     """
 
     y: float = 0.0
     z: float = 0.0
     roll: float = 0.0
     yaw: float = 0.0
+    x: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -269,6 +286,7 @@ class WheelRailState:
         Fz: Vertical force of this wheel on the rail (N), > 0, which position.z is found for; None: that is prescribed.
         Fx: Longitudinal force on the rail along the wheelset's x axis (N), which velocity.pitch is found for; None: that
             is prescribed.
+        derivatives: Whether the solution has derivatives of the forces by position and velocity.
     """
 
     position: WheelsetPosition = WheelsetPosition()
@@ -277,3 +295,4 @@ class WheelRailState:
     roller_pitch: float = 0.0
     Fz: float | None = None
     Fx: float | None = None
+    derivatives: bool = False

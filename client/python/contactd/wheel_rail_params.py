@@ -46,9 +46,14 @@ def setup_params(setup: WheelRailSetup) -> dict[str, Any]:
     """`setup` of wheelrail.solve."""
     check_type("setup", setup, WheelRailSetup)
     given = plain(setup)
-    params = {name: given[name] for name in ("side", "model", "dx", "dy", "dq", "wheel_surface") if name in given}
+    params = {name: given[name] for name in ("side", "model", "dx", "dy", "dq", "wheel_surface", "rigid_slip") if name in given}
     params |= {name: plain(given[name]) for name in ("wheelset", "patches", "force") if name in given}
     params |= {name: profile_params(given[name], f"setup.{name}") for name in ("wheel", "rail") if name in given}
+    if setup.rail_slices is not None:
+        params["rail_slices"] = [
+            {"x": x, "profile": profile_params(profile, f"setup.rail_slices[{i}].profile")}
+            for i, (x, profile) in enumerate(setup.rail_slices)
+        ]
     if setup.track is not None:
         params["track"] = _track_params(setup.track)
     if setup.friction is not None:

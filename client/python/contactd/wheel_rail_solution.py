@@ -19,12 +19,16 @@ __all__ = [
     "ContactRadii",
     "ContactReference",
     "Creepages",
+    "EquivalentConicity",
     "OverlapRegion",
+    "WheelRailDerivatives",
     "WheelRailForces",
     "WheelRailGeometry",
     "WheelRailPatch",
     "WheelRailSolution",
     "Wrench",
+    "WrenchesByPosition",
+    "WrenchesByVelocity",
     "read_wheel_rail",
 ]
 
@@ -182,6 +186,58 @@ class WheelRailPatch:
     gap: Array | None = None
 
 
+@dataclass(frozen=True)
+class WrenchesByPosition:
+    """Derivatives of a wrench by the position of the wheelset.
+
+    Attributes:
+        y: By y (per mm).
+        z: By z (per mm).
+        roll: By the roll (per rad).
+        yaw: By the yaw (per rad).
+    """
+
+    y: Wrench
+    z: Wrench
+    roll: Wrench
+    yaw: Wrench
+
+
+@dataclass(frozen=True)
+class WrenchesByVelocity:
+    """Derivatives of a wrench by the velocity of the wheelset.
+
+    Attributes:
+        x: By x (per mm/s).
+        y: By y (per mm/s).
+        z: By z (per mm/s).
+        roll: By the roll rate (per rad/s).
+        yaw: By the yaw rate (per rad/s).
+        pitch: By the pitch rate (per rad/s).
+    """
+
+    x: Wrench
+    y: Wrench
+    z: Wrench
+    roll: Wrench
+    yaw: Wrench
+    pitch: Wrench
+
+
+@dataclass(frozen=True)
+class WheelRailDerivatives:
+    """How the forces on the rail, in track coordinates, follow the state, to first order. All inputs but the one are held,
+    height and pitch rate also where forces found them: ``solution.derivatives.position.z.Fz`` is dFz/dz (N/mm).
+
+    Attributes:
+        position: By the position.
+        velocity: By the velocity.
+    """
+
+    position: WrenchesByPosition
+    velocity: WrenchesByVelocity
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class WheelRailSolution(Shown):
     """The contact of a wheel with its rail. No contact is an answer: no patches. Read `warnings`, ask `converged`.
@@ -197,6 +253,7 @@ class WheelRailSolution(Shown):
             are not above each other.
         force: Of the search for z, where Fz was given: solves, |F - Fz|/Fz.
         pitch_search: Of the search for the pitch rate, where Fx was given.
+        derivatives: Where asked for, of a converged solution with contact.
     """
 
     z: float
@@ -208,6 +265,7 @@ class WheelRailSolution(Shown):
     clearance: float | None = None
     force: SolverEvidence | None = None
     pitch_search: SolverEvidence | None = None
+    derivatives: WheelRailDerivatives | None = None
 
     def _rows(self) -> Rows:
         track = self.forces.track
@@ -237,6 +295,23 @@ class WheelRailGeometry:
     places: tuple[ContactPlace, ...]
     clearance: float | None = None
     warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class EquivalentConicity:
+    """Of a wheelset with the same profiles on both sides: the conicity of cones that roll with the same wavelength.
+
+    Attributes:
+        amplitude: Half of the way from side to side (mm).
+        harmonic: The first harmonic of the radius difference.
+        integrated: From the wavelength of the kinematic motion; None where the wheelset does not swing.
+        wavelength: Of the kinematic motion (mm); None where the wheelset does not swing.
+    """
+
+    amplitude: float
+    harmonic: float
+    integrated: float | None = None
+    wavelength: float | None = None
 
 
 def read_wheel_rail(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelRailSolution:

@@ -4,23 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "contactd/conicity.hpp"
 #include "contactd/wheelset_contacts.hpp"
 
 namespace contactd {
-
-struct ConicitySettings {
-    /// Without roll a cone has its own conicity; with it, one that also depends on radii and distances.
-    WheelsetRoll roll = WheelsetRoll::neglected;
-    double contact_distance = 1500;  ///< between the contact points of both wheels, 2e (mm)
-    double tolerance = 1e-3;         ///< of the radius difference between the shifts at which it is computed (mm)
-};
-
-struct EquivalentConicity {
-    double amplitude = 0;   ///< half of the way from side to side (mm)
-    double integrated = 0;  ///< from the wavelength of the kinematic motion; not a number where this does not swing
-    double harmonic = 0;    ///< the first harmonic of the radius difference
-    double wavelength = 0;  ///< of the kinematic motion (mm)
-};
 
 /// For amplitudes, by two ways:
 /// - the kinematic motion y'' = -dr(y)/(2e r0) along the track has the wavelength L(A), found from its energy integral;

@@ -107,10 +107,16 @@ struct WheelRailGeometry {
 struct WheelRailDerivatives {
     struct ByPosition {
         Wrench y, z, roll, yaw;
+
+        bool operator==(const ByPosition&) const = default;
     } position;
     struct ByVelocity {
         Wrench x, y, z, roll, yaw, pitch;
+
+        bool operator==(const ByVelocity&) const = default;
     } velocity;
+
+    bool operator==(const WheelRailDerivatives&) const = default;
 };
 
 struct WheelRailSolution {

@@ -4,6 +4,7 @@
 // have y to the field side on both sides. Lengths in mm, angles in rad.
 #pragma once
 
+#include "contactd/conicity.hpp"
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 
@@ -28,9 +29,6 @@ WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rai
 /// With the same profiles on both sides. Throws as wheel_over_rail.
 WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                                   const Wheelset& wheelset = {});
-
-/// The roll of the wheelset: as both contacts demand, or none, where each wheel finds its own height.
-enum class WheelsetRoll { demanded, neglected };
 
 struct RigidContact {
     double y = 0, z = 0;  ///< in track coordinates

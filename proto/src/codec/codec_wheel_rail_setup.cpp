@@ -2,6 +2,7 @@
 #include <span>
 #include <utility>
 
+#include "codec_conicity.hpp"
 #include "codec_profile.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/wheel_rail.hpp"
@@ -15,6 +16,9 @@ using nlohmann::json;
 constexpr Words<Side, 2> sides{{{"left", Side::left}, {"right", Side::right}}};
 constexpr Words<WheelSurfaceKind, 2> wheel_surfaces{
     {{"exact", WheelSurfaceKind::exact}, {"bilinear", WheelSurfaceKind::bilinear}}};
+
+constexpr Words<RigidSlipKind, 2> rigid_slips{{{"plane", RigidSlipKind::plane}, {"surfaces", RigidSlipKind::surfaces}}};
+constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
 
 // Each of something that may be const.
 template <class Part>
@@ -110,11 +114,38 @@ WheelRailFriction decode_friction(const json& source) {
     return friction;
 }
 
+json encode_slices(const std::vector<RailSlice>& slices, ArrayWriter& arrays) {
+    json result = json::array();
+    for (const auto& [x, profile] : slices)
+        result.push_back(object({{"x", finite(x, "rail_slices.x")}, {"profile", encode_profile(profile, arrays)}}));
+    return result;
+}
+
+/// One frame may be the points of many slices, each of which has its own.
+std::vector<RailSlice> decode_slices(const json& source, const std::vector<std::string>& frames) {
+    std::vector<RailSlice> slices;
+    std::size_t points = 0;
+    for (const json& slice : source) {
+        const std::string field = "setup.rail_slices[" + std::to_string(slices.size()) + "].profile";
+        slices.push_back(
+            {slice["x"].get<double>(), decode_profile(slice["profile"], ProfileKind::rail, frames, field)});
+        if (const auto* given = std::get_if<ProfilePoints>(&slices.back().profile.shape))
+            points += given->points.size();
+        if (points > most_points_of_slices)
+            throw invalid_field(
+                "setup.rail_slices",
+                "have more than " + std::to_string(most_points_of_slices) + " points together; leave some of them out",
+                reason::limit_exceeded);
+    }
+    return slices;
+}
+
 json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     json result = encode_numbers(numbers_of_elements(setup));
     result["side"] = word_for(sides, setup.side);
     result["wheel"] = encode_profile(setup.wheel, arrays);
     result["rail"] = encode_profile(setup.rail, arrays);
+    if (!setup.rail_slices.empty()) result["rail_slices"] = encode_slices(setup.rail_slices, arrays);
     result["track"] = encode_track(setup.track);
     result["wheelset"] = encode_numbers(numbers_of_wheelset(setup.wheelset));
     result["bodies"] = encode_bodies(setup.bodies);
@@ -122,6 +153,7 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     if (setup.friction) result["friction"] = encode_friction(*setup.friction);
     result["patches"] = encode_numbers(numbers_of_patches(setup.patches));
     result["wheel_surface"] = word_for(wheel_surfaces, setup.wheel_surface);
+    result["rigid_slip"] = word_for(rigid_slips, setup.rigid_slip);
     encode_settings(setup.settings, result);
     result["force"] = object({{"tolerance", finite(setup.force.tolerance, "force.tolerance")},
                               {"max_iterations", setup.force.max_iterations}});
@@ -144,6 +176,10 @@ json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelR
     return params;
 }
 
+json encode_conicity_request(const WheelRailSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays) {
+    return object({{"setup", encode_setup(setup, arrays)}, {"conicity", encode_conicity(wanted)}});
+}
+
 PatchFields decode_patch_fields(const json& params) {
     return {decode_fields(params, all_solution_fields), params.value("gap", false)};
 }
@@ -158,6 +194,7 @@ WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std
     if (has("side")) setup.side = meaning_of(source["side"], sides);
     if (has("wheel")) setup.wheel = decode_profile(source["wheel"], ProfileKind::wheel, frames, "setup.wheel");
     if (has("rail")) setup.rail = decode_profile(source["rail"], ProfileKind::rail, frames, "setup.rail");
+    if (has("rail_slices")) setup.rail_slices = decode_slices(source["rail_slices"], frames);
     if (has("track")) setup.track = decode_track(source["track"]);
     if (has("wheelset")) decode_numbers(source["wheelset"], numbers_of_wheelset(setup.wheelset));
     if (has("bodies")) {
@@ -169,6 +206,7 @@ WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std
     if (has("friction")) setup.friction = decode_friction(source["friction"]);
     if (has("patches")) decode_numbers(source["patches"], numbers_of_patches(setup.patches));
     if (has("wheel_surface")) setup.wheel_surface = meaning_of(source["wheel_surface"], wheel_surfaces);
+    if (has("rigid_slip")) setup.rigid_slip = meaning_of(source["rigid_slip"], rigid_slips);
     setup.settings = decode_settings(source);
     if (has("force")) {
         setup.force.tolerance = source["force"].value("tolerance", setup.force.tolerance);

@@ -30,16 +30,50 @@ auto searches_of(Part& solution) {
     return std::array{std::pair("force", &solution.force), std::pair("pitch_search", &solution.pitch_search)};
 }
 
-json encode_forces(const WheelRailForces& forces) {
+template <class Part>
+auto wrenches_by_position(Part& by) {
+    return std::array{std::pair("y", &by.y), std::pair("z", &by.z), std::pair("roll", &by.roll),
+                      std::pair("yaw", &by.yaw)};
+}
+
+template <class Part>
+auto wrenches_by_velocity(Part& by) {
+    return std::array{std::pair("x", &by.x),       std::pair("y", &by.y),     std::pair("z", &by.z),
+                      std::pair("roll", &by.roll), std::pair("yaw", &by.yaw), std::pair("pitch", &by.pitch)};
+}
+
+template <class Wrenches>
+json encode_wrenches(const Wrenches& wrenches) {
     json result = json::object();
-    for (const auto& [name, wrench] : wrenches_of(forces)) result[name] = encode_numbers(numbers_of_wrench(*wrench));
+    for (const auto& [name, wrench] : wrenches) result[name] = encode_numbers(numbers_of_wrench(*wrench));
     return result;
+}
+
+template <class Wrenches>
+void decode_wrenches(const json& source, const Wrenches& wrenches) {
+    for (const auto& [name, wrench] : wrenches) decode_numbers(source[name], numbers_of_wrench(*wrench));
+}
+
+json encode_forces(const WheelRailForces& forces) {
+    return encode_wrenches(wrenches_of(forces));
 }
 
 WheelRailForces decode_forces(const json& source) {
     WheelRailForces forces;
-    for (const auto& [name, wrench] : wrenches_of(forces)) decode_numbers(source[name], numbers_of_wrench(*wrench));
+    decode_wrenches(source, wrenches_of(forces));
     return forces;
+}
+
+json encode_derivatives(const WheelRailDerivatives& derivatives) {
+    return object({{"position", encode_wrenches(wrenches_by_position(derivatives.position))},
+                   {"velocity", encode_wrenches(wrenches_by_velocity(derivatives.velocity))}});
+}
+
+WheelRailDerivatives decode_wheel_rail_derivatives(const json& source) {
+    WheelRailDerivatives derivatives;
+    decode_wrenches(source["position"], wrenches_by_position(derivatives.position));
+    decode_wrenches(source["velocity"], wrenches_by_velocity(derivatives.velocity));
+    return derivatives;
 }
 
 json encode_patch(const WheelRailPatch& patch, const PatchFields& fields, ArrayWriter& arrays) {
@@ -100,6 +134,7 @@ json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFi
     if (solution.clearance) result["clearance"] = finite(*solution.clearance, "The clearance");
     for (const auto& [name, search] : searches_of(solution))
         if (*search) result[name] = encode_solver_evidence(**search);
+    if (solution.derivatives) result["derivatives"] = encode_derivatives(*solution.derivatives);
     return result;
 }
 
@@ -112,6 +147,7 @@ WheelRailSolution decode_wheel_rail_solution(const json& result, const std::vect
     solution.forces = decode_forces(result["forces"]);
     for (const auto& [name, search] : searches_of(solution))
         if (result.contains(name)) *search = decode_solver_evidence(result[name]);
+    if (result.contains("derivatives")) solution.derivatives = decode_wheel_rail_derivatives(result["derivatives"]);
     solution.warnings = result["warnings"].get<std::vector<std::string>>();
     return solution;
 }

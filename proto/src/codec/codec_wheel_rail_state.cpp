@@ -14,7 +14,7 @@ using nlohmann::json;
 template <class Part>
 auto numbers_of_position(Part& position) {
     return named(std::pair("y", &position.y), std::pair("z", &position.z), std::pair("roll", &position.roll),
-                 std::pair("yaw", &position.yaw));
+                 std::pair("yaw", &position.yaw), std::pair("x", &position.x));
 }
 
 template <class Part>
@@ -40,6 +40,7 @@ json encode_wheel_rail_state(const WheelRailState& state) {
                           {"roller_pitch", finite(state.roller_pitch, "roller_pitch")}});
     if (state.Fz) result["Fz"] = finite(*state.Fz, "Fz");
     if (state.Fx) result["Fx"] = finite(*state.Fx, "Fx");
+    if (state.derivatives) result["derivatives"] = true;
     return result;
 }
 
@@ -52,6 +53,7 @@ WheelRailState decode_wheel_rail_state(const json& source) {
     if (has("roller_pitch")) state.roller_pitch = source["roller_pitch"].get<double>();
     if (has("Fz")) state.Fz = source["Fz"].get<double>();
     if (has("Fx")) state.Fx = source["Fx"].get<double>();
+    state.derivatives = source.value("derivatives", false);
     return state;
 }
 

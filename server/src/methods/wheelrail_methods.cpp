@@ -6,6 +6,7 @@
 
 #include "all_methods.hpp"
 #include "contactd/proto/wheel_rail.hpp"
+#include "engine/wheel_rail/wheelset_conicity.hpp"
 #include "jobs/job_reports.hpp"
 
 namespace contactd::server {
@@ -68,12 +69,17 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
 }
 
 void locate(const CallPtr& call, const DaemonParts& parts) {
+    const nlohmann::json& params = call->request.params;
     const WheelRailSetup setup = setup_of(call);
     std::vector<WheelRailState> states;
-    for (const nlohmann::json& state : call->request.params.at("states"))
+    for (const nlohmann::json& state : params.value("states", nlohmann::json::array()))
         states.push_back(proto::decode_wheel_rail_state(state));
     WorkOnCall work(call, parts);
-    work.succeed(proto::encode_wheel_rail_geometries(parts.engine.locate(setup, states, work.observer())));
+    nlohmann::json result = proto::encode_wheel_rail_geometries(parts.engine.locate(setup, states, work.observer()));
+    if (params.contains("conicity"))
+        result["conicities"] =
+            proto::encode_conicities(engine::wheelset_conicities(setup, proto::decode_conicity(params["conicity"])));
+    work.succeed(result);
 }
 
 }  // namespace

@@ -93,3 +93,17 @@ TEST_CASE("Geometries are asked for and read", "[client]") {
                              MessageMatches(ContainsSubstring("states[1].Fz is -1")));
     }
 }
+
+TEST_CASE("Conicities are asked for and read", "[client]") {
+    const ConicityRequest wanted{{1, 3}, {WheelsetRoll::demanded, 1510, 1e-2}};
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        CHECK(proto::decode_conicity(request["params"]["conicity"]) == wanted);
+        const std::vector<EquivalentConicity> conicities{{1, 0.2, 0.21, 30e3}};
+        return {{fake::reply(request,
+                             {{"geometries", json::array()}, {"conicities", proto::encode_conicities(conicities)}})}};
+    });
+    Client client(daemon.endpoint());
+    const auto conicities = client.equivalent_conicities({}, wanted);
+    REQUIRE(conicities.size() == 1);
+    CHECK(conicities[0].harmonic == 0.21);
+}

@@ -55,6 +55,8 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         dq=0.4,
         patches=PatchRules(1, 7, 3, 11, 0.5),
         wheel_surface="bilinear",
+        rail_slices=[(-5, Rail60E1(0.05)), (5, ArcProfile(300))],
+        rigid_slip="surfaces",
         normal=SolverSettings(1e-7),
         force=SolverSettings(1e-5, 30),
     )
@@ -66,6 +68,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
     assert sent["track"]["rail_origin"] == {"y": 760.5, "z": -1}
     assert sent["bodies"] == {"upper": {"G": 80000, "nu": 0.3}, "lower": {"rigid": True}}
     assert sent["settings"] == {"normal": {"tolerance": 1e-7}}
+    assert sent["rail_slices"][1] == {"x": 5, "profile": {"arc": {"radius": 300}}}
     assert sent["force"] == {"tolerance": 1e-5, "max_iterations": 30}
 
 
@@ -103,7 +106,7 @@ def test_what_is_no_profile_is_refused():
 
 def test_a_state_has_all_of_its_numbers():
     sent = state_params(WheelRailState(position=WheelsetPosition(y=2, yaw=0.1)), "state")
-    assert sent["position"] == {"y": 2, "z": 0, "roll": 0, "yaw": 0.1}
+    assert sent["position"] == {"y": 2, "z": 0, "roll": 0, "yaw": 0.1, "x": 0}
     assert sent["roller_pitch"] == 0
     assert "Fz" not in sent
     schemas.check("wheelrail.solve.params", {"state": sent})

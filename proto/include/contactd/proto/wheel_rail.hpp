@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contactd/conicity.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/proto/message.hpp"
 #include "contactd/wheel_rail_setup.hpp"
@@ -43,5 +44,12 @@ nlohmann::json encode_geometry_request(const WheelRailSetup& setup, std::span<co
                                        ArrayWriter& arrays);
 nlohmann::json encode_wheel_rail_geometries(std::span<const WheelRailGeometry> geometries);
 std::vector<WheelRailGeometry> decode_wheel_rail_geometries(const nlohmann::json& result);
+
+nlohmann::json encode_conicity_request(const WheelRailSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays);
+/// `conicity` of params that have passed their schema.
+ConicityRequest decode_conicity(const nlohmann::json& conicity);
+/// `conicities` of a result. What is not finite is left out, and not a number on the other side.
+nlohmann::json encode_conicities(std::span<const EquivalentConicity> conicities);
+std::vector<EquivalentConicity> decode_conicities(const nlohmann::json& conicities);
 
 }  // namespace contactd::proto

@@ -20,6 +20,7 @@
 
 #include "contactd/client/errors.hpp"
 #include "contactd/client/server_info.hpp"
+#include "contactd/conicity.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/ic_reply.hpp"
 #include "contactd/ic_spec.hpp"
@@ -137,6 +138,10 @@ class Client {
     std::vector<WheelRailGeometry> wheel_rail_geometry(const WheelRailSetup& setup,
                                                        std::span<const WheelRailState> states,
                                                        const CallOptions& options = {});
+
+    /// The equivalent conicity of a wheelset with the profiles of the set-up on both sides, for each amplitude.
+    std::vector<EquivalentConicity> equivalent_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted,
+                                                          const CallOptions& options = {});
 
     /// The open sessions, oldest first.
     std::vector<SessionSummary> sessions(const CallOptions& options = {});
