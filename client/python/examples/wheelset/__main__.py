@@ -1,0 +1,144 @@
+"""A railway wheelset hunts: S1002 wheels on 60E1 rails by contactd, in a multibody simulation. docs/wheelset.md tells of it.
+
+Run: python3 client/python/examples/wheelset [--endpoint ENDPOINT] [--integrator runge-kutta] [--output FOLDER] ...
+
+Without an endpoint it starts a daemon of its own (`contactd` on PATH). It needs Exudyn and matplotlib:
+pip install './client/python[wheelset]'. With --integrator runge-kutta it needs no Exudyn, without --output no matplotlib.
+"""
+
+from __future__ import annotations
+
+import argparse
+from contextlib import ExitStack
+from pathlib import Path
+
+from contact import SETUPS, WheelRailContact
+from runge_kutta import Wheelset
+from runs import Integrate, Run, simulate
+from stability import critical_speed, growth_of_swing, hunting
+from track import IrregularTrack
+from vehicle import Vehicle
+
+from contactd import Client, LocalDaemon
+
+DISTURBANCE = 3.0  # mm, where the search for the critical speed starts from
+
+
+def main() -> None:
+    options = _options()
+    integrate = _integrator(options.integrator)
+    if options.output is not None:
+        _need("matplotlib")
+    with ExitStack() as stack:
+        endpoint = options.endpoint or stack.enter_context(LocalDaemon()).endpoint
+        client = stack.enter_context(Client(endpoint))
+        track = IrregularTrack(seed=options.seed)
+        runs = []
+        for speed in options.speeds:
+            for contact in options.contacts:
+                run = simulate(client, contact, speed, options.seconds, integrate=integrate, track=track)
+                runs.append(run)
+                _tell(run)
+        _compare(runs)
+        if runs and options.output is not None:
+            from pictures import draw_motion
+
+            draw_motion(runs, track, options.output / "wheelset-hunting.png")
+        if options.search:
+            _search(client, options, integrate)
+
+
+def _search(client: Client, options: argparse.Namespace, integrate: Integrate) -> None:
+    """The critical speed of each contact by simulations, and how small motions grow by eigenvalues."""
+    low, high = options.search
+    critical = {}
+    for contact in options.contacts:
+
+        def growth(speed: float, contact: str = contact) -> float:
+            run = simulate(client, contact, speed, options.seconds, integrate=integrate, y=DISTURBANCE)
+            value = growth_of_swing(run.times, run.y)
+            print(f"  {contact:8} {speed:6.2f} m/s: swing changes by {value:+.2f}/s", flush=True)
+            return value
+
+        critical[contact] = critical_speed(growth, low, high, tolerance=0.5)
+        print(f"{contact}: critical speed {critical[contact]:.1f} m/s, from {DISTURBANCE:g} mm on straight track")
+
+    curves: dict[str, list[tuple[float, float]]] = {}
+    for contact in options.contacts:
+        # Differences of small motions show when elements come into contact: finer ones.
+        law, vehicle = WheelRailContact(client, SETUPS[contact].replace(dx=0.5, dy=0.5)), Vehicle()
+        rest = law.rest(vehicle.axle_load)
+        speeds = [low + (high - low) * i / 8 for i in range(9)]
+        curves[contact] = [(speed, hunting(Wheelset(vehicle, law, 1000 * speed, rest)).real) for speed in speeds]
+        of_small_motions = ", ".join(f"{value:+.2f}/s at {speed:g} m/s" for speed, value in curves[contact][::4])
+        print(f"{contact}: small motions grow by {of_small_motions}", flush=True)
+    if options.output is not None:
+        from pictures import draw_growth
+
+        draw_growth(curves, critical, options.output / "wheelset-critical.png")
+
+
+def _tell(run: Run) -> None:
+    late = run.y[run.times >= 0.6 * run.times[-1]]
+    print(
+        f"{run.contact:8} {run.speed:g} m/s: y from {late.min():.2f} to {late.max():.2f} mm at the end, "
+        f"{run.solves} solves, {1000 * run.seconds / run.solves:.2f} ms each",
+        flush=True,
+    )
+
+
+def _compare(runs: list[Run]) -> None:
+    """What each contact costs on average, and as a ratio to the first one."""
+    costs: dict[str, list[float]] = {}
+    for run in runs:
+        costs.setdefault(run.contact, []).append(run.cost)
+    for contact, cost in costs.items():
+        ratio = sum(cost) / sum(costs[runs[0].contact])
+        print(f"{contact}: {sum(cost) / len(cost):.1f} s for a simulated second, {ratio:.2f} times {runs[0].contact}")
+
+
+def _integrator(name: str) -> Integrate:
+    if name == "runge-kutta":
+        from runge_kutta import integrate as by_numpy
+
+        return by_numpy
+    _need("exudyn")
+    from multibody import integrate as by_exudyn
+
+    return by_exudyn
+
+
+def _need(module: str) -> None:
+    try:
+        __import__(module)
+    except ModuleNotFoundError:
+        raise SystemExit(
+            f"{module} is not installed: pip install './client/python[wheelset]' (or pip install {module}). "
+            "--integrator runge-kutta needs no Exudyn, and without --output nothing is drawn."
+        ) from None
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="wheelset", description=(__doc__ or "").split("\n")[0])
+    parser.add_argument("--endpoint", help="of a daemon that runs; default: one is started")
+    parser.add_argument(
+        "--integrator", choices=("exudyn", "runge-kutta"), default="exudyn", help="default: %(default)s"
+    )
+    parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
+    parser.add_argument("--speeds", nargs="*", type=float, default=[40.0, 70.0], help="m/s; default: 40 70")
+    parser.add_argument("--seconds", type=float, default=3.0, help="simulated; default: %(default)g")
+    parser.add_argument("--seed", type=int, default=1, help="of the track's irregularities; default: %(default)s")
+    parser.add_argument(
+        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
+    )
+    parser.add_argument("--output", type=Path, help="folder of the pictures; default: none are drawn")
+    options = parser.parse_args()
+    if options.seconds <= 0 or min([*options.speeds, *(options.search or ())], default=20) < 20:
+        parser.error("--seconds must be positive, and --speeds at least 20 m/s: slower ones need a smaller step")
+    if options.output is not None and not options.output.is_dir():
+        parser.error(f"--output: {options.output} is no folder")
+    return options
+
+
+if __name__ == "__main__":
+    main()

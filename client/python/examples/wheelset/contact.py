@@ -1,0 +1,127 @@
+"""What the rails do to the wheelset: by contactd, or by the linear theory of the textbooks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from track import Side, Track
+from vehicle import Array, Motion, axes
+
+from contactd import Client
+from contactd.wheel_rail import (
+    RailDeviation,
+    WheelRailFriction,
+    WheelRailSetup,
+    WheelRailSolution,
+    WheelRailState,
+    WheelsetPosition,
+    WheelsetVelocity,
+)
+
+SIDES: tuple[Side, Side] = ("left", "right")
+ELEMENT = 1.0  # mm: some 200 elements in contact
+
+#: The kinds of contact, from the simplest on. "linear" is Kalker's simplified theory with friction that knows no bound:
+#: without slip it is his linear theory, on the true profiles.
+SETUPS = {
+    "linear": WheelRailSetup(model="fastsim", friction=WheelRailFriction(1000.0), dx=ELEMENT, dy=ELEMENT),
+    "fastsim": WheelRailSetup(model="fastsim", friction=WheelRailFriction(0.3), dx=ELEMENT, dy=ELEMENT),
+    "full": WheelRailSetup(model="full", friction=WheelRailFriction(0.3), dx=ELEMENT, dy=ELEMENT),
+}
+
+
+class WheelRailContact:
+    """Both wheels, solved by contactd where the wheelset is: z is given, forces come."""
+
+    def __init__(self, client: Client, setup: WheelRailSetup, track: Track | None = None) -> None:
+        self._client, self._track = client, track or Track()
+        self._setups = {side: setup.replace(side=side) for side in SIDES}
+        self.solves = 0
+        self.last: dict[Side, WheelRailSolution] = {}  # of either wheel, for who draws them
+
+    def __call__(self, motion: Motion) -> tuple[Array, Array]:
+        """Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)."""
+        force, moment = np.zeros(3), np.zeros(3)
+        for side, setup in self._setups.items():
+            solution = self._client.wheel_rail(setup, self._state(side, motion), fields=[])
+            self.solves += 1
+            self.last[side] = solution
+            track, wheelset = solution.forces.track, solution.forces.wheelset
+            # Those of the answer act on the rails.
+            force -= (track.Fx, track.Fy, track.Fz)
+            moment -= (wheelset.Mx, wheelset.My, wheelset.Mz)
+        return force, moment
+
+    def rest(self, axle_load: float) -> float:
+        """The z at which the wheelset in the middle bears its load (mm)."""
+        heights = []
+        for setup in self._setups.values():
+            state = WheelRailState(velocity=WheelsetVelocity(x=1000, pitch=-1000 / 460), Fz=axle_load / 2)
+            heights.append(self._client.wheel_rail(setup, state, fields=[]).z)
+        return float(np.mean(heights))
+
+    def _state(self, side: Side, motion: Motion) -> WheelRailState:
+        y, z, y_slope, z_slope = self._track.deviation(side, motion.distance)
+        return WheelRailState(
+            position=WheelsetPosition(y=motion.y, z=motion.z, roll=motion.roll, yaw=motion.yaw),
+            velocity=WheelsetVelocity(
+                x=motion.vx, y=motion.vy, z=motion.vz,
+                roll=motion.roll_rate, pitch=motion.pitch_rate, yaw=motion.yaw_rate,
+            ),
+            rail=RailDeviation(y=y, z=z, y_velocity=y_slope * motion.vx, z_velocity=z_slope * motion.vx),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class LinearContact:
+    """Wheels whose radius and normal force are linear in the position, and creep forces in the creepages, as in the
+    textbooks: no flanges, no slip. The ellipse grows with the normal force by Hertz's theory.
+
+    Attributes:
+        load: Of one wheel at rest (N).
+        normal_stiffness: dFn/dz (N/mm).
+        half_distance: Of the contact points at rest (mm).
+        radius: Of rolling at rest (mm).
+        conicity: What the right wheel's rolling radius grows per mm to the right.
+        angle: Of the right contact's plane to the horizontal (rad), > 0 where it rises to the field side.
+        creep: Forces (N) and moment (N mm) about the normal on a rail, by xi, eta and phi (1/mm) of the contact:
+            -G ab times Kalker's coefficients under `load`, shape [3, 3].
+        rest: z of the wheelset where both wheels bear their load (mm).
+    """
+
+    load: float
+    normal_stiffness: float
+    half_distance: float
+    radius: float
+    conicity: float
+    angle: float
+    creep: Array
+    rest: float = 0.0
+    track: Track = field(default_factory=Track)
+
+    def __call__(self, motion: Motion) -> tuple[Array, Array]:
+        """Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)."""
+        force, moment = np.zeros(3), np.zeros(3)
+        turned = axes(motion.roll, motion.yaw)
+        rates = turned @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
+        for side in SIDES:
+            sign = 1 if side == "right" else -1
+            rail_y, rail_z, y_slope, z_slope = self.track.deviation(side, motion.distance)
+            larger = sign * self.conicity * (motion.y - rail_y)
+            lower = motion.z - self.rest + sign * self.half_distance * np.sin(motion.roll) + larger - rail_z
+            fn = max(self.load / np.cos(self.angle) + self.normal_stiffness * lower, 0.0)
+
+            forwards, across = np.array([1.0, 0, 0]), np.array([0, np.cos(self.angle), -sign * np.sin(self.angle)])
+            normal = np.cross(forwards, across)
+            arm = turned @ (0.0, sign * self.half_distance, self.radius + larger)
+            wheel = np.array([motion.vx, motion.vy, motion.vz]) + np.cross(rates, arm)
+            rail = motion.vx * np.array([0.0, y_slope, z_slope])
+            rolling = abs(motion.vx)
+            creepages = np.array([(rail - wheel) @ forwards, (rail - wheel) @ across, -rates @ normal]) / rolling
+            length = (fn / self.load) ** (1 / 3)  # of the ellipse's axes: forces of spin grow with their cube
+            fx, fy, mz = (length, length, length**2) * (self.creep @ ((length, length, length**2) * creepages))
+            on_rail = fx * forwards + fy * across + fn * normal
+            force -= on_rail
+            moment -= turned.T @ (np.cross(arm, on_rail) + mz * normal)
+        return force, moment

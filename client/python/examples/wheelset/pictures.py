@@ -1,0 +1,53 @@
+"""The pictures of docs/wheelset.md. Needs matplotlib."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from runs import Run
+from track import Track
+
+COLOURS = {"linear": "tab:orange", "fastsim": "tab:blue", "full": "black"}
+WIDTHS = {"linear": 1.0, "fastsim": 2.2, "full": 1.0}
+
+
+def draw_motion(runs: Sequence[Run], track: Track, path: Path) -> None:
+    """y of the wheelset over time, a panel for each speed."""
+    speeds = sorted({run.speed for run in runs})
+    figure, panels = plt.subplots(len(speeds), 1, figsize=(8, 3.0 * len(speeds)), squeeze=False, layout="constrained")
+    for panel, speed in zip(panels[:, 0], speeds):
+        shown = [run for run in runs if run.speed == speed]
+        times = max((run.times for run in shown), key=len)
+        rails = [track.deviation("right", 1000 * speed * time)[0] for time in times]
+        panel.plot(times, rails, color="0.6", label="track")
+        for run in shown:
+            panel.plot(run.times, run.y, color=COLOURS[run.contact], lw=WIDTHS[run.contact], label=run.contact)
+        bound = max(float(np.abs(run.y).max()) for run in shown if run.contact != "linear" or len(shown) == 1)
+        panel.set(title=f"{speed:g} m/s", ylabel="y (mm)", xlim=(0, times[-1]), ylim=(-1.3 * bound, 1.3 * bound))
+        panel.grid(alpha=0.3)
+    panels[0, 0].legend(loc="upper right", ncols=4)
+    panels[-1, 0].set_xlabel("time (s)")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def draw_growth(curves: Mapping[str, Sequence[tuple[float, float]]], critical: Mapping[str, float], path: Path) -> None:
+    """Growth (1/s) of small motions over the speed (m/s) by eigenvalues, and where simulations have the critical speed."""
+    figure, panel = plt.subplots(figsize=(6.5, 3.8), layout="constrained")
+    for contact, curve in curves.items():
+        style: dict[str, Any] = {"color": COLOURS[contact], "lw": WIDTHS[contact]}
+        panel.plot(*np.transpose(curve), marker=".", label=f"{contact}, small motions", **style)
+        panel.axvline(critical[contact], ls="--", label=f"{contact}, simulated: {critical[contact]:.1f} m/s", **style)
+    panel.axhline(0, color="0.4", lw=0.8)
+    panel.set(xlabel="speed (m/s)", ylabel="growth of hunting (1/s)")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize="small")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)

@@ -1,0 +1,64 @@
+"""The wheelset's equations of motion and the classical Runge-Kutta method: what Exudyn does, a second time, in numpy.
+
+The state is (x, y, z, roll, yaw, vx, vy, vz, roll rate, pitch rate, yaw rate): x ahead of the frame, vx over that of the
+frame, and the pitch rate over that of pure rolling, so that a wheelset that runs straight has zeros.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from vehicle import GRAVITY, Array, Motion, Vehicle, suspension
+
+#: Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)
+Contact = Callable[[Motion], tuple[Array, Array]]
+
+
+class Wheelset:
+    """Newton's and Euler's equations of a body of revolution, written along axes that do not turn with its pitch."""
+
+    def __init__(self, vehicle: Vehicle, contact: Contact, speed: float, rest: float) -> None:
+        """speed is the frame's (mm/s), rest the z of the wheelset under the axle load (mm)."""
+        self.vehicle, self.contact, self.speed, self.rest = vehicle, contact, speed, rest
+
+    def start(self, y: float = 0.0, yaw: float = 0.0) -> Array:
+        """At rest but for rolling; y to the right (mm)."""
+        state = np.zeros(11)
+        state[[1, 2, 4]] = y, self.rest, yaw
+        return state
+
+    def motion(self, time: float, state: Array) -> Motion:
+        x, y, z, roll, yaw, vx, vy, vz, roll_rate, pitch_rate, yaw_rate = (float(value) for value in state)
+        pitch_rate -= self.speed / self.vehicle.radius
+        return Motion(self.speed * time + x, y, z, roll, yaw, vx + self.speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
+
+    def rates(self, time: float, state: Array) -> Array:
+        """The time derivative of the state."""
+        motion = self.motion(time, state)
+        on_rails, moment_on_rails = self.contact(motion)
+        on_springs, moment_on_springs = suspension(self.vehicle, state[0], self.rest, motion, self.speed)
+        acceleration = (on_rails + on_springs) / self.vehicle.mass + (0, 0, GRAVITY)
+
+        inertia = np.array([self.vehicle.inertia, self.vehicle.inertia_axle, self.vehicle.inertia])
+        turning = np.array([motion.roll_rate, motion.pitch_rate, motion.yaw_rate])
+        of_axes = np.array([motion.roll_rate, motion.yaw_rate * np.tan(motion.roll), motion.yaw_rate])
+        momentum = inertia * turning
+        angular = (moment_on_rails + moment_on_springs - np.cross(of_axes, momentum)) / inertia
+        angles = (motion.roll_rate, motion.yaw_rate / np.cos(motion.roll))
+        return np.concatenate([state[5:8], angles, acceleration, angular])
+
+
+def integrate(wheelset: Wheelset, state: Array, duration: float, step: float) -> tuple[Array, Array]:
+    """Times (s), shape [n], and states, shape [n, 11], from `state` on. The contact is asked four times a step."""
+    count = round(duration / step)
+    states = np.empty((count + 1, len(state)))
+    states[0] = state
+    for i in range(count):
+        time = i * step
+        k1 = wheelset.rates(time, state)
+        k2 = wheelset.rates(time + step / 2, state + step / 2 * k1)
+        k3 = wheelset.rates(time + step / 2, state + step / 2 * k2)
+        k4 = wheelset.rates(time + step, state + step * k3)
+        states[i + 1] = state = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    return step * np.arange(count + 1, dtype=float), states

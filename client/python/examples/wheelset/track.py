@@ -1,0 +1,53 @@
+"""Rails that are not where they should be, as a smooth function of the way: the same one for the same seed."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+Side = Literal["left", "right"]
+
+
+class Track:
+    """Both rails stand where they should."""
+
+    def deviation(self, side: Side, distance: float) -> tuple[float, float, float, float]:
+        """y and z of a rail (mm), and what they change per mm of the way."""
+        return 0.0, 0.0, 0.0, 0.0
+
+
+class IrregularTrack(Track):
+    """Alignment, level and cross level by the spectra of ERRI B 176, which Claus and Schiehlen use (1998):
+
+        S(w) = A wc^2/((w^2 + wr^2)(w^2 + wc^2)),  A = 2.119e-7 rad m across, 4.032e-7 up and down (good track),
+
+    the cross level's with w^2/(b^2 (w^2 + ws^2)) more; wr = 0.0206, wc = 0.8246, ws = 0.438 rad/m, b = 0.75 m. Each is a
+    sum of cosines sqrt(2 S dw) cos(w s + phase), wavelengths from 4 to 80 m, and grows from nothing over the first metres.
+    """
+
+    lead_in = 20e3  # mm
+
+    def __init__(self, seed: int = 1, waves: int = 120, scale: float = 1.0) -> None:
+        """`scale` multiplies all deviations: about 1.7 makes poor track of it."""
+        random = np.random.default_rng(seed)
+        edges = np.geomspace(2 * np.pi / 80, 2 * np.pi / 4, waves + 1)  # rad/m
+        w, dw = np.sqrt(edges[1:] * edges[:-1]), np.diff(edges)
+        shape = 0.8246**2 / ((w**2 + 0.0206**2) * (w**2 + 0.8246**2))
+        cross = w**2 / (0.75**2 * (w**2 + 0.438**2))  # of an angle: by the half distance of the rails it is a height
+        spectra = np.array([2.119e-7 * shape, 4.032e-7 * shape, 4.032e-7 * shape * cross * 0.75**2])
+        self._amplitudes = 1000 * scale * np.sqrt(2 * spectra * dw)  # mm: across, level, cross level
+        self._phases = random.uniform(0, 2 * np.pi, spectra.shape)
+        self._wave_numbers = w / 1000  # rad/mm
+
+    def deviation(self, side: Side, distance: float) -> tuple[float, float, float, float]:
+        """y and z of a rail (mm), and what they change per mm of the way."""
+        angle = self._wave_numbers * distance + self._phases
+        value = (self._amplitudes * np.cos(angle)).sum(axis=1)
+        slope = -(self._amplitudes * self._wave_numbers * np.sin(angle)).sum(axis=1)
+        part = min(max(distance / self.lead_in, 0.0), 1.0)
+        grown, growth = part**2 * (3 - 2 * part), 6 * part * (1 - part) / self.lead_in
+        slope = grown * slope + growth * value
+        value = grown * value
+        sign = 1 if side == "right" else -1
+        return value[0], value[1] + sign * value[2], slope[0], slope[1] + sign * slope[2]

@@ -1,0 +1,99 @@
+"""A wheelset on its primary suspension, under a frame that keeps its speed.
+
+Track coordinates, seen from the frame: x forwards, y to the right, z down; docs/wheel-rail.md draws them. The wheelset is
+turned by its yaw about z, then by its roll about its own x; its pitch turns it about its axle. Units: mm, s, N, and t for
+masses, so that forces are in N.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+GRAVITY = 9810.0  # mm/s^2
+
+
+@dataclass(frozen=True)
+class Vehicle:
+    """Mass and inertia are those of vehicle 1 of the Manchester benchmarks (Iwnicki 1998: a passenger coach; axle load of the
+    whole coach by four). The springs are softer along and across than there, so that it hunts at speeds of trains: a single
+    wheelset has no bogie whose inertia helps.
+
+    Attributes:
+        mass: Of the wheelset (t).
+        inertia: About x and z (t mm^2).
+        inertia_axle: About the axle (t mm^2).
+        radius: Nominal (mm).
+        axle_load: Both wheels on the rails (N).
+        half_base: From the centre to an axle box (mm).
+        stiffness: Of one axle box's springs along x, y, z (N/mm).
+        damping: Of one axle box's dampers along x, y, z (N s/mm).
+    """
+
+    mass: float = 1.813
+    inertia: float = 1120e3
+    inertia_axle: float = 112e3
+    radius: float = 460.0
+    axle_load: float = 109e3
+    half_base: float = 1000.0
+    stiffness: tuple[float, float, float] = (1500.0, 500.0, 1220.0)
+    damping: tuple[float, float, float] = (5.0, 0.0, 20.0)
+
+
+class Motion(NamedTuple):
+    """Of the wheelset, in the words and signs of `contactd.wheel_rail`.
+
+    Attributes:
+        distance: That the centre has gone along the track (mm).
+        y, z, roll, yaw: Its place (mm, rad).
+        vx, vy, vz: Velocity of the centre over the track (mm/s).
+        roll_rate, pitch_rate, yaw_rate: About its own axes, which do not turn with its pitch (rad/s).
+    """
+
+    distance: float
+    y: float
+    z: float
+    roll: float
+    yaw: float
+    vx: float
+    vy: float
+    vz: float
+    roll_rate: float
+    pitch_rate: float
+    yaw_rate: float
+
+
+def axes(roll: float, yaw: float) -> Array:
+    """The wheelset's axes as columns, in track coordinates."""
+    cr, sr, cy, sy = np.cos(roll), np.sin(roll), np.cos(yaw), np.sin(yaw)
+    return np.array([[cy, -sy * cr, sy * sr], [sy, cy * cr, -cy * sr], [0, sr, cr]])
+
+
+def frame_load(vehicle: Vehicle) -> float:
+    """What the frame adds to the wheelset's own weight, on one axle box (N)."""
+    return (vehicle.axle_load - vehicle.mass * GRAVITY) / 2
+
+
+def suspension(vehicle: Vehicle, x: float, rest: float, motion: Motion, speed: float) -> tuple[Array, Array]:
+    """Force of springs and dampers on the wheelset in track coordinates (N), and their moment about its centre along its own
+    axes (N mm).
+
+    x is the centre's place ahead of the frame (mm), rest the z at which the springs bear the frame's load (mm).
+    """
+    turned = axes(motion.roll, motion.yaw)
+    rates = turned @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
+    force, moment = np.zeros(3), np.zeros(3)
+    for side in (-1, 1):
+        box = np.array([0.0, side * vehicle.half_base, 0.0])
+        arm = turned @ box
+        moved = np.array([x, motion.y, motion.z - rest]) + arm - box
+        velocity = np.array([motion.vx - speed, motion.vy, motion.vz]) + np.cross(rates, arm)
+        at_box = -np.multiply(vehicle.stiffness, moved) - np.multiply(vehicle.damping, velocity)
+        at_box[2] += frame_load(vehicle)
+        force += at_box
+        moment += turned.T @ np.cross(arm, at_box)
+    return force, moment
