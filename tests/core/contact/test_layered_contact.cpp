@@ -114,3 +114,34 @@ TEST_CASE("random problems of layers meet all contact conditions", "[contact]") 
         CHECK(contact_faults(problem, solution, state_before_last(problem, solve_layers), 1e-4) == "");
     }
 }
+
+TEST_CASE("layers of one material carry tents as the half-space does") {
+    Ics tents;
+    tents.load_shape = LoadShape::bilinear;
+    ContactProblem problem = ball(20, 3, {steel, tents}, {steel, tents});
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = Rolling{.xi = 1e-3, .dq = GENERATE(0.15, 0.1)};
+    const ContactSolution expected = solve_half_spaces(problem);
+    const Layers layers{{{0.3, steel.G, steel.nu}, {1.7, steel.G, steel.nu}}, steel};
+    problem.bodies = {Body::of(layers, LoadShape::bilinear), Body::of(layers, LoadShape::bilinear)};
+    const ContactSolution found = solve_layers(problem);
+    REQUIRE(found.converged());
+    CHECK(largest_difference(found.pressure, expected.pressure) < 1e-7 * expected.pmax);
+    CHECK(largest_difference(found.traction_x, expected.traction_x) < 1e-4 * expected.pmax);
+}
+
+TEST_CASE("layers roll against a body that brings a table") {
+    ContactProblem problem = ball(20, 3, {steel}, {steel});
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = Rolling{.xi = 1e-3, .dq = 0.1};
+    const ContactSolution expected = solve_half_spaces(problem);
+    const IcTable given = body_table(problem.grid, steel);
+    problem.bodies = {{steel, GivenIcs{given, problem.grid.dx, problem.grid.dy}}, steel_in_layers()};
+    const ContactInfluence influence =
+        make_influence(problem, BodyTable(given), BodyTable(table_of(problem.grid, problem.bodies.lower)));
+    Observer observer;
+    const ContactSolution found = solve_contact(problem, influence, observer);
+    REQUIRE(found.converged());
+    CHECK(largest_difference(found.pressure, expected.pressure) < 1e-7 * expected.pmax);
+    CHECK(largest_difference(found.traction_x, expected.traction_x) < 1e-3 * expected.pmax);
+}
