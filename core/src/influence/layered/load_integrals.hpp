@@ -43,7 +43,12 @@ class TentLoad {
    private:
     struct EdgeSums;
     struct Cell;
+    using Edges = std::vector<EdgeSums>;
+    using Cells = std::vector<Cell>;
     EdgeSums sums(double across, double from, double to) const;
+    Edges row_line(const EdgeLines& lines, std::size_t j) const;   // on the line y[j]
+    Edges row_edges(const EdgeLines& lines, std::size_t j) const;  // across the row between y[j] and y[j + 1]
+    static Cells row_cells(const Edges& below, const Edges& between, const Edges& above);
 
     double least_;
     RadialFunctions<5> radial_;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "influence/layered/load_integrals.hpp"
 
@@ -65,46 +67,57 @@ TentLoad::EdgeSums TentLoad::sums(double across, double from, double to) const {
     return edge;
 }
 
+TentLoad::Edges TentLoad::row_line(const EdgeLines& lines, std::size_t j) const {
+    Edges edges;
+    for (std::size_t i = 0; i + 1 < lines.x.size(); ++i) edges.push_back(sums(lines.y[j], lines.x[i], lines.x[i + 1]));
+    return edges;
+}
+
+TentLoad::Edges TentLoad::row_edges(const EdgeLines& lines, std::size_t j) const {
+    Edges edges;
+    for (const double x : lines.x) edges.push_back(sums(x, lines.y[j], lines.y[j + 1]));
+    return edges;
+}
+
+TentLoad::Cells TentLoad::row_cells(const Edges& below, const Edges& between, const Edges& above) {
+    Cells cells(below.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const EdgeSums &left = between[i], &right = between[i + 1], &low = below[i], &high = above[i];
+        const auto out = [&](double EdgeSums::* sum) { return (right.*sum - left.*sum) + (high.*sum - low.*sum); };
+        Cell& cell = cells[i];
+        cell.c = {out(&EdgeSums::D), right.rho_D - left.rho_D, high.rho_D - low.rho_D,
+                  right.first_rho_D - left.first_rho_D};
+        cell.d = {out(&EdgeSums::F), right.rho_F - left.rho_F, high.rho_F - low.rho_F,
+                  right.first_rho_F - left.first_rho_F};
+        cell.Psi = out(&EdgeSums::Q);
+        cell.Phi = out(&EdgeSums::R);
+        cell.Phi_x = right.rho_R - left.rho_R;
+        cell.Phi_y = high.rho_R - low.rho_R;
+    }
+    return cells;
+}
+
 std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets) const {
     const EdgeLines lines(offsets, LoadShape::bilinear);
     const double dx = offsets.dx, dy = offsets.dy;
-    const std::size_t columns = lines.x.size(), rows = lines.y.size();
-    std::vector<EdgeSums> along_x(rows * columns), along_y(rows * columns);  // from the crossing (i, j) on
-    std::vector<Cell> cells(rows * columns);
-    const auto crossing = [&](std::size_t i, std::size_t j) { return j * columns + i; };
-    for (std::size_t j = 0; j < rows; ++j)
-        for (std::size_t i = 0; i < columns; ++i) {
-            if (i + 1 < columns) along_x[crossing(i, j)] = sums(lines.y[j], lines.x[i], lines.x[i + 1]);
-            if (j + 1 < rows) along_y[crossing(i, j)] = sums(lines.x[i], lines.y[j], lines.y[j + 1]);
-        }
-    for (std::size_t j = 0; j + 1 < rows; ++j)
-        for (std::size_t i = 0; i + 1 < columns; ++i) {
-            const EdgeSums &left = along_y[crossing(i, j)], &right = along_y[crossing(i + 1, j)];
-            const EdgeSums &below = along_x[crossing(i, j)], &above = along_x[crossing(i, j + 1)];
-            const auto out = [&](double EdgeSums::* sum) {
-                return (right.*sum - left.*sum) + (above.*sum - below.*sum);
-            };
-            Cell& cell = cells[crossing(i, j)];
-            cell.c = {out(&EdgeSums::D), right.rho_D - left.rho_D, above.rho_D - below.rho_D,
-                      right.first_rho_D - left.first_rho_D};
-            cell.d = {out(&EdgeSums::F), right.rho_F - left.rho_F, above.rho_F - below.rho_F,
-                      right.first_rho_F - left.first_rho_F};
-            cell.Psi = out(&EdgeSums::Q);
-            cell.Phi = out(&EdgeSums::R);
-            cell.Phi_x = right.rho_R - left.rho_R;
-            cell.Phi_y = above.rho_R - below.rho_R;
-        }
-
     std::vector<SurfaceCoefficients> result(offsets.index(0, offsets.ny));
-    for (int l = 0; l < offsets.ny; ++l)
+    // A row of points lies on the middle one of three lines, with cells below and above it.
+    std::array<Edges, 3> along_x{Edges{}, row_line(lines, 0), row_line(lines, 1)};
+    std::array<Edges, 2> along_y{Edges{}, row_edges(lines, 0)};
+    std::array<Cells, 2> cells{Cells{}, row_cells(along_x[1], along_y[1], along_x[2])};
+    for (int l = 0; l < offsets.ny; ++l) {
+        const auto j = static_cast<std::size_t>(l);
+        along_x = {std::move(along_x[1]), std::move(along_x[2]), row_line(lines, j + 2)};
+        along_y = {std::move(along_y[1]), row_edges(lines, j + 1)};
+        cells = {std::move(cells[1]), row_cells(along_x[1], along_y[1], along_x[2])};
         for (int k = 0; k < offsets.nx; ++k) {
+            const auto i = static_cast<std::size_t>(k);
             SurfaceCoefficients& sum = result[offsets.index(k, l)];
             for (const bool low_y : {true, false})
                 for (const bool low_x : {true, false}) {  // cells below the point along an axis have rising hats
-                    const std::size_t i = static_cast<std::size_t>(k) + (low_x ? 0 : 1);
-                    const std::size_t j = static_cast<std::size_t>(l) + (low_y ? 0 : 1);
-                    const Cell& cell = cells[crossing(i, j)];
-                    const double x0 = lines.x[i], y0 = lines.y[j];
+                    const std::size_t column = i + (low_x ? 0 : 1);
+                    const Cell& cell = cells[low_y ? 0 : 1][column];
+                    const double x0 = lines.x[column], y0 = lines.y[j + (low_y ? 0 : 1)];
                     const double slope_x = (low_x ? 1 : -1) / dx, slope_y = (low_y ? 1 : -1) / dy;
                     sum.zz += cell.c.hats(low_x, low_y, x0, y0, dx, dy);
                     const double both = cell.d.hats(low_x, low_y, x0, y0, dx, dy);
@@ -118,13 +131,11 @@ std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets) cons
                 }
             for (const std::size_t line : {0, 1, 2}) {  // second differences of Psi under the tent
                 const double factor = line == 1 ? 2 : -1;
-                const std::size_t i = static_cast<std::size_t>(k), j = static_cast<std::size_t>(l);
-                sum.xx += factor / dx *
-                          (along_y[crossing(i + line, j)].Psi_rising + along_y[crossing(i + line, j + 1)].Psi_falling);
-                sum.yy += factor / dy *
-                          (along_x[crossing(i, j + line)].Psi_rising + along_x[crossing(i + 1, j + line)].Psi_falling);
+                sum.xx += factor / dx * (along_y[0][i + line].Psi_rising + along_y[1][i + line].Psi_falling);
+                sum.yy += factor / dy * (along_x[line][i].Psi_rising + along_x[line][i + 1].Psi_falling);
             }
         }
+    }
     return result;
 }
 
