@@ -113,7 +113,7 @@ IcAnswer Engine::fetch(const IcSpec& spec, Observer& observer) {
     if (spec.source == IcSource::analytic) {
         const std::string key = ic_key(spec);
         if (auto known = closed_forms_.find(key, spec.nx, spec.ny)) return {std::move(known), key, "memory"};
-        auto made = std::make_shared<const IcRecord>(closed_form_record(spec));
+        auto made = std::make_shared<const IcRecord>(closed_form_record(spec, observer));
         closed_forms_.insert(key, made);
         ++counters_.closed_form;
         return {std::move(made), key, "closed_form"};

@@ -13,6 +13,24 @@ namespace contactd::engine {
 using proto::Status;
 using proto::StatusCode;
 
+namespace {
+
+Status nobody_waits() {
+    return failure(StatusCode::cancelled, proto::reason::request_cancelled, "Nobody waits any more.");
+}
+
+/// Ends what is made while it is waited for, when nobody waits any more.
+class WhileWanted final : public Observer {
+   public:
+    explicit WhileWanted(const IcCaller& caller) : caller_(caller) {}
+    bool cancelled() const override { return caller_.has_gone(); }
+
+   private:
+    const IcCaller& caller_;
+};
+
+}  // namespace
+
 void validate_body(const IcSpec& spec, const std::string& name) {
     try {
         validate(spec);
@@ -47,7 +65,13 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         return answer(caller, key, std::move(record), "memory");
     }
     if (spec.source == IcSource::analytic) {
-        auto record = std::make_shared<const IcRecord>(closed_form_record(spec));
+        const WhileWanted observer(caller);
+        IcCache::Record record;
+        try {
+            record = std::make_shared<const IcRecord>(closed_form_record(spec, observer));
+        } catch (const Cancelled&) {
+            return caller.failed(nobody_waits());
+        }
         cache_.insert(key, record);
         ++counters_.closed_form;
         return answer(caller, key, std::move(record), "closed_form");
@@ -131,7 +155,7 @@ void IcService::drop_abandoned() {
             request->callers.erase(first, request->callers.end());
         }
     }
-    const Status status = failure(StatusCode::cancelled, proto::reason::request_cancelled, "Nobody waits any more.");
+    const Status status = nobody_waits();
     for (const IcCaller& caller : gone) caller.failed(status);
 }
 

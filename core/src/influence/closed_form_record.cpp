@@ -8,12 +8,13 @@
 
 namespace contactd {
 
-IcRecord closed_form_record(const IcSpec& spec) {
+IcRecord closed_form_record(const IcSpec& spec, const Observer& observer) {
     IcRecord record;
     record.spec = dimensionless(spec);
     const IcSpec& scaled = record.spec;
     if (scaled.layered) {
-        IcTable table = layered_table(*scaled.layered, scaled.load_shape, scaled.nx, scaled.ny, scaled.dx, scaled.dy);
+        IcTable table =
+            layered_table(*scaled.layered, scaled.load_shape, scaled.nx, scaled.ny, scaled.dx, scaled.dy, observer);
         record.evidence.errors = layered_errors(*scaled.layered, scaled.load_shape, table, scaled.dx, scaled.dy);
         record.evidence.errors_estimated = true;
         record.tables = std::move(table);

@@ -224,3 +224,13 @@ TEST_CASE("the error that is stated of a table of layers is no less than the one
         CHECK(std::abs(table.at(z, z, offset.k, offset.l) - offset.zz) <
               (errors.zz->largest + rounding) * error_scale(reference.body, table));
 }
+
+TEST_CASE("a table of layers is not finished when nobody waits for it") {
+    struct Impatient final : Observer {
+        mutable int asked = 0;
+        bool cancelled() const override { return ++asked > 5; }
+    } observer;
+    const auto shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
+    CHECK_THROWS_AS(layered_table({{{1, 1, 0.3}}, Material::rigid()}, shape, 30, 30, 1, 1, observer), Cancelled);
+    CHECK(observer.asked == 6);
+}

@@ -39,7 +39,7 @@ ConstantLoad::EdgeSums ConstantLoad::sums(double across, double from, double to)
     return edge;
 }
 
-std::vector<SurfaceCoefficients> ConstantLoad::at(const OffsetLattice& offsets) const {
+std::vector<SurfaceCoefficients> ConstantLoad::at(const OffsetLattice& offsets, const Observer& observer) const {
     const EdgeLines lines(offsets, LoadShape::constant);
     std::vector<SurfaceCoefficients> result(offsets.index(0, offsets.ny));
     std::vector<EdgeSums> below, above;  // edges y = constant of a row
@@ -52,6 +52,7 @@ std::vector<SurfaceCoefficients> ConstantLoad::at(const OffsetLattice& offsets) 
     };
     fill_row(0);
     for (int l = 0; l < offsets.ny; ++l) {
+        observer.throw_if_cancelled();
         std::swap(below, above);
         fill_row(l + 1);
         const auto j = static_cast<std::size_t>(l);

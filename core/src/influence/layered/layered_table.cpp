@@ -11,11 +11,12 @@ namespace {
 
 // `shift` < 1 moves the octaves of the radial functions, and with them all points where they are computed.
 std::vector<SurfaceCoefficients> coefficients(const Layers& body, LoadShape load_shape, const EdgeLines& lines,
-                                              double shift, const std::vector<OffsetLattice>& lattices) {
+                                              double shift, const std::vector<OffsetLattice>& lattices,
+                                              const Observer& observer) {
     std::vector<SurfaceCoefficients> result;
     const auto compute = [&](const auto& load) {
         for (const OffsetLattice& offsets : lattices) {
-            const auto some = load.at(offsets);
+            const auto some = load.at(offsets, observer);
             result.insert(result.end(), some.begin(), some.end());
         }
     };
@@ -29,13 +30,14 @@ std::vector<SurfaceCoefficients> coefficients(const Layers& body, LoadShape load
 }  // namespace
 
 std::vector<SurfaceCoefficients> layered_coefficients(const Layers& body, LoadShape load_shape,
-                                                      const OffsetLattice& offsets) {
-    return coefficients(body, load_shape, EdgeLines(offsets, load_shape), 1, {offsets});
+                                                      const OffsetLattice& offsets, const Observer& observer) {
+    return coefficients(body, load_shape, EdgeLines(offsets, load_shape), 1, {offsets}, observer);
 }
 
-IcTable layered_table(const Layers& body, LoadShape load_shape, int nx, int ny, double dx, double dy) {
+IcTable layered_table(const Layers& body, LoadShape load_shape, int nx, int ny, double dx, double dy,
+                      const Observer& observer) {
     const OffsetLattice offsets{.nx = nx, .ny = ny, .dx = dx, .dy = dy};
-    const auto values = layered_coefficients(body, load_shape, offsets);
+    const auto values = layered_coefficients(body, load_shape, offsets, observer);
     IcTable table(nx, ny);
     using enum Axis;
     for (int l = 0; l < ny; ++l)
@@ -64,7 +66,7 @@ IcErrors layered_errors(const Layers& body, LoadShape load_shape, const IcTable&
             if (k < table.nx && l < table.ny) places.emplace_back(k, l);
     std::vector<OffsetLattice> lattices;
     for (const auto& [k, l] : places) lattices.push_back({k * dx, l * dy, 1, 1, dx, dy});
-    const auto again = coefficients(body, load_shape, EdgeLines(all, load_shape), octave_shift, lattices);
+    const auto again = coefficients(body, load_shape, EdgeLines(all, load_shape), octave_shift, lattices, {});
 
     using enum Axis;
     const Layer& top = body.layers.front();

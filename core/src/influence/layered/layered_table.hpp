@@ -3,6 +3,7 @@
 
 #include "contactd/ic_table.hpp"
 #include "contactd/layers.hpp"
+#include "contactd/observer.hpp"
 #include "influence/layered/offset_lattice.hpp"
 
 namespace contactd {
@@ -11,10 +12,12 @@ namespace contactd {
 /// larger of A_zz(0,0) and 1e-3 h/G of the topmost layer. On a rigid base coefficients fall off exponentially; far away
 /// they are rounding errors.
 std::vector<SurfaceCoefficients> layered_coefficients(const Layers& body, LoadShape load_shape,
-                                                      const OffsetLattice& offsets);
+                                                      const OffsetLattice& offsets, const Observer& observer = {});
 
-/// All nine components at offsets 0..nx-1 x 0..ny-1 of elements dx x dy.
-IcTable layered_table(const Layers& body, LoadShape load_shape, int nx, int ny, double dx, double dy);
+/// All nine components at offsets 0..nx-1 x 0..ny-1 of elements dx x dy. Throws Cancelled when the observer, which is
+/// asked row by row, says so: a million offsets take some seconds.
+IcTable layered_table(const Layers& body, LoadShape load_shape, int nx, int ny, double dx, double dy,
+                      const Observer& observer = {});
 
 /// Errors of such a table, estimated: three times the differences to a second computation, on other wavenumbers and
 /// distances, at offsets near the load, halfway and at the table's ends, and no less than rounding. Those of xx, yy and

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contactd/observer.hpp"
 #include "influence/layered/edge_rule.hpp"
 #include "influence/layered/offset_lattice.hpp"
 #include "influence/layered/radial_functions.hpp"
@@ -17,8 +18,8 @@ class ConstantLoad {
     /// For edges at distances from `least` to `largest`.
     ConstantLoad(const Layers& body, double least, double largest);
 
-    /// In mm^3/N, [l][k].
-    std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets) const;
+    /// In mm^3/N, [l][k]. Throws Cancelled when the observer says so.
+    std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:
     struct EdgeSums;
@@ -38,7 +39,7 @@ class ConstantLoad {
 class TentLoad {
    public:
     TentLoad(const Layers& body, double least, double largest);
-    std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets) const;
+    std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:
     struct EdgeSums;

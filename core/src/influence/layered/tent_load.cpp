@@ -97,7 +97,7 @@ TentLoad::Cells TentLoad::row_cells(const Edges& below, const Edges& between, co
     return cells;
 }
 
-std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets) const {
+std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets, const Observer& observer) const {
     const EdgeLines lines(offsets, LoadShape::bilinear);
     const double dx = offsets.dx, dy = offsets.dy;
     std::vector<SurfaceCoefficients> result(offsets.index(0, offsets.ny));
@@ -106,6 +106,7 @@ std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets) cons
     std::array<Edges, 2> along_y{Edges{}, row_edges(lines, 0)};
     std::array<Cells, 2> cells{Cells{}, row_cells(along_x[1], along_y[1], along_x[2])};
     for (int l = 0; l < offsets.ny; ++l) {
+        observer.throw_if_cancelled();
         const auto j = static_cast<std::size_t>(l);
         along_x = {std::move(along_x[1]), std::move(along_x[2]), row_line(lines, j + 2)};
         along_y = {std::move(along_y[1]), row_edges(lines, j + 1)};
