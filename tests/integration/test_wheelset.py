@@ -105,6 +105,19 @@ def test_options_that_make_no_sense_are_refused(shared_daemon, options, complain
     assert complaint in ended.stderr
 
 
+def test_a_wheelset_that_leaves_the_track_ends_its_run(wheelset, shared):
+    integrate = wheelset.runge_kutta.integrate
+    done = wheelset.runs.simulate(shared, "fastsim", 30, 0.01, integrate=integrate, y=30)
+    assert done.derailed
+    assert list(done.y) == [30]
+
+    def broken(*arguments):
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        wheelset.runs.simulate(shared, "fastsim", 30, 0.01, integrate=broken)
+
+
 @pytest.mark.slow
 @pytest.mark.timeout(400)
 def test_hunting_dies_down_grows_and_is_limited_by_the_flanges(wheelset, shared):

@@ -9,6 +9,7 @@ pip install './client/python[wheelset]'. With --integrator runge-kutta it needs 
 from __future__ import annotations
 
 import argparse
+import math
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -56,7 +57,7 @@ def _search(client: Client, options: argparse.Namespace, integrate: Integrate) -
 
         def growth(speed: float, contact: str = contact) -> float:
             run = simulate(client, contact, speed, options.seconds, integrate=integrate, y=DISTURBANCE)
-            value = growth_of_swing(run.times, run.y)
+            value = math.inf if run.derailed else growth_of_swing(run.times, run.y)
             print(f"  {contact:8} {speed:6.2f} m/s: swing changes by {value:+.2f}/s", flush=True)
             return value
 
@@ -82,6 +83,7 @@ def _tell(run: Run) -> None:
     late = run.y[run.times >= 0.6 * run.times[-1]]
     print(
         f"{run.contact:8} {run.speed:g} m/s: y from {late.min():.2f} to {late.max():.2f} mm at the end, "
+        f"{f'off the track after {run.times[-1]:.1f} s, ' if run.derailed else ''}"
         f"{run.solves} solves, {1000 * run.seconds / run.solves:.2f} ms each",
         flush=True,
     )

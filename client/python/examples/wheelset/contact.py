@@ -8,12 +8,11 @@ import numpy as np
 from track import Side, Track
 from vehicle import Array, Motion, axes
 
-from contactd import Client
+from contactd import Client, InvalidArgument
 from contactd.wheel_rail import (
     RailDeviation,
     WheelRailFriction,
     WheelRailSetup,
-    WheelRailSolution,
     WheelRailState,
     WheelsetPosition,
     WheelsetVelocity,
@@ -38,15 +37,18 @@ class WheelRailContact:
         self._client, self._track = client, track or Track()
         self._setups = {side: setup.replace(side=side) for side in SIDES}
         self.solves = 0
-        self.last: dict[Side, WheelRailSolution] = {}  # of either wheel, for who draws them
+        self.derailed = False  # a wheel went where no elastic contact is
 
     def __call__(self, motion: Motion) -> tuple[Array, Array]:
         """Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)."""
         force, moment = np.zeros(3), np.zeros(3)
         for side, setup in self._setups.items():
-            solution = self._client.wheel_rail(setup, self._state(side, motion), fields=[])
+            try:
+                solution = self._client.wheel_rail(setup, self._state(side, motion), fields=[])
+            except InvalidArgument:
+                self.derailed = True
+                raise
             self.solves += 1
-            self.last[side] = solution
             track, wheelset = solution.forces.track, solution.forces.wheelset
             # Those of the answer act on the rails.
             force -= (track.Fx, track.Fy, track.Fz)

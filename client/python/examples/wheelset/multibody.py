@@ -111,7 +111,7 @@ def _motion(wheelset: Wheelset, time: float, place: Array, angles: Array, veloci
     yaw, roll = float(angles[0]), float(angles[1])
     roll_rate, pitch_rate, yaw_rate = (float(value) for value in axes(roll, yaw).T @ np.asarray(rates)[TO_TRACK])
     speed = wheelset.speed
-    return Motion(speed * time + x, y, z, roll, yaw, vx + speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
+    return Motion(wheelset.gone + speed * time + x, y, z, roll, yaw, vx + speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
 
 
 def _states(wheelset: Wheelset, *measured: Array) -> tuple[Array, Array]:
@@ -121,6 +121,6 @@ def _states(wheelset: Wheelset, *measured: Array) -> tuple[Array, Array]:
         motion = _motion(wheelset, time, *(values[row, 1:] for values in measured))
         distance, *place, vx, vy, vz, roll_rate, pitch_rate, yaw_rate = motion
         pitch_rate += wheelset.speed / wheelset.vehicle.radius
-        ahead = distance - wheelset.speed * time
+        ahead = distance - wheelset.gone - wheelset.speed * time
         states[row] = (ahead, *place, vx - wheelset.speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
     return times, states

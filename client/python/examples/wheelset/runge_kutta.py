@@ -21,6 +21,7 @@ class Wheelset:
     def __init__(self, vehicle: Vehicle, contact: Contact, speed: float, rest: float) -> None:
         """speed is the frame's (mm/s), rest the z of the wheelset under the axle load (mm)."""
         self.vehicle, self.contact, self.speed, self.rest = vehicle, contact, speed, rest
+        self.gone = 0.0  # mm, by the frame when the time is 0: where an integration goes on
 
     def start(self, y: float = 0.0, yaw: float = 0.0) -> Array:
         """At rest but for rolling; y to the right (mm)."""
@@ -31,7 +32,8 @@ class Wheelset:
     def motion(self, time: float, state: Array) -> Motion:
         x, y, z, roll, yaw, vx, vy, vz, roll_rate, pitch_rate, yaw_rate = (float(value) for value in state)
         pitch_rate -= self.speed / self.vehicle.radius
-        return Motion(self.speed * time + x, y, z, roll, yaw, vx + self.speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
+        distance = self.gone + self.speed * time + x
+        return Motion(distance, y, z, roll, yaw, vx + self.speed, vy, vz, roll_rate, pitch_rate, yaw_rate)
 
     def rates(self, time: float, state: Array) -> Array:
         """The time derivative of the state."""

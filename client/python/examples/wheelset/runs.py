@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import numpy as np
 from contact import SETUPS, WheelRailContact
 from runge_kutta import Wheelset
 from track import Track
@@ -18,11 +19,13 @@ Integrate = Callable[[Wheelset, Array, float, float], tuple[Array, Array]]
 
 #: s. The stiffest mode, the roll of the wheelset between the wheels' contacts, has 1.3 rad in it at most.
 STEP = 1e-3
+PIECE = 0.1  # s
 
 
 @dataclass(frozen=True)
 class Run:
-    """One simulation: y of the wheelset (mm) over the time (s), the speed (m/s), solves, and the seconds that it took."""
+    """One simulation: y of the wheelset (mm) over the time (s), the speed (m/s), solves, the seconds that it took, and whether
+    it ended as the wheelset left the track."""
 
     contact: str
     speed: float
@@ -30,11 +33,12 @@ class Run:
     y: Array
     solves: int
     seconds: float
+    derailed: bool = False
 
     @property
     def cost(self) -> float:
         """Seconds by simulated second."""
-        return self.seconds / float(self.times[-1])
+        return self.seconds / max(float(self.times[-1]), PIECE)
 
 
 def simulate(
@@ -49,10 +53,22 @@ def simulate(
     vehicle: Vehicle | None = None,
     step: float = STEP,
 ) -> Run:
-    """The wheelset at a speed (m/s), from y (mm) on. contact is one of SETUPS."""
+    """The wheelset at a speed (m/s), from y (mm) on. contact is one of SETUPS. A derailment ends it."""
     vehicle = vehicle or Vehicle()
     law = WheelRailContact(client, SETUPS[contact], track)
     wheelset = Wheelset(vehicle, law, 1000 * speed, law.rest(vehicle.axle_load))
     began = time.perf_counter()
-    times, states = integrate(wheelset, wheelset.start(y=y), duration, step)
-    return Run(contact, speed, times, states[:, 1], law.solves, time.perf_counter() - began)
+    times: Array = np.zeros(1)
+    states: Array = wheelset.start(y=y)[np.newaxis]
+    while times[-1] < duration - step / 2 and not law.derailed:
+        # Piece by piece, so that what was before a derailment is kept.
+        piece = min(PIECE, duration - float(times[-1]))
+        wheelset.gone = wheelset.speed * float(times[-1])
+        try:
+            later, more = integrate(wheelset, states[-1], piece, step)
+        except Exception:  # Exudyn has its own for what went wrong in a user function
+            if not law.derailed:
+                raise
+        else:
+            times, states = np.append(times, times[-1] + later[1:]), np.vstack([states, more[1:]])
+    return Run(contact, speed, times, states[:, 1], law.solves, time.perf_counter() - began, law.derailed)
