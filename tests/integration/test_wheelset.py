@@ -93,7 +93,7 @@ def test_without_exudyn_the_example_says_how_to_install_it(shared_daemon, tmp_pa
 @pytest.mark.parametrize(
     ("options", "complaint"),
     [
-        (["--speeds", "3"], "at least 20 m/s"),
+        (["--speeds", "3"], "at least 30 m/s"),
         (["--seconds", "0"], "--seconds must be positive"),
         (["--output", "/no/where"], "is no folder"),
         (["--contacts", "elastic"], "invalid choice: 'elastic'"),

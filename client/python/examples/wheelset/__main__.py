@@ -135,8 +135,8 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument("--output", type=Path, help="folder of the pictures; default: none are drawn")
     options = parser.parse_args()
-    if options.seconds <= 0 or min([*options.speeds, *(options.search or ())], default=20) < 20:
-        parser.error("--seconds must be positive, and --speeds at least 20 m/s: slower ones need a smaller step")
+    if options.seconds <= 0 or min([*options.speeds, *(options.search or ())], default=30) < 30:
+        parser.error("--seconds must be positive, and --speeds at least 30 m/s: slower ones need a smaller step")
     if options.output is not None and not options.output.is_dir():
         parser.error(f"--output: {options.output} is no folder")
     return options

@@ -29,6 +29,8 @@ def draw_motion(runs: Sequence[Run], track: Track, path: Path) -> None:
         panel.plot(times, rails, color="0.6", label="track")
         for run in shown:
             panel.plot(run.times, run.y, color=COLOURS[run.contact], lw=WIDTHS[run.contact], label=run.contact)
+            if run.derailed:
+                panel.plot(run.times[-1], run.y[-1], "x", color=COLOURS[run.contact], ms=10, mew=2)
         bound = max(float(np.abs(run.y).max()) for run in shown if run.contact != "linear" or len(shown) == 1)
         panel.set(title=f"{speed:g} m/s", ylabel="y (mm)", xlim=(0, times[-1]), ylim=(-1.3 * bound, 1.3 * bound))
         panel.grid(alpha=0.3)

@@ -17,7 +17,7 @@ from contactd import Client
 #: `integrate` of runge_kutta or of multibody: wheelset, state, duration and step (s) -> times and states
 Integrate = Callable[[Wheelset, Array, float, float], tuple[Array, Array]]
 
-#: s. The stiffest mode, the roll of the wheelset between the wheels' contacts, has 1.3 rad in it at most.
+#: s. The wheelset bounces on its contacts by 1.3 rad in it, its pitch decays by 67/speed: 2.8 is what the method bears.
 STEP = 1e-3
 PIECE = 0.1  # s
 
