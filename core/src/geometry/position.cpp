@@ -150,14 +150,7 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
     place.grid = grid_of(group, rail_, setup_.dx, setup_.dy);
     place.radii = radii_of(wheel, rail_, place.reference);
     if (setup_.model == Model::full) {
-        constexpr int most_rounds = 50;
-        Grid grid = place.grid;
-        for (int round = 0; round < most_rounds; ++round) {
-            place.grid = grid;
-            found.gap = distances(setup_, wheel, rail_, place.reference, grid);
-            place.approach = take_out_approach(found.gap);
-            if (!grow(grid, found.gap, place.approach)) break;
-        }
+        place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
     } else {
         const EquivalentEllipse ellipse = equivalent_ellipse(locus_, z, group);
         found.paraboloid = ellipse.radii();
@@ -165,10 +158,25 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
         cover(place.grid, ellipse.along, ellipse.across);
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
-    if (setup_.rigid_slip == RigidSlipKind::surfaces)
-        found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
     look_for_doubts(group, z, found);
     return found;
+}
+
+void Position::measure(PlaceWithGap& found, double z) const {
+    if (setup_.model != Model::full) return;
+    constexpr int most_rounds = 50;
+    const WheelSurface wheel = wheel_.lowered(z);
+    ContactPlace& place = found.place;
+    Grid grid = place.grid;
+    for (int round = 0; round < most_rounds; ++round) {
+        place.grid = grid;
+        found.gap = distances(setup_, wheel, rail_, place.reference, grid);
+        place.approach = take_out_approach(found.gap);
+        if (!grow(grid, found.gap, place.approach)) break;
+    }
+    place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
+    if (setup_.rigid_slip == RigidSlipKind::surfaces)
+        found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
 }
 
 void Position::look_for_doubts(const RegionGroup& group, double z, PlaceWithGap& found) const {

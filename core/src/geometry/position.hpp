@@ -27,7 +27,7 @@ Profiles make_profiles(const WheelRailSetup& setup);
 
 struct PlaceWithGap {
     ContactPlace place;
-    std::vector<double> gap;  ///< as in WheelRailPatch; empty where a paraboloid stands for it
+    std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
     std::vector<RowSlip> row_slips;  ///< of rigid slip by surfaces only
     double bend = 0;                 ///< largest angle of the rail to the plane within the contact (rad)
@@ -44,8 +44,11 @@ class Position {
     /// Least vertical distance (mm), negative where wheel and rail overlap; infinite where they are not above each
     /// other.
     double clearance(double z) const { return locus_.least_gap() - z; }
-    /// From the right to the left.
+    /// From the right to the left, still without gaps: approaches are those of the search, vertical penetrations seen
+    /// along the normal.
     std::vector<PlaceWithGap> places(double z);
+    /// Takes gap and approach at the elements, and what follows from them; of quick models nothing is left to do.
+    void measure(PlaceWithGap& found, double z) const;
     /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
     double expected_force(double z, double compliance);
     const RailSurface& rail() const { return rail_; }

@@ -109,7 +109,8 @@ class Differences {
         if (!fine_.friction) return true;  // nothing feels the motion
         if (fine_.friction->kinetic || fine_.rigid_slip != RigidSlipKind::plane) return false;
         wheel_.set_velocity(state_.velocity);
-        for (const PlaceWithGap& found : wheel_.position().places(solution_.z)) {
+        for (PlaceWithGap& found : wheel_.position().places(solution_.z)) {
+            wheel_.position().measure(found, solution_.z);
             ContactProblem problem = wheel_.problem_of(found);
             if (!problem.friction) return true;
             problem.derivatives = true;

@@ -97,6 +97,7 @@ WheelRailSolution RightWheel::at(double z, Observer& observer) {
     solution.clearance = position_.clearance(z);
     check_depth(z);
     for (PlaceWithGap& found : position_.places(z)) {
+        position_.measure(found, z);
         solution.patches.push_back(solve(found, z, observer));
         const WheelRailPatch& patch = solution.patches.back();
         solution.forces = sum(solution.forces, patch.forces);

@@ -104,9 +104,10 @@ TEST_CASE("Gaps end on both surfaces, along the normal of the plane") {
     const Surfaces surfaces(setup, state);
     geometry::Position position(setup, surfaces.profiles(), state);
     const double z_ws = position.clearance(0) + 0.05;
-    const auto places = position.places(z_ws);
+    auto places = position.places(z_ws);
     REQUIRE_FALSE(places.empty());
-    for (const geometry::PlaceWithGap& found : places) {
+    for (geometry::PlaceWithGap& found : places) {
+        position.measure(found, z_ws);
         const ContactPlace& place = found.place;
         const std::vector<double>& gap = found.gap;
         const auto& [x_c, y_c, z_c, angle] = place.reference;
