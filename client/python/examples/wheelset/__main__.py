@@ -128,7 +128,7 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
     parser.add_argument("--speeds", nargs="*", type=float, default=[40.0, 70.0], help="m/s; default: 40 70")
-    parser.add_argument("--seconds", type=float, default=3.0, help="simulated; default: %(default)g")
+    parser.add_argument("--seconds", type=float, default=2.0, help="simulated; default: %(default)g")
     parser.add_argument("--seed", type=int, default=1, help="of the track's irregularities; default: %(default)s")
     parser.add_argument(
         "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
