@@ -16,7 +16,7 @@ from .errors import TableFileError
 from .showing import Rows, Shown
 
 if TYPE_CHECKING:
-    from .problem import Array, Material
+    from .problem import Array, LayeredBody, Material
     from .solution import IcTable
 
 __all__ = ["TableIcs", "check_finite", "combined_modulus"]
@@ -26,7 +26,7 @@ _AXES = "xyz"
 _SIZE_TOLERANCE = 1e-6
 
 
-def combined_modulus(upper: Material, lower: Material | None = None) -> float:
+def combined_modulus(upper: Material | LayeredBody, lower: Material | LayeredBody | None = None) -> float:
     """The modulus that CONTACT multiplies the coefficients of a pair by: 1/G = (1/G_upper + 1/G_lower)/2 (N/mm^2)."""
     if lower is None or lower.G == upper.G:
         return upper.G

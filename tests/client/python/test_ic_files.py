@@ -15,8 +15,11 @@ from contactd import (
     FemIcs,
     Grid,
     IcEvidence,
+    Layer,
+    LayeredBody,
     Material,
     Paraboloid,
+    RigidBody,
     TableFileError,
     TableIcs,
     combined_modulus,
@@ -78,6 +81,9 @@ def test_bodies_of_different_element_size_are_no_pair():
 def test_the_combined_modulus_is_the_harmonic_mean():
     assert combined_modulus(Material(82000, 0.3)) == 82000
     assert combined_modulus(Material(200, 0.3), Material(800, 0)) == pytest.approx(320)
+    rubber = LayeredBody([Layer(2, 1, 0.5), Layer(1, 70, 0.4)], RigidBody())
+    assert combined_modulus(rubber) == 1
+    assert combined_modulus(rubber, Material(4, 0.3)) == pytest.approx(1.6)
 
 
 @pytest.mark.parametrize("shape", [(9, 3, 4), (3, 3, 12), (2, 3, 3, 4), (3, 3, 0, 4)])
