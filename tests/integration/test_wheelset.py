@@ -111,6 +111,11 @@ def test_a_wheelset_that_leaves_the_track_ends_its_run(wheelset, shared):
     assert done.derailed
     assert list(done.y) == [30]
 
+    def thrown(wheelset, state, duration, step):
+        return np.array([0, duration]), np.vstack([state, 16 * np.eye(11)[1]])
+
+    assert wheelset.runs.simulate(shared, "fastsim", 30, 0.3, integrate=thrown).derailed
+
     def broken(*arguments):
         raise ZeroDivisionError
 

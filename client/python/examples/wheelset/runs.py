@@ -20,6 +20,7 @@ Integrate = Callable[[Wheelset, Array, float, float], tuple[Array, Array]]
 #: s. The wheelset bounces on its contacts by 1.3 rad in it, its pitch decays by 67/speed: 2.8 is what the method bears.
 STEP = 1e-3
 PIECE = 0.1  # s
+OFF_TRACK = 15.0  # mm: a flange runs on top of its rail
 
 
 @dataclass(frozen=True)
@@ -71,4 +72,6 @@ def simulate(
                 raise
         else:
             times, states = np.append(times, times[-1] + later[1:]), np.vstack([states, more[1:]])
+        if np.abs(states[:, 1]).max() > OFF_TRACK:
+            law.derailed = True
     return Run(contact, speed, times, states[:, 1], law.solves, time.perf_counter() - began, law.derailed)
