@@ -92,7 +92,7 @@ def test_hunting_grows_above_the_speed_that_eigenvalues_tell(wheelset):
 
 
 def test_speeds_on_one_side_are_refused(wheelset):
-    with pytest.raises(ValueError, match="between 40 and 50 mm/s; give speeds further apart"):
+    with pytest.raises(ValueError, match="between 40 and 50 m/s; give speeds further apart"):
         wheelset.stability.critical_speed(lambda speed: -1.0, 40, 50, 1)
 
 

@@ -46,7 +46,10 @@ def main() -> None:
 
             draw_motion(runs, track, options.output / "wheelset-hunting.png")
         if options.search:
-            _search(client, options, integrate)
+            try:
+                _search(client, options, integrate)
+            except ValueError as error:
+                raise SystemExit(f"--search: {error}") from None
 
 
 def _search(client: Client, options: argparse.Namespace, integrate: Integrate) -> None:

@@ -27,9 +27,9 @@ def hunting(wheelset: Wheelset) -> complex:
 
 
 def critical_speed(growth: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
-    """Where `growth` of a speed changes its sign, by bisection. Raises ValueError where it does not between both."""
+    """Where `growth` of a speed (m/s) changes its sign, by bisection. Raises ValueError where it does not between both."""
     if not growth(low) <= 0 < growth(high):
-        raise ValueError(f"Hunting does not begin between {low:g} and {high:g} mm/s; give speeds further apart.")
+        raise ValueError(f"Hunting does not begin between {low:g} and {high:g} m/s; give speeds further apart.")
     while high - low > 2 * tolerance:
         middle = (low + high) / 2
         low, high = (low, middle) if growth(middle) > 0 else (middle, high)
