@@ -72,6 +72,15 @@ def test_the_guide_to_embedding(monkeypatch, installed):
     assert -0.3 * 50e3 < names["solution"].Fx < -5000
 
 
+def test_the_guide_to_wheels_on_rails(shared_daemon):
+    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "wheel-rail.md").read_text(), re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {}
+    here = example.replace("tcp://127.0.0.1:5555", shared_daemon.endpoint)
+    exec(compile(here, "docs/wheel-rail.md", "exec"), names)
+    assert names["solution"].forces.track.Fz == pytest.approx(80e3, rel=1e-5)
+    assert names["geometry"].places
+
+
 def test_the_guide_to_contact_problems(shared):
     names = run_examples("contact.md", shared)
     assert abs(names["force"] / names["expected"] - 1).max() < 0.02

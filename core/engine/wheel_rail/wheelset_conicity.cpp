@@ -25,14 +25,15 @@ ProfileCurve curve_of(const ProfileSpec& profile, const std::string& name) {
 
 }  // namespace
 
-std::vector<EquivalentConicity> wheelset_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted) {
+std::vector<EquivalentConicity> wheelset_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted,
+                                                    const Observer& observer) {
     if (!setup.rail_slices.empty())
         throw InvalidArgument("setup.rail_slices",
                               "are given; the conicity is that of a rail that does not vary along the track");
     const ProfileCurve wheel = curve_of(setup.wheel, "wheel"), rail = curve_of(setup.rail, "rail");
     try {
         return equivalent_conicities(wheelset_on_track(wheel, rail, setup.track, setup.wheelset), wanted.amplitudes,
-                                     wanted.settings);
+                                     wanted.settings, observer);
     } catch (const InvalidArgument& error) {
         const std::string& field = error.field();
         if (field.starts_with("track.") || field.starts_with("wheelset.")) throw renamed(error, "setup.", 0);

@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "contactd/conicity.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 
 namespace contactd::engine {
 
-/// Throws InvalidArgument naming "setup.rail.points", "conicity.amplitudes[i]", ...
-std::vector<EquivalentConicity> wheelset_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted);
+/// Throws InvalidArgument naming "setup.rail.points", "conicity.amplitudes[i]", ..., and Cancelled.
+std::vector<EquivalentConicity> wheelset_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted,
+                                                    const Observer& observer);
 
 }  // namespace contactd::engine

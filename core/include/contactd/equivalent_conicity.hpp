@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contactd/conicity.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/wheelset_contacts.hpp"
 
 namespace contactd {
@@ -14,9 +15,11 @@ namespace contactd {
 ///   e r0 (2 pi/L)^2 is the conicity (EN 15302);
 /// - the harmonic approximation, 1/(pi A) times the integral of dr/2(A sin t) sin t over a turn.
 /// dr is the right wheel's radius less the left one's. Where both sides differ, the wheelset swings around where it
-/// runs centred. Throws InvalidArgument for amplitudes that are not positive, or reach beyond the profiles.
+/// runs centred. Throws InvalidArgument for amplitudes that are not positive, or reach beyond the profiles, and
+/// Cancelled.
 std::vector<EquivalentConicity> equivalent_conicities(const WheelsetOnTrack& wheelset,
                                                       std::span<const double> amplitudes,
-                                                      const ConicitySettings& settings = {});
+                                                      const ConicitySettings& settings = {},
+                                                      const Observer& observer = Observer());
 
 }  // namespace contactd

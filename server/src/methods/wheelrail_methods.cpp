@@ -77,8 +77,8 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
     WorkOnCall work(call, parts);
     nlohmann::json result = proto::encode_wheel_rail_geometries(parts.engine.locate(setup, states, work.observer()));
     if (params.contains("conicity"))
-        result["conicities"] =
-            proto::encode_conicities(engine::wheelset_conicities(setup, proto::decode_conicity(params["conicity"])));
+        result["conicities"] = proto::encode_conicities(
+            engine::wheelset_conicities(setup, proto::decode_conicity(params["conicity"]), work.observer()));
     work.succeed(result);
 }
 

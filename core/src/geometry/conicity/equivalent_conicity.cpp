@@ -31,11 +31,12 @@ void check(std::span<const double> amplitudes, const ConicitySettings& settings)
 
 std::vector<EquivalentConicity> equivalent_conicities(const WheelsetOnTrack& wheelset,
                                                       std::span<const double> amplitudes,
-                                                      const ConicitySettings& settings) {
+                                                      const ConicitySettings& settings, const Observer& observer) {
     check(amplitudes, settings);
     if (amplitudes.empty()) return {};
     const double largest = *std::max_element(amplitudes.begin(), amplitudes.end());
     const geometry::RadiusDifference difference(largest + room, settings.tolerance, [&](double shift) {
+        observer.throw_if_cancelled();
         const auto contacts = contacts_at(wheelset, shift, settings.roll);
         if (std::abs(shift) <= largest && (contacts.left.at_end || contacts.right.at_end))
             throw InvalidArgument("amplitudes", "reach " + number_text(largest) + " mm, and at the shift " +
