@@ -215,6 +215,14 @@ SESSION = {
     "model": "full",
     "friction": {"mu": 0.3, "kinetic": {"law": "linear", "mu": 0.1, "slip_velocity": 3}, "rolling": {"kind": "steady"}},
 }
+WHEEL = {
+    "side": "left",
+    "wheel": {"arc": {"radius": -200}},
+    "model": "full",
+    "friction": {"mu": 0.3, "kinetic": {"law": "linear", "mu": 0.1, "slip_velocity": 3}},
+    "wheel_surface": "exact",
+    "rigid_slip": "plane",
+}
 REQUESTS = [
     ("ic.get", {**TABLE, "ics": {"source": "fem", "preset": "paper-test2", "body": "half_space", "mesh": "hex"}}),
     ("ic.export", {**TABLE, "ics": {"source": "analytic"}, "format": "contact"}),
@@ -229,6 +237,8 @@ REQUESTS = [
     ("session.open", SESSION),
     ("session.step", {"session": "0" * 32, "step": 1, "fields": ["pressure"], "friction": SESSION["friction"]}),
     ("session.step_many", {"steps": [{"session": "0" * 32, "step": 1, "friction": SESSION["friction"]}]}),
+    ("wheelrail.solve", {"setup": WHEEL, "state": {}, "fields": ["pressure"]}),
+    ("wheelrail.geometry", {"setup": WHEEL, "states": [{}]}),
     *((f"session.{method}", {"session": "0" * 32}) for method in ("info", "save", "close")),
     *((f"session.{method}", {"session": "0" * 32, "state": "state-1"}) for method in ("restore", "forget")),
 ]  # fmt: skip
