@@ -15,6 +15,15 @@ int rounded_up(int count) {
     return (count + step - 1) / step * step;
 }
 
+/// Grids are found with the contacts.
+void check_patch(const Grid& grid, std::size_t most) {
+    if (grid.size() > most)
+        throw proto::invalid_field("setup.dx",
+                                   "and dy make a patch of " + std::to_string(grid.size()) + " elements; at most " +
+                                       std::to_string(most) + " are allowed (limits.max_grid_elements)",
+                                   proto::reason::limit_exceeded);
+}
+
 void check_half_spaces(const Bodies& bodies) {
     for (const auto& [body, field] : {std::pair(&bodies.upper, "upper"), std::pair(&bodies.lower, "lower")}) {
         const Ics* ics = body->computed();
@@ -48,12 +57,7 @@ void check(const WheelRailState& state, const std::string& name) {
 }  // namespace
 
 ContactInfluence Engine::patch_influence(const ContactProblem& problem) {
-    if (problem.grid.size() > settings_.most_patch_elements)
-        throw proto::invalid_field("setup.dx",
-                                   "and dy make a patch of " + std::to_string(problem.grid.size()) +
-                                       " elements; at most " + std::to_string(settings_.most_patch_elements) +
-                                       " are allowed (limits.max_grid_elements)",
-                                   proto::reason::limit_exceeded);
+    check_patch(problem.grid, settings_.most_patch_elements);
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);
     larger.grid.ny = rounded_up(problem.grid.ny);
@@ -67,7 +71,10 @@ WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailStat
         check_half_spaces(setup.bodies);
         return wheels_on_rails_.of(setup)->solve(state, observer);
     });
-    for (const WheelRailPatch& patch : solution.patches) count(patch.solution);
+    for (const WheelRailPatch& patch : solution.patches) {
+        check_patch(patch.place.grid, settings_.most_patch_elements);  // of quick models, which ask for no operators
+        count(patch.solution);
+    }
     return solution;
 }
 

@@ -43,17 +43,6 @@ WheelRailSetup setup_of(const CallPtr& call) {
     return setup;
 }
 
-/// Grids are found with the contacts. Those of model full are held against the limit before they are solved on; a quick
-/// model needs no more than their arrays.
-void check_grids(const WheelRailSolution& solution, std::size_t most) {
-    for (const WheelRailPatch& patch : solution.patches)
-        if (const Grid& grid = patch.place.grid; grid.size() > most)
-            throw proto::invalid_field("setup.dx",
-                                       "and dy make a patch of " + std::to_string(grid.size()) + " elements; at most " +
-                                           std::to_string(most) + " are allowed (limits.max_grid_elements)",
-                                       proto::reason::limit_exceeded);
-}
-
 void solve(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json& params = call->request.params;
     const WheelRailSetup setup = setup_of(call);
@@ -61,7 +50,6 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     ++parts.counters.solves;
     WorkOnCall work(call, parts);
     const WheelRailSolution solution = parts.engine.solve(setup, state, work.observer());
-    check_grids(solution, parts.config.max_grid_elements);
     proto::ArrayWriter arrays(call->request.arrays);
     const nlohmann::json result =
         proto::encode_wheel_rail_solution(solution, proto::decode_patch_fields(params), arrays);
