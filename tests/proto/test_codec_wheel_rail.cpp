@@ -40,7 +40,7 @@ WheelRailSetup unusual_setup() {
     setup.dx = 0.5;
     setup.dy = 0.25;
     setup.dq = 0.4;
-    setup.patches = {1, 7, 3, 11, 0.5};
+    setup.patches = {1, 7, 3, 11, 0.5, ContactSearch::mesh};
     setup.wheel_surface = WheelSurfaceKind::bilinear;
     setup.settings.tangential = {1e-7, 12};
     setup.force = {1e-5, 30};

@@ -126,7 +126,9 @@ class PatchRules:
         distance_separate: Parts of one patch, which feel a share of each other, below; default 8.
         distance_combine: One patch below; default 4.
         distance_turn: Planes that turn towards each other below; default 12.
-        locus_step: Of the search across the track, in elements dy; default 0.3.
+        locus_step: Of the locus across the track, in elements dy; default 0.3.
+        search: How regions of overlap are found: along the locus, where the distance along the track is least, or on a
+            mesh seen from above, for rails that curve along the track, too; default "locus".
     """
 
     angle_separate: float | None = None
@@ -134,6 +136,7 @@ class PatchRules:
     distance_combine: float | None = None
     distance_turn: float | None = None
     locus_step: float | None = None
+    search: Literal["locus", "mesh"] | None = None
 
 
 @dataclass(frozen=True)

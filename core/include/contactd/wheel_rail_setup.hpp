@@ -50,6 +50,10 @@ struct RailSlice {
     bool operator==(const RailSlice&) const = default;
 };
 
+/// How regions of overlap are found: along the locus, where for each y the distance along the track is least and the
+/// wheel alone is curved; or on a mesh seen from above, for rails that curve along the track, too.
+enum class ContactSearch { locus, mesh };
+
 /// What becomes of regions of overlap that lie close to each other: patches of their own, whose planes turn towards
 /// each other (below distance_turn); parts of one patch that feel a share of each other (blended, below
 /// distance_separate); or one patch (below distance_combine). Distances in mm; 0 < distance_combine < distance_separate
@@ -60,7 +64,8 @@ struct PatchRules {
     double distance_separate = 8;
     double distance_combine = 4;
     double distance_turn = 12;
-    double locus_step = 0.3;  ///< of the search across the track, in elements dy
+    double locus_step = 0.3;  ///< of the locus across the track, in elements dy
+    ContactSearch search = ContactSearch::locus;
 
     bool operator==(const PatchRules&) const = default;
 };

@@ -12,7 +12,8 @@
 #include "contactd/make_profile.hpp"
 #include "geometry/distance/heights.hpp"
 #include "geometry/motion/creepages.hpp"
-#include "geometry/search/equivalent_ellipse.hpp"
+#include "geometry/search/locus_search.hpp"
+#include "geometry/search/mesh_search.hpp"
 #include "geometry/search/patch_grid.hpp"
 #include "types/number_text.hpp"
 
@@ -84,8 +85,9 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
     const Vector3 inside = wheel.frame().inside({reference.x, reference.y, reference.z});
     const double wheel_s = wheel.profile().s_at_y(inside.y - wheel.base_y());
     const double upright = std::abs(std::cos(reference.angle));
+    const double rail_curvature = rail.curvature_along(reference.x, reference.y, rail_s);
     const double rho = wheel.nominal_radius() + wheel.profile().at(wheel_s).z;
-    return {rho / upright, radius(-wheel.profile().curvature(wheel_s)), radius(rail.curvature_along() * upright),
+    return {rho / upright, radius(-wheel.profile().curvature(wheel_s)), radius(rail_curvature * upright),
             radius(rail.profile().curvature(rail_s))};
 }
 
@@ -105,6 +107,15 @@ RailSurface rail_surface(const WheelRailSetup& setup, const Profiles& profiles, 
     return {profiles.rail, setup.track, profiles.rail_origin, state.rail};
 }
 
+std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const WheelSurface& wheel,
+                                         const RailSurface& rail) {
+    // In elements, as the established program has it.
+    constexpr double step_x = 1.5, step_y = 0.75;
+    if (setup.patches.search == ContactSearch::mesh)
+        return std::make_unique<MeshSearch>(wheel, rail, step_x * setup.dx, step_y * setup.dy);
+    return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy);
+}
+
 }  // namespace
 
 Profiles make_profiles(const WheelRailSetup& setup) {
@@ -119,21 +130,23 @@ Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const 
       state_(state),
       wheel_(profiles.wheel, setup.wheelset, at_zero(state.position)),
       rail_(rail_surface(setup, profiles, state)),
-      locus_(wheel_, rail_, setup.patches.locus_step * setup.dy) {}
+      search_(search_of(setup, wheel_, rail_)) {}
 
-std::vector<PlaceWithGap> Position::places(double z) {
+std::vector<RegionGroup> Position::groups(double z, bool blends) const {
+    return group_regions(search_->regions(z), setup_.patches, blends, rail_);
+}
+
+std::vector<PlaceWithGap> Position::places(double z) const {
     const WheelSurface wheel = wheel_.lowered(z);
-    const bool blends = setup_.model == Model::full;
     std::vector<PlaceWithGap> places;
-    for (const RegionGroup& group : group_regions(overlap_regions(locus_, z, rail_), setup_.patches, blends, rail_))
-        places.push_back(place_of(group, wheel, z));
+    for (const RegionGroup& group : groups(z, setup_.model == Model::full)) places.push_back(place_of(group, wheel, z));
     return places;
 }
 
-double Position::expected_force(double z, double compliance) {
+double Position::expected_force(double z, double compliance) const {
     double force = 0;
-    for (const RegionGroup& group : group_regions(overlap_regions(locus_, z, rail_), setup_.patches, false, rail_)) {
-        const EquivalentEllipse ellipse = equivalent_ellipse(locus_, z, group);
+    for (const RegionGroup& group : groups(z, false)) {
+        const EquivalentEllipse ellipse = search_->ellipse(z, group);
         force += hertz_of_approach(ellipse.radii(), compliance, ellipse.approach).Fn * std::cos(group.reference.angle);
     }
     return force;
@@ -152,13 +165,13 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
     if (setup_.model == Model::full) {
         place.approach = place.penetration * std::abs(std::cos(place.reference.angle));
     } else {
-        const EquivalentEllipse ellipse = equivalent_ellipse(locus_, z, group);
+        const EquivalentEllipse ellipse = search_->ellipse(z, group);
         found.paraboloid = ellipse.radii();
         place.approach = ellipse.approach;
         cover(place.grid, ellipse.along, ellipse.across);
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
-    look_for_doubts(group, z, found);
+    found.doubts = search_->doubts(z, group);
     return found;
 }
 
@@ -177,18 +190,6 @@ void Position::measure(PlaceWithGap& found, double z) const {
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     if (setup_.rigid_slip == RigidSlipKind::surfaces)
         found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
-}
-
-void Position::look_for_doubts(const RegionGroup& group, double z, PlaceWithGap& found) const {
-    constexpr double deep = 0.04;  // mm along the normal: where the surfaces are pressed together for sure
-    const double angle = group.reference.angle, cosine = std::abs(std::cos(angle));
-    const std::vector<LocusRow>& rows = locus_.rows();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].y < group.y.from || rows[i].y > group.y.to || !(rows[i].gap < z)) continue;
-        if ((z - rows[i].gap) * cosine > deep) found.bend = std::max(found.bend, std::abs(rows[i].angle - angle));
-        if (i == 0 || i + 1 == rows.size() || !std::isfinite(rows[i - 1].gap) || !std::isfinite(rows[i + 1].gap))
-            found.at_end = true;
-    }
 }
 
 }  // namespace contactd::geometry

@@ -10,7 +10,7 @@
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
 #include "geometry/motion/creepages.hpp"
-#include "geometry/search/locus.hpp"
+#include "geometry/search/overlap_search.hpp"
 #include "geometry/search/regions.hpp"
 
 namespace contactd::geometry {
@@ -30,8 +30,7 @@ struct PlaceWithGap {
     std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
     std::vector<RowSlip> row_slips;  ///< of rigid slip by surfaces only
-    double bend = 0;                 ///< largest angle of the rail to the plane within the contact (rad)
-    bool at_end = false;             ///< the overlap reaches the end of a profile
+    OverlapDoubts doubts{};
 };
 
 /// position.z of the state is that of no function here, but an argument.
@@ -43,26 +42,26 @@ class Position {
 
     /// Least vertical distance (mm), negative where wheel and rail overlap; infinite where they are not above each
     /// other.
-    double clearance(double z) const { return locus_.least_gap() - z; }
+    double clearance(double z) const { return search_->least_gap() - z; }
     /// From the right to the left, still without gaps: approaches are those of the search, vertical penetrations seen
     /// along the normal.
-    std::vector<PlaceWithGap> places(double z);
+    std::vector<PlaceWithGap> places(double z) const;
     /// Takes gap and approach at the elements, and what follows from them; of quick models nothing is left to do.
     void measure(PlaceWithGap& found, double z) const;
     /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
-    double expected_force(double z, double compliance);
+    double expected_force(double z, double compliance) const;
     const RailSurface& rail() const { return rail_; }
     WheelSurface wheel(double z) const { return wheel_.lowered(z); }
 
    private:
     PlaceWithGap place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
-    void look_for_doubts(const RegionGroup& group, double z, PlaceWithGap& found) const;
+    std::vector<RegionGroup> groups(double z, bool blends) const;
 
     const WheelRailSetup& setup_;
     const WheelRailState& state_;
     WheelSurface wheel_;  // at z = 0
     RailSurface rail_;
-    Locus locus_;
+    std::unique_ptr<OverlapSearch> search_;
 };
 
 }  // namespace contactd::geometry

@@ -7,6 +7,7 @@
 namespace contactd {
 namespace {
 
+constexpr double largest_curvature = 0.05;    // of the rail along the track over the wheel's, from where on it matters
 constexpr double flattest_cosine = 1 / 1.03;  // where distances along the one normal begin to be wrong by 3 %
 
 std::string name_of(const ContactReference& reference, Side side) {
@@ -18,13 +19,18 @@ std::string name_of(const ContactReference& reference, Side side) {
 std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction) {
     std::vector<std::string> warnings;
     const std::string name = name_of(found.place.reference, side);
-    if (found.bend > std::acos(flattest_cosine))
+    if (found.doubts.bend > std::acos(flattest_cosine))
         warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
-                           short_text(found.bend) + " rad from the plane of the contact.");
-    if (found.at_end)
+                           short_text(found.doubts.bend) + " rad from the plane of the contact.");
+    if (found.doubts.at_end)
         warnings.push_back(name +
                            " reaches the end of a profile: what lies beyond is not known, and the contact is "
                            "that of bodies cut off there.");
+    if (found.doubts.curvature > largest_curvature)
+        warnings.push_back(name + " lies where the rail curves along the track by " +
+                           short_text(100 * found.doubts.curvature) +
+                           " % of what the wheel does, which the search along the locus leaves out: choose "
+                           "patches.search mesh.");
     if (has_friction && !(found.place.creepages.velocity > 0))
         warnings.push_back(name +
                            " does not roll: without a velocity there are no creepages, and it is solved without "

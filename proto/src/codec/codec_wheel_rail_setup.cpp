@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 
 constexpr Words<Side, 2> sides{{{"left", Side::left}, {"right", Side::right}}};
+constexpr Words<ContactSearch, 2> searches{{{"locus", ContactSearch::locus}, {"mesh", ContactSearch::mesh}}};
 constexpr Words<WheelSurfaceKind, 2> wheel_surfaces{
     {{"exact", WheelSurfaceKind::exact}, {"bilinear", WheelSurfaceKind::bilinear}}};
 
@@ -152,6 +153,7 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     result["model"] = word_for(model_words, setup.model);
     if (setup.friction) result["friction"] = encode_friction(*setup.friction);
     result["patches"] = encode_numbers(numbers_of_patches(setup.patches));
+    result["patches"]["search"] = word_for(searches, setup.patches.search);
     result["wheel_surface"] = word_for(wheel_surfaces, setup.wheel_surface);
     result["rigid_slip"] = word_for(rigid_slips, setup.rigid_slip);
     encode_settings(setup.settings, result);
@@ -204,7 +206,11 @@ WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std
     }
     if (has("model")) setup.model = meaning_of(source["model"], model_words);
     if (has("friction")) setup.friction = decode_friction(source["friction"]);
-    if (has("patches")) decode_numbers(source["patches"], numbers_of_patches(setup.patches));
+    if (has("patches")) {
+        const json& patches = source["patches"];
+        decode_numbers(patches, numbers_of_patches(setup.patches));
+        if (patches.contains("search")) setup.patches.search = meaning_of(patches["search"], searches);
+    }
     if (has("wheel_surface")) setup.wheel_surface = meaning_of(source["wheel_surface"], wheel_surfaces);
     if (has("rigid_slip")) setup.rigid_slip = meaning_of(source["rigid_slip"], rigid_slips);
     setup.settings = decode_settings(source);

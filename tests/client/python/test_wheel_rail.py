@@ -53,7 +53,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         dx=0.5,
         dy=0.25,
         dq=0.4,
-        patches=PatchRules(1, 7, 3, 11, 0.5),
+        patches=PatchRules(1, 7, 3, 11, 0.5, "mesh"),
         wheel_surface="bilinear",
         rail_slices=[(-5, Rail60E1(0.05)), (5, ArcProfile(300))],
         rigid_slip="surfaces",

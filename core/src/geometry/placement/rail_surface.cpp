@@ -78,6 +78,11 @@ bool RailSurface::find_y(double y, double& s) const {
         y, visible_.from, visible_.to, s);
 }
 
+double RailSurface::height(double x, double y, double s) const {
+    find_y(y, s);
+    return z_at(x, y, place(s).at.z);
+}
+
 // Between columns a cubic through the four around: slices lie farther apart.
 double RailSurface::z_at(double x, double y, double z) const {
     if (!slices_) return turned_z(x, z);
@@ -96,6 +101,12 @@ double RailSurface::slope_along(double x, double y, double z) const {
     if (!axle_) return 0;
     const double radius = *axle_ - z;
     return x / std::sqrt(std::max(radius * radius - x * x, 1e-12));
+}
+
+double RailSurface::curvature_along(double x, double y, double s) const {
+    if (!slices_) return curvature_along();
+    const double bulge = height(x + column_width, y, s) + height(x - column_width, y, s) - 2 * height(x, y, s);
+    return bulge / (column_width * column_width);
 }
 
 double RailSurface::column_z(int column, double y) const {

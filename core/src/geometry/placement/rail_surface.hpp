@@ -37,7 +37,9 @@ class RailSurface {
     /// Finds the s of the visible part that has this y; `s` is where to start.
     bool find_y(double y, double& s) const;
 
-    /// Height of the surface at (x, y), where the profile has z at x = 0; not a number where there is none.
+    /// Height of the surface at (x, y); y is that of the visible part, `s` is where to start.
+    double height(double x, double y, double s) const;
+    /// The same where the profile has z at x = 0; not a number where there is none.
     double z_at(double x, double y, double z) const;
     double slope_along(double x, double y, double z) const;  ///< its derivative by x
     bool varies() const { return axle_ || slices_; }         ///< along the track
@@ -47,8 +49,10 @@ class RailSurface {
     double turned_z(double x, double z) const { return axle_ ? roller_z(x, z) : z; }
     double turned_slope(double x, double z) const;  ///< its derivative by z
 
-    /// 1/R of the surface along x (1/mm), positive where convex; zero of a rail.
+    /// 1/R of a roller along x (1/mm); zero of a rail, sliced or not.
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }
+    /// The same at a place, also of slices; positive where convex. `s` as of height.
+    double curvature_along(double x, double y, double s) const;
     std::optional<double> axle() const { return axle_; }  ///< z of a roller's axle, which lies along y
 
     const Frame& frame() const { return frame_; }

@@ -15,49 +15,6 @@ double away_from_upright(double angle) {
     return std::copysign(std::abs(angle) < upright ? upright - least : upright + least, angle);
 }
 
-/// Where the gap is z beside the last row inside, or that row itself where nothing is known beyond it.
-LocusRow edge(const Locus& locus, std::size_t inside, long step, double z) {
-    const long next = static_cast<long>(inside) + step;
-    const std::vector<LocusRow>& rows = locus.rows();
-    if (next < 0 || next >= static_cast<long>(rows.size())) return rows[inside];
-    const auto outside = static_cast<std::size_t>(next);
-    return std::isfinite(rows[outside].gap) ? locus.crossing(inside, outside, z) : rows[inside];
-}
-
-/// The height of the rail at (x, y); y lies between rows.
-double rail_height(const RailSurface& rail, double x, double y, double start) {
-    rail.find_y(y, start);
-    return rail.z_at(x, y, rail.place(start).at.z);
-}
-
-// The weight of a row is the integral over x of the squared penetration there, 16/15 (-g)^2.5/sqrt(a).
-OverlapRegion region_of(const Locus& locus, std::size_t begin, std::size_t end, double z, const RailSurface& rail) {
-    const std::vector<LocusRow>& rows = locus.rows();
-    const double a = locus.curvature();
-    OverlapRegion region;
-    double sum = 0;
-    ContactReference mean;
-    Extent x{rows[begin].x, rows[begin].x};
-    for (std::size_t i = begin; i < end; ++i) {
-        const double depth = z - rows[i].gap, weight = depth * depth * std::sqrt(depth);
-        sum += weight;
-        mean.x += weight * rows[i].x;
-        mean.y += weight * rows[i].y;
-        mean.angle += weight * rows[i].angle;
-        const double half = std::sqrt(depth / a);
-        x = {std::min(x.from, rows[i].x - half), std::max(x.to, rows[i].x + half)};
-        region.penetration = std::max(region.penetration, depth);
-    }
-    region.reference = {mean.x / sum, mean.y / sum, 0, away_from_upright(mean.angle / sum)};
-    region.reference.z = rail_height(rail, region.reference.x, region.reference.y, rows[(begin + end) / 2].rail_s);
-    region.x = x;
-    const LocusRow from = edge(locus, begin, -1, z), to = edge(locus, end - 1, 1, z);
-    region.y = {from.y, to.y};
-    region.z = {from.rail_z, to.rail_z};
-    region.size = locus.step() * 16.0 / 15 * sum / std::sqrt(a);
-    return region;
-}
-
 double between(const Extent& a, const Extent& b) {
     return std::max({0.0, a.from - b.to, b.from - a.to});
 }
@@ -144,23 +101,6 @@ void turn_neighbours(std::vector<RegionGroup>& groups, const PatchRules& rules) 
 
 }  // namespace
 
-std::vector<OverlapRegion> overlap_regions(Locus& locus, double z, const RailSurface& rail) {
-    locus.look_below(z);
-    const std::vector<LocusRow>& rows = locus.rows();
-    std::vector<OverlapRegion> regions;
-    for (std::size_t end = rows.size(); end > 0;) {
-        if (!(rows[end - 1].gap < z)) {
-            --end;
-            continue;
-        }
-        std::size_t begin = end - 1;
-        while (begin > 0 && rows[begin - 1].gap < z) --begin;
-        regions.push_back(region_of(locus, begin, end, z, rail));
-        end = begin;
-    }
-    return regions;
-}
-
 std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions, const PatchRules& rules, bool blends,
                                        const RailSurface& rail) {
     std::vector<RegionGroup> parts;
@@ -168,7 +108,7 @@ std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions
         parts.push_back({region.reference, {region}, {}, region.x, region.y, region.z, region.size});
     parts = joined(parts, rules.distance_combine, rules.angle_separate);
     const double middle = 0.5 * (rail.visible().from + rail.visible().to);
-    const auto put_on_rail = [&](ContactReference& at) { at.z = rail_height(rail, at.x, at.y, middle); };
+    const auto put_on_rail = [&](ContactReference& at) { at.z = rail.height(at.x, at.y, middle); };
     for (RegionGroup& part : parts) {
         if (part.regions.size() < 2) continue;
         put_on_rail(part.reference);

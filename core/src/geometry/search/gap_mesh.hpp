@@ -1,0 +1,69 @@
+// How far wheel and rail are from each other, seen from above, on a mesh: for rails that curve along the track, of
+// which the least distance of each y tells too little.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contactd/wheel_rail_solution.hpp"
+#include "geometry/placement/rail_surface.hpp"
+#include "geometry/placement/wheel_surface.hpp"
+
+namespace contactd::geometry {
+
+/// Nodes lie on lines of equal x, an eighth of the wheel's radius to both sides, and of equal y, from the first point
+/// of the rail on. Gaps are vertical distances of a wheelset at z = 0 (mm): one lower by z has gap - z. They are looked
+/// at where they may count only, in squares of nodes: the first pass takes the corners.
+class GapMesh {
+   public:
+    /// A line of equal y: where it is, and the rail's profile at x = 0 there.
+    struct Row {
+        double y = 0, rail_z = 0;
+        double angle = 0;  ///< inclination of the rail (rad)
+    };
+    struct Node {
+        std::size_t column, row;
+    };
+
+    /// The wheel stands at z = 0. Both must live longer. Steps in mm.
+    GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y);
+
+    /// Has all nodes looked at that may have a gap below `height`.
+    void look_below(double height);
+    double least_gap() const { return least_gap_; }  ///< infinite where no part of the wheel is above the rail
+
+    std::size_t columns() const { return columns_; }
+    const std::vector<Row>& rows() const { return rows_; }
+    double x(std::size_t column) const { return first_x_ + static_cast<double>(column) * step_x_; }
+    double y(std::size_t row) const { return rows_[row].y; }
+    /// Infinite where there is no wheel or no rail, or where nobody looked, because it is too far away.
+    double gap(const Node& node) const { return gaps_[index(node)]; }
+    std::size_t index(const Node& node) const { return node.row * columns_ + node.column; }
+    double step_x() const { return step_x_; }
+    double step_y() const { return step_y_; }
+
+    /// Connected nodes, also by corners, with a gap below z, which were looked at; by descending y.
+    std::vector<std::vector<Node>> connected_below(double z) const;
+
+   private:
+    /// Of a square: its first node, and the one behind it on both lines.
+    struct Square {
+        Node from, to;
+    };
+
+    Square square(std::size_t column, std::size_t row) const;
+    void look_at(const Square& square, std::size_t every);
+    bool may_be_below(const Square& square, double height) const;
+    std::vector<Node> spread(const Node& start, double z, std::vector<bool>& seen) const;
+
+    const WheelSurface& wheel_;
+    const RailSurface& rail_;
+    double step_x_, step_y_, first_x_;
+    std::size_t columns_;
+    std::vector<Row> rows_;
+    std::vector<double> gaps_;
+    std::vector<bool> done_;  // squares, by rows of them
+    double least_gap_;
+};
+
+}  // namespace contactd::geometry

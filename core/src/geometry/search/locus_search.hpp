@@ -1,0 +1,28 @@
+// Overlap of wheel and rail by the locus: along the track the gap grows as the wheel is round.
+#pragma once
+
+#include "geometry/search/locus.hpp"
+#include "geometry/search/overlap_search.hpp"
+
+namespace contactd::geometry {
+
+class LocusSearch : public OverlapSearch {
+   public:
+    /// The wheel stands at z = 0. Both must live longer.
+    LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step)
+        : rail_(rail), locus_(wheel, rail, step) {}
+
+    double least_gap() const override { return locus_.least_gap(); }
+    std::vector<OverlapRegion> regions(double z) override;
+    EquivalentEllipse ellipse(double z, const RegionGroup& group) const override;
+    OverlapDoubts doubts(double z, const RegionGroup& group) const override;
+
+   private:
+    OverlapRegion region_of(std::size_t begin, std::size_t end, double z) const;
+    LocusRow edge(std::size_t inside, long step, double z) const;
+
+    const RailSurface& rail_;
+    Locus locus_;
+};
+
+}  // namespace contactd::geometry

@@ -1,0 +1,105 @@
+#include "geometry/search/mesh_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace contactd::geometry {
+namespace {
+
+using Node = GapMesh::Node;
+
+}  // namespace
+
+std::vector<OverlapRegion> MeshSearch::regions(double z) {
+    mesh_.look_below(z);
+    std::vector<OverlapRegion> regions;
+    for (const std::vector<Node>& nodes : mesh_.connected_below(z)) regions.push_back(region_of(nodes, z));
+    std::stable_sort(regions.begin(), regions.end(),
+                     [](const OverlapRegion& a, const OverlapRegion& b) { return a.reference.y > b.reference.y; });
+    return regions;
+}
+
+// Extents are those of the lines beside the last ones that overlap.
+OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) const {
+    OverlapRegion region;
+    ContactReference mean;
+    double sum = 0;
+    Node first = nodes.front(), last = first;
+    for (const Node& node : nodes) {
+        const double depth = z - mesh_.gap(node), weight = depth * depth;
+        sum += weight;
+        mean.x += weight * mesh_.x(node.column);
+        mean.y += weight * mesh_.y(node.row);
+        mean.angle += weight * mesh_.rows()[node.row].angle;
+        region.penetration = std::max(region.penetration, depth);
+        first = {std::min(first.column, node.column), std::min(first.row, node.row)};
+        last = {std::max(last.column, node.column), std::max(last.row, node.row)};
+    }
+    first = {first.column - (first.column > 0), first.row - (first.row > 0)};
+    last = {std::min(last.column + 1, mesh_.columns() - 1), std::min(last.row + 1, mesh_.rows().size() - 1)};
+    region.reference = {mean.x / sum, mean.y / sum, 0, mean.angle / sum};
+    const auto height = [&](double y) {
+        return rail_.height(region.reference.x, y, 0.5 * (rail_.visible().from + rail_.visible().to));
+    };
+    region.reference.z = height(region.reference.y);
+    region.x = {mesh_.x(first.column), mesh_.x(last.column)};
+    region.y = {mesh_.y(first.row), mesh_.y(last.row)};
+    region.z = {height(region.y.from), height(region.y.to)};
+    region.size = mesh_.step_x() * mesh_.step_y() * sum;
+    return region;
+}
+
+template <class Visit>
+void MeshSearch::for_each(double z, const RegionGroup& group, const Visit& visit) const {
+    for (std::size_t row = 0; row < mesh_.rows().size(); ++row) {
+        if (mesh_.y(row) < group.y.from || mesh_.y(row) > group.y.to) continue;
+        for (std::size_t column = 0; column < mesh_.columns(); ++column) {
+            if (mesh_.x(column) < group.x.from || mesh_.x(column) > group.x.to) continue;
+            const Node node{column, row};
+            if (mesh_.gap(node) < z) visit(node, z - mesh_.gap(node));
+        }
+    }
+}
+
+// Of an ellipse's paraboloid the mean square of the distance is a sixth of the square of its semi-axis, and the volume
+// half of approach times area.
+EquivalentEllipse MeshSearch::ellipse(double z, const RegionGroup& group) const {
+    double volume = 0, x_first = 0, x_second = 0, y_first = 0, y_second = 0;
+    for_each(z, group, [&](const Node& node, double depth) {
+        const double ahead = mesh_.x(node.column) - group.reference.x, aside = mesh_.y(node.row) - group.reference.y;
+        volume += depth;
+        x_first += depth * ahead;
+        x_second += depth * ahead * ahead;
+        y_first += depth * aside;
+        y_second += depth * aside * aside;
+    });
+    // A node stands for what is around it, which matters where there are few.
+    const auto semi_axis = [&](double first, double second, double step) {
+        const double mean = first / volume;
+        return std::sqrt(6 * (second / volume - mean * mean + step * step / 12));
+    };
+    EquivalentEllipse ellipse;
+    ellipse.along = semi_axis(x_first, x_second, mesh_.step_x());
+    const double across = semi_axis(y_first, y_second, mesh_.step_y()) / std::abs(std::cos(group.reference.angle));
+    ellipse.across = std::clamp(across, ellipse.along / most_slender_ellipse, ellipse.along * most_slender_ellipse);
+    ellipse.approach =
+        2 * volume * mesh_.step_x() * mesh_.step_y() / (std::numbers::pi * ellipse.along * ellipse.across);
+    return ellipse;
+}
+
+OverlapDoubts MeshSearch::doubts(double z, const RegionGroup& group) const {
+    OverlapDoubts doubts;
+    const double cosine = std::abs(std::cos(group.reference.angle));
+    const std::size_t last_column = mesh_.columns() - 1, last_row = mesh_.rows().size() - 1;
+    for_each(z, group, [&](const Node& node, double depth) {
+        if (depth * cosine > surely_pressed)
+            doubts.bend = std::max(doubts.bend, std::abs(mesh_.rows()[node.row].angle - group.reference.angle));
+        const bool at_border = node.column == 0 || node.column == last_column || node.row == 0 || node.row == last_row;
+        doubts.at_end = doubts.at_end || at_border || !std::isfinite(mesh_.gap({node.column, node.row - 1})) ||
+                        !std::isfinite(mesh_.gap({node.column, node.row + 1}));
+    });
+    return doubts;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,30 @@
+// Overlap of wheel and rail on a mesh: for rails that curve along the track as wheels do.
+#pragma once
+
+#include "geometry/search/gap_mesh.hpp"
+#include "geometry/search/overlap_search.hpp"
+
+namespace contactd::geometry {
+
+class MeshSearch : public OverlapSearch {
+   public:
+    /// The wheel stands at z = 0. Both must live longer. Steps in mm.
+    MeshSearch(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y)
+        : rail_(rail), mesh_(wheel, rail, step_x, step_y) {}
+
+    double least_gap() const override { return mesh_.least_gap(); }
+    std::vector<OverlapRegion> regions(double z) override;
+    EquivalentEllipse ellipse(double z, const RegionGroup& group) const override;
+    OverlapDoubts doubts(double z, const RegionGroup& group) const override;
+
+   private:
+    OverlapRegion region_of(const std::vector<GapMesh::Node>& nodes, double z) const;
+    /// Calls `visit` with each node of the group that overlaps, and how deep.
+    template <class Visit>
+    void for_each(double z, const RegionGroup& group, const Visit& visit) const;
+
+    const RailSurface& rail_;
+    GapMesh mesh_;
+};
+
+}  // namespace contactd::geometry

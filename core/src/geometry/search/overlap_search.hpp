@@ -1,0 +1,43 @@
+// Where wheel and rail overlap when nothing deforms: what the two searches have in common.
+#pragma once
+
+#include <vector>
+
+#include "contactd/gap.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "geometry/search/regions.hpp"
+
+namespace contactd::geometry {
+
+/// The elliptic contact that stands for a region of overlap: semi-axes of the overlap (mm), not of the contact, which
+/// is smaller, and the approach along the normal.
+struct EquivalentEllipse {
+    double along = 0, across = 0;
+    double approach = 0;
+
+    /// The paraboloid whose overlap it is, approached so far.
+    Paraboloid radii() const { return {along * along / (2 * approach), across * across / (2 * approach)}; }
+};
+inline constexpr double most_slender_ellipse = 16;  ///< ratio of semi-axes: quick models know contacts of up to 32
+
+/// What speaks against a planar contact.
+struct OverlapDoubts {
+    double bend = 0;  ///< largest angle of the rail to the plane (rad) where the surfaces are pressed together for sure
+    double curvature = 0;  ///< of the rail along the track, that the search left out, over the wheel's
+    bool at_end = false;   ///< the overlap reaches the end of a profile
+};
+inline constexpr double surely_pressed = 0.04;  ///< overlap (mm) along the normal
+
+class OverlapSearch {
+   public:
+    virtual ~OverlapSearch() = default;
+    /// Of a wheelset at z = 0; infinite where no part of the wheel is above the rail.
+    virtual double least_gap() const = 0;
+    /// Of a wheelset that stands at z, by descending y.
+    virtual std::vector<OverlapRegion> regions(double z) = 0;
+    /// Of the same volume and the same second moments as what overlaps within the group's extents.
+    virtual EquivalentEllipse ellipse(double z, const RegionGroup& group) const = 0;
+    virtual OverlapDoubts doubts(double z, const RegionGroup& group) const = 0;
+};
+
+}  // namespace contactd::geometry
