@@ -119,6 +119,9 @@ void validate(const WheelRailSetup& setup) {
     if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
         throw InvalidArgument("friction.along_profile",
                               "is set, and the quick models know one coefficient for all of a patch; take model full");
+    if (setup.conformal != Conformal::off && setup.model != Model::full)
+        throw InvalidArgument("conformal",
+                              "is not off, and the quick models know ellipses in a plane only; take model full");
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
         throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
     for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})

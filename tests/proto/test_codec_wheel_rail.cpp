@@ -33,6 +33,7 @@ WheelRailSetup unusual_setup() {
     setup.rail_slices = {{-5, {ProfileKind::rail, Rail60E1{0.05}}},
                          {5, {ProfileKind::rail, ProfilePoints{{{-1, 0}, {1, 0.5}}}}}};
     setup.rigid_slip = RigidSlipKind::surfaces;
+    setup.conformal = Conformal::half_space;
     setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500};
     setup.wheelset = {1440, -69, 475};
     setup.bodies = Bodies::of({{80000, 0.3}, Material::rigid()});
@@ -69,6 +70,7 @@ ContactPlace place() {
     place.penetration = 0.25;
     place.creepages = {1e-3, -2e-3, 3e-4, 0, 2000};
     place.radii = {460, -330, infinite, 300};
+    place.rows = {{751, 0.1, -0.2}};
     return place;
 }
 

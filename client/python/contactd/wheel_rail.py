@@ -32,6 +32,7 @@ from .wheel_rail_solution import (
     ContactPlace,
     ContactRadii,
     ContactReference,
+    ContactRow,
     Creepages,
     EquivalentConicity,
     OverlapRegion,
@@ -52,6 +53,7 @@ __all__ = [
     "ContactPlace",
     "ContactRadii",
     "ContactReference",
+    "ContactRow",
     "Creepages",
     "EquivalentConicity",
     "OverlapRegion",
@@ -80,6 +82,7 @@ __all__ = [
 Side = Literal["left", "right"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces"]
+Conformal = Literal["off", "half_space"]
 
 
 @dataclass(frozen=True)
@@ -184,6 +187,8 @@ class WheelRailSetup:
         wheel_surface: "exact" (default), or "bilinear" between corners of a mesh as large as the elements.
         rigid_slip: By the creepages of the reference, as in a "plane" (default), or by the motion of both "surfaces" at
             each row of elements: for conformal contact, of model "full".
+        conformal: "off" (default): a contact lies in a plane; "half_space": it is curved across the track, half-way
+            between wheel and rail, with the coefficients of half-spaces; of model "full".
         normal: Stop test of NORM, for the pressures.
         tangential: Stop test for the tractions.
         outer: Stop test of the loop that bodies that differ and kinetic friction need.
@@ -206,6 +211,7 @@ class WheelRailSetup:
     patches: PatchRules | None = None
     wheel_surface: WheelSurface | None = None
     rigid_slip: RigidSlipKind | None = None
+    conformal: Conformal | None = None
     normal: SolverSettings | None = None
     tangential: SolverSettings | None = None
     outer: SolverSettings | None = None

@@ -18,6 +18,7 @@ __all__ = [
     "ContactPlace",
     "ContactRadii",
     "ContactReference",
+    "ContactRow",
     "Creepages",
     "EquivalentConicity",
     "OverlapRegion",
@@ -109,6 +110,21 @@ class ContactRadii:
 
 
 @dataclass(frozen=True)
+class ContactRow:
+    """A row of elements of a contact that is curved across the track, half-way between rail and wheel.
+
+    Attributes:
+        y: Its middle in track coordinates (mm).
+        z: The same down (mm).
+        angle: Its inclination (rad): tractions are along axes turned about x by it.
+    """
+
+    y: float
+    z: float
+    angle: float
+
+
+@dataclass(frozen=True)
 class ContactPlace:
     """One place where wheel and rail are in contact.
 
@@ -121,6 +137,7 @@ class ContactPlace:
         penetration: Vertical, the largest (mm).
         creepages: By the motion of the wheelset.
         radii: Of wheel and rail.
+        rows: Of the grid, where the contact is curved; empty where it is plane.
     """
 
     reference: ContactReference
@@ -131,6 +148,7 @@ class ContactPlace:
     penetration: float
     creepages: Creepages
     radii: ContactRadii
+    rows: tuple[ContactRow, ...] = ()
 
 
 @dataclass(frozen=True)

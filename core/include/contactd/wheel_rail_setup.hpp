@@ -79,6 +79,11 @@ enum class WheelSurfaceKind { exact, bilinear };
 /// for conformal contact, and forces do not jump where regions with different rolling radii become one patch.
 enum class RigidSlipKind { plane, surfaces };
 
+/// Whether a contact is curved across the track as wheel and rail are, half-way between both: each row of elements has
+/// its own normal, by which gaps are measured, tractions turned and slip is that of the surfaces; with the influence
+/// coefficients of half-spaces.
+enum class Conformal { off, half_space };
+
 /// The coefficient of friction where the rail's surface is inclined by `angle` (rad, from the horizontal, negative on
 /// the gauge side); straight lines between, constant beyond.
 struct FrictionAtAngle {
@@ -116,7 +121,8 @@ struct WheelRailSetup {
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
     RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< surfaces: of model full only
     ContactSettings settings{};
-    SolverSettings force{1e-6, 40};  ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
+    Conformal conformal = Conformal::off;  ///< else of model full only
+    SolverSettings force{1e-6, 40};        ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
 
     bool operator==(const WheelRailSetup&) const = default;
 };

@@ -55,6 +55,15 @@ struct ContactRadii {
     bool operator==(const ContactRadii&) const = default;
 };
 
+/// A row of elements of a contact that is curved across the track: its middle, half-way between rail and wheel (mm, in
+/// track coordinates), and its inclination (rad). Elements have their axes turned about x by it.
+struct ContactRow {
+    double y = 0, z = 0;
+    double angle = 0;
+
+    bool operator==(const ContactRow&) const = default;
+};
+
 /// One place where wheel and rail are in contact, and the problem that it poses to the solvers.
 struct ContactPlace {
     ContactReference reference;
@@ -62,9 +71,10 @@ struct ContactPlace {
     /// Of region j on region k, symmetric, row by row: what of the displacements of one the other feels; 1 on the
     /// diagonal.
     std::vector<double> shares;
-    Grid grid;               ///< in contact coordinates
-    double approach = 0;     ///< penetration along n, the largest at the elements (mm)
-    double penetration = 0;  ///< vertical, the largest (mm)
+    Grid grid;  ///< in contact coordinates; of a curved contact y is the arc length from the reference
+    std::vector<ContactRow> rows;  ///< of the grid, where the contact is curved; empty where it is plane
+    double approach = 0;           ///< penetration along n, the largest at the elements (mm)
+    double penetration = 0;        ///< vertical, the largest (mm)
     Creepages creepages;
     ContactRadii radii;
 };

@@ -10,6 +10,8 @@
 #include "closed_forms/hertz.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
+#include "geometry/conformal/curved_rows.hpp"
+#include "geometry/conformal/curved_slip.hpp"
 #include "geometry/distance/heights.hpp"
 #include "geometry/motion/creepages.hpp"
 #include "geometry/search/locus_search.hpp"
@@ -54,15 +56,22 @@ WheelsetPosition at_zero(WheelsetPosition position) {
     return position;
 }
 
-/// Distances along the normal; not a number where wheel or rail are not above the plane.
+/// Distances along the normal of the plane, or of each row; not a number where wheel or rail are not above the plane.
 std::vector<double> distances(const WheelRailSetup& setup, const WheelSurface& wheel, const RailSurface& rail,
-                              const ContactReference& reference, const Grid& grid) {
-    const std::vector<double> of_rail = rail_heights(rail, reference, grid);
+                              const ContactPlace& place) {
+    const ContactReference& reference = place.reference;
+    const bool curved = !place.rows.empty();
+    const PlanePoints points =
+        curved ? PlanePoints(place.grid, CurvedRows{0, place.rows}.in_plane(reference)) : PlanePoints(place.grid);
+    const std::vector<double> of_rail = rail_heights(rail, reference, points);
     std::vector<double> h = setup.wheel_surface == WheelSurfaceKind::exact
-                                ? wheel_heights(wheel, reference, grid)
-                                : meshed_wheel_heights(wheel, reference, grid);
-    const auto nx = static_cast<std::size_t>(grid.nx);
-    for (std::size_t i = 0; i < h.size(); ++i) h[i] = of_rail[rail.varies() ? i : i / nx] - h[i];
+                                ? wheel_heights(wheel, reference, points)
+                                : meshed_wheel_heights(wheel, reference, points);
+    const auto nx = static_cast<std::size_t>(place.grid.nx);
+    for (std::size_t i = 0; i < h.size(); ++i) {
+        h[i] = of_rail[rail.varies() ? i : i / nx] - h[i];
+        if (curved) h[i] *= std::cos(place.rows[i / nx].angle - reference.angle);
+    }
     return h;
 }
 
@@ -100,6 +109,14 @@ std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup) {
         curves.push_back(curve_of(setup.rail_slices[i].profile, "rail_slices[" + std::to_string(i) + "].profile"));
     }
     return std::make_shared<const SlicedRail>(std::move(x), curves);
+}
+
+/// Bodies touch where the stiffer one would be without the other: its part is the compliance of the other.
+double rail_share(const Bodies& bodies) {
+    const MaterialPair both = bodies.materials();
+    const double of_wheel = MaterialPair{Material::rigid(), both.lower}.normal_compliance();
+    const double of_both = both.normal_compliance();
+    return of_both > 0 ? of_wheel / of_both : 0.5;
 }
 
 RailSurface rail_surface(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state) {
@@ -172,7 +189,21 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     found.doubts = search_->doubts(z, group);
+    if (setup_.conformal != Conformal::off && bend(place, wheel, 0, 0)) found.doubts.bend = 0;
     return found;
+}
+
+/// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.
+bool Position::bend(ContactPlace& place, const WheelSurface& wheel, int more_below, int more_above) const {
+    Extent y = place.regions.front().y;
+    for (const OverlapRegion& region : place.regions)
+        y = {std::min(y.from, region.y.from), std::max(y.to, region.y.to)};
+    const auto [first, rows] = curved_rows(wheel, rail_, place.reference, y, setup_.dy, more_below, more_above);
+    if (rows.empty()) return false;
+    place.rows = rows;
+    place.grid.ny = static_cast<int>(rows.size());
+    place.grid.y0 = (first - 0.5) * setup_.dy;
+    return true;
 }
 
 void Position::measure(PlaceWithGap& found, double z) const {
@@ -180,16 +211,29 @@ void Position::measure(PlaceWithGap& found, double z) const {
     constexpr int most_rounds = 50;
     const WheelSurface wheel = wheel_.lowered(z);
     ContactPlace& place = found.place;
-    Grid grid = place.grid;
+    int more_below = 0, more_above = 0;
     for (int round = 0; round < most_rounds; ++round) {
-        place.grid = grid;
-        found.gap = distances(setup_, wheel, rail_, place.reference, grid);
+        found.gap = distances(setup_, wheel, rail_, place);
         place.approach = take_out_approach(found.gap);
+        Grid grid = place.grid;
         if (!grow(grid, found.gap, place.approach)) break;
+        const Grid before = place.grid;
+        place.grid = grid;
+        if (place.rows.empty()) continue;
+        more_below += static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
+        more_above += grid.ny - before.ny - static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
+        bend(place, wheel, more_below, more_above);
+        if (place.grid == before) break;  // there are no more rows
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
-    if (setup_.rigid_slip == RigidSlipKind::surfaces)
+    if (!place.rows.empty()) {
+        auto [fitted, rest] =
+            curved_slip(wheel, rail_, state_, place, found.gap, rail_share(setup_.bodies), place.creepages);
+        place.creepages = fitted;
+        found.slip_beside = std::move(rest);
+    } else if (setup_.rigid_slip == RigidSlipKind::surfaces) {
         found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
+    }
 }
 
 }  // namespace contactd::geometry

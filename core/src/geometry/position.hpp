@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "contactd/friction.hpp"
 #include "contactd/gap.hpp"
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
@@ -30,6 +31,7 @@ struct PlaceWithGap {
     std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
     std::vector<RowSlip> row_slips;  ///< of rigid slip by surfaces only
+    RigidSlip slip_beside;           ///< of curved contacts: beside the creepages, of each element
     OverlapDoubts doubts{};
 };
 
@@ -56,6 +58,7 @@ class Position {
    private:
     PlaceWithGap place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
+    bool bend(ContactPlace& place, const WheelSurface& wheel, int more_below, int more_above) const;
 
     const WheelRailSetup& setup_;
     const WheelRailState& state_;

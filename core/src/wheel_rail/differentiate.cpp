@@ -107,7 +107,8 @@ class Differences {
     /// Through the creepages of each contact; false where these derivatives are not known.
     bool by_creepages(WheelRailDerivatives::ByVelocity& derivatives) {
         if (!fine_.friction) return true;  // nothing feels the motion
-        if (fine_.friction->kinetic || fine_.rigid_slip != RigidSlipKind::plane) return false;
+        if (fine_.friction->kinetic || fine_.rigid_slip != RigidSlipKind::plane || fine_.conformal != Conformal::off)
+            return false;
         wheel_.set_velocity(state_.velocity);
         for (PlaceWithGap& found : wheel_.position().places(solution_.z)) {
             wheel_.position().measure(found, solution_.z);
@@ -137,7 +138,7 @@ class Differences {
                 return answer ? ((*answer).*by).value_or(0) : 0;
             };
             unit.forces = {0, of(known.Fx), of(known.Fy), of(known.Mz)};
-            const Wrench track = resultants(place.reference, place.grid, unit, true, {}, {}).track;
+            const Wrench track = resultants(place, unit, true, {}, {}).track;
             add(sum, (more.*creepage - less.*creepage) / (2 * step.size), track);
         };
         add_one(&Creepages::xi, &DerivativesOfAnswer::xi);

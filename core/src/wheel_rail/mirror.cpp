@@ -70,6 +70,11 @@ void mirror(Wrench& wrench) {
 void mirror(ContactPlace& place) {
     mirror(place.reference);
     mirror(place.grid);
+    std::reverse(place.rows.begin(), place.rows.end());
+    for (ContactRow& row : place.rows) {
+        turn_sign(row.y);
+        turn_sign(row.angle);
+    }
     turn_sign(place.creepages.eta);
     turn_sign(place.creepages.phi);
     for (OverlapRegion& region : place.regions) mirror(region);

@@ -26,6 +26,8 @@ double interpolated(const std::vector<FrictionAtAngle>& mu, double angle) {
 /// The inclination of the rail at each row of elements.
 Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) {
     Values angles;
+    for (const ContactRow& row : place.rows) angles.push_back(row.angle);
+    if (!angles.empty()) return angles;
     double s = 0.5 * (rail.visible().from + rail.visible().to);
     for (int iy = 0; iy < place.grid.ny; ++iy) {
         const double y = place.reference.y + place.grid.y(iy) * std::cos(place.reference.angle);
@@ -78,7 +80,9 @@ std::vector<int> regions_of_elements(const ContactPlace& place, const PatchRules
     regions.reserve(grid.size());
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
-            const double x = place.reference.x + grid.x(ix), y = place.reference.y + cosine * grid.y(iy);
+            const double x = place.reference.x + grid.x(ix);
+            const double y = place.rows.empty() ? place.reference.y + cosine * grid.y(iy)
+                                                : place.rows[static_cast<std::size_t>(iy)].y;
             const auto holds = [&](const OverlapRegion& region) {
                 return x >= region.x.from - wider && x <= region.x.to + wider && y >= region.y.from - wider * cosine &&
                        y <= region.y.to + wider * cosine;
@@ -175,6 +179,7 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWith
             problem.rigid_slip =
                 rigid_slip_of(found.row_slips, problem.grid, spin_offset * rolling.dq * std::cos(rolling.chi));
         }
+        if (!found.slip_beside.empty()) problem.rigid_slip = found.slip_beside;
         problem.motion = rolling;
     }
     return problem;

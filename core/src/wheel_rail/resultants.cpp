@@ -24,6 +24,35 @@ Vector3 moment(const Grid& grid, const ContactSolution& solution, bool quick_mod
     return about;
 }
 
+struct Sum {
+    Vector3 force, about;
+};
+
+/// At the reference, in the track.
+Sum of_plane(const ContactPlace& place, const ContactSolution& solution, bool quick_model) {
+    const geometry::Rotation axes = geometry::contact_frame(place.reference).axes;
+    const Forces& forces = solution.forces;
+    return {axes * Vector3{forces.Fx, forces.Fy, forces.Fn}, axes * moment(place.grid, solution, quick_model)};
+}
+
+Sum of_rows(const ContactPlace& place, const ContactSolution& solution) {
+    const Grid& grid = place.grid;
+    const auto at = [](const std::vector<double>& values, std::size_t i) { return values.empty() ? 0 : values[i]; };
+    Sum sum;
+    std::size_t i = 0;
+    for (const ContactRow& row : place.rows) {
+        const geometry::Rotation axes = geometry::Rotation::roll(row.angle);
+        for (int ix = 0; ix < grid.nx; ++ix, ++i) {
+            const Vector3 traction{at(solution.traction_x, i), at(solution.traction_y, i), solution.pressure[i]};
+            const Vector3 force = grid.element_area() * (axes * traction);
+            const Vector3 from_reference{grid.x(ix), row.y - place.reference.y, row.z - place.reference.z};
+            sum.force = sum.force + force;
+            sum.about = sum.about + cross(from_reference, force);
+        }
+    }
+    return sum;
+}
+
 /// A force at a point and its moment about it, all in the track, seen from a frame.
 Wrench seen_from(const Frame& frame, const Vector3& point, const Vector3& force, const Vector3& about) {
     const Vector3 f = frame.axes.turned_back(force);
@@ -37,14 +66,11 @@ Wrench sum(const Wrench& a, const Wrench& b) {
 
 }  // namespace
 
-WheelRailForces resultants(const ContactReference& reference, const Grid& grid, const ContactSolution& solution,
-                           bool quick_model, const Frame& rail, const Frame& wheelset) {
-    const Frame contact = geometry::contact_frame(reference);
-    const Forces& forces = solution.forces;
-    const Vector3 force = contact.axes * Vector3{forces.Fx, forces.Fy, forces.Fn};
-    const Vector3 about = contact.axes * moment(grid, solution, quick_model);
-    return {seen_from({}, contact.origin, force, about), seen_from(rail, contact.origin, force, about),
-            seen_from(wheelset, contact.origin, force, about)};
+WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool quick_model,
+                           const Frame& rail, const Frame& wheelset) {
+    const Vector3 at = geometry::contact_frame(place.reference).origin;
+    const auto [force, about] = place.rows.empty() ? of_plane(place, solution, quick_model) : of_rows(place, solution);
+    return {seen_from({}, at, force, about), seen_from(rail, at, force, about), seen_from(wheelset, at, force, about)};
 }
 
 WheelRailForces sum(const WheelRailForces& a, const WheelRailForces& b) {

@@ -120,8 +120,8 @@ WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observ
     patch.solution = solve(problem_of(found), found.place, observer);
     patch.place = found.place;
     patch.gap = std::move(found.gap);
-    patch.forces = resultants(patch.place.reference, patch.place.grid, patch.solution, setup_.model != Model::full,
-                              position_.rail().frame(), position_.wheel(z).frame());
+    patch.forces = resultants(patch.place, patch.solution, setup_.model != Model::full, position_.rail().frame(),
+                              position_.wheel(z).frame());
     return patch;
 }
 

@@ -61,6 +61,15 @@ OverlapRegion decode_region(const json& source) {
     return region;
 }
 
+json encode_rows(const std::vector<ContactRow>& rows) {
+    json result = json::array();
+    for (const ContactRow& row : rows)
+        result.push_back(object({{"y", finite(row.y, "y of a row")},
+                                 {"z", finite(row.z, "z of a row")},
+                                 {"angle", finite(row.angle, "The angle of a row")}}));
+    return result;
+}
+
 json encode_radii(const ContactRadii& radii) {
     json result = json::object();
     for (const auto& [name, radius] : numbers_of_radii(radii))
@@ -80,14 +89,16 @@ json encode_place(const ContactPlace& place) {
     json regions = json::array(), shares = json::array();
     for (const OverlapRegion& region : place.regions) regions.push_back(encode_region(region));
     for (const double share : place.shares) shares.push_back(finite(share, "A share of displacements"));
-    return object({{"reference", encode_numbers(numbers_of_reference(place.reference))},
-                   {"regions", std::move(regions)},
-                   {"shares", std::move(shares)},
-                   {"grid", encode_grid(place.grid)},
-                   {"approach", finite(place.approach, "The approach of a place")},
-                   {"penetration", finite(place.penetration, "The penetration of a place")},
-                   {"creepages", encode_numbers(numbers_of_creepages(place.creepages))},
-                   {"radii", encode_radii(place.radii)}});
+    json result = object({{"reference", encode_numbers(numbers_of_reference(place.reference))},
+                          {"regions", std::move(regions)},
+                          {"shares", std::move(shares)},
+                          {"grid", encode_grid(place.grid)},
+                          {"approach", finite(place.approach, "The approach of a place")},
+                          {"penetration", finite(place.penetration, "The penetration of a place")},
+                          {"creepages", encode_numbers(numbers_of_creepages(place.creepages))},
+                          {"radii", encode_radii(place.radii)}});
+    if (!place.rows.empty()) result["rows"] = encode_rows(place.rows);
+    return result;
 }
 
 ContactPlace decode_place(const json& source) {
@@ -100,6 +111,9 @@ ContactPlace decode_place(const json& source) {
     place.penetration = source["penetration"].get<double>();
     decode_numbers(source["creepages"], numbers_of_creepages(place.creepages));
     place.radii = decode_radii(source["radii"]);
+    if (const auto rows = source.find("rows"); rows != source.end())
+        for (const json& row : *rows)
+            place.rows.push_back({row["y"].get<double>(), row["z"].get<double>(), row["angle"].get<double>()});
     return place;
 }
 

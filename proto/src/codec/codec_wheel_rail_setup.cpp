@@ -18,6 +18,7 @@ constexpr Words<ContactSearch, 2> searches{{{"locus", ContactSearch::locus}, {"m
 constexpr Words<WheelSurfaceKind, 2> wheel_surfaces{
     {{"exact", WheelSurfaceKind::exact}, {"bilinear", WheelSurfaceKind::bilinear}}};
 
+constexpr Words<Conformal, 2> conformals{{{"off", Conformal::off}, {"half_space", Conformal::half_space}}};
 constexpr Words<RigidSlipKind, 2> rigid_slips{{{"plane", RigidSlipKind::plane}, {"surfaces", RigidSlipKind::surfaces}}};
 constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
 
@@ -156,6 +157,7 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     result["patches"]["search"] = word_for(searches, setup.patches.search);
     result["wheel_surface"] = word_for(wheel_surfaces, setup.wheel_surface);
     result["rigid_slip"] = word_for(rigid_slips, setup.rigid_slip);
+    result["conformal"] = word_for(conformals, setup.conformal);
     encode_settings(setup.settings, result);
     result["force"] = object({{"tolerance", finite(setup.force.tolerance, "force.tolerance")},
                               {"max_iterations", setup.force.max_iterations}});
@@ -213,6 +215,7 @@ WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std
     }
     if (has("wheel_surface")) setup.wheel_surface = meaning_of(source["wheel_surface"], wheel_surfaces);
     if (has("rigid_slip")) setup.rigid_slip = meaning_of(source["rigid_slip"], rigid_slips);
+    if (has("conformal")) setup.conformal = meaning_of(source["conformal"], conformals);
     setup.settings = decode_settings(source);
     if (has("force")) {
         setup.force.tolerance = source["force"].value("tolerance", setup.force.tolerance);

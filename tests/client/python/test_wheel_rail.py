@@ -57,6 +57,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         wheel_surface="bilinear",
         rail_slices=[(-5, Rail60E1(0.05)), (5, ArcProfile(300))],
         rigid_slip="surfaces",
+        conformal="half_space",
         normal=SolverSettings(1e-7),
         force=SolverSettings(1e-5, 30),
     )

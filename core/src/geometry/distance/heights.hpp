@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "contactd/grid.hpp"
@@ -19,15 +20,32 @@ inline Frame contact_frame(const ContactReference& reference) {
     return {{reference.x, reference.y, reference.z}, Rotation::roll(reference.angle)};
 }
 
+/// Where heights are wanted: columns along x as those of a grid, and rows across, which ascend and may be anywhere.
+struct PlanePoints {
+    /// The elements of a grid that lies in the plane.
+    PlanePoints(const Grid& grid) : columns(grid) {  // NOLINT(google-explicit-constructor): a grid is such points
+        for (int iy = 0; iy < grid.ny; ++iy) rows.push_back(grid.y(iy));
+    }
+    /// Rows of their own (mm); dy of the grid is about how far they are apart.
+    PlanePoints(const Grid& grid, std::vector<double> rows_) : columns(grid), rows(std::move(rows_)) {}
+
+    double x(int ix) const { return columns.x(ix); }
+    int nx() const { return columns.nx; }
+
+    Grid columns;
+    std::vector<double> rows;
+};
+
 /// Of the rail's surface, shape [ny, nx] (mm), or [ny] of a rail that is the same all along.
-std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const Grid& grid);
+std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points);
 
 /// Of the wheel's surface, shape [ny, nx] (mm).
-std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference, const Grid& grid);
+std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
+                                  const PlanePoints& points);
 
 /// The same of a wheel that is straight between the nodes of a mesh on it: as wide as the elements, along x and along
 /// its profile, around the contact's reference.
 std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                         const Grid& grid);
+                                         const PlanePoints& points);
 
 }  // namespace contactd::geometry

@@ -9,14 +9,16 @@ namespace {
 /// Nodes (i, j), -i_most..i_most and -j_most..j_most, in the coordinates of the contact.
 class Mesh {
    public:
-    Mesh(const WheelSurface& wheel, const ContactReference& reference, const Grid& grid) {
+    Mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points) {
+        const Grid& grid = points.columns;
+        const double farthest = std::max(std::abs(points.rows.front()), std::abs(points.rows.back()));
         const Frame contact = contact_frame(reference);
         const Vector3 centre = wheel.frame().inside(contact.origin);
         const ProfileCurve& profile = wheel.profile();
         const double s = profile.arc_length(profile.s_at_y(centre.y - wheel.base_y()));
         constexpr int spare = 8;
         i_most_ = spare + static_cast<int>(std::max(std::abs(grid.x0), grid.x0 + grid.nx * grid.dx) / grid.dx);
-        j_most_ = spare + static_cast<int>(1.2 * std::max(std::abs(grid.y0), grid.y0 + grid.ny * grid.dy) / grid.dy);
+        j_most_ = spare + static_cast<int>(1.2 * (farthest + 0.5 * grid.dy) / grid.dy);
         dx_ = grid.dx;
         dy_ = grid.dy;
         for (int j = -j_most_; j <= j_most_; ++j) {
@@ -75,11 +77,11 @@ class Mesh {
 }  // namespace
 
 std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
-                                         const Grid& grid) {
-    const Mesh mesh(wheel, reference, grid);
+                                         const PlanePoints& points) {
+    const Mesh mesh(wheel, reference, points);
     std::vector<double> heights;
-    for (int iy = 0; iy < grid.ny; ++iy)
-        for (int ix = 0; ix < grid.nx; ++ix) heights.push_back(mesh.height(grid.x(ix), grid.y(iy)));
+    for (const double y : points.rows)
+        for (int ix = 0; ix < points.nx(); ++ix) heights.push_back(mesh.height(points.x(ix), y));
     return heights;
 }
 

@@ -49,15 +49,15 @@ class Section {
 
 }  // namespace
 
-std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const Grid& grid) {
-    const auto nx = static_cast<std::size_t>(rail.varies() ? grid.nx : 1), ny = static_cast<std::size_t>(grid.ny);
+std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference,
+                                 const PlanePoints& points) {
+    const auto nx = static_cast<std::size_t>(rail.varies() ? points.nx() : 1), ny = points.rows.size();
     std::vector<double> heights(nx * ny);
     std::optional<Section> section;
     for (std::size_t ix = 0; ix < nx; ++ix) {
-        const double x = reference.x + grid.x(static_cast<int>(ix));
+        const double x = reference.x + points.x(static_cast<int>(ix));
         if (!section || rail.is_sliced()) section.emplace(rail, rail.section(x), reference);
-        for (std::size_t iy = 0; iy < ny; ++iy)
-            heights[iy * nx + ix] = section->height(x, grid.y(static_cast<int>(iy)));
+        for (std::size_t iy = 0; iy < ny; ++iy) heights[iy * nx + ix] = section->height(x, points.rows[iy]);
     }
     return heights;
 }

@@ -85,11 +85,12 @@ class WheelAbovePlane {
 
 }  // namespace
 
-std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference, const Grid& grid) {
+std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
+                                  const PlanePoints& points) {
     WheelAbovePlane above(wheel, reference);
     std::vector<double> heights;
-    heights.reserve(grid.size());
-    for (int iy = 0; iy < grid.ny; ++iy) above.add_row(grid.y(iy), grid.x(0), grid.dx, grid.nx, heights);
+    heights.reserve(points.rows.size() * static_cast<std::size_t>(points.nx()));
+    for (const double y : points.rows) above.add_row(y, points.x(0), points.columns.dx, points.nx(), heights);
     return heights;
 }
 

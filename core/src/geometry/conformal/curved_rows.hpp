@@ -1,0 +1,27 @@
+// A contact that is curved across the track: rows of elements half-way between rail and wheel.
+#pragma once
+
+#include <vector>
+
+#include "contactd/grid.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "geometry/placement/rail_surface.hpp"
+#include "geometry/placement/wheel_surface.hpp"
+
+namespace contactd::geometry {
+
+/// Rows lie at multiples of a step along the surfaces, counted from the reference: the first at first times the step.
+struct CurvedRows {
+    int first = 0;
+    std::vector<ContactRow> rows;
+
+    /// Where they are in the plane of the reference, across the track.
+    std::vector<double> in_plane(const ContactReference& reference) const;
+};
+
+/// Those whose middle lies between `y`, where both surfaces face each other, with two more on both sides, and so many
+/// more still. Points of rail and wheel are at equal arc lengths from the reference.
+CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const ContactReference& reference,
+                       const Extent& y, double step, int more_below = 0, int more_above = 0);
+
+}  // namespace contactd::geometry

@@ -1,0 +1,109 @@
+#include "geometry/conformal/curved_slip.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "geometry/conformal/curved_rows.hpp"
+#include "geometry/distance/heights.hpp"
+#include "geometry/motion/surface_motion.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+struct Slip {
+    double along = 0, across = 0;
+};
+
+/// Of both surfaces, at points that face each other.
+class FacingSurfaces {
+   public:
+    FacingSurfaces(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state, double rail_share,
+                   double velocity)
+        : wheel_(wheel), rail_(rail), state_(state), rail_share_(rail_share), velocity_(velocity) {}
+
+    Slip slip(const Vector3& on_rail, const Vector3& on_wheel, double angle) const {
+        const Vector3 ground = of_rail(rail_, state_, on_rail).velocity;
+        const Vector3 rim = of_wheel(wheel_, state_, on_wheel).velocity;
+        const Rotation axes = Rotation::roll(angle);
+        // Seen from the contact, which moves along a rail and stays on a roller, both surfaces run through it.
+        const Vector3 moving{rail_.axle() ? 0 : state_.velocity.x, 0, 0};
+        const Vector3 through = rail_share_ * (ground - moving) + (1 - rail_share_) * (rim - moving);
+        const double x = through.x, n = dot(through, axes.z), length = std::hypot(x, n);
+        const Vector3 over = ground - rim;
+        const double lean_x = length > 0 ? std::abs(x) / length : 1;
+        const double lean_n = length > 0 ? std::copysign(n, x * n) / length : 0;
+        return {(over.x * lean_x + dot(over, axes.z) * lean_n) / velocity_, dot(over, axes.y) / velocity_};
+    }
+
+   private:
+    const WheelSurface& wheel_;
+    const RailSurface& rail_;
+    const WheelRailState& state_;
+    double rail_share_, velocity_;
+};
+
+/// w_x = xi - phi y, w_y = eta + phi x.
+class CreepageFit {
+   public:
+    void add(double x, double y, const Slip& slip) {
+        ++count_;
+        x_ += x;
+        y_ += y;
+        along_ += slip.along;
+        across_ += slip.across;
+        turning_ += x * slip.across - y * slip.along;
+        squares_ += x * x + y * y;
+    }
+    void find(Creepages& creepages) const {
+        if (count_ == 0) return;
+        const double spread = squares_ - (x_ * x_ + y_ * y_) / count_;
+        creepages.phi = spread > 0 ? (turning_ - (x_ * across_ - y_ * along_) / count_) / spread : 0;
+        creepages.xi = (along_ + creepages.phi * y_) / count_;
+        creepages.eta = (across_ - creepages.phi * x_) / count_;
+    }
+
+   private:
+    double count_ = 0, x_ = 0, y_ = 0, along_ = 0, across_ = 0, turning_ = 0, squares_ = 0;
+};
+
+}  // namespace
+
+CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                       const ContactPlace& place, const std::vector<double>& gap, double rail_share,
+                       const Creepages& from) {
+    const Grid& grid = place.grid;
+    CurvedSlip result{from, {std::vector<double>(grid.size()), std::vector<double>(grid.size())}};
+    if (!(from.velocity > 0)) return result;
+    if (!rail.axle() && state.velocity.x != 0) result.creepages.velocity = std::abs(state.velocity.x);
+    const PlanePoints points(grid, CurvedRows{0, place.rows}.in_plane(place.reference));
+    const std::vector<double> of_rail_surface = rail_heights(rail, place.reference, points);
+    const std::vector<double> of_wheel_surface = wheel_heights(wheel, place.reference, points);
+    const FacingSurfaces surfaces(wheel, rail, state, rail_share, result.creepages.velocity);
+    const Frame contact = contact_frame(place.reference);
+    CreepageFit fit;
+    std::vector<Slip> slips(grid.size());
+    std::vector<bool> known(grid.size());
+    std::size_t i = 0;
+    for (std::size_t row = 0; row < place.rows.size(); ++row)
+        for (int ix = 0; ix < grid.nx; ++ix, ++i) {
+            const double rail_height = of_rail_surface[rail.varies() ? i : row], wheel_height = of_wheel_surface[i];
+            known[i] = std::isfinite(rail_height) && std::isfinite(wheel_height);
+            if (!known[i]) continue;
+            const auto in_track = [&](double height) {
+                return contact.outside({grid.x(ix), points.rows[row], height});
+            };
+            slips[i] = surfaces.slip(in_track(rail_height), in_track(wheel_height), place.rows[row].angle);
+            if (gap[i] < place.approach) fit.add(grid.x(ix), grid.y(static_cast<int>(row)), slips[i]);
+        }
+    fit.find(result.creepages);
+    const auto& [xi, eta, phi, chi, velocity] = result.creepages;
+    for (i = 0; i < slips.size(); ++i) {
+        if (!known[i]) continue;
+        const int ix = static_cast<int>(i) % grid.nx, iy = static_cast<int>(i) / grid.nx;
+        result.rest.x[i] = slips[i].along - (xi - phi * grid.y(iy));
+        result.rest.y[i] = slips[i].across - (eta + phi * grid.x(ix));
+    }
+    return result;
+}
+
+}  // namespace contactd::geometry

@@ -1,0 +1,27 @@
+// Rigid slip of a contact that is curved across the track, element by element.
+#pragma once
+
+#include <vector>
+
+#include "contactd/friction.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
+#include "geometry/placement/rail_surface.hpp"
+#include "geometry/placement/wheel_surface.hpp"
+
+namespace contactd::geometry {
+
+struct CurvedSlip {
+    Creepages creepages;  ///< those that fit the slip of the elements in contact best (least squares)
+    RigidSlip rest;       ///< of all elements, beside them; zero where a surface is missing
+};
+
+/// Velocities of both surfaces where they are, along x as the surfaces lean and along each row, over the velocity
+/// of the wheelset, or the creepages' where it stands. `gap` and `approach` say which elements are in contact;
+/// `rail_share` is the rail's part in the direction in which both lean, 0 to 1. `from` are the creepages of the plane:
+/// which way it rolls.
+CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
+                       const ContactPlace& place, const std::vector<double>& gap, double rail_share,
+                       const Creepages& from);
+
+}  // namespace contactd::geometry
