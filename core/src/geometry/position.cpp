@@ -126,10 +126,11 @@ RailSurface rail_surface(const WheelRailSetup& setup, const Profiles& profiles, 
 
 std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const WheelSurface& wheel,
                                          const RailSurface& rail) {
-    // In elements, as the established program has it.
-    constexpr double step_x = 1.5, step_y = 0.75;
+    // In elements, as the established program has it, but neither so coarse that contacts on flanks lie between nodes
+    // nor so fine that a mesh has millions of them (mm).
     if (setup.patches.search == ContactSearch::mesh)
-        return std::make_unique<MeshSearch>(wheel, rail, step_x * setup.dx, step_y * setup.dy);
+        return std::make_unique<MeshSearch>(wheel, rail, std::clamp(1.5 * setup.dx, 0.1, 0.75),
+                                            std::clamp(0.75 * setup.dy, 0.05, 0.2));
     return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy);
 }
 
@@ -216,7 +217,7 @@ void Position::measure(PlaceWithGap& found, double z) const {
         found.gap = distances(setup_, wheel, rail_, place);
         place.approach = take_out_approach(found.gap);
         Grid grid = place.grid;
-        if (!grow(grid, found.gap, place.approach)) break;
+        if (round + 1 == most_rounds || !grow(grid, found.gap, place.approach)) break;
         const Grid before = place.grid;
         place.grid = grid;
         if (place.rows.empty()) continue;

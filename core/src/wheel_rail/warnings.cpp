@@ -21,7 +21,8 @@ std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side s
     const std::string name = name_of(found.place.reference, side);
     if (found.doubts.bend > std::acos(flattest_cosine))
         warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
-                           short_text(found.doubts.bend) + " rad from the plane of the contact. Conformal half_space follows it.");
+                           short_text(found.doubts.bend) +
+                           " rad from the plane of the contact. Conformal half_space follows it.");
     if (found.doubts.at_end)
         warnings.push_back(name +
                            " reaches the end of a profile: what lies beyond is not known, and the contact is "

@@ -63,6 +63,8 @@ inline WheelRailSetup random_setup(Dice& dice, double dx) {
             WheelRailFriction{{{-0.8, 0.1}, {-0.2, 0.35}}, setup.model == Model::full && dice.chance(0.5), {}};
     if (setup.model == Model::full && dice.chance(0.2)) setup.rigid_slip = RigidSlipKind::surfaces;
     if (dice.chance(0.1)) slice(dice, setup);
+    if (dice.chance(setup.rail_slices.empty() ? 0.1 : 0.5)) setup.patches.search = ContactSearch::mesh;
+    if (setup.model == Model::full && dice.chance(0.2)) setup.conformal = Conformal::half_space;
     return setup;
 }
 
@@ -92,9 +94,12 @@ inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) 
 /// Forces that tractions bring, in track coordinates.
 inline Wrench summed_tractions(const WheelRailPatch& patch) {
     const ContactSolution& solution = patch.solution;
-    const double area = patch.place.grid.element_area(), angle = patch.place.reference.angle;
+    const ContactPlace& place = patch.place;
+    const double area = place.grid.element_area();
     Wrench sum;
     for (std::size_t i = 0; i < solution.pressure.size(); ++i) {
+        const double angle =
+            place.rows.empty() ? place.reference.angle : place.rows[i / static_cast<std::size_t>(place.grid.nx)].angle;
         const double y = solution.traction_y.empty() ? 0 : solution.traction_y[i], n = solution.pressure[i];
         sum.Fx += area * (solution.traction_x.empty() ? 0 : solution.traction_x[i]);
         sum.Fy += area * (y * std::cos(angle) - n * std::sin(angle));
