@@ -295,9 +295,9 @@ def test_the_answer_is_asked_for_again_when_it_does_not_come(shared, monkeypatch
     with open_session(shared) as session:
         calls, exchange = [], type(shared)._exchange
 
-        def lossy(self, envelope, *rest):
-            reply = exchange(self, envelope, *rest)
-            calls.append(envelope["params"].get("step"))
+        def lossy(self, request):
+            reply = exchange(self, request)
+            calls.append(request.envelope["params"].get("step"))
             if len(calls) == 1:
                 raise ConnectionFailed("lost")
             return reply

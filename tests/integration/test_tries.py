@@ -56,8 +56,8 @@ def test_a_try_whose_answer_is_lost_is_solved_once(shared, monkeypatch):
         session.step(rigid_shift=(0.004, 0))
         replies, exchange = [], type(shared)._exchange
 
-        def lossy(self, *request):
-            replies.append(exchange(self, *request))
+        def lossy(self, request):
+            replies.append(exchange(self, request))
             if len(replies) == 1:
                 raise ConnectionFailed("lost")
             return replies[-1]

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from contactd import Client, LocalDaemon
-from contactd.connection import Reply
+from contactd.messages import Reply, Request
 
 from . import schemas
 from .patience import SLOWER
@@ -24,10 +24,10 @@ BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / 
 class CheckedClient(Client):
     """A client that holds every result and every progress message against its schema."""
 
-    def _exchange(self, envelope: Any, frames: Any, deadline: float, on_progress: Any) -> Reply:
-        schemas.check(f"{envelope['method']}.params", envelope["params"])
-        reply = super()._exchange(envelope, frames, deadline, on_progress)
-        schemas.check(f"{envelope['method']}.result", reply.result)
+    def _exchange(self, request: Request) -> Reply:
+        schemas.check(f"{request.method}.params", request.envelope["params"])
+        reply = super()._exchange(request)
+        schemas.check(f"{request.method}.result", reply.result)
         return reply
 
 

@@ -16,11 +16,11 @@ import numpy.typing as npt
 
 from . import problem as asked
 from .arrays import Frames, decode, encode, invalid, plain
-from .connection import CLIENT, PROTOCOL_VERSION, Reply
 from .connections import Connections, Lender
 from .curve import load_curve_keys
 from .errors import InvalidArgument, ProtocolError, StatusError, TimeoutExpired, Unauthenticated
 from .many_steps import stepped_sessions
+from .messages import CLIENT, PROTOCOL_VERSION, Reply, Request
 from .outcomes import outcomes
 from .partial import Fields, PartialSolution, names_of, read_solution
 from .pieces import fetch_in_pieces
@@ -555,8 +555,11 @@ class Client(Shown):
             if on_progress is not None:
                 on_progress(progress)
 
+        def report(progress: dict[str, Any]) -> None:
+            notice(read(Progress, progress, "progress"))
+
         try:
-            reply = self._exchange(envelope, frames, deadline, notice if builds else on_progress)
+            reply = self._exchange(Request(envelope, frames, deadline, self.connect_timeout, report))
         except TimeoutExpired as error:
             if builds:
                 say_that_the_build_goes_on(error, build)
@@ -566,16 +569,10 @@ class Client(Shown):
         result: dict[str, Any] = decode(reply.result, reply.frames)
         return result
 
-    def _exchange(
-        self, envelope: dict[str, Any], frames: list[bytes], deadline: float, on_progress: ProgressCallback | None
-    ) -> Reply:
-        def report(progress: dict[str, Any]) -> None:
-            if on_progress is not None:
-                on_progress(read(Progress, progress, "progress"))
-
+    def _exchange(self, request: Request) -> Reply:
         connection = self._connections.take()
         try:
-            reply = connection.exchange(envelope, frames, deadline, self.connect_timeout, report)
+            reply = connection.exchange(request)
         except (StatusError, TimeoutExpired) as error:
             # A socket whose handshake was refused never connects again.
             self._connections.give_back(connection, usable=not isinstance(error, Unauthenticated))

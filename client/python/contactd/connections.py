@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 import threading
 import weakref
-from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 import zmq
 
-from .connection import Connection, Reply
+from .connection import Connection
 from .curve import CurveKeys
 from .errors import ConnectionFailed
+from .messages import Reply, Request
+from .sockets import ZmqContext
 
 __all__ = ["Connections", "Exchanging", "Lender"]
 
@@ -20,15 +21,8 @@ __all__ = ["Connections", "Exchanging", "Lender"]
 class Exchanging(Protocol):
     """What takes one request to where it is answered."""
 
-    def exchange(
-        self,
-        envelope: dict[str, Any],
-        frames: Sequence[bytes],
-        deadline: float,
-        connect_timeout: float,
-        on_progress: Callable[[dict[str, Any]], None] | None,
-    ) -> Reply:
-        """See Connection.exchange."""
+    def exchange(self, request: Request) -> Reply:
+        """Raises StatusError, TimeoutExpired, ConnectionFailed or ProtocolError."""
 
 
 class Lender(Protocol):
@@ -61,7 +55,7 @@ class Connections:
         _ALL.add(self)
 
     def _begin(self) -> None:
-        self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
+        self._context: ZmqContext = zmq.Context()
         self._lock = threading.Lock()  # guards the two below, and is_closed
         self._idle: list[Connection] = []
         self._busy = 0

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import zmq
 import zmq.auth
 
 from .errors import ConnectionFailed, Unauthenticated
+
+if TYPE_CHECKING:
+    from .sockets import Event
 
 __all__ = ["HANDSHAKE_EVENTS", "CurveKeys", "Handshakes", "load_curve_keys"]
 
@@ -79,12 +83,12 @@ class Handshakes:
     def __init__(self, endpoint: str, encrypted: bool) -> None:
         self._endpoint, self._encrypted, self._silent_ends = endpoint, encrypted, 0
 
-    def judge(self, event: zmq.Event, value: int) -> Unauthenticated | ConnectionFailed | None:
+    def judge(self, event: Event) -> Unauthenticated | ConnectionFailed | None:
         """The exception that an event amounts to, or None while there is hope."""
-        if event == zmq.EVENT_HANDSHAKE_FAILED_AUTH:
+        if event.kind == zmq.EVENT_HANDSHAKE_FAILED_AUTH:
             return self._refused("the daemon does not know this client's key; ask who runs it to allow own_key")
-        if event == zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL:
-            if value != zmq.PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH:
+        if event.kind == zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL:
+            if event.value != zmq.PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH:
                 return ConnectionFailed(f"What listens at {self._endpoint} is no contactd daemon.")
             if self._encrypted:
                 return self._refused("the daemon does not use encryption; leave server_key and own_key out")

@@ -9,15 +9,15 @@ import os
 import shutil
 import tempfile
 import weakref
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from .client import Client
-from .connection import Reply, parsed, reply_of
 from .connections import Lender
 from .daemon import laid_over
 from .errors import ConnectionFailed, DaemonFailed
+from .messages import Reply, Request, parsed, reply_of
 
 __all__ = ["InProcessClient", "can_solve_here"]
 
@@ -87,25 +87,19 @@ class _Engine:
     def give_back(self, connection: Any, usable: bool = True) -> None:
         """Nothing to do, as nothing was taken away."""
 
-    def exchange(
-        self,
-        envelope: dict[str, Any],
-        frames: Sequence[bytes],
-        deadline: float,
-        connect_timeout: float,
-        on_progress: Callable[[dict[str, Any]], None] | None,
-    ) -> Reply:
+    def exchange(self, asked: Request) -> Reply:
         """As Connection.exchange. It is the envelope's `timeout_ms` that ends it."""
         request = None  # an interrupt may come as soon as it is made; one that is let go of ends, too
         try:
-            request = self._ask(json.dumps(envelope, allow_nan=False).encode(), frames)
+            envelope, *frames = asked.message()
+            request = self._ask(envelope, frames)
             while True:
                 message = request.next()
                 answer = parsed(message[0])
                 if "status" in answer:
                     return reply_of(answer, message[1:])
-                if on_progress is not None:
-                    on_progress(answer["progress"])
+                if asked.on_progress is not None:
+                    asked.on_progress(answer["progress"])
                     self._check_process()  # a callback that has forked returns here, too
         except BaseException:
             if request is not None and self.is_of_this_process:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
-from .connection import status_error_of
 from .errors import ProtocolError, StatusError
+from .messages import status_error_of
 
 __all__ = ["outcomes"]
 

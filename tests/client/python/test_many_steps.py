@@ -145,9 +145,9 @@ def test_an_array_of_several_steps_is_sent_once(fake):
 def test_steps_whose_answer_does_not_come_are_asked_for_again(fake, monkeypatch, failure):
     exchange, lost = Client._exchange, []
 
-    def lossy(self, envelope, *rest):
-        reply = exchange(self, envelope, *rest)
-        if envelope["method"] == "session.step_many" and not lost:
+    def lossy(self, request):
+        reply = exchange(self, request)
+        if request.method == "session.step_many" and not lost:
             lost.append(reply)
             raise failure("lost")
         return reply
