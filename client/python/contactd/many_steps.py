@@ -8,22 +8,22 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from .arrays import invalid
+from .calls.asking import Answering, insist
 from .errors import StatusError
 from .outcomes import outcomes
-from .session import Session
+from .session import AnySession
 from .steps import StepInput, StepSolution
-from .waiting import insist
 
 if TYPE_CHECKING:
-    from .client import Client
+    from .calls.caller import Caller
 
 __all__ = ["stepped_sessions"]
 
 
 def stepped_sessions(
-    client: Client, pairs: Iterable[tuple[Session, StepInput]], timeout: float | None
-) -> list[StepSolution | StatusError]:
-    """What Client.step_many returns."""
+    client: Caller, pairs: Iterable[tuple[AnySession, StepInput]], timeout: float | None
+) -> Answering[list[StepSolution | StatusError]]:
+    """The steps of Client.step_many."""
     pairs = list(pairs)
     if not pairs:
         return []
@@ -35,18 +35,18 @@ def stepped_sessions(
         numbers = [own.number_of(step) for own, step in steps]  # of all, should one of them have no form on the wire
         params = [own.params(number, step) for number, (own, step) in zip(numbers, steps)]
 
-        def ask() -> dict[str, Any]:
-            return client.call("session.step_many", {"steps": params}, timeout=timeout)
+        def ask() -> Answering[dict[str, Any]]:
+            return client.asked("session.step_many", {"steps": params}, timeout=timeout)
 
-        result = insist(ask, min(session.retries for session, _ in pairs))
+        result = yield from insist(ask, min(session.retries for session, _ in pairs))
         readers = [partial(own.read, asked.get("fields", ())) for asked, (own, _) in zip(params, steps)]
         return outcomes("session.step_many", result, "steps", readers)
 
 
-def _check(client: Client, pairs: list[tuple[Session, StepInput]]) -> None:
+def _check(client: Caller, pairs: list[tuple[AnySession, StepInput]]) -> None:
     first: dict[str, int] = {}
     for i, pair in enumerate(pairs):
-        if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], Session) and isinstance(pair[1], Mapping)):
+        if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], AnySession) and isinstance(pair[1], Mapping)):
             raise TypeError(f'steps[{i}] must be a session and what its step says, such as (session, {{"Fn": 9e3}})')
         session, step = pair
         if unknown := step.keys() - StepInput.__annotations__.keys():

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from .calls.asking import Answering
 from .errors import ProtocolError
 from .problem import Array, Grid
 from .solution import Limits
@@ -18,14 +19,14 @@ _COMPONENTS = tuple(load + axis for load in "xyz" for axis in "xyz")
 
 
 def fetch_in_pieces(
-    ask: Callable[[dict[str, Any]], dict[str, Any]], params: dict[str, Any], grid: Grid, limits: Limits
-) -> dict[str, Any]:
+    ask: Callable[[dict[str, Any]], Answering[dict[str, Any]]], params: dict[str, Any], grid: Grid, limits: Limits
+) -> Answering[dict[str, Any]]:
     """The result of ic.get for a whole table, put together from parts of it that fit the daemon's `limits`."""
     table: Array = np.empty((len(_COMPONENTS), *grid.shape))
     whole: dict[str, Any] = {}
     for components, first, count in _parts(grid, min(limits.max_frame_bytes, limits.max_message_bytes // 2)):
         names = [_COMPONENTS[number] for number in components]
-        result = ask({**params, "components": names, "rows": {"first": first, "count": count}})
+        result = yield from ask({**params, "components": names, "rows": {"first": first, "count": count}})
         part = result.pop("table", None)
         if not isinstance(part, np.ndarray) or part.shape != (len(names), count, grid.nx):
             raise ProtocolError("A part of the table has another shape than was asked for.")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
+from .calls.asking import Answering, Asked, Waits, asks, insist
 from .errors import ContactdError, ProtocolError
 from .friction import Force, Friction, RollingKind
 from .partial import Fields
@@ -17,12 +18,11 @@ from .reading import read
 from .showing import Rows, Shown
 from .solution import IcUse, Progress
 from .steps import StepInput, Steps, StepSolution
-from .waiting import insist
 
 if TYPE_CHECKING:
-    from .client import Client
+    from .calls.caller import Caller
 
-__all__ = ["SavedState", "Session", "SessionSummary", "StepSolution"]
+__all__ = ["AnySession", "SavedState", "Session", "SessionSummary", "StepSolution", "opening"]
 
 ProgressCallback = Callable[[Progress], None]
 
@@ -63,7 +63,7 @@ class SessionSummary:
     elements: int
 
 
-def _session_params(fields: dict[str, Any], lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
+def opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
     """The parameters of session.open."""
     given = {name: value for name, value in fields.items() if value is not None}
     check_field_types(given)
@@ -77,67 +77,10 @@ def _session_params(fields: dict[str, Any], lease: float | None, accept_unconver
     return params
 
 
-def opened_session(
-    client: Client,
-    fields: dict[str, Any],
-    lease: float | None,
-    accept_unconverged: bool,
-    timeout: float | None,
-    on_progress: ProgressCallback | None,
-) -> Session:
-    """What Client.session returns."""
-    params = _session_params(fields, lease, accept_unconverged)
-    opened = client.call("session.open", params, timeout=timeout, on_progress=on_progress)
-    if not isinstance(name := opened.get("session"), str):
-        raise ProtocolError("The answer to session.open lacks its session.")
-    friction: Friction | None = fields.get("friction")
-    return Session(client, name, opened, fields["grid"], friction is not None and friction.rolling is not None)
+class AnySession(Shown):
+    """The steps of a session, whether they are waited for (Session) or awaited (AsyncSession)."""
 
-
-def joined_session(client: Client, name: str, timeout: float | None) -> Session:
-    """What Client.join_session returns."""
-    told = client.call("session.info", {"session": name}, timeout=timeout)
-    return Session(client, name, told, read(Grid, told.get("grid"), "result.grid"), told.get("motion") == "rolling")
-
-
-def listed_sessions(answer: dict[str, Any]) -> tuple[SessionSummary, ...]:
-    """What Client.sessions returns."""
-    sessions = answer.get("sessions")
-    if not isinstance(sessions, list):
-        raise ProtocolError("The answer to session.list lacks its sessions.")
-    return tuple(read(SessionSummary, session, f"result.sessions[{i}]") for i, session in enumerate(sessions))
-
-
-class Session(Shown):
-    """The steps of a simulation, of which each starts where the one before ended.
-
-    ::
-
-        with client.session(grid=grid, upper=steel, gap=gap, friction=Friction(mu=0.3, rolling=Rolling())) as session:
-            for xi in creepages:
-                solution = session.step(Fn=1e4, xi=xi)
-
-    Client.session takes a ContactProblem without `initial`, or its fields; `gap`, `approach` or `Fn` and `friction` hold
-    for the steps that name no others, and may be left out. It returns when the tables lie ready. The session ends with its
-    ``with`` block, or when unused for `lease` seconds (None: the daemon's choice). A step that missed a tolerance fails,
-    unless `accept_unconverged`.
-
-    Steps are numbered here. A step whose answer does not come is asked for again under its number, which the daemon
-    answers without solving twice; should that fail too, the session is either where it was or one step further, and the
-    same step asked for again goes on from there. A step that fails leaves the session as it was.
-
-    Belongs to the process that opened it, and there to one thread at a time, because steps have an order: a call while
-    another one runs raises ContactdError. Others, a forked process too, take it over by its `name`, which is the key to
-    it: ``client.join_session(name)``.
-
-    Attributes:
-        lease_seconds: The session ends when unused for that long (s).
-        bytes: What it took of the daemon's memory when it was opened or joined.
-        ics: Where the influence coefficients came from, as in ContactEvidence.
-        retries: How often a step or a restore whose answer does not come is asked for again.
-    """
-
-    def __init__(self, client: Client, name: str, told: dict[str, Any], grid: Grid, rolls: bool) -> None:
+    def __init__(self, client: Caller, name: str, told: dict[str, Any], grid: Grid, rolls: bool) -> None:
         try:
             self.lease_seconds = float(told["lease_seconds"])
             self.bytes = int(told["bytes"])
@@ -175,22 +118,13 @@ class Session(Shown):
         grid = f"{self.grid.nx} x {self.grid.ny} elements of {self.grid.dx:g} x {self.grid.dy:g}"
         return [("last step", self.step_number), ("grid", grid), ("lease", f"{self.lease_seconds:g} s")]
 
-    def __enter__(self) -> Session:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
-    ) -> None:
-        try:
-            self.close()
-        except ContactdError:
-            pass  # the parent's to end, gone already, or out of reach: then its lease ends it
-
-    def close(self, *, timeout: float | None = None) -> None:
+    @asks
+    def close(self, *, timeout: float | None = None) -> Answering[None]:
         """Ends the session in the daemon. Raises NotFound when it has ended already."""
         self._steps.check_process()
-        self._client.call("session.close", {"session": self.name}, timeout=timeout)
+        yield from self._client.asked("session.close", {"session": self.name}, timeout=timeout)
 
+    @asks
     def step(
         self,
         *,
@@ -218,7 +152,8 @@ class Session(Shown):
         again: bool = False,
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
-    ) -> StepSolution:
+        progress: bool = False,
+    ) -> Answering[StepSolution]:
         """Solves the next step. What is None is as the session was opened.
 
         Friction may be given whole, or by the fields of Friction and Rolling that change: `force` is that of rolling in
@@ -239,34 +174,86 @@ class Session(Shown):
         }  # fmt: skip
         with self._steps.alone():
             params = self._steps.params(self._steps.number_of(step), step)
-            result = self._insist("session.step", params, timeout, on_progress)
+            result = yield from self._insist("session.step", params, timeout, on_progress, progress)
             return self._steps.read(params.get("fields", ()), result)
 
-    def save(self, *, timeout: float | None = None) -> SavedState:
+    @asks
+    def save(self, *, timeout: float | None = None) -> Answering[SavedState]:
         """Keeps where the session is, for restore()."""
         with self._steps.alone():
-            result = self._client.call("session.save", {"session": self.name}, timeout=timeout)
+            result = yield from self._client.asked("session.save", {"session": self.name}, timeout=timeout)
         return SavedState(str(result["state"]), int(result["step"]))
 
-    def restore(self, state: SavedState, *, timeout: float | None = None) -> None:
+    @asks
+    def restore(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
         """Takes the session to a saved state, which stays: as often as wanted."""
         check_type("state", state, SavedState)
         with self._steps.alone():
-            result = self._insist("session.restore", {"session": self.name, "state": state.name}, timeout)
+            result = yield from self._insist("session.restore", {"session": self.name, "state": state.name}, timeout)
             self._steps.go_to(int(result["step"]))
 
-    def forget(self, state: SavedState, *, timeout: float | None = None) -> None:
+    @asks
+    def forget(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
         """Frees a saved state."""
         check_type("state", state, SavedState)
         self._steps.check_process()
-        self._client.call("session.forget", {"session": self.name, "state": state.name}, timeout=timeout)
+        yield from self._client.asked("session.forget", {"session": self.name, "state": state.name}, timeout=timeout)
 
     def _insist(
-        self, method: str, params: dict[str, Any], timeout: float | None, on_progress: ProgressCallback | None = None
-    ) -> dict[str, Any]:
+        self,
+        method: str,
+        params: dict[str, Any],
+        timeout: float | None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[dict[str, Any]]:
         """Asks again when no answer came: the daemon tells a request that it has answered by its number."""
 
-        def ask() -> dict[str, Any]:
-            return self._client.call(method, params, timeout=timeout, on_progress=on_progress)
+        def ask() -> Answering[dict[str, Any]]:
+            return self._client.asked(method, params, timeout=timeout, on_progress=on_progress, progress=progress)
 
         return insist(ask, self.retries)
+
+
+class Session(AnySession, Waits):
+    """The steps of a simulation, of which each starts where the one before ended.
+
+    ::
+
+        with client.session(grid=grid, upper=steel, gap=gap, friction=Friction(mu=0.3, rolling=Rolling())) as session:
+            for xi in creepages:
+                solution = session.step(Fn=1e4, xi=xi)
+
+    Client.session takes a ContactProblem without `initial`, or its fields; `gap`, `approach` or `Fn` and `friction` hold
+    for the steps that name no others, and may be left out. It returns when the tables lie ready. The session ends with its
+    ``with`` block, or when unused for `lease` seconds (None: the daemon's choice). A step that missed a tolerance fails,
+    unless `accept_unconverged`.
+
+    Steps are numbered here. A step whose answer does not come is asked for again under its number, which the daemon
+    answers without solving twice; should that fail too, the session is either where it was or one step further, and the
+    same step asked for again goes on from there. A step that fails leaves the session as it was.
+
+    Belongs to the process that opened it, and there to one thread at a time, because steps have an order: a call while
+    another one runs raises ContactdError. Others, a forked process too, take it over by its `name`, which is the key to
+    it: ``client.join_session(name)``.
+
+    Attributes:
+        lease_seconds: The session ends when unused for that long (s).
+        bytes: What it took of the daemon's memory when it was opened or joined.
+        ics: Where the influence coefficients came from, as in ContactEvidence.
+        retries: How often a step or a restore whose answer does not come is asked for again.
+    """
+
+    def _carry_out(self, asked: Asked) -> Any:
+        return self._client._carry_out(asked)  # type: ignore[attr-defined]
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        try:
+            self.close()
+        except ContactdError:
+            pass  # the parent's to end, gone already, or out of reach: then its lease ends it

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from numbers import Real
-from typing import Any, TypeVar
+from typing import Any
 
-from .errors import ConnectionFailed, DeadlineExceeded, StatusError, TimeoutExpired
+from .errors import StatusError, TimeoutExpired
 
-__all__ = ["LONGEST", "insist", "may_build", "say_that_the_build_goes_on", "seconds_of", "spin_of"]
+__all__ = ["LONGEST", "may_build", "say_that_the_build_goes_on", "seconds_of", "spin_of"]
 
-Answer = TypeVar("Answer")
 LONGEST = 86_400.0  #: seconds that a call may take
 
 
@@ -62,15 +59,3 @@ def say_that_the_build_goes_on(error: TimeoutExpired, job: str) -> None:
     if isinstance(error, StatusError):
         error.message = f"{error.message} {advice}"
     error.args = (f"{error.args[0]} {advice}",)
-
-
-def insist(ask: Callable[[], Answer], retries: int) -> Answer:
-    """Asks, and as often as `retries` says again when no answer came; for requests that may be answered twice."""
-    for _ in range(retries):
-        try:
-            return ask()
-        except DeadlineExceeded:
-            raise  # an answer
-        except (TimeoutExpired, ConnectionFailed):
-            time.sleep(0.05)
-    return ask()

@@ -1,0 +1,105 @@
+"""Contact problems, and stresses inside the bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+from typing import Any, Literal
+
+import numpy.typing as npt
+
+from .. import problem as asked
+from ..errors import StatusError
+from ..outcomes import outcomes
+from ..partial import Fields, PartialSolution, names_of, read_solution
+from ..problem import ContactProblem, Estimate
+from ..reading import read
+from ..solution import ContactSolution
+from ..subsurface import StressBlock, SubsurfaceStress, subsurface_params
+from .asking import Answering, asks
+from .caller import Caller, ProgressCallback, check_shapes
+
+__all__ = ["ContactCalls", "solved", "solved_many"]
+
+
+class ContactCalls(Caller):
+    """The methods contact.* of the daemon whose answers have one type."""
+
+    @asks
+    def subsurface(
+        self,
+        problem: ContactProblem,
+        solution: ContactSolution | Estimate,
+        *,
+        body: Literal["lower", "upper"] = "lower",
+        points: npt.ArrayLike | None = None,
+        block: StressBlock | None = None,
+        nu: float | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[SubsurfaceStress]:
+        """Stresses inside a body, a half-space, under the tractions of the `solution` of a `problem`.
+
+        They are wanted either at `points`, shape [n, 3] (x, y, z in mm), or on a `block`::
+
+            stress = client.subsurface(problem, solution, block=StressBlock(x=grid.x, y=0, z=-np.linspace(0, 5, 51)))
+            print(stress.largest.von_mises, stress.largest.depth)
+
+        Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
+        SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem. Nearer to the surface
+        than an element the steps of the tractions show. A block and TableIcs, which are no half-spaces or may be none,
+        are refused (InvalidArgument).
+        """
+        params, shape = subsurface_params(problem, solution, body, points, block, nu)
+        result = yield from self.asked("contact.subsurface", params, timeout=timeout, on_progress=on_progress, progress=progress)
+        components = result.pop("stress", None)
+        stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
+        check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
+        return stress
+
+
+def solved(
+    caller: Caller,
+    problem: ContactProblem | None,
+    problem_fields: dict[str, Any],
+    fields: Fields | None,
+    timeout: float | None,
+    on_progress: ProgressCallback | None,
+    progress: bool,
+) -> Answering[ContactSolution | PartialSolution]:
+    """The steps of `solve`."""
+    if problem is None:
+        problem = ContactProblem(**problem_fields)
+    elif problem_fields:
+        raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(problem_fields)}")
+    asked.check_type("problem", problem, ContactProblem)
+    names = None if fields is None else names_of(fields)
+    params = asked.problem_params(problem, names)
+    result = yield from caller.asked(
+        "contact.solve", params, timeout=timeout, on_progress=on_progress, progress=progress
+    )
+    return read_solution(problem.grid, names, result)
+
+
+def solved_many(
+    caller: Caller,
+    problems: Iterable[ContactProblem],
+    fields: Fields | None,
+    timeout: float | None,
+    on_progress: ProgressCallback | None,
+    progress: bool,
+) -> Answering[list[ContactSolution | PartialSolution | StatusError]]:
+    """The steps of `solve_many`."""
+    problems = list(problems)
+    if not problems:
+        return []
+    for index, problem in enumerate(problems):
+        asked.check_type(f"problems[{index}]", problem, ContactProblem)
+    names = None if fields is None else names_of(fields)
+    params = {"problems": [asked.problem_params(problem, names) for problem in problems]}
+    result = yield from caller.asked(
+        "contact.solve_many", params, timeout=timeout, on_progress=on_progress, progress=progress
+    )
+    readers = [partial(read_solution, problem.grid, names) for problem in problems]
+    return outcomes("contact.solve_many", result, "solutions", readers)

@@ -1,0 +1,78 @@
+"""The daemon: what it is, how it does, and what it works on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from ..errors import ProtocolError
+from ..reading import read
+from ..solution import Job, Progress, ServerInfo
+from .asking import Answering, asks
+from .caller import Caller
+
+__all__ = ["ServerCalls"]
+
+
+class ServerCalls(Caller):
+    """The methods server.*, health.* and job.* of the daemon."""
+
+    @asks
+    def info(self, *, timeout: float | None = None) -> Answering[ServerInfo]:
+        """Versions, limits and counters of the daemon."""
+        return (yield from self.info_asked(timeout))
+
+    @asks
+    def health(self, *, timeout: float | None = None) -> Answering[str]:
+        """``"serving"`` or ``"stopping"``; never waits for other work."""
+        state = (yield from self.asked("server.health", timeout=timeout)).get("state")
+        if not isinstance(state, str):
+            raise ProtocolError("The answer to server.health lacks its state.")
+        return state
+
+    @asks
+    def metrics(self, *, timeout: float | None = None) -> Answering[list[dict[str, Any]]]:
+        """What is measured of the daemon, as docs/operations.md lists it: name, type, help and samples of each."""
+        metrics = (yield from self.asked("server.metrics", timeout=timeout)).get("metrics")
+        if not isinstance(metrics, list):
+            raise ProtocolError("The answer to server.metrics lacks its metrics.")
+        return metrics
+
+    @asks
+    def watch_health(self, on_state: Callable[[str], None], *, timeout: float | None = None) -> Answering[str]:
+        """Calls `on_state` with the state of the daemon, at once and whenever it changes, until the daemon ends.
+
+        Returns the last state, ``"stopping"``. An exception of `on_state` ends the watch.
+        """
+        last = ""
+
+        def report(progress: Progress) -> None:
+            nonlocal last
+            if progress.state != last:
+                last = progress.state
+                on_state(last)
+
+        state = (yield from self.asked("health.watch", timeout=timeout, on_progress=report)).get("state")
+        if not isinstance(state, str):
+            raise ProtocolError("The answer to health.watch lacks its state.")
+        if state != last:
+            on_state(state)
+        return state
+
+    @asks
+    def describe(self, *, timeout: float | None = None) -> Answering[dict[str, Any]]:
+        """The OpenRPC document of the daemon, with the JSON Schema of every message."""
+        return (yield from self.asked("server.describe", timeout=timeout))
+
+    @asks
+    def jobs(self, *, timeout: float | None = None) -> Answering[tuple[Job, ...]]:
+        """Work that waits or runs."""
+        jobs = (yield from self.asked("job.list", timeout=timeout)).get("jobs")
+        if not isinstance(jobs, list):
+            raise ProtocolError("The answer to job.list lacks its jobs.")
+        return tuple(read(Job, job, f"result.jobs[{i}]") for i, job in enumerate(jobs))
+
+    @asks
+    def cancel_job(self, job: str, *, timeout: float | None = None) -> Answering[None]:
+        """Ends a job; every call that waits for it raises Cancelled."""
+        yield from self.asked("job.cancel", {"job": job}, timeout=timeout)

@@ -1,0 +1,115 @@
+"""Tables of influence coefficients."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import numpy as np
+
+from .. import problem as asked
+from ..arrays import plain
+from ..errors import InvalidArgument, ProtocolError
+from ..pieces import fetch_in_pieces
+from ..problem import Grid, Ics, LayeredBody, Material
+from ..reading import read
+from ..solution import IcTable, QuarantinedIc, StoredIc
+from .asking import Answering, asks
+from .caller import Caller, ProgressCallback, check_shapes
+
+__all__ = ["TableCalls"]
+
+
+class TableCalls(Caller):
+    """The methods ic.* of the daemon."""
+
+    @asks
+    def get_ic(
+        self,
+        material: Material | LayeredBody,
+        grid: Grid,
+        ics: Ics,
+        *,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[IcTable]:
+        """The influence coefficients of one body; built when no cache has them, which may take minutes.
+
+        A timeout ends the waiting, not the build. A table that is too large for one message comes in several, each with
+        the same timeout.
+        """
+        params = asked.table_params(material, grid, ics)
+
+        def ask(params: dict[str, Any]) -> Answering[dict[str, Any]]:
+            return (
+                yield from self.asked(
+                    "ic.get", params, timeout=timeout, on_progress=on_progress, progress=progress
+                )
+            )
+
+        try:
+            result = yield from ask(params)
+        except InvalidArgument as error:
+            if error.reason != "ANSWER_TOO_LARGE":
+                raise
+            limits = (yield from self.info_asked(timeout)).limits
+            result = yield from fetch_in_pieces(ask, params, grid, limits)
+        result["array"] = result.pop("table", None)
+        table = read(IcTable, result)
+        check_shapes(table, ["array"], (3, 3, *grid.shape))
+        return table
+
+    @asks
+    def export_ic(
+        self,
+        material: Material | LayeredBody,
+        grid: Grid,
+        ics: Ics,
+        format: Literal["hdf5", "contact"] = "hdf5",
+        *,
+        lower: Material | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[bytes]:
+        """The table of get_ic as the content of a file: "hdf5" (docs/ic-tables.md), or "contact", the text in which the
+        CONTACT program takes the coefficients of a pair of bodies, of which `lower` is the second (None: as the first).
+        """
+        params = {**asked.table_params(material, grid, ics), "format": format}
+        if lower is not None:
+            params["lower"] = plain(lower)
+        result = yield from self.asked("ic.export", params, timeout=timeout, on_progress=on_progress, progress=progress)
+        content = result.get("file", result.get("text"))
+        if isinstance(content, str):
+            return content.encode()
+        if not isinstance(content, np.ndarray) or content.dtype != np.uint8:
+            raise ProtocolError("The answer to ic.export lacks its file.")
+        return content.tobytes()
+
+    def stored_asked(self, after: str | None, timeout: float | None) -> Answering[tuple[list[StoredIc], str | None]]:
+        """A thousand tables of the store that follow `after`, and what the next ones follow; None: there are none."""
+        params = {} if after is None else {"after": after}
+        result = yield from self.asked("ic.list", params, timeout=timeout)
+        tables = result.get("tables")
+        if not isinstance(tables, list):
+            raise ProtocolError("The answer to ic.list lacks its tables.")
+        return [read(StoredIc, table, f"result.tables[{i}]") for i, table in enumerate(tables)], result.get("next")
+
+    @asks
+    def quarantined_ics(self, *, timeout: float | None = None) -> Answering[tuple[QuarantinedIc, ...]]:
+        """Tables whose builds failed too often: requests for them raise FailedPrecondition, with .retry_delay (s)."""
+        entries = (yield from self.asked("ic.list", {"limit": 1}, timeout=timeout)).get("quarantined")
+        if not isinstance(entries, list):
+            raise ProtocolError("The answer to ic.list lacks its builds in quarantine.")
+        return tuple(read(QuarantinedIc, entry, f"result.quarantined[{i}]") for i, entry in enumerate(entries))
+
+    @asks
+    def delete_ic(self, key: str, *, timeout: float | None = None) -> Answering[int]:
+        """Removes the tables of a key from the daemon's store and ends its quarantine; returns how many tables went.
+
+        Raises NotFound when there was nothing to do.
+        """
+        removed = (yield from self.asked("ic.delete", {"key": key}, timeout=timeout)).get("tables")
+        if not isinstance(removed, int):
+            raise ProtocolError("The answer to ic.delete lacks the number of tables.")
+        return removed
