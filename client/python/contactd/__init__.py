@@ -17,6 +17,8 @@
 Units are N and mm, or any consistent system. contactd.errors draws the tree of exceptions.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ._version import __version__
 from .client import Client
 from .daemon import LocalDaemon
@@ -77,9 +79,14 @@ from .steps import StepInput, StepSolution
 from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
 
+if TYPE_CHECKING:
+    from .aio import AsyncClient, AsyncSession
+
 __all__ = [
     "Aborted",
     "AnalyticIcs",
+    "AsyncClient",
+    "AsyncSession",
     "Cancelled",
     "Client",
     "ConnectionFailed",
@@ -142,3 +149,16 @@ __all__ = [
     "local",
     "save_table",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """What takes asyncio along is imported when it is first wanted."""
+    if name in ("AsyncClient", "AsyncSession"):
+        from . import aio
+
+        return getattr(aio, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,231 @@
+"""The client that awaits its answers: the calls of Client, as coroutines of asyncio."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Iterable
+from pathlib import Path
+from types import TracebackType
+from typing import Any, overload
+
+from .calls import Awaits, ContactCalls, ServerCalls, SessionCalls, TableCalls, WheelRailCalls, solved, solved_many
+from .calls.asking import Asked, Pause
+from .calls.caller import Caller, ProgressCallback
+from .errors import ConnectionFailed, ContactdError, StatusError
+from .exchanges import Exchanges
+from .messages import Reply, Request
+from .partial import Fields, PartialSolution
+from .problem import ContactProblem
+from .session import AnySession
+from .solution import ContactSolution, StoredIc
+
+__all__ = ["AsyncClient", "AsyncSession"]
+
+
+class AsyncSession(AnySession, Awaits):
+    """The Session of an AsyncClient: the same steps, which are awaited.
+
+    ::
+
+        async with await client.session(grid=grid, upper=steel, gap=gap, Fn=1e4) as session:
+            solution = await session.step(Fn=2e4)
+
+    Steps have an order: one that is asked for while another one runs raises ContactdError. Tasks of one loop may take
+    turns.
+    """
+
+    async def _carry_out(self, asked: Asked) -> Any:
+        return await self._client._carry_out(asked)  # type: ignore[attr-defined]
+
+    async def __aenter__(self) -> AsyncSession:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        try:
+            await self.close()
+        except ContactdError:
+            pass  # the parent's to end, gone already, or out of reach: then its lease ends it
+
+
+class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[AsyncSession], Awaits):
+    """A Client whose calls are coroutines: same names, same arguments, same answers and exceptions.
+
+    ::
+
+        async with AsyncClient("tcp://127.0.0.1:5555") as client:
+            solutions = await asyncio.gather(*(client.solve(problem, fields=[]) for problem in problems))
+
+    All calls share one connection, made with the first one. The daemon has `outstanding` of them at a time, and further
+    ones wait here for their turn, except those that are answered at once (server.*, job.*). Time spent waiting counts.
+
+    A task that is cancelled cancels its call in the daemon, as a timeout does. `on_progress` is called in the task that
+    awaits. Belongs to one event loop at a time: a second ``asyncio.run`` connects anew, and so does a forked process, or one
+    that a pickle of it arrives in. `close()` is a coroutine, and ends what still runs with ConnectionFailed.
+    """
+
+    _session_kind = AsyncSession
+
+    def __init__(
+        self,
+        endpoint: str,
+        *,
+        timeout: float | None = 60.0,
+        build_timeout: float | None = 3600.0,
+        connect_timeout: float | None = 5.0,
+        server_key: str | Path | None = None,
+        own_key: str | Path | None = None,
+        outstanding: int = 64,
+    ) -> None:
+        Caller.__init__(
+            self,
+            endpoint,
+            timeout=timeout,
+            build_timeout=build_timeout,
+            connect_timeout=connect_timeout,
+            server_key=server_key,
+            own_key=own_key,
+        )
+        if not isinstance(outstanding, int) or isinstance(outstanding, bool):
+            raise TypeError(f"outstanding is {outstanding!r}; it must be a whole number of calls, 1 or more")
+        if outstanding < 1:
+            raise ValueError(f"outstanding is {outstanding}; it must be a whole number of calls, 1 or more")
+        self.outstanding = outstanding
+        self._exchanges: Exchanges | None = None
+        self._inherited: list[Exchanges] = []  # of the process this one was forked from: neither used nor freed
+        self._is_closed = False
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**super().__getstate__(), "outstanding": self.outstanding}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        AsyncClient.__init__(self, **state)
+
+    def _title(self) -> str:
+        return f"AsyncClient of {self.endpoint}"
+
+    async def __aenter__(self) -> AsyncClient:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    async def close(self) -> None:
+        """Ends the connection, and what still runs with ConnectionFailed. May be called twice."""
+        self._is_closed = True
+        if self._exchanges is not None:
+            self._exchanges.close()
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether close() was called."""
+        return self._is_closed
+
+    async def stored_ics(self, *, timeout: float | None = None) -> AsyncIterator[StoredIc]:
+        """The tables in the daemon's store, by name; asked for a thousand at a time: ``async for``."""
+        tables, after = await self._run(self.stored_asked(None, timeout))
+        for table in tables:
+            yield table
+        while after is not None:
+            tables, after = await self._run(self.stored_asked(after, timeout))
+            for table in tables:
+                yield table
+
+    @overload
+    async def solve(
+        self,
+        problem: ContactProblem | None = None,
+        /,
+        *,
+        fields: None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+        **problem_fields: Any,
+    ) -> ContactSolution: ...
+    @overload
+    async def solve(
+        self,
+        problem: ContactProblem | None = None,
+        /,
+        *,
+        fields: Fields,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+        **problem_fields: Any,
+    ) -> PartialSolution: ...
+    async def solve(
+        self,
+        problem: ContactProblem | None = None,
+        /,
+        *,
+        fields: Fields | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+        **problem_fields: Any,
+    ) -> ContactSolution | PartialSolution:
+        """As Client.solve."""
+        return await self._run(solved(self, problem, problem_fields, fields, timeout, on_progress, progress))
+
+    @overload
+    async def solve_many(
+        self,
+        problems: Iterable[ContactProblem],
+        *,
+        fields: None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> list[ContactSolution | StatusError]: ...
+    @overload
+    async def solve_many(
+        self,
+        problems: Iterable[ContactProblem],
+        *,
+        fields: Fields,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> list[PartialSolution | StatusError]: ...
+    async def solve_many(
+        self,
+        problems: Iterable[ContactProblem],
+        *,
+        fields: Fields | None = None,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> list[Any]:
+        """As Client.solve_many."""
+        return await self._run(solved_many(self, problems, fields, timeout, on_progress, progress))
+
+    async def _carry_out(self, asked: Asked) -> Reply | None:
+        if isinstance(asked, Pause):
+            await asyncio.sleep(asked.seconds)
+            return None
+        return await self._exchange(asked)
+
+    async def _exchange(self, request: Request) -> Reply:
+        return await self._exchanges_here().exchange(request)
+
+    def _exchanges_here(self) -> Exchanges:
+        """Those of this process and this loop; made where there are none."""
+        if self._is_closed:
+            raise ConnectionFailed("The client is closed.")
+        known = self._exchanges
+        if known is not None and not known.is_of_this_process:
+            self._inherited.append(known)
+            known = None
+        if known is not None and not known.is_closed and not known.is_of_this_loop:
+            if not known.loop_has_ended:
+                raise ContactdError("This client is used in another event loop that still runs; make one for each loop.")
+            known.close()
+        if known is None or known.is_closed:
+            known = Exchanges(self.endpoint, self._curve, self.outstanding)
+        self._exchanges = known
+        return known
