@@ -16,6 +16,7 @@ from typing import Any
 
 from .client import Client
 from .errors import DaemonFailed
+from .lifeline import Lifeline
 
 __all__ = ["LocalDaemon", "checked", "laid_over"]
 
@@ -47,8 +48,9 @@ class LocalDaemon:
     `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it.
     `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
     `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
-    the caller only, who ends the daemon by leaving the block. A caller that is killed, or ends by SIGTERM without a
-    handler of its own, leaves the daemon running. Processes forked from the caller can use the daemon, but do not end it.
+    the caller only, who ends the daemon by leaving the block. When the caller is killed, or ends by SIGTERM without a
+    handler of its own, the daemon gets SIGTERM, and a temporary folder is removed. Processes forked from the caller can
+    use the daemon, but do not end it.
     """
 
     def __init__(
@@ -67,8 +69,10 @@ class LocalDaemon:
         self.log_path = self.folder / "contactd.log"
         self.endpoint = ""
         self._owner = os.getpid()
+        self._lifeline: Lifeline | None = None
         self.process = self._start(str(program))
         try:
+            self._lifeline = Lifeline(self.pid, self._configuration, self.folder if self._temporary else None)
             self._wait_until_ready(start_timeout)
         except BaseException:
             self.close()
@@ -94,6 +98,10 @@ class LocalDaemon:
         return self.process.pid
 
     @property
+    def _configuration(self) -> Path:
+        return self.folder / "contactd.json"
+
+    @property
     def log(self) -> str:
         """What the daemon has logged so far."""
         return self.log_path.read_text(errors="replace") if self.log_path.exists() else ""
@@ -110,6 +118,8 @@ class LocalDaemon:
         """
         if self._owner != os.getpid():
             raise DaemonFailed(f"contactd was started by process {self._owner}, which alone can end it.")
+        if self._lifeline is not None:
+            self._lifeline.let_go()
         if self.process.poll() is None:
             self.process.terminate()
         try:
@@ -134,12 +144,11 @@ class LocalDaemon:
 
     def _start(self, program: str) -> subprocess.Popen[bytes]:
         self.folder.mkdir(parents=True, exist_ok=True)
-        path = self.folder / "contactd.json"
-        path.write_text(json.dumps(self.config, indent=2) + "\n")
+        self._configuration.write_text(json.dumps(self.config, indent=2) + "\n")
         try:
             with self.log_path.open("ab") as log:
                 return subprocess.Popen(
-                    [program, "--config", str(path)],
+                    [program, "--config", str(self._configuration)],
                     stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=log, start_new_session=True,
                 )  # fmt: skip
         except OSError as error:

@@ -1,11 +1,16 @@
 """LocalDaemon with programs that behave as no daemon should."""
 
+import os
+import signal
+import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
 
 from contactd import DaemonFailed, LocalDaemon
+from support.daemons import eventually, processes_with
 
 READY = """print('{"ready": true, "endpoint": "ipc:///tmp/x", "pid": 1}', flush=True)"""
 
@@ -78,3 +83,51 @@ def test_a_daemon_that_ignores_sigterm_is_killed_and_reported(program):
     assert daemon.process.returncode == -9
     daemon.close()
     assert not Path(daemon.folder).exists()
+
+
+#: Tells the daemon's process and folder, and is killed then.
+CALLER = """
+import os, sys, time
+from contactd import LocalDaemon
+daemon = LocalDaemon(sys.argv[1])
+{meanwhile}
+print(daemon.pid, daemon.folder, flush=True)
+time.sleep(60)
+"""
+
+
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("meanwhile", ["", "if not os.fork():\n    time.sleep(60)"], ids=["alone", "with a fork that lives on"])
+def test_a_caller_that_is_killed_takes_its_daemon_along(program, end, meanwhile):
+    path = program(READY, "time.sleep(60)")
+    script = CALLER.format(meanwhile=meanwhile)
+    caller = subprocess.Popen([sys.executable, "-c", script, path], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                              text=True, start_new_session=True)  # fmt: skip
+    try:
+        pid, folder = caller.stdout.readline().split()
+        assert Path(folder).exists()
+        assert Path(f"/proc/{pid}").exists()
+        caller.send_signal(end)
+        caller.wait()
+        eventually(lambda: not processes_with(folder), "the daemon or its watcher goes on")
+        eventually(lambda: not Path(folder).exists(), "its folder is left")
+    finally:
+        os.killpg(caller.pid, signal.SIGKILL) if meanwhile else caller.kill()
+        caller.stdout.close()
+
+
+def test_a_daemon_that_was_stopped_leaves_no_watcher(program):
+    with LocalDaemon(program(READY, "time.sleep(60)")) as daemon:
+        folder = str(daemon.folder)
+        assert len(processes_with(folder)) == 2
+    assert not processes_with(folder)
+
+
+def test_a_daemon_outlives_the_thread_that_started_it(program):
+    started = []
+    thread = threading.Thread(target=lambda: started.append(LocalDaemon(program(READY, "time.sleep(60)"))))
+    thread.start()
+    thread.join()
+    (daemon,) = started
+    with daemon, pytest.raises(subprocess.TimeoutExpired):
+        daemon.process.wait(0.3)
