@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -15,11 +15,12 @@ from .reading import read
 from .showing import with_inherited_attributes
 from .solution import ContactSolution, Solution
 
-__all__ = ["ALL_FIELDS", "Field", "Fields", "PartialSolution", "check_arrays", "names_of", "read_solution"]
+__all__ = ["ALL_FIELDS", "Field", "Fields", "PartialSolution", "check_arrays", "names_of", "on_grid", "read_solution"]
 
 Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
 Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
 
+S = TypeVar("S", bound=Solution[Any, Any])
 _SLIP = ("slip_x", "slip_y")  # not there without friction
 ALL_FIELDS = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
 
@@ -47,10 +48,16 @@ def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid)
             raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(grid.shape)}.")
 
 
+def on_grid(solution: S, grid: Grid) -> S:
+    """The solution just read, which is told its grid: answers leave it out, as who asks knows it."""
+    object.__setattr__(solution, "grid", grid)
+    return solution
+
+
 def read_solution(
     grid: Grid, names: list[str] | None, result: Any, path: str = "result"
 ) -> ContactSolution | PartialSolution:
     """The solution of a problem that was asked for the arrays `names`; None: for all."""
     solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
     check_arrays(solution, ALL_FIELDS if names is None else names, grid)
-    return solution
+    return on_grid(solution, grid)

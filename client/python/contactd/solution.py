@@ -5,9 +5,9 @@ Arrays are read-only; copy one to change it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,9 @@ import numpy.typing as npt
 from .friction import Motion
 from .problem import Array, FemIcs, Grid, Ics, LayeredBody, Material
 from .showing import Rows, Shown, number, with_inherited_attributes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = [
     "Areas",
@@ -244,6 +247,15 @@ class IcTable(Shown):
 
     def _remarks(self) -> tuple[str, ...]:
         return self.evidence.warnings
+
+    def plot(self, components: Iterable[str] = ("xx", "yy", "zz", "xz"), axes: Axes | None = None) -> Axes:
+        """Draws sizes of the components over the distance from the load, along x and along y, on a logarithmic scale.
+
+        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        """
+        from .pictures.tables import draw_table
+
+        return draw_table(self, components, axes)
 
     def __getitem__(self, component: str) -> Array:
         """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
@@ -475,6 +487,7 @@ class Solution(Shown, Generic[Floats, Bytes]):
         motion: As asked for, with what a prescribed force made of it.
         derivatives: How forces follow the inputs, where the problem asked for that, and the solution has converged and has
             contact.
+        grid: That of the problem, which the client adds.
     """
 
     approach: float
@@ -495,6 +508,22 @@ class Solution(Shown, Generic[Floats, Bytes]):
     frictional_power: float | None = None
     motion: Motion | None = None
     derivatives: Derivatives | None = None
+    grid: Grid | None = None
+
+    def plot(self, axes: Axes | None = None) -> Axes:
+        """Draws pressures over the grid, the edges of contact and adhesion, and arrows of the tractions on the upper body.
+
+        Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
+        """
+        from .pictures.contact import draw_contact
+
+        return draw_contact(self, axes)
+
+    def plot_section(self, y: float = 0.0, axes: Axes | None = None) -> Axes:
+        """Draws pressure and tractions along x, in the row of elements nearest to `y` (mm); else as `plot`."""
+        from .pictures.contact import draw_section
+
+        return draw_section(self, y, axes)
 
     def _rows(self) -> Rows:
         division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"

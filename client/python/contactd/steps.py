@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from .errors import ContactdError
 from .friction import Force, Friction, RollingKind, coefficient_param, slip_param
-from .partial import Fields, PartialSolution, check_arrays, names_of
+from .partial import Fields, PartialSolution, check_arrays, names_of, on_grid
 from .problem import Grid, Paraboloid, SemiAxes, gap_params
 from .reading import read
 from .showing import with_inherited_attributes
@@ -137,7 +137,7 @@ class Steps:
         solution = read(StepSolution, result, path)
         check_arrays(solution, names, self.grid)
         self.number = solution.step
-        return solution
+        return on_grid(solution, self.grid)
 
     def _friction(self, step: StepInput) -> dict[str, Any]:
         friction = step.get("friction")

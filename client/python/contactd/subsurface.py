@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,11 @@ from .problem import Array, ContactProblem, Estimate, LayeredBody, RigidBody, ch
 from .showing import Rows, Shown
 from .solution import ContactSolution
 from .table_ics import TableIcs
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from .pictures.stresses import Component
 
 __all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
 
@@ -75,6 +80,8 @@ class SubsurfaceStress(Shown):
         yz: Shear stress.
         von_mises: Von Mises' equivalent stress.
         largest: Where that is largest; the first place of equals.
+        block: Where they are, which the client adds; None of single points.
+        points: Where they are, shape [n, 3] (mm); None of a block.
     """
 
     xx: Array
@@ -85,6 +92,26 @@ class SubsurfaceStress(Shown):
     yz: Array
     von_mises: Array
     largest: LargestStress
+    block: StressBlock | None = None
+    points: Array | None = None
+
+    def plot(
+        self,
+        component: Component = "von_mises",
+        *,
+        x: float | None = None,
+        y: float | None = None,
+        z: float | None = None,
+        axes: Axes | None = None,
+    ) -> Axes:
+        """Draws a stress on a plane through a block, such as that at `y` (mm; the nearest points count), or on a line.
+
+        Left out, the plane is that with the largest von Mises stress. Into `axes`, or a figure of its own; returns the axes.
+        Needs matplotlib ("contactd[pictures]").
+        """
+        from .pictures.stresses import draw_stress
+
+        return draw_stress(self, component, x=x, y=y, z=z, axes=axes)
 
     def _title(self) -> str:
         return f"SubsurfaceStress at {self.von_mises.size} points"

@@ -27,8 +27,14 @@ from typing import Any, Literal
 
 from .friction import KineticFriction
 from .problem import Material, Model, RigidBody, SolverSettings
-from .wheel_rail_profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
-from .wheel_rail_solution import (
+from .wheel_rail_forces import (
+    WheelRailDerivatives,
+    WheelRailForces,
+    Wrench,
+    WrenchesByPosition,
+    WrenchesByVelocity,
+)
+from .wheel_rail_places import (
     ContactPlace,
     ContactRadii,
     ContactReference,
@@ -36,15 +42,10 @@ from .wheel_rail_solution import (
     Creepages,
     EquivalentConicity,
     OverlapRegion,
-    WheelRailDerivatives,
-    WheelRailForces,
     WheelRailGeometry,
-    WheelRailPatch,
-    WheelRailSolution,
-    Wrench,
-    WrenchesByPosition,
-    WrenchesByVelocity,
 )
+from .wheel_rail_profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
+from .wheel_rail_solution import WheelRailPatch, WheelRailSolution
 
 __all__ = [
     "S1002",

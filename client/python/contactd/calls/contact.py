@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
 
@@ -56,7 +57,7 @@ class ContactCalls(Caller):
         components = result.pop("stress", None)
         stress = read(SubsurfaceStress, {**result, **components} if isinstance(components, dict) else result)
         check_shapes(stress, ["xx", "yy", "zz", "xy", "xz", "yz", "von_mises"], shape)
-        return stress
+        return replace(stress, block=block, points=params.get("points"))
 
 
 def solved(

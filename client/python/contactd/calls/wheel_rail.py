@@ -10,7 +10,8 @@ from ..partial import Fields, names_of
 from ..reading import read
 from ..wheel_rail import WheelRailSetup, WheelRailState
 from ..wheel_rail_params import setup_params, state_params
-from ..wheel_rail_solution import EquivalentConicity, WheelRailGeometry, WheelRailSolution, read_wheel_rail
+from ..wheel_rail_places import EquivalentConicity, WheelRailGeometry
+from ..wheel_rail_solution import WheelRailSolution, read_wheel_rail
 from .asking import Answering, asks
 from .caller import Caller, ProgressCallback
 

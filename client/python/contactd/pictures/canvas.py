@@ -1,0 +1,100 @@
+"""What all pictures share: axes to draw into, colours, maps over grids."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ..problem import Array, Grid
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["ADHESION", "COLOURS", "INK", "aspect_of", "axes_or_new", "bare", "colour_bar", "edges", "extent", "legend_below", "map_over", "new_figure", "warm"]
+
+INK = "#1d1d2b"
+ADHESION = "#1449b8"
+COLOURS = ("#1449b8", "#c8553d", "#0f8b8d", "#b8860b", "#6a4c93", "#5c5c66")
+
+
+def _pyplot() -> Any:
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError:
+        raise ImportError('pictures need matplotlib: pip install "contactd[pictures]"', name="matplotlib") from None
+    return plt
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure (inches) that pyplot shows."""
+    figure: Figure = _pyplot().figure(figsize=(width, height), layout="constrained")
+    return figure
+
+
+def axes_or_new(axes: Axes | None, width: float = 6.4, height: float = 4.8) -> Axes:
+    """The axes that were given, or those of a new figure of that size (inches)."""
+    if axes is not None:
+        return axes
+    made: Axes = new_figure(width, height).subplots()
+    return made
+
+
+def warm() -> Any:
+    """Yellow to red, light enough everywhere for what is dark to stand out."""
+    colours = _pyplot().get_cmap("YlOrRd")(np.linspace(0.0, 0.8, 256))
+    from matplotlib.colors import LinearSegmentedColormap
+
+    return LinearSegmentedColormap.from_list("contactd-warm", colours)
+
+
+def bare(axes: Axes) -> None:
+    """Without the frame's upper and right side, with a light grid."""
+    axes.grid(color="#e4e1da", lw=0.6)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def extent(grid: Grid) -> tuple[float, float, float, float]:
+    """Of a picture of the grid: left, right, bottom, top (mm)."""
+    x, y = grid.x, grid.y
+    return (x[0] - grid.dx / 2, x[-1] + grid.dx / 2, y[0] - grid.dy / 2, y[-1] + grid.dy / 2)
+
+
+def map_over(axes: Axes, grid: Grid, values: Array, label: str) -> None:
+    """`values` >= 0 over the grid, shape [ny, nx], with their colours told beside."""
+    image = axes.imshow(values, origin="lower", extent=extent(grid), cmap=warm(), vmin=0, interpolation="nearest")
+    colour_bar(axes, image, label)
+    axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect=aspect_of(grid.nx * grid.dx, grid.ny * grid.dy), facecolor="#f4f4f6")
+
+
+def aspect_of(width: float, height: float) -> Literal["equal", "auto"]:
+    """Of a picture of something of that size: true to scale where that leaves something to be seen."""
+    return "equal" if 0.25 <= width / height <= 4 else "auto"
+
+
+def colour_bar(axes: Axes, image: Any, label: str) -> None:
+    """As high as the axes, whatever their aspect."""
+    axes.figure.colorbar(image, cax=axes.inset_axes((1.03, 0, 0.04, 1)), label=label)
+
+
+def legend_below(axes: Axes, **options: Any) -> None:
+    """A legend that covers nothing."""
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.13), fontsize="small", frameon=False, **options)
+
+
+def edges(mask: Any, grid: Grid, **style: Any) -> Any:
+    """The sides of the elements that part those inside of `mask`, shape [ny, nx], from those outside, as lines."""
+    from matplotlib.collections import LineCollection
+
+    padded = np.pad(mask, 1)
+    left, _, bottom, _ = extent(grid)
+    upright = np.argwhere(padded[1:-1, 1:] != padded[1:-1, :-1])
+    level = np.argwhere(padded[1:, 1:-1] != padded[:-1, 1:-1])
+
+    def corner(i: int, j: int) -> tuple[float, float]:
+        return (left + i * grid.dx, bottom + j * grid.dy)
+
+    sides = [[corner(i, j), corner(i, j + 1)] for j, i in upright] + [[corner(i, j), corner(i + 1, j)] for j, i in level]
+    return LineCollection(sides, **style)

@@ -1,0 +1,103 @@
+"""One contact: a map of pressures and tractions, and a cut through it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..problem import Grid
+from ..solution import Solution
+from .canvas import ADHESION, COLOURS, INK, axes_or_new, bare, edges, legend_below, map_over
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["draw_contact", "draw_section", "title_of"]
+
+_ARROWS = 16  #: across the longer side, at most: all of them would be a thicket
+
+
+def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes:
+    """What Solution.plot draws."""
+    grid = grid_of(solution)
+    _check(solution, "pressure", "element_division")
+    axes = axes_or_new(axes, 6.8, 5.4)
+    map_over(axes, grid, np.ma.masked_equal(solution.pressure, 0), "pressure (N/mm$^2$)")
+    axes.set_title(title_of(solution))
+    _add_tractions(axes, grid, solution)
+    contact, adhesion = solution.element_division != 0, solution.element_division == 1
+    axes.add_collection(edges(contact, grid, color=INK, linewidth=0.9, label="edge of contact"))
+    if adhesion.any():
+        axes.add_collection(edges(adhesion, grid, color=ADHESION, linewidth=2.0, label="edge of adhesion"))
+    legend_below(axes, ncols=3)
+    return axes
+
+
+def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None = None) -> Axes:
+    """What Solution.plot_section draws."""
+    grid = grid_of(solution)
+    _check(solution, "pressure", "element_division", "traction_x", "traction_y")
+    axes = axes_or_new(axes)
+    row = int(np.argmin(np.abs(grid.y - y)))
+    if not abs(grid.y[row] - y) <= grid.dy / 2 * (1 + 1e-9):
+        raise ValueError(f"y is {y}; the grid reaches from {grid.y[0] - grid.dy / 2:g} to {grid.y[-1] + grid.dy / 2:g} mm")
+    adhesion = solution.element_division[row] == 1
+    for start, end in _stretches(adhesion):
+        ends = (grid.x[start] - grid.dx / 2, grid.x[end] + grid.dx / 2)
+        axes.axvspan(*ends, color=ADHESION, alpha=0.09, lw=0, label=None if axes.patches else "adhesion")
+    axes.plot(grid.x, solution.pressure[row], color=COLOURS[1], label="pressure")
+    for name, color in (("traction_x", COLOURS[0]), ("traction_y", COLOURS[2])):
+        if (values := getattr(solution, name)[row]).any():
+            axes.plot(grid.x, values, color=color, label=f"traction along {name[-1]}, on the upper body")
+    axes.set(xlabel="x (mm)", ylabel="N/mm$^2$", title=f"{title_of(solution)}\nalong x at y = {grid.y[row]:.3g} mm")
+    axes.axhline(0, color=INK, lw=0.6)
+    bare(axes)
+    axes.legend(fontsize="small", frameon=False)
+    return axes
+
+
+def grid_of(solution: Solution[Any, Any]) -> Grid:
+    """Raises ValueError where nobody knows it."""
+    if solution.grid is None:
+        raise ValueError("grid is None; a solution that is drawn must be one of a client, which knows its grid")
+    return solution.grid
+
+
+def title_of(solution: Solution[Any, Any]) -> str:
+    """Its forces."""
+    names = ["Fn", *(name for name in ("Fx", "Fy") if abs(getattr(solution, name)) > 1e-9 * solution.Fn)]
+    forces = [f"$F_{name[1]}$ = {getattr(solution, name):.5g} N" for name in names]
+    return ", ".join(forces) + ("" if solution.converged else " (NOT CONVERGED)")
+
+
+def _check(solution: Solution[Any, Any], *names: str) -> None:
+    if missing := [name for name in names if getattr(solution, name) is None]:
+        raise ValueError(f"{', '.join(missing)} is None; name it in `fields` when you ask for the solution")
+
+
+def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None:
+    if solution.traction_x is None or solution.traction_y is None:
+        return
+    size = np.hypot(solution.traction_x, solution.traction_y)
+    if not size.any():
+        return
+    touched = np.argwhere(solution.element_division != 0)
+    spread = np.ptp(touched, axis=0) + 1
+    steps = [max(1, round(n / max(4.0, _ARROWS * n / spread.max()))) for n in spread]
+    pick = tuple(slice(first + (step - 1) // 2, None, step) for first, step in zip(touched.min(axis=0), steps))
+    shown = size[pick] > 0.02 * size.max()
+    x, y = np.meshgrid(grid.x, grid.y)
+    label = f"traction on the upper body, {size.max():.4g} N/mm$^2$ at most"
+    axes.quiver(
+        x[pick][shown], y[pick][shown], solution.traction_x[pick][shown], solution.traction_y[pick][shown],
+        color=INK, angles="xy", scale_units="xy", scale=size.max() / (1.4 * max(steps) * max(grid.dx, grid.dy)), pivot="middle",
+        width=0.0036, headwidth=3.8, headlength=4.2,
+    )  # fmt: skip
+    axes.plot([], [], color=INK, ls="", marker=r"$\rightarrow$", ms=11, label=label)
+
+
+def _stretches(mask: Any) -> list[tuple[int, int]]:
+    """First and last index of each run of True."""
+    turns = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
+    return [(int(a), int(b) - 1) for a, b in zip(turns[::2], turns[1::2])]

@@ -1,0 +1,57 @@
+"""Forces over creepages."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy.typing as npt
+
+from ..friction import Rolling
+from ..solution import Solution
+from .canvas import COLOURS, axes_or_new, bare
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["plot_creep_curves"]
+
+_CREEPAGES = {"xi": "longitudinal creepage", "eta": "lateral creepage", "phi": "spin creepage (rad/mm)"}
+_STYLES = ("o-", "s--", "^:", "d-.")
+Solutions = Sequence[Solution[Any, Any]]
+
+
+def plot_creep_curves(
+    solutions: Solutions | Mapping[str, Solutions],
+    by: str = "xi",
+    *,
+    creepages: npt.ArrayLike | None = None,
+    axes: Axes | None = None,
+) -> Axes:
+    """Draws -Fx/Fn and -Fy/Fn of rolling over a creepage, of one series of solutions or several by their names.
+
+    `by` is "xi", "eta" or "phi", as the solutions tell it in `motion`; `creepages` takes its place where they do not.
+    """
+    if by not in _CREEPAGES:
+        raise ValueError(f'by is {by!r}; it must be "xi", "eta" or "phi"')
+    series = solutions if isinstance(solutions, Mapping) else {"": solutions}
+    axes = axes_or_new(axes)
+    for (name, one), style in zip(series.items(), _STYLES * len(series)):
+        one = list(one)
+        x = [_creepage(solution, by, i) for i, solution in enumerate(one)] if creepages is None else creepages
+        for force, color in (("Fx", COLOURS[0]), ("Fy", COLOURS[1])):
+            values = [-getattr(solution, force) / solution.Fn for solution in one]
+            if any(values):
+                label = f"$-F_{force[1]}/F_n${', ' + name if name else ''}"
+                axes.plot(x, values, style, ms=4, mfc="none", color=color, label=label)
+    axes.set(xlabel=_CREEPAGES[by], ylabel="force over normal force", title=f"Creep forces over the {_CREEPAGES[by].partition(' (')[0]}")
+    bare(axes)
+    axes.legend(fontsize="small", frameon=False)
+    return axes
+
+
+def _creepage(solution: Solution[Any, Any], by: str, index: int) -> float:
+    if not isinstance(solution.motion, Rolling):
+        raise ValueError(f"solutions[{index}] tells no creepage, as it does not roll; name the creepages")
+    value: float = getattr(solution.motion, by)
+    return value

@@ -1,0 +1,46 @@
+"""How the residuals of iterations fall."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..solution import Progress
+from .canvas import COLOURS, axes_or_new, bare
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["ConvergenceHistory"]
+
+
+class ConvergenceHistory:
+    """Keeps the residuals that a call tells of, as its `on_progress`.
+
+    Attributes:
+        stages: By stage its runs, such as one for each load case: pairs (iteration, residual) as they were told.
+    """
+
+    def __init__(self) -> None:
+        self.stages: dict[str, list[list[tuple[int, float]]]] = {}
+
+    def __call__(self, progress: Progress) -> None:
+        """Takes one report."""
+        if not (progress.iteration and progress.residual > 0):
+            return
+        runs = self.stages.setdefault(progress.stage, [])
+        if not runs or progress.iteration < runs[-1][-1][0]:
+            runs.append([])
+        if not runs[-1] or progress.iteration > runs[-1][-1][0]:
+            runs[-1].append((progress.iteration, progress.residual))
+
+    def plot(self, axes: Axes | None = None) -> Axes:
+        """Draws residuals over iterations, a line for each stage."""
+        axes = axes_or_new(axes)
+        for (stage, runs), color in zip(self.stages.items(), [*COLOURS] * (len(self.stages) + 1)):
+            for number, run in enumerate(runs):
+                axes.plot(*zip(*run), "o-", ms=3, color=color, label=None if number else stage, alpha=0.9)
+        axes.set(xlabel="iteration", ylabel="relative residual", yscale="log", title="Convergence")
+        bare(axes)
+        if self.stages:
+            axes.legend(fontsize="small", frameon=False)
+        return axes

@@ -1,0 +1,92 @@
+"""Stresses inside a body: a cut through a block of points."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ..subsurface import SubsurfaceStress
+from .canvas import INK, aspect_of, axes_or_new, bare, colour_bar, warm
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["Component", "draw_stress"]
+
+Component = Literal["von_mises", "xx", "yy", "zz", "xy", "xz", "yz"]
+_AXES = "zyx"  #: of the arrays
+
+
+def draw_stress(
+    stress: SubsurfaceStress,
+    component: Component = "von_mises",
+    *,
+    x: float | None = None,
+    y: float | None = None,
+    z: float | None = None,
+    axes: Axes | None = None,
+) -> Axes:
+    """What SubsurfaceStress.plot draws."""
+    if component not in ("von_mises", "xx", "yy", "zz", "xy", "xz", "yz"):
+        raise ValueError(f'component is {component!r}; it must be "von_mises", "xx", "yy", "zz", "xy", "xz" or "yz"')
+    if stress.block is None:
+        raise ValueError("the stresses are those of single points; a picture needs those of a StressBlock")
+    places = {name: np.atleast_1d(np.asarray(getattr(stress.block, name), dtype=float)) for name in _AXES}
+    cut = _cut(places, {"x": x, "y": y, "z": z}, stress)
+    index = tuple(cut.get(name, slice(None)) for name in _AXES)
+    values = getattr(stress, component)[index]
+    free = [name for name in _AXES if name not in cut]
+    axes = axes_or_new(axes, 7.0, 4.6)
+    name = "Von Mises stress" if component == "von_mises" else f"Stress {component}"
+    label = f"{name} (N/mm$^2$){'' if component == 'von_mises' else ', tension positive'}"
+    where = ", ".join(f"{axis} = {places[axis][at]:.3g} mm" for axis, at in sorted(cut.items()))
+    axes.set_title(f"{name} at {where}")
+    if len(free) == 1:
+        _draw_line(axes, places[free[0]], values, free[0], label)
+        return axes
+    _draw_map(axes, stress, component, [places[name] for name in free], values, free, label)
+    return axes
+
+
+def _cut(places: dict[str, Any], wanted: dict[str, float | None], stress: SubsurfaceStress) -> dict[str, int]:
+    """Index of each axis that does not vary in the picture: those of one point, those asked for, the largest stress's."""
+    cut = {name: 0 for name, values in places.items() if len(values) == 1}
+    for name, value in wanted.items():
+        if value is not None:
+            cut[name] = int(np.argmin(np.abs(places[name] - value)))
+    if not cut:
+        cut["y"] = int(np.argmin(np.abs(places["y"] - stress.largest.y)))
+    if len(cut) == len(places):
+        raise ValueError("x, y and z leave one point, which is no picture; name fewer of them")
+    return cut
+
+
+def _draw_line(axes: Axes, along: Any, values: Any, name: str, label: str) -> None:
+    order = np.argsort(along)
+    axes.plot(along[order], values[order], color=INK)
+    axes.set(xlabel=f"{name} (mm)", ylabel=label)
+    bare(axes)
+
+
+def _draw_map(
+    axes: Axes, stress: SubsurfaceStress, component: str, along: list[Any], values: Any, free: list[str], label: str
+) -> None:
+    orders = [np.argsort(one) for one in along]
+    up, across = (one[order] for one, order in zip(along, orders))
+    values = values[np.ix_(*orders)]
+    signed = component != "von_mises"
+    bound = float(np.abs(values).max())
+    drawn = axes.pcolormesh(
+        across, up, values, cmap="RdBu_r" if signed else warm(), vmin=-bound if signed else 0, vmax=bound, shading="nearest"
+    )
+    colour_bar(axes, drawn, label)
+    if (levels := np.linspace(-bound if signed else 0, bound, 9)[1:-1]).any() and min(values.shape) > 1:
+        axes.contour(across, up, values, levels=levels, colors=INK, linewidths=0.5, linestyles="solid")
+    at = stress.largest
+    if not signed and np.isclose(values.max(), at.von_mises):
+        axes.plot(getattr(at, free[1]), getattr(at, free[0]), "x", color=INK, ms=8, label=f"largest, {at.von_mises:.4g} N/mm$^2$")
+        axes.legend(loc="lower right", fontsize="small")
+    depth = "; negative inside the body" if free[0] == "z" else ""
+    aspect = aspect_of(float(np.ptp(across)) or 1.0, float(np.ptp(up)) or 1.0)
+    axes.set(xlabel=f"{free[1]} (mm)", ylabel=f"{free[0]} (mm){depth}", aspect=aspect)

@@ -1,0 +1,73 @@
+"""A wheel on a rail: where it touches, with which forces and pressures."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..wheel_rail_solution import WheelRailPatch, WheelRailSolution
+from .canvas import COLOURS, INK, bare, legend_below, map_over, new_figure
+from .contact import draw_contact
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["draw_wheel_rail"]
+
+
+def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
+    """What WheelRailSolution.plot draws."""
+    shown = [patch for patch in solution.patches if patch.solution.pressure is not None]
+    figure = new_figure(6.0 + 5.6 * len(shown), 5.4)
+    panels = figure.subplots(1, 1 + len(shown), squeeze=False)[0]
+    _draw_cross_section(panels[0], solution)
+    for number, (panel, patch) in enumerate(zip(panels[1:], shown), 1):
+        _draw_patch(panel, patch, number)
+    track = solution.forces.track
+    state = "" if solution.converged else ", NOT CONVERGED"
+    figure.suptitle(
+        f"A wheel on a rail: Fx {track.Fx / 1000:.3g} kN, Fy {track.Fy / 1000:.3g} kN, Fz {track.Fz / 1000:.4g} kN on the "
+        f"rail, at z = {solution.z:.4g} mm{state}"
+    )
+    return figure
+
+
+def _draw_cross_section(axes: Axes, solution: WheelRailSolution) -> None:
+    """Contacts in the plane across the track, as wide as they are, and the forces on the rail."""
+    largest = max((_across(patch) for patch in solution.patches), default=1.0)
+    for number, (patch, color) in enumerate(zip(solution.patches, [*COLOURS] * (len(solution.patches) + 1)), 1):
+        at, force, width = patch.place.reference, patch.forces.track, patch.place.grid.ny * patch.place.grid.dy
+        along = np.array([-width, width]) / 2
+        axes.plot(at.y + np.cos(at.angle) * along, at.z + np.sin(at.angle) * along, color=color, lw=4, solid_capstyle="butt")
+        scale = 15.0 / largest
+        axes.annotate(
+            "", xy=(at.y, at.z), xytext=(at.y - scale * force.Fy, at.z - scale * force.Fz),
+            arrowprops={"arrowstyle": "-|>", "color": color, "lw": 1.6},
+        )  # fmt: skip
+        text = f"{number}: {_across(patch) / 1000:.3g} kN, {at.angle:.3f} rad, pmax {patch.solution.pmax:.0f} N/mm$^2$"
+        axes.plot([], [], color=color, lw=4, label=text)
+    if solution.patches:
+        ys, zs = zip(*((patch.place.reference.y, patch.place.reference.z) for patch in solution.patches))
+        middle, half = (min(ys) + max(ys)) / 2, max(20.0, (max(ys) - min(ys)) / 2 + 12)
+        axes.set(xlim=(middle - half, middle + half), ylim=(max(zs) + 10, min(zs) - 20))
+        legend_below(axes)
+    else:
+        axes.text(0.5, 0.5, "no contact", transform=axes.transAxes, ha="center", color=INK)
+        axes.set(xticks=[], yticks=[])
+    axes.set(xlabel="y of the track (mm)", ylabel="z of the track (mm), down", aspect="equal", title="Contacts, and forces on the rail")
+    bare(axes)
+
+
+def _across(patch: WheelRailPatch) -> float:
+    return float(np.hypot(patch.forces.track.Fy, patch.forces.track.Fz))
+
+
+def _draw_patch(axes: Axes, patch: WheelRailPatch, number: int) -> None:
+    solution: Any = patch.solution
+    if solution.element_division is not None:
+        draw_contact(solution, axes)
+    else:
+        map_over(axes, patch.place.grid, np.ma.masked_equal(solution.pressure, 0), "pressure (N/mm$^2$)")
+    axes.set(title=f"Contact {number}, on the rail", ylabel="y in the plane of contact (mm)")
