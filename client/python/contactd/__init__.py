@@ -35,6 +35,7 @@ from .errors import (
     NotFound,
     ProtocolError,
     ResourceExhausted,
+    SavedFileError,
     StatusError,
     TableFileError,
     TimeoutExpired,
@@ -47,6 +48,7 @@ from .exchange import load_table, save_table
 from .friction import Friction, KineticFriction, Rolling, Shift
 from .local import local
 from .partial import PartialSolution
+from .plain_values import from_dict, to_dict
 from .problem import (
     AnalyticIcs,
     ContactProblem,
@@ -62,6 +64,7 @@ from .problem import (
     SemiAxes,
     SolverSettings,
 )
+from .saving import load, save
 from .session import SavedState, Session, SessionSummary
 from .solution import (
     ContactSolution,
@@ -122,6 +125,7 @@ __all__ = [
     "ResourceExhausted",
     "RigidBody",
     "Rolling",
+    "SavedFileError",
     "SavedState",
     "SemiAxes",
     "ServerInfo",
@@ -145,9 +149,13 @@ __all__ = [
     "Violation",
     "__version__",
     "combined_modulus",
+    "from_dict",
+    "load",
     "load_table",
     "local",
+    "save",
     "save_table",
+    "to_dict",
 ]
 
 

@@ -9,6 +9,7 @@
     +-- ProtocolError             an answer that breaks docs/protocol.md
     +-- DaemonFailed              LocalDaemon: the daemon did not start or did not end in order
     +-- TableFileError            a file that holds no table of coefficients, or a damaged one      (ValueError)
+    +-- SavedFileError            a file that holds no problem or solution, or a damaged one         (ValueError)
     +-- StatusError               the daemon refused; .code, .name, .reason, .message
         +-- Cancelled             the job or the request was cancelled
         +-- UnknownError
@@ -52,6 +53,7 @@ __all__ = [
     "PermissionDenied",
     "ProtocolError",
     "ResourceExhausted",
+    "SavedFileError",
     "StatusError",
     "TableFileError",
     "TimeoutExpired",
@@ -86,6 +88,10 @@ class DaemonFailed(ContactdError):
 
 class TableFileError(ContactdError, ValueError):
     """A file that holds no table of influence coefficients, or a damaged one; the message names the line or the part."""
+
+
+class SavedFileError(ContactdError, ValueError):
+    """A file that holds no problem, solution or the like that `save` has written, or a damaged one."""
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ import numpy as np
 from .errors import ProtocolError, TableFileError
 from .problem import table_params
 from .reading import read
+from .saving import write_whole
 from .solution import IcEvidence, IcSpec, IcTable
 from .table_ics import TableIcs, check_finite
 
@@ -37,11 +38,11 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
     """
     suffix = _suffix(path)
     if suffix == ".npz":
-        return _write(path, lambda file: np.savez(file, **_members(table)))
+        return write_whole(path, lambda file: np.savez(file, **_members(table)))
     if suffix == ".txt":
         pair = table if isinstance(table, TableIcs) else TableIcs.from_table(table)
         text = pair.to_contact_text(G)
-        return _write(path, lambda file: file.write(text.encode("ascii")))
+        return write_whole(path, lambda file: file.write(text.encode("ascii")))
     raise ValueError(
         f"{os.fspath(path)!r} would be an HDF5 file, which the daemon writes: save the bytes of "
         'Client.export_ic(material, grid, ics, "hdf5").'
@@ -70,16 +71,6 @@ def _suffix(path: PathLike) -> str:
     if suffix not in (".npz", ".txt", ".h5"):
         raise ValueError(f"{os.fspath(path)!r} must end in .npz, .txt or .h5, which says what the file is.")
     return suffix
-
-
-def _write(path: PathLike, write: Any) -> None:
-    part = Path(f"{os.fspath(path)}.part")
-    try:
-        with part.open("wb") as file:
-            write(file)
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
 
 
 def _members(table: IcTable | TableIcs) -> dict[str, Any]:

@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from .arrays import array_of, invalid, plain
 from .friction import Friction
+from .saving import Saved
 from .table_ics import TableIcs
 
 if TYPE_CHECKING:
@@ -402,7 +403,7 @@ Model = Literal["full", "hertz", "fastsim"]
 
 
 @dataclass(frozen=True, eq=False)
-class ContactProblem:
+class ContactProblem(Saved):
     """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too.
 
     Attributes:

@@ -13,10 +13,13 @@ import numpy as np
 import numpy.typing as npt
 
 from .friction import Motion
+from .plain_values import HasDict
 from .problem import Array, FemIcs, Grid, Ics, LayeredBody, Material
+from .saving import Saved
 from .showing import Rows, Shown, number, with_inherited_attributes
 
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.axes import Axes
 
 __all__ = [
@@ -207,7 +210,7 @@ _AXES = "xyz"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class IcTable(Shown):
+class IcTable(HasDict, Shown):
     """Influence coefficients of one body.
 
     `array[i, j, l, k]` (mm^3/N) is the displacement along axis i at an element whose offset from the loaded element is
@@ -256,6 +259,15 @@ class IcTable(Shown):
         from .pictures.tables import draw_table
 
         return draw_table(self, components, axes)
+
+    def to_xarray(self) -> xarray.DataArray:
+        """The table over displacement, load and offsets (mm), as ``table.to_xarray().sel(displacement="x", load="z")``.
+
+        Needs xarray ("contactd[xarray]").
+        """
+        from .labelled import labelled_table
+
+        return labelled_table(self)
 
     def __getitem__(self, component: str) -> Array:
         """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
@@ -462,7 +474,7 @@ Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Solution(Shown, Generic[Floats, Bytes]):
+class Solution(Saved, Shown, Generic[Floats, Bytes]):
     """What is answered of one contact. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
     Attributes:
@@ -524,6 +536,12 @@ class Solution(Shown, Generic[Floats, Bytes]):
         from .pictures.contact import draw_section
 
         return draw_section(self, y, axes)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Arrays over x and y, forces, pmax and the approach, with their units. Needs xarray ("contactd[xarray]")."""
+        from .labelled import labelled_solution
+
+        return labelled_solution(self)
 
     def _rows(self) -> Rows:
         division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"

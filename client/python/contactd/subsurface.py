@@ -10,11 +10,13 @@ import numpy.typing as npt
 
 from .arrays import array_of, invalid, plain
 from .problem import Array, ContactProblem, Estimate, LayeredBody, RigidBody, check_type, ics_params, traction_params
+from .saving import Saved
 from .showing import Rows, Shown
 from .solution import ContactSolution
 from .table_ics import TableIcs
 
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.axes import Axes
 
     from .pictures.stresses import Component
@@ -64,7 +66,7 @@ class LargestStress:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SubsurfaceStress(Shown):
+class SubsurfaceStress(Saved, Shown):
     """Stresses inside a body (N/mm^2), tension positive: read-only arrays of shape [n], of a block [nz, ny, nx].
 
     They are in the frame of the body, in which it is z <= 0 and x and y are those of the grid. The frame of the lower
@@ -112,6 +114,12 @@ class SubsurfaceStress(Shown):
         from .pictures.stresses import draw_stress
 
         return draw_stress(self, component, x=x, y=y, z=z, axes=axes)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Stresses over x, y and z of a block, or over points. Needs xarray ("contactd[xarray]")."""
+        from .labelled import labelled_stress
+
+        return labelled_stress(self)
 
     def _title(self) -> str:
         return f"SubsurfaceStress at {self.von_mises.size} points"

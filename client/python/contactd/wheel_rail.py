@@ -27,6 +27,7 @@ from typing import Any, Literal
 
 from .friction import KineticFriction
 from .problem import Material, Model, RigidBody, SolverSettings
+from .saving import Saved
 from .wheel_rail_forces import (
     WheelRailDerivatives,
     WheelRailForces,
@@ -165,7 +166,7 @@ class WheelRailFriction:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class WheelRailSetup:
+class WheelRailSetup(Saved):
     """A wheel on a rail: what all steps of a simulation have in common. The daemon keeps what it prepared for one, so
     that the next step with an equal set-up costs less.
 
@@ -285,7 +286,7 @@ class RailDeviation:
 
 
 @dataclass(frozen=True, kw_only=True)
-class WheelRailState:
+class WheelRailState(Saved):
     """Where the wheelset is, and how it moves.
 
     Attributes:

@@ -11,6 +11,7 @@ from .errors import ProtocolError
 from .partial import ALL_FIELDS, PartialSolution, check_arrays, on_grid
 from .problem import Array
 from .reading import read
+from .saving import Saved
 from .showing import Rows, Shown
 from .solution import SolverEvidence
 from .wheel_rail_forces import WheelRailDerivatives, WheelRailForces
@@ -40,7 +41,7 @@ class WheelRailPatch:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class WheelRailSolution(Shown):
+class WheelRailSolution(Saved, Shown):
     """The contact of a wheel with its rail. No contact is an answer: no patches. Read `warnings`, ask `converged`.
 
     Attributes:
