@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import AsyncIterator, Iterable
 from pathlib import Path
 from types import TracebackType
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from .calls import Awaits, ContactCalls, ServerCalls, SessionCalls, TableCalls, WheelRailCalls, solved, solved_many
 from .calls.asking import Asked, Pause
@@ -18,6 +18,11 @@ from .partial import Fields, PartialSolution
 from .problem import ContactProblem
 from .session import AnySession
 from .solution import ContactSolution, StoredIc
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keywords import ProblemFields
 
 __all__ = ["AsyncClient", "AsyncSession"]
 
@@ -144,7 +149,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **problem_fields: Any,
+        **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution: ...
     @overload
     async def solve(
@@ -156,7 +161,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **problem_fields: Any,
+        **problem_fields: Unpack[ProblemFields],
     ) -> PartialSolution: ...
     async def solve(
         self,
@@ -167,7 +172,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **problem_fields: Any,
+        **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution | PartialSolution:
         """As Client.solve."""
         return await self._run(solved(self, problem, problem_fields, fields, timeout, on_progress, progress))

@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from .calls import ContactCalls, ServerCalls, SessionCalls, TableCalls, Waits, WheelRailCalls, solved, solved_many
 from .calls.asking import Asked, Pause
@@ -19,6 +19,11 @@ from .problem import ContactProblem
 from .session import Session
 from .solution import ContactSolution, StoredIc
 from .waiting import spin_of
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keywords import ProblemFields
 
 __all__ = ["Client"]
 
@@ -116,7 +121,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **problem_fields: Any,
+        **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution: ...
     @overload
     def solve(
@@ -128,7 +133,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **problem_fields: Any,
+        **problem_fields: Unpack[ProblemFields],
     ) -> PartialSolution: ...
     def solve(
         self,
@@ -139,7 +144,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **problem_fields: Any,
+        **problem_fields: Unpack[ProblemFields],
     ) -> ContactSolution | PartialSolution:
         """Solves a ContactProblem, given whole or by its fields. Look at `converged` of the solution.
 

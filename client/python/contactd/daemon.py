@@ -12,11 +12,16 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .client import Client
 from .errors import DaemonFailed
 from .lifeline import Lifeline
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keywords import ClientOptions
 
 __all__ = ["LocalDaemon", "checked", "laid_over"]
 
@@ -106,7 +111,7 @@ class LocalDaemon:
         """What the daemon has logged so far."""
         return self.log_path.read_text(errors="replace") if self.log_path.exists() else ""
 
-    def client(self, **options: Any) -> Client:
+    def client(self, **options: Unpack[ClientOptions]) -> Client:
         """A new client of this daemon; `options` as of Client."""
         return Client(self.endpoint, **options)
 

@@ -23,6 +23,9 @@ from .saving import Saved
 from .table_ics import TableIcs
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keywords import ProblemFields
     from .solution import ContactSolution
 
 __all__ = [
@@ -453,11 +456,12 @@ class ContactProblem(Saved):
             raise TypeError("ContactProblem() takes either approach or Fn")
         check_field_types(vars(self))
 
-    def replace(self, **changes: Any) -> ContactProblem:
+    def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
         """The same problem with some fields changed; Fn takes the place of the approach, and the other way round."""
-        for given, other in (("Fn", "approach"), ("approach", "Fn")):
-            if changes.get(given) is not None:
-                changes.setdefault(other, None)
+        if changes.get("Fn") is not None:
+            changes.setdefault("approach", None)
+        if changes.get("approach") is not None:
+            changes.setdefault("Fn", None)
         return replace(self, **changes)
 
 

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from .friction import KineticFriction
 from .problem import Material, Model, RigidBody, SolverSettings
@@ -47,6 +47,12 @@ from .wheel_rail_places import (
 )
 from .wheel_rail_profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
 from .wheel_rail_solution import WheelRailPatch, WheelRailSolution
+from .wheel_rail_state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keywords import WheelRailFields
 
 __all__ = [
     "S1002",
@@ -219,91 +225,6 @@ class WheelRailSetup(Saved):
     outer: SolverSettings | None = None
     force: SolverSettings | None = None
 
-    def replace(self, **changes: Any) -> WheelRailSetup:
+    def replace(self, **changes: Unpack[WheelRailFields]) -> WheelRailSetup:
         """A copy with some fields changed."""
         return replace(self, **changes)
-
-
-@dataclass(frozen=True, kw_only=True)
-class WheelsetPosition:
-    """Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the track.
-
-    Attributes:
-        y: To the right (mm).
-        z: Down (mm); where Fz is given, only where to start.
-        roll: From y to z (rad).
-        yaw: From x to y (rad), turned first.
-        x: Along the track (mm), where the rail varies; forces and references are told from there on.
-    """
-
-    y: float = 0.0
-    z: float = 0.0
-    roll: float = 0.0
-    yaw: float = 0.0
-    x: float = 0.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class WheelsetVelocity:
-    """Of the wheelset's centre in track coordinates (mm/s), and about its own axes (rad/s).
-
-    Attributes:
-        x: Forwards.
-        y: To the right.
-        z: Down.
-        roll: About x.
-        yaw: About z.
-        pitch: About y: rolling forwards is negative, near -x/nominal_radius.
-    """
-
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    roll: float = 0.0
-    yaw: float = 0.0
-    pitch: float = 0.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class RailDeviation:
-    """Of the rail from where track and gauge have it, in track coordinates also for a left one.
-
-    Attributes:
-        y: To the right (mm).
-        z: Down (mm).
-        roll: From y to z (rad).
-        y_velocity: (mm/s).
-        z_velocity: (mm/s).
-        roll_velocity: (rad/s).
-    """
-
-    y: float = 0.0
-    z: float = 0.0
-    roll: float = 0.0
-    y_velocity: float = 0.0
-    z_velocity: float = 0.0
-    roll_velocity: float = 0.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class WheelRailState(Saved):
-    """Where the wheelset is, and how it moves.
-
-    Attributes:
-        position: Of its centre.
-        velocity: Of its centre.
-        rail: Deviation of the rail.
-        roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
-        Fz: Vertical force of this wheel on the rail (N), > 0, which position.z is found for; None: that is prescribed.
-        Fx: Longitudinal force on the rail along the wheelset's x axis (N), which velocity.pitch is found for; None: that
-            is prescribed.
-        derivatives: Whether the solution has derivatives of the forces by position and velocity.
-    """
-
-    position: WheelsetPosition = WheelsetPosition()
-    velocity: WheelsetVelocity = WheelsetVelocity()
-    rail: RailDeviation = RailDeviation()
-    roller_pitch: float = 0.0
-    Fz: float | None = None
-    Fx: float | None = None
-    derivatives: bool = False

@@ -1,8 +1,15 @@
 """What type checkers know of the calls whose answers depend on what was asked for."""
 
+import inspect
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
+
+from contactd import Client, ContactProblem
+from contactd.keywords import ClientOptions, ProblemFields, WheelRailFields
+from contactd.wheel_rail import WheelRailSetup
 
 ROOT = Path(__file__).parents[3]
 #: Lines to ignore are wrong: mypy complains of the ignoring where it finds nothing to ignore.
@@ -10,6 +17,7 @@ CALLS = """
 from typing import assert_type
 import numpy as np, numpy.typing as npt
 from contactd import *
+from contactd.wheel_rail import WheelRailSetup
 Floats = npt.NDArray[np.float64]
 def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(client.solve(problem), ContactSolution)
@@ -19,12 +27,55 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(client.solve_many([problem]), list[ContactSolution | StatusError])
     assert_type(client.solve_many([problem], fields=("slip_x",)), list[PartialSolution | StatusError])
     assert_type(client.step_many([(session, {"Fn": 1, "xi": 2, "again": True})]), list[StepSolution | StatusError])
+    assert_type(client.health(), str)
+    assert_type(client.session(problem), Session)
+    assert_type(session.step(Fn=1.0), StepSolution)
+    client.solve(grid=problem.grid, upper=problem.upper, gap=Paraboloid(1, 2), Fn=1, fields=[], timeout=3)
+    client.session(grid=problem.grid, upper=problem.upper, lease=3)
+    problem.replace(Fn=1, model="hertz")
+    client.solve(grid=problem.grid, aproach=1)  # type: ignore[call-overload]
+    client.solve(grid=problem.grid, approach="deep")  # type: ignore[call-overload]
+    client.solve(problem, timeot=1)  # type: ignore[call-overload]
+    client.session(grid=problem.grid, uper=problem.upper)  # type: ignore[call-arg]
+    client.session(grid=3)  # type: ignore[arg-type]
+    client.get_ic(Material(1, 0), problem.grid, FemIcs(), timeot=1)  # type: ignore[call-arg]
+    session.step(Fm=1)  # type: ignore[call-arg]
+    problem.replace(modle="hertz")  # type: ignore[call-arg]
+    problem.replace(model="herz")  # type: ignore[arg-type]
+    WheelRailSetup().replace(dy="wide")  # type: ignore[arg-type]
+    LocalDaemon().client(time_out=3)  # type: ignore[call-arg]
     client.solve(problem, fields="pressures")  # type: ignore[arg-type]
     client.solve(problem, fields="pressure").pressure.sum()  # type: ignore[union-attr]
     client.step_many([(session, {"Fm": 1})])  # type: ignore[typeddict-unknown-key]
     client.step_many([(session, {"Fn": "much"})])  # type: ignore[typeddict-item]
     session.step(fields=["pressures"])  # type: ignore[list-item]
+
+async def awaited(client: AsyncClient, problem: ContactProblem) -> None:
+    assert_type(await client.solve(problem), ContactSolution)
+    assert_type(await client.solve(grid=problem.grid, fields=[]), PartialSolution)
+    assert_type(await client.solve_many([problem]), list[ContactSolution | StatusError])
+    assert_type(await client.health(), str)
+    async with await client.session(problem) as session:
+        assert_type(session, AsyncSession)
+        assert_type(await session.step(Fn=1), StepSolution)
+        assert_type(await client.step_many([(session, {"Fn": 1})]), list[StepSolution | StatusError])
+        await session.step(Fm=1)  # type: ignore[call-arg]
+    async for table in client.stored_ics():
+        assert_type(table, StoredIc)
+    await client.solve(problem, aproach=1)  # type: ignore[call-overload]
+    await client.health(timeot=1)  # type: ignore[call-arg]
 """
+
+
+@pytest.mark.parametrize(
+    ("keywords", "kind"),
+    [(ProblemFields, ContactProblem), (WheelRailFields, WheelRailSetup), (ClientOptions, Client)],
+    ids=lambda one: one.__name__,
+)
+def test_keywords_are_those_of_what_they_make(keywords, kind):
+    parameters = inspect.signature(kind).parameters.values()
+    expected = {one.name: one.annotation for one in parameters if one.name != "endpoint"}
+    assert {name: hint.__forward_arg__ for name, hint in keywords.__annotations__.items()} == expected
 
 
 def test_calls_have_the_types_of_their_answers_and_wrong_ones_are_told():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy.typing as npt
 
@@ -19,6 +19,9 @@ from ..solution import ContactSolution
 from ..subsurface import StressBlock, SubsurfaceStress, subsurface_params
 from .asking import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
+
+if TYPE_CHECKING:
+    from ..keywords import ProblemFields
 
 __all__ = ["ContactCalls", "solved", "solved_many"]
 
@@ -63,7 +66,7 @@ class ContactCalls(Caller):
 def solved(
     caller: Caller,
     problem: ContactProblem | None,
-    problem_fields: dict[str, Any],
+    problem_fields: ProblemFields,
     fields: Fields | None,
     timeout: float | None,
     on_progress: ProgressCallback | None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from ..errors import ProtocolError, StatusError
 from ..friction import Friction
@@ -14,6 +14,11 @@ from ..session import AnySession, SessionSummary, opening
 from ..steps import StepInput, StepSolution
 from .asking import Answering, asks
 from .caller import Caller, ProgressCallback
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ..keywords import ProblemFields
 
 __all__ = ["SessionCalls"]
 
@@ -36,7 +41,7 @@ class SessionCalls(Caller, Generic[S]):
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-        **fields: Any,
+        **fields: Unpack[ProblemFields],
     ) -> Answering[S]:
         """Opens a Session, which says more: the steps of a simulation.
 
@@ -47,16 +52,16 @@ class SessionCalls(Caller, Generic[S]):
             check_type("problem", problem, ContactProblem)
             if fields:
                 raise TypeError(f"session() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
-            fields = vars(problem)
-        params = opening(dict(fields), lease, accept_unconverged)
+        said = vars(problem) if problem is not None else dict(fields)
+        params = opening(said, lease, accept_unconverged)
         told = yield from self.asked(
             "session.open", params, timeout=timeout, on_progress=on_progress, progress=progress
         )
         if not isinstance(name := told.get("session"), str):
             raise ProtocolError("The answer to session.open lacks its session.")
-        friction: Friction | None = fields.get("friction")
+        friction: Friction | None = said.get("friction")
         rolls = friction is not None and friction.rolling is not None
-        return self._session_kind(self, name, told, fields["grid"], rolls)
+        return self._session_kind(self, name, told, said["grid"], rolls)
 
     @asks
     def join_session(self, name: str, *, timeout: float | None = None) -> Answering[S]:
