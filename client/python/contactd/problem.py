@@ -518,7 +518,7 @@ def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
     if isinstance(ics, TableIcs):
         raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
     said = plain(ics) if isinstance(ics, FemIcs) else ics_params(replace(ics, body=None))
-    kept = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
+    kept: dict[str, Any] = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
     return {"source": "analytic", **kept, **body.params()}
 
 

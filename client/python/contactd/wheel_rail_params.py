@@ -46,7 +46,8 @@ def setup_params(setup: WheelRailSetup) -> dict[str, Any]:
     """`setup` of wheelrail.solve."""
     check_type("setup", setup, WheelRailSetup)
     given = plain(setup)
-    params = {name: given[name] for name in ("side", "model", "dx", "dy", "dq", "wheel_surface", "rigid_slip", "conformal") if name in given}
+    said = ("side", "model", "dx", "dy", "dq", "wheel_surface", "rigid_slip", "conformal")
+    params: dict[str, Any] = {name: given[name] for name in said if name in given}
     params |= {name: plain(given[name]) for name in ("wheelset", "patches", "force") if name in given}
     params |= {name: profile_params(given[name], f"setup.{name}") for name in ("wheel", "rail") if name in given}
     if setup.rail_slices is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from ..errors import ProtocolError, StatusError
 from ..friction import Friction
@@ -52,7 +52,7 @@ class SessionCalls(Caller, Generic[S]):
             check_type("problem", problem, ContactProblem)
             if fields:
                 raise TypeError(f"session() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
-        said = vars(problem) if problem is not None else dict(fields)
+        said: dict[str, Any] = vars(problem) if problem is not None else dict(fields)
         params = opening(said, lease, accept_unconverged)
         told = yield from self.asked(
             "session.open", params, timeout=timeout, on_progress=on_progress, progress=progress
