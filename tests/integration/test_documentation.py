@@ -51,6 +51,18 @@ def test_the_guide_to_tables(shared, tmp_path, monkeypatch):
     assert run_examples("ic-tables.md", shared)["evidence"].warnings[0].startswith("L_over_h is 40")
 
 
+@pytest.mark.timeout(300)
+def test_the_guide_to_python(shared, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    names = run_examples("python.md", shared)
+    plt = sys.modules["matplotlib.pyplot"]
+    plt.close("all")
+    assert {path.name for path in tmp_path.iterdir()} == {"contact.png", "creep.png", "wheel.h5", "solution.h5"}
+    assert names["full"][-1].Fx < -0.29 * 80e3
+    assert [len(run) > 5 for run in names["history"].stages["pcg"]] == [True, True], "two load cases"
+
+
 def test_the_guide_to_sessions(shared):
     names = run_examples("sessions.md", shared)
     assert names["contact"].Fx < -5000
