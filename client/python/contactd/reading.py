@@ -81,6 +81,7 @@ def _misplaced(value: Any, path: str) -> ProtocolError:
 @functools.cache
 def _converter(hint: Any) -> Convert:
     """What reads a value of this type: looked at once, as answers are read again and again."""
+    hint = getattr(hint, "__value__", hint)  # what the name of a type stands for, such as numpy's NDArray where it is one
     if hint == Ics:
         return _read_ics
     if hint in (Material | LayeredBody, Material | LayeredBody | RigidBody, Material | RigidBody):

@@ -1,5 +1,9 @@
 """Answers as dataclasses, and statuses as exceptions."""
 
+import dataclasses
+import sys
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -322,3 +326,16 @@ def test_deadlines_of_both_sides_are_timeouts():
     assert issubclass(DeadlineExceeded, StatusError)
     assert issubclass(TimeoutExpired, ContactdError)
     assert issubclass(TimeoutExpired, TimeoutError)
+
+
+@pytest.mark.skipif(sys.version_info < (3, 12), reason="type statements came with Python 3.12")
+def test_types_of_arrays_may_have_names():
+    """As they do in newer versions of numpy."""
+    names: dict[str, Any] = {"np": np}
+    exec("type Numbers[T: np.generic] = np.ndarray[tuple[int, ...], np.dtype[T]]", names)
+    kind = dataclasses.make_dataclass("kind", [("a", names["Numbers"][np.float64]), ("b", names["Numbers"][np.uint8] | None)])
+    array = np.zeros(3)
+    assert read(kind, {"a": array, "b": None}).a is array
+    assert read(kind, {"a": array, "b": array}).b is array
+    with pytest.raises(ProtocolError, match=r"result\.a is a int"):
+        read(kind, {"a": 1, "b": None})
