@@ -1,0 +1,66 @@
+"""All commands, and how one of them is run."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import click
+import typer
+
+from contactd import __version__
+
+from .codes import Code, Terminated
+from .commands import bench, completion, info, jobs, keys, session, solve, study, tables, watch, wheelrail
+from .common import Group
+
+__all__ = ["app", "run"]
+
+app = typer.Typer(
+    name="contactctl",
+    cls=Group,
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+for family in (info, tables, solve, wheelrail, session, jobs, watch, bench, keys, study, completion):
+    family.add_to(app)
+
+
+def _say_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"contactctl {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def contactctl(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_say_version, is_eager=True, help="Print the version, and end.")
+    ] = False,
+) -> None:
+    """Elastic contact from a terminal: asks the daemon contactd, or solves in this process (--local).
+
+    Files are JSON or YAML in the words of the wire (docs/protocol.md).
+    """
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """The exit code of the command that `arguments` name."""
+    signal.signal(signal.SIGTERM, _terminate)
+    command = typer.main.get_command(app)
+    try:
+        ended = command.main(None if arguments is None else list(arguments), "contactctl", standalone_mode=False)
+    except click.ClickException as error:
+        error.show()
+        return Code.USAGE
+    except (click.Abort, KeyboardInterrupt):
+        return Code.INTERRUPTED
+    return ended if isinstance(ended, int) else Code.DONE
+
+
+def _terminate(*_: Any) -> None:
+    raise Terminated

@@ -1,0 +1,85 @@
+"""One request to the daemon: with a bar, and with an end to what it started there when it is interrupted."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+from contactd import Client, ContactdError, Job, Progress, StatusError, TimeoutExpired
+from contactd.waiting import may_build
+
+from .codes import Code, Ended
+from .output import note
+from .progress import Bar
+
+__all__ = ["OwnBuilds", "ask"]
+
+_PATIENCE = 1.0  # seconds until the daemon has heard that nobody waits any more
+
+
+class OwnBuilds:
+    """The builds that requests from now on start, as opposed to those that they join."""
+
+    def __init__(self, client: Client) -> None:
+        self._client = client
+        self._others = {job.job for job in client.jobs()}
+        self._seen: set[str] = set()
+
+    def notice(self, progress: Progress) -> None:
+        """From the progress of a request."""
+        if progress.job.startswith("build-"):
+            self._seen.add(progress.job)
+
+    @property
+    def latest(self) -> str:
+        """The name of one, or "" while none is known."""
+        return max(self._seen, default="")
+
+    def cancel(self) -> None:
+        """Ends those that nobody waits for any more, now that the requests are cancelled."""
+        try:
+            deadline = time.monotonic() + _PATIENCE
+            while (mine := self._running()) and any(job.callers for job in mine) and time.monotonic() < deadline:
+                time.sleep(0.05)
+            for job in mine:
+                if job.callers:
+                    note(f"{job.job} goes on: others wait for it.")
+                    continue
+                self._client.cancel_job(job.job)
+                note(f"{job.job} is cancelled.")
+        except ContactdError as error:
+            note(f"contactctl: what was started cannot be cancelled: {error}")
+
+    def _running(self) -> list[Job]:
+        return [job for job in self._client.jobs() if job.job in self._seen - self._others]
+
+
+def ask(client: Client, method: str, params: dict[str, Any], what: str) -> dict[str, Any]:
+    """The result of a request, `what` being said beside its bar. Interrupted, it ends its builds, too."""
+    builds = OwnBuilds(client) if may_build(params) else None
+    with Bar(what) as bar:
+
+        def report(progress: Progress) -> None:
+            if builds is not None:
+                builds.notice(progress)
+            bar.report(progress)
+
+        try:
+            return client.call(method, params, on_progress=report)
+        except KeyboardInterrupt:
+            if builds is not None:
+                builds.cancel()
+            raise
+        except TimeoutExpired as error:
+            raise Ended(Code.TIMEOUT, _late(error, builds)) from None
+
+
+def _late(error: TimeoutExpired, builds: OwnBuilds | None) -> str:
+    if builds is None:
+        return error.message if isinstance(error, StatusError) else str(error)
+    job = builds.latest
+    which = f"as {job}: `contactctl cancel {job}` ends it" if job else ": `contactctl cancel` ends it"
+    return (
+        f"The table was not there in time. Its build goes on in the daemon {which}, `contactctl jobs` shows how far it "
+        "is, and the same command again joins it."
+    )

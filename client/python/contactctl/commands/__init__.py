@@ -1,0 +1,1 @@
+"""The commands, a module each family; `add_to` puts them into the program."""

@@ -1,0 +1,33 @@
+"""completion: what makes shells complete commands and options."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import Annotated
+
+import typer
+from click.shell_completion import get_completion_class
+
+from ..common import Command
+
+__all__ = ["add_to"]
+
+
+class Shell(str, Enum):
+    """Those that can be helped."""
+
+    bash = "bash"
+    zsh = "zsh"
+    fish = "fish"
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    app.command(cls=Command)(completion)
+
+
+def completion(context: typer.Context, shell: Annotated[Shell, typer.Argument(help="Which one.")]) -> None:
+    """Print the script that makes a shell complete contactctl: `eval "$(contactctl completion bash)"`."""
+    kind = get_completion_class(shell.value)
+    assert kind is not None
+    typer.echo(kind(context.find_root().command, {}, "contactctl", "_CONTACTCTL_COMPLETE").source())

@@ -1,0 +1,61 @@
+"""info, health: what the daemon is, and whether it serves."""
+
+from __future__ import annotations
+
+import typer
+from rich.console import RenderableType
+
+from contactd import ServerInfo
+
+from ..codes import Code
+from ..common import Command, connected, setting
+from ..output import emit, facts, listing, size, span, warn
+
+__all__ = ["add_to"]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    app.command(cls=Command)(info)
+    app.command(cls=Command)(health)
+
+
+def info() -> None:
+    """Versions, limits and counters of the daemon."""
+    with connected() as client:
+        said = client.info()
+        emit(setting().json, said, *_shown(client.endpoint, said))
+
+
+def health() -> None:
+    """Whether the daemon serves (exit code 0) or ends (3), and what it warns of."""
+    with connected() as client:
+        said = client.call("server.health")
+    emit(setting().json, said, str(said["state"]))
+    warn(said.get("warnings", ()))
+    if said["state"] != "serving":
+        raise typer.Exit(Code.CONNECTION)
+
+
+def _shown(endpoint: str, said: ServerInfo) -> list[RenderableType]:
+    title = f"contactd {said.version} ({said.commit}) at {endpoint}"
+    queue, cache, limits = said.queue, said.cache, said.limits
+    return [
+        facts(
+            title,
+            [
+                ("running for", span(said.uptime_seconds)),
+                ("solves", f"{queue['solves_running']} running, {queue['solves_waiting']} waiting"),
+                ("builds", f"{queue['builds_running']} running, {queue['builds_waiting']} waiting"),
+                ("tables in memory", f"{cache['tables']}, {size(cache['bytes'])} of {size(cache['budget_bytes'])}"),
+                ("largest grid", f"{limits.max_grid_elements} elements"),
+                ("largest message", size(limits.max_message_bytes)),
+                ("longest queue", f"{limits.max_queue} requests, {limits.max_queue_per_client} of a client"),
+                ("sessions", f"at most {limits.max_sessions}, {size(limits.max_session_bytes)} together"),
+            ],
+        ),
+        "",
+        listing("Since it started", ["counter", "count"], said.counters.items()),
+        "",
+        listing("Libraries", ["library", "version"], said.libraries.items()),
+    ]

@@ -1,0 +1,65 @@
+"""jobs, cancel: the work of the daemon, and an end to it."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import click
+import typer
+from rich.console import RenderableType
+
+from contactd import Job, NotFound
+
+from ..codes import Code
+from ..common import Command, connected, setting
+from ..output import emit, listing, note, span
+
+__all__ = ["add_to", "shown_jobs"]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    app.command(cls=Command)(jobs)
+    app.command(cls=Command)(cancel)
+
+
+def jobs() -> None:
+    """Work that waits or runs."""
+    with connected() as client:
+        found = client.jobs()
+    emit(setting().json, {"jobs": found}, shown_jobs(found) if found else "no jobs")
+
+
+def shown_jobs(found: tuple[Job, ...]) -> RenderableType:
+    """A line each."""
+    columns = ["job", "state", "stage", "done", "waiting", "since", "to go"]
+    rows = [
+        (
+            job.job, job.state, job.stage or "-", f"{100 * job.fraction:.0f} %", job.callers, span(job.seconds),
+            None if job.seconds_left is None else span(job.seconds_left),
+        )
+        for job in found
+    ]  # fmt: skip
+    return listing(None, columns, rows)
+
+
+def cancel(
+    job: Annotated[list[str] | None, typer.Argument(metavar="JOB...", help="Names, as jobs tells them.")] = None,
+    every: Annotated[bool, typer.Option("--all", help="All jobs there are.")] = False,
+) -> None:
+    """Ends jobs; everyone who waits for them is told."""
+    if bool(job) == every:
+        raise click.UsageError("Name the jobs to cancel, or say --all.")
+    ended, gone = [], []
+    with connected() as client:
+        for name in job or [found.job for found in client.jobs()]:
+            try:
+                client.cancel_job(name)
+                ended.append(name)
+            except NotFound:
+                gone.append(name)
+                if not every:  # among all, one may have ended meanwhile
+                    note(f"contactctl: there is no job {name}.")
+    emit(setting().json, {"cancelled": ended}, f"cancelled: {', '.join(ended) or 'nothing'}")
+    if gone and not every:
+        raise typer.Exit(Code.REFUSED)

@@ -1,0 +1,128 @@
+"""session: a recorded history, step by step."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import click
+import typer
+
+from contactd import Client, ContactdError
+
+from ..asking import ask
+from ..common import Command, connected, setting
+from ..files import read_object
+from ..output import emit, listing, warn
+from ..paths import changed, put
+from ..progress import Bar
+from .solve import Set, contact_rows
+
+__all__ = ["add_to"]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    app.command(cls=Command)(session)
+
+
+def session(
+    file: Annotated[str, typer.Argument(help="JSON or YAML: open, as of session.open, and steps, as of session.step; - reads standard input.")],
+    sets: Set = None,
+    accept: Annotated[bool, typer.Option("--accept-unconverged", help="Go on after a step that missed a tolerance.")] = False,
+) -> None:
+    """Replay the steps of a history: one line each. Ends with 5 at a step that did not converge.
+
+    `steps` is a list, or the name of a CSV file whose columns are paths, such as Fn and friction.rolling.xi.
+    """
+    history = changed(read_object(file), sets or ())
+    opening, steps = _opening(file, history), _steps(file, history)
+    if accept:
+        opening["accept_unconverged"] = True
+    answers: list[dict[str, Any]] = []
+    # What was solved is shown however it ends.
+    with connected() as client, _opened(client, opening) as name, Bar("stepping") as bar:
+        try:
+            for number, step in enumerate(steps, 1):
+                bar.show((number - 1) / len(steps), f"step {number} of {len(steps)}")
+                params = {"fields": [], **step, "session": name, "step": number}
+                answers.append(client.call("session.step", params))
+        except BaseException:
+            _show(answers)
+            raise
+    _show(answers)
+
+
+def _show(answers: list[dict[str, Any]]) -> None:
+    columns = ["step", "Fn (N)", "Fx (N)", "Fy (N)", "Mz (N mm)", "approach (mm)", "pmax (N/mm^2)", "adhesion", "slip", "converged"]
+    rows = []
+    for answer in answers:
+        said = dict(contact_rows(answer))
+        found = [said.get(name) for name in columns[1:7]]
+        counts = [answer["elements"][name] for name in ("adhesion", "slip")]
+        rows.append((answer["step"], *found, *counts, bool(answer["converged"])))
+    emit(setting().json, {"steps": answers}, listing(None, columns, rows))
+    warn(f"step {answer['step']}: {sentence}" for answer in answers for sentence in answer["warnings"])
+
+
+@contextmanager
+def _opened(client: Client, opening: dict[str, Any]) -> Iterator[str]:
+    """The name of a session, which ends with the block."""
+    name = str(ask(client, "session.open", opening, "opening")["session"])
+    try:
+        yield name
+    finally:
+        try:
+            client.call("session.close", {"session": name})
+        except ContactdError:
+            pass  # its lease ends it
+
+
+def _opening(file: str, history: dict[str, Any]) -> dict[str, Any]:
+    if unknown := history.keys() - {"open", "steps"}:
+        raise click.UsageError(f"{file} has {min(unknown)!r}; a history has open and steps.")
+    opening = history.get("open")
+    if not isinstance(opening, dict):
+        raise click.UsageError(f"{file} lacks open, the parameters of session.open: grid, bodies, ics, gap, friction.")
+    return opening
+
+
+def _steps(file: str, history: dict[str, Any]) -> list[dict[str, Any]]:
+    steps = history.get("steps")
+    if isinstance(steps, str):
+        steps = _steps_of_csv((Path() if file == "-" else Path(file).parent) / steps)
+    if not isinstance(steps, list) or not steps:
+        raise click.UsageError(f"{file} lacks steps, a list of what each step says, or the name of a CSV file.")
+    for number, step in enumerate(steps, 1):
+        if not isinstance(step, dict) or step.keys() & {"session", "step", "again"}:
+            raise click.UsageError(f"{file}: step {number} must be an object such as {{Fn: 1000}}, without session, step and again.")
+    return steps
+
+
+def _steps_of_csv(path: Path) -> list[dict[str, Any]]:
+    steps = []
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            for number, row in enumerate(csv.DictReader(file), 1):
+                step: dict[str, Any] = {}
+                for column, text in row.items():
+                    if column is None or text is None:
+                        raise click.UsageError(f"{path}: step {number} has another number of columns than the first line.")
+                    if text.strip():
+                        put(step, column, _number(path, number, column, text))
+                steps.append(step)
+    except OSError as error:
+        raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
+    except UnicodeDecodeError:
+        raise click.UsageError(f"{path} is no text in UTF-8.") from None
+    return steps
+
+
+def _number(path: Path, number: int, column: str, text: str) -> float | int:
+    try:
+        return int(text) if text.strip().lstrip("+-").isdigit() else float(text)
+    except ValueError:
+        raise click.UsageError(f"{path}: step {number} has {column} = {text!r}, which is no number.") from None

@@ -1,0 +1,122 @@
+"""wheelrail: a wheel on a rail, from a file or from a few numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any
+
+import typer
+from rich.console import RenderableType
+
+from ..asking import ask
+from ..codes import Code, Ended
+from ..common import Command, Group, connected, setting
+from ..files import read_object
+from ..output import emit, facts, listing, warn
+from ..paths import changed
+from ..pictures import draw_wheel_rail
+from ..saving import check_outputs, save
+from .solve import Fields, Outputs, Set, wanted_fields
+
+__all__ = ["add_to"]
+
+File = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with setup and state, as of wheelrail.solve; else S1002 on 60E1.")]
+Y = Annotated[float | None, typer.Option("--y", help="Shift of the wheelset to the right (mm).")]
+Yaw = Annotated[float | None, typer.Option("--yaw", help="Its yaw angle (rad).")]
+Roll = Annotated[float | None, typer.Option("--roll", help="Its roll angle (rad).")]
+Fz = Annotated[float | None, typer.Option("--Fz", help="Vertical force of this wheel on the rail (N).")]
+Speed = Annotated[float | None, typer.Option("--speed", help="Forwards (mm/s); the wheelset then rolls, unless the file says its pitch.")]
+Side = Annotated[str | None, typer.Option("--side", help="right or left.")]
+Mu = Annotated[float | None, typer.Option("--mu", help="Coefficient of friction; 0.3 without a file.")]
+RADIUS = 460.0  #: of the wheel, where the set-up names none (mm)
+
+
+def add_to(app: typer.Typer) -> None:
+    """Adds the commands of this family."""
+    family = typer.Typer(cls=Group, no_args_is_help=True, help="A wheel on a rail.", rich_markup_mode=None)
+    family.command(cls=Command)(solve)
+    family.command(cls=Command)(geometry)
+    app.add_typer(family, name="wheelrail")
+
+
+def solve(
+    file: File = None, y: Y = None, yaw: Yaw = None, roll: Roll = None, Fz: Fz = None, speed: Speed = None,
+    side: Side = None, mu: Mu = None, sets: Set = None, output: Outputs = None, fields: Fields = None,
+) -> None:  # fmt: skip
+    """Patches and forces on the rail; ends with 5 when it did not converge."""
+    outputs = check_outputs(output or ())
+    params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
+    wanted_fields(params, fields, outputs)
+    with connected() as client:
+        answer = ask(client, "wheelrail.solve", params, "solving")
+    for path in outputs:
+        save(path, params, answer, lambda figure: draw_wheel_rail(figure, answer))
+    emit(setting().json, answer, *_shown(answer))
+    warn([*answer["warnings"], *(text for patch in answer["patches"] for text in patch["solution"]["warnings"])])
+    if not answer["converged"]:
+        raise Ended(Code.NOT_CONVERGED, "a solver or a search missed its tolerance; evidence says which.")
+
+
+def geometry(
+    file: File = None, y: Y = None, yaw: Yaw = None, roll: Roll = None, Fz: Fz = None, speed: Speed = None,
+    side: Side = None, mu: Mu = None, sets: Set = None,
+) -> None:  # fmt: skip
+    """Where wheel and rail touch, without a solve: places, angles, radii, creepages."""
+    params = _params(file, {"y": y, "yaw": yaw, "roll": roll}, Fz, speed, side, mu, sets)
+    if "state" in params:
+        params["states"] = [params.pop("state")]
+    with connected() as client:
+        answer = ask(client, "wheelrail.geometry", params, "searching")
+    shown = [part for found in answer.get("geometries", ()) for part in _shown_geometry(found)]
+    if "conicities" in answer:
+        columns = ["amplitude (mm)", "integrated", "harmonic", "wavelength (mm)"]
+        rows = [[found.get(name) for name in ("amplitude", "integrated", "harmonic", "wavelength")] for found in answer["conicities"]]
+        shown.append(listing("Equivalent conicity", columns, rows))
+    emit(setting().json, answer, *shown)
+    warn(text for found in answer.get("geometries", ()) for text in found["warnings"])
+
+
+def _params(
+    file: str | None, position: dict[str, float | None], force: float | None, speed: float | None,
+    side: str | None, mu: float | None, sets: list[str] | None,
+) -> dict[str, Any]:  # fmt: skip
+    """`setup` and `state`; options are laid over what the file says."""
+    params = read_object(file) if file is not None else {"setup": {"friction": {"mu": 0.3}}, "state": {}}
+    given: list[tuple[str, Any]] = [(f"state.position.{name}", value) for name, value in position.items()]
+    given += [("state.Fz", force), ("state.velocity.x", speed), ("setup.side", side), ("setup.friction.mu", mu)]
+    params = changed(params, [f"{path}={value}" for path, value in given if value is not None])
+    if speed is not None:
+        radius = params.get("setup", {}).get("wheelset", {}).get("nominal_radius", RADIUS)
+        params["state"]["velocity"].setdefault("pitch", -speed / radius)
+    return changed(params, sets or ())
+
+
+def _shown(answer: dict[str, Any]) -> list[RenderableType]:
+    track = answer["forces"]["track"]
+    rows: list[tuple[str, Any]] = [
+        ("height z (mm)", float(answer["z"])),
+        ("pitch rate (rad/s)", float(answer["pitch"])),
+        ("clearance (mm)", answer.get("clearance")),
+        *((f"{name} (N)", float(track[name])) for name in ("Fx", "Fy", "Fz")),
+        ("converged", bool(answer["converged"])),
+    ]
+    shown: list[RenderableType] = [facts("Forces on the rail, in track coordinates", rows)]
+    columns = ["patch", "y (mm)", "angle (deg)", "Fn (N)", "Fx (N)", "Fy (N)", "pmax (N/mm^2)", "contact (mm^2)"]
+    lines = []
+    for index, patch in enumerate(answer["patches"], 1):
+        place, found = patch["place"]["reference"], patch["solution"]
+        forces = (float(found["forces"][name]) for name in ("Fn", "Fx", "Fy"))
+        lines.append((index, place["y"], math.degrees(place["angle"]), *forces, float(found["pmax"]), float(found["area"]["contact"])))
+    shown += ["", listing("Patches, in contact coordinates", columns, lines) if lines else "Wheel and rail do not touch."]
+    return shown
+
+
+def _shown_geometry(found: dict[str, Any]) -> list[RenderableType]:
+    rows = [("height z (mm)", float(found["z"])), ("clearance (mm)", found.get("clearance"))]
+    columns = ["place", "y (mm)", "z (mm)", "angle (deg)", "approach (mm)", "xi", "eta", "phi (rad/mm)"]
+    lines = []
+    for index, place in enumerate(found["places"], 1):
+        at, creep = place["reference"], place["creepages"]
+        creepages = (float(creep[name]) for name in ("xi", "eta", "phi"))
+        lines.append((index, at["y"], at["z"], math.degrees(at["angle"]), float(place["approach"]), *creepages))
+    return [facts("Wheelset", rows), listing("Places", columns, lines) if lines else "Wheel and rail do not touch.", ""]

@@ -1,0 +1,138 @@
+"""The options that every command has, before and behind its name, and the client that they stand for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import click
+from click.core import ParameterSource
+from typer.core import TyperCommand, TyperGroup
+
+import contactd
+from contactd import Client, LocalDaemon
+from contactd.in_process import can_solve_here
+
+from .reporting import reported
+
+__all__ = ["Command", "Group", "Setting", "connected", "setting"]
+
+DEFAULT_ENDPOINT = "tcp://127.0.0.1:5555"
+
+
+def _of_environment(name: str) -> str | None:
+    return os.environ.get(name) or None
+
+
+@dataclass
+class Setting:
+    """What the common options say; each stands for an environment variable where it has one."""
+
+    endpoint: str | None = field(default_factory=lambda: _of_environment("CONTACTD_ENDPOINT"))
+    local: bool = False
+    folder: str | None = None
+    server_key: str | None = field(default_factory=lambda: _of_environment("CONTACTD_SERVER_KEY"))
+    own_key: str | None = field(default_factory=lambda: _of_environment("CONTACTD_OWN_KEY"))
+    timeout: float | None = None
+    json: bool = False
+
+
+def setting() -> Setting:
+    """That of the command that runs."""
+    found: Setting = click.get_current_context().find_root().ensure_object(Setting)
+    return found
+
+
+def _keep(context: click.Context, parameter: click.Parameter, value: Any) -> None:
+    """Whatever place the option was given at."""
+    assert parameter.name is not None
+    if context.get_parameter_source(parameter.name) is not ParameterSource.DEFAULT:
+        setattr(context.find_root().ensure_object(Setting), parameter.name, value)
+
+
+def _options() -> list[click.Parameter]:
+    def option(*names: str, **options: Any) -> click.Option:
+        return click.Option(list(names), expose_value=False, callback=_keep, **options)
+
+    seconds = click.FloatRange(min=0, min_open=True, max=86400)
+    return [
+        option("--endpoint", "-e", metavar="ENDPOINT",
+               help=f"The daemon's, such as tcp://host:5555 or ipc:///path; else CONTACTD_ENDPOINT, else {DEFAULT_ENDPOINT}."),
+        option("--local", is_flag=True, help="No daemon: solve in this process, or with a private daemon."),
+        option("--folder", metavar="FOLDER", help="With --local: where tables are kept; else they go at the end."),
+        option("--server-key", metavar="FILE", help="The daemon's public key; else CONTACTD_SERVER_KEY."),
+        option("--own-key", metavar="FILE", help="The own secret key; else CONTACTD_OWN_KEY."),
+        option("--timeout", type=seconds, metavar="SECONDS", help="Of each request; else 60, and an hour for builds."),
+        option("--json", is_flag=True, help="JSON on standard output, for scripts."),
+    ]  # fmt: skip
+
+
+class _Helpful(click.Command):
+    """Help as it is meant: typer escapes brackets for rich, which is not what shows it."""
+
+    def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        super().format_help(ctx, formatter)
+        formatter.buffer = [piece.replace("\\[", "[") for piece in formatter.buffer]
+
+
+class Command(_Helpful, TyperCommand):
+    """A command with the common options; its errors are sentences and exit codes."""
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.params.extend(_options())
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with reported():
+            return super().invoke(ctx)
+
+
+class Group(_Helpful, TyperGroup):
+    """Commands with the common options before their names."""
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.params.extend(_options())
+
+
+@contextmanager
+def connected(*, workers: int | None = None) -> Iterator[Client]:
+    """The client that the options stand for; `workers` of a local one."""
+    said = setting()
+    if said.local:
+        with _local(said, workers) as client:
+            if said.timeout is not None:
+                client.timeout = client.build_timeout = said.timeout
+            yield client
+        return
+    if said.folder is not None:
+        raise click.UsageError("--folder goes with --local: the tables of a daemon are where its configuration says.")
+    with client_of(said) as client:
+        yield client
+
+
+def client_of(said: Setting) -> Client:
+    """One of the daemon."""
+    times = {} if said.timeout is None else {"timeout": said.timeout, "build_timeout": said.timeout}
+    try:
+        return Client(said.endpoint or DEFAULT_ENDPOINT, server_key=said.server_key, own_key=said.own_key, **times)
+    except (ValueError, TypeError) as error:
+        raise click.UsageError(str(error)) from None
+
+
+@contextmanager
+def _local(said: Setting, workers: int | None) -> Iterator[Client]:
+    config: dict[str, Any] = {} if workers is None else {"workers": workers}
+    folder = None if said.folder is None else Path(said.folder)
+    if can_solve_here():
+        with contactd.local(folder=folder, config=config, in_process=True) as client:
+            yield client
+        return
+    # What is left when the command ends is wanted by nobody.
+    config["shutdown"] = {"drain_seconds": 0}
+    with LocalDaemon(folder=folder, config=config) as daemon, daemon.client() as client:
+        yield client

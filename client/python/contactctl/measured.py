@@ -1,0 +1,88 @@
+"""The metrics of the daemon (docs/operations.md): at one time, and what happened between two."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from typing import Any
+
+__all__ = ["Reading", "difference"]
+
+Labels = tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Values by metric and labels; of histograms their counts and sums.
+
+    Attributes:
+        at: When it was taken (s, monotonic).
+        values: Of counters and gauges.
+        histograms: Count and sum.
+    """
+
+    at: float
+    values: dict[tuple[str, Labels], float] = field(default_factory=dict)
+    histograms: dict[tuple[str, Labels], tuple[int, float]] = field(default_factory=dict)
+
+    @staticmethod
+    def of(metrics: list[dict[str, Any]]) -> Reading:
+        """From the answer to server.metrics."""
+        reading = Reading(time.monotonic())
+        for metric in metrics:
+            for sample in metric["samples"]:
+                key = metric["name"], tuple(sorted(sample["labels"].items()))
+                if "value" in sample:
+                    reading.values[key] = sample["value"]
+                else:
+                    reading.histograms[key] = sample["count"], sample["sum"]
+        return reading
+
+    def value(self, name: str, **labels: str) -> float:
+        """Of one metric, or the sum over labels that are not said; 0 where there is none."""
+        said = set(labels.items())
+        return sum(value for (found, have), value in self.values.items() if found == name and said <= set(have))
+
+
+def difference(before: Reading, now: Reading) -> dict[str, Any]:
+    """Rates between the two, and values at the second."""
+    elapsed = now.at - before.at
+
+    def rate(name: str) -> float:
+        return max(0.0, now.value(name) - before.value(name)) / elapsed
+
+    return {
+        "seconds": elapsed,
+        "uptime_seconds": now.value("contactd_uptime_seconds"),
+        "requests_per_second": rate("contactd_requests_total"),
+        "solves_per_second": rate("contactd_solves_total"),
+        "open_requests": now.value("contactd_open_requests"),
+        "solves_waiting": now.value("contactd_queue_length", queue="solves"),
+        "builds_waiting": now.value("contactd_queue_length", queue="builds"),
+        "builds_running": now.value("contactd_builds_running"),
+        "workers": now.value("contactd_workers"),
+        "workers_busy": now.value("contactd_workers_busy"),
+        "connections": now.value("contactd_connections"),
+        "sessions": now.value("contactd_sessions"),
+        "session_bytes": now.value("contactd_session_bytes"),
+        "tables": now.value("contactd_cache_entries", cache="tables"),
+        "store_tables": now.value("contactd_store_tables"),
+        "store_bytes": now.value("contactd_store_bytes"),
+        "resident_bytes": now.value("process_resident_memory_bytes"),
+        "processors": rate("process_cpu_seconds_total"),
+        "methods": _methods(before, now, elapsed),
+    }
+
+
+def _methods(before: Reading, now: Reading, elapsed: float) -> dict[str, dict[str, float]]:
+    """Those that were asked for meanwhile, apart from the looking itself."""
+    found = {}
+    for key, (count, total) in now.histograms.items():
+        name, labels = key
+        method = dict(labels).get("method", "")
+        earlier_count, earlier_total = before.histograms.get(key, (0, 0.0))
+        new = count - earlier_count
+        if name != "contactd_request_duration_seconds" or new <= 0 or method in ("server.metrics", "job.list"):
+            continue
+        found[method] = {"per_second": new / elapsed, "mean_seconds": (total - earlier_total) / new}
+    return dict(sorted(found.items()))

@@ -1,0 +1,88 @@
+"""Fields by their paths, as refusals name them: ``friction.rolling.xi``, ``ics.layers[0].G``."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from typing import Any
+
+import click
+
+__all__ = ["changed", "copied", "get", "parts", "put"]
+
+_PART = re.compile(r"([A-Za-z_$][\w$]*)((?:\[\d+\])*)")
+
+
+def parts(path: str) -> list[str | int]:
+    """Names and indices. Raises click.UsageError."""
+    found: list[str | int] = []
+    for piece in path.strip().split("."):
+        matched = _PART.fullmatch(piece)
+        if matched is None:
+            raise click.UsageError(f"{path!r} is no path of a field; one is like friction.rolling.xi or ics.layers[0].G.")
+        found.append(matched[1])
+        found.extend(int(index) for index in re.findall(r"\d+", matched[2]))
+    return found
+
+
+def put(document: Any, path: str, value: Any) -> None:
+    """Changes `document`; objects on the way are made where they are missing."""
+    *way, last = parts(path)
+    at = document
+    for part in way:
+        if isinstance(part, str) and isinstance(at, dict):
+            at = at.setdefault(part, {})
+        else:
+            at = _member(at, part, path)
+    if isinstance(last, str) and isinstance(at, dict):
+        at[last] = value
+    else:
+        _member(at, last, path)
+        at[last] = value
+
+
+def get(document: Any, path: str) -> Any:
+    """The value there; None where there is none."""
+    at = document
+    for part in parts(path):
+        try:
+            at = at[part]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return at
+
+
+def copied(document: Any) -> Any:
+    """A copy of objects and lists; arrays stay the same ones."""
+    if isinstance(document, dict):
+        return {name: copied(member) for name, member in document.items()}
+    if isinstance(document, list):
+        return [copied(member) for member in document]
+    return document
+
+
+def changed(document: dict[str, Any], settings: Iterable[str]) -> dict[str, Any]:
+    """A copy with each PATH=VALUE of the command line in place; a value is JSON, or else a text."""
+    found: dict[str, Any] = copied(document)
+    for setting in settings:
+        path, sign, text = setting.partition("=")
+        if not sign:
+            raise click.UsageError(f"--set {setting}: it must be PATH=VALUE, such as friction.mu=0.3.")
+        put(found, path, _value(text))
+    return found
+
+
+def _value(text: str) -> Any:
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+
+
+def _member(at: Any, part: str | int, path: str) -> Any:
+    try:
+        return at[part]
+    except (KeyError, IndexError, TypeError):
+        what = f"no [{part}]" if isinstance(part, int) else f"nothing that has {part}"
+        raise click.UsageError(f"{path} cannot be set: there is {what} on the way.") from None

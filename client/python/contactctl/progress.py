@@ -1,0 +1,56 @@
+"""A live bar of what the daemon is doing, on standard error where that is a terminal, and else nothing."""
+
+from __future__ import annotations
+
+import sys
+from types import TracebackType
+
+from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
+from rich.progress import Progress as Bars
+
+from contactd import Progress
+
+from .output import console, on_terminal, span
+
+__all__ = ["Bar"]
+
+
+class Bar:
+    """Appears with the first news, and goes when the work has ended."""
+
+    def __init__(self, what: str) -> None:
+        self._what = what
+        self._bars: Bars | None = None
+
+    def __enter__(self) -> Bar:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        if self._bars is not None:
+            self._bars.stop()
+
+    def report(self, progress: Progress) -> None:
+        """How far a request is."""
+        left = "" if progress.seconds_left is None else f"about {span(progress.seconds_left)} to go"
+        if progress.iteration:
+            left = f"iteration {progress.iteration}, residual {progress.residual:.1e}  {left}"
+        self.show(progress.fraction, f"{progress.job}: {progress.stage}" if progress.job else progress.stage, left)
+
+    def show(self, fraction: float, stage: str, remark: str = "") -> None:
+        """`fraction` is 0 to 1."""
+        if not on_terminal(sys.stderr):
+            return
+        if self._bars is None:
+            columns = (
+                TextColumn("{task.description}"),
+                BarColumn(bar_width=30),
+                TextColumn("{task.percentage:>3.0f} %"),
+                TimeElapsedColumn(),
+                TextColumn("{task.fields[stage]}  {task.fields[remark]}"),
+            )
+            self._bars = Bars(*columns, console=console(stderr=True), transient=True, refresh_per_second=5)
+            self._task = self._bars.add_task(self._what, total=1.0, stage=stage, remark=remark)
+            self._bars.start()
+        self._bars.update(self._task, completed=fraction, stage=stage, remark=remark)

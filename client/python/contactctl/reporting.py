@@ -1,0 +1,65 @@
+"""From errors to sentences on standard error and exit codes."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import click
+
+from contactd import ContactdError, StatusError, TableFileError
+
+from .codes import Code, Ended, code_of
+from .output import note
+
+__all__ = ["reported", "sentence"]
+
+
+@contextmanager
+def reported() -> Iterator[None]:
+    """Ends the command with the exit code of what goes wrong inside, after saying what it was."""
+    try:
+        yield
+        sys.stdout.flush()
+    except (click.ClickException, click.exceptions.Exit):
+        raise
+    except BrokenPipeError:
+        _drop_output()
+        raise click.exceptions.Exit(Code.PIPE) from None
+    except KeyboardInterrupt as error:
+        raise click.exceptions.Exit(code_of(error)) from None
+    except Ended as error:
+        note(f"contactctl: {error}")
+        raise click.exceptions.Exit(error.code) from None
+    except TableFileError as error:
+        raise click.UsageError(str(error)) from None
+    except ContactdError as error:
+        note(f"contactctl: {sentence(error)}")
+        raise click.exceptions.Exit(code_of(error)) from None
+    except OSError as error:
+        where = f"{error.filename}: " if error.filename else ""
+        note(f"contactctl: {where}{error.strerror or error}.")
+        _drop_output()
+        raise click.exceptions.Exit(Code.DEFECT) from None
+
+
+def _drop_output() -> None:
+    """What is still to be written goes nowhere, so that the end of Python does not try again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def sentence(error: ContactdError) -> str:
+    """What went wrong, with each field of the request that did."""
+    if not isinstance(error, StatusError):
+        return str(error)
+    text = error.message.rstrip()
+    lines = [f"  {violation.field}: {violation.description}" for violation in error.violations]
+    if len(lines) == 1 and error.violations[0].description in text:
+        lines = []
+    words = f"{error.name}, {error.reason}" if error.reason else error.name
+    head = f"{text if text.endswith(('.', '!', '?')) else text + '.'} ({words})"
+    if error.retry_delay:
+        lines.append(f"  Try again in {error.retry_delay:g} s.")
+    return "\n".join([head, *lines])

@@ -1,0 +1,66 @@
+"""Cases of a study by the workers of a Dask cluster, each of which asks a daemon, or solves in its own process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from typing import Any
+
+import click
+
+import contactd
+from contactd import Client
+
+from ..common import DEFAULT_ENDPOINT, Setting, client_of
+from .journal import Journal
+from .plan import Case, Plan
+from .solving import row_of
+
+__all__ = ["run_by_dask"]
+
+_CLIENTS: dict[Any, Client] = {}  #: of this worker, by what was said of the daemon
+_OPEN = ExitStack()  #: what solves in process ends with the worker
+
+
+def run_by_dask(
+    scheduler: str, said: Setting, plan: Plan, cases: Sequence[Case], journal: Journal, on_row: Callable[[], None]
+) -> None:
+    """Adds a row for each case, and tells `on_row`. The package must be installed where the workers are."""
+    try:
+        from dask.distributed import Client as Dask
+        from dask.distributed import as_completed
+    except ImportError:
+        raise click.UsageError("--dask needs dask.distributed: pip install distributed, or on Debian python3-distributed.") from None
+    try:
+        dask = Dask(scheduler, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise contactd.ConnectionFailed(f"No Dask scheduler answers at {scheduler}: {error}") from None
+    with dask:
+        by_key = {case.key: case for case in cases}
+        arguments = [(case.key, plan.params(case)) for case in cases]
+        futures = dask.map(_solved, arguments, method=plan.method, answers=plan.answers, said=vars(said), pure=False)
+        try:
+            for future, (key, row) in as_completed(futures, with_results=True):
+                journal.add({"key": key, "values": by_key[key].values, **row})
+                future.release()
+                on_row()
+        except BaseException:
+            dask.cancel(futures)
+            raise
+
+
+def _solved(
+    argument: tuple[str, dict[str, Any]], method: str, answers: Sequence[str], said: dict[str, Any]
+) -> tuple[str, dict[str, Any]]:
+    """On a worker."""
+    key, params = argument
+    return key, row_of(_client(said), method, params, answers)
+
+
+def _client(said: dict[str, Any]) -> Client:
+    """Of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
+    there = Setting(**{name: value for name, value in said.items() if value not in (None, False)})
+    identity = (there.local, there.endpoint or DEFAULT_ENDPOINT)
+    if identity not in _CLIENTS:
+        _CLIENTS[identity] = _OPEN.enter_context(contactd.local()) if there.local else client_of(there)
+    return _CLIENTS[identity]

@@ -1,0 +1,117 @@
+"""Rows of a study in a file that only grows: a line each, with its checksum, written in one piece.
+
+Whenever the process is killed, the file holds each finished row once, and perhaps the beginning of one more, which the next
+run cuts off. Lines that a disk has damaged are left out, and their rows solved again.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import time
+import zlib
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from ..codes import Code, Ended
+from ..output import note
+
+__all__ = ["Journal"]
+
+_SYNC = 1.0  # seconds of work that a loss of power may cost
+
+
+class Journal:
+    """The rows that are finished, by their keys. Belongs to one process at a time, and there to one thread at a time.
+
+    Attributes:
+        rows: In the order in which they were finished; each has a `key`.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.rows: dict[str, dict[str, Any]] = {}
+        self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            os.close(self._file)
+            raise Ended(Code.USAGE, f"{path} belongs to a study that runs; wait for it, or name another file by --rows.") from None
+        self._read()
+        self._synced = time.monotonic()
+
+    def __enter__(self) -> Journal:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        os.fsync(self._file)
+        os.close(self._file)
+
+    def add(self, row: dict[str, Any]) -> None:
+        """Writes a row that is not there yet. Raises OSError, and leaves no part of it, when it cannot be written."""
+        if row["key"] in self.rows:
+            return
+        line = _line(row)
+        before = os.fstat(self._file).st_size
+        written = 0
+        try:
+            while written < len(line):  # short of room, a part may go
+                written += os.write(self._file, line[written:])
+        except BaseException:
+            os.ftruncate(self._file, before)
+            raise
+        self.rows[row["key"]] = row
+        if time.monotonic() - self._synced > _SYNC:
+            os.fsync(self._file)
+            self._synced = time.monotonic()
+
+    def forget(self, keys: set[str]) -> None:
+        """Lets rows be solved again: writes the file anew without them, and puts it in place of the old one."""
+        kept = [row for key, row in self.rows.items() if key not in keys]
+        part = Path(f"{self.path}.part")
+        with part.open("wb") as file:
+            file.writelines(_line(row) for row in kept)
+            file.flush()
+            os.fsync(file.fileno())
+        renewed = os.open(part, os.O_RDWR | os.O_APPEND | os.O_CLOEXEC)
+        fcntl.flock(renewed, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        part.replace(self.path)
+        os.close(self._file)
+        self._file = renewed
+        self.rows = {row["key"]: row for row in kept}
+
+    def _read(self) -> None:
+        content = self.path.read_bytes()
+        whole = content.rfind(b"\n") + 1
+        if whole < len(content):  # killed within a line
+            os.ftruncate(self._file, whole)
+        damaged = 0
+        for line in content[:whole].splitlines():
+            row = _row(line)
+            if row is None:
+                damaged += 1
+            else:
+                self.rows.setdefault(row["key"], row)
+        if damaged and not self.rows:
+            os.close(self._file)
+            raise Ended(Code.USAGE, f"{self.path} is no file with rows of a study; name another one by --rows.")
+        if damaged:
+            note(f"warning: {damaged} damaged lines of {self.path} are left out, and their rows solved again.")
+
+
+def _line(row: dict[str, Any]) -> bytes:
+    text = json.dumps(row, allow_nan=False).encode()
+    return b"%08x %s\n" % (zlib.crc32(text), text)
+
+
+def _row(line: bytes) -> dict[str, Any] | None:
+    """None where the line is damaged."""
+    checksum, _, text = line.partition(b" ")
+    if checksum != b"%08x" % zlib.crc32(text):
+        return None
+    row = json.loads(text)
+    return row if isinstance(row, dict) and "key" in row else None

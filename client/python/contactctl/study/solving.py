@@ -1,0 +1,60 @@
+"""One case of a study solved, by whomever: what becomes a row, and what ends the study."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from contactd import (
+    Cancelled,
+    Client,
+    ConnectionFailed,
+    Progress,
+    StatusError,
+    TimeoutExpired,
+    Unauthenticated,
+    Unavailable,
+)
+
+from ..codes import Code, code_of
+from ..output import plain_json
+from ..paths import get
+
+__all__ = ["row_of"]
+
+TRIES = 5  #: where the daemon has gone, or has no room: it may be back, after 0.5, 1, 2 and 4 s
+
+ProgressCallback = Callable[[Progress], None]
+
+
+def row_of(
+    client: Client, method: str, params: dict[str, Any], answers: Sequence[str], on_progress: ProgressCallback | None = None
+) -> dict[str, Any]:
+    """The row without its key and values: `code`, of the exit codes, and `answers` or an `error`.
+
+    Raises Cancelled, and what says that there is no daemon to ask: these are no property of the case.
+    """
+    began = time.monotonic()
+    try:
+        answer = _asked(client, method, params, on_progress)
+    except (Cancelled, Unauthenticated, Unavailable):
+        raise
+    except (StatusError, TimeoutExpired) as error:
+        return {"code": int(code_of(error)), "error": str(error), "seconds": time.monotonic() - began}
+    code = Code.DONE if answer["converged"] else Code.NOT_CONVERGED
+    found = {path: plain_json(get(answer, path)) for path in answers}
+    return {"code": int(code), "answers": found, "seconds": time.monotonic() - began}
+
+
+def _asked(client: Client, method: str, params: dict[str, Any], on_progress: ProgressCallback | None) -> dict[str, Any]:
+    for attempt in range(TRIES - 1):
+        try:
+            return client.call(method, params, on_progress=on_progress)
+        except (ConnectionFailed, Unavailable):
+            time.sleep(0.5 * 2**attempt)
+        except StatusError as error:
+            if error.reason not in ("QUEUE_FULL", "RATE_LIMITED", "TOO_MANY_OPEN"):
+                raise
+            time.sleep(max(error.retry_delay, 0.5 * 2**attempt))
+    return client.call(method, params, on_progress=on_progress)

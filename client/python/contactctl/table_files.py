@@ -1,0 +1,133 @@
+"""Files of tables: written for other programs, looked into, and put into the folder of a store."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from contactd import AnalyticIcs, Client, FemIcs, Grid, IcTable, Material, TableIcs, load_table, save_table
+from contactd.reading import read
+from contactd.solution import IcSpec
+
+from .asking import ask
+from .output import facts, size
+
+__all__ = ["check_suffix", "import_files", "shown_file", "write_export"]
+
+_STORED = re.compile(r"([0-9a-f]{64})\.(\d+)x(\d+)\.h5")
+
+
+def check_suffix(output: str) -> None:
+    """Before anything is built. Raises click.UsageError."""
+    if not output.endswith((".h5", ".npz", ".txt")):
+        raise click.UsageError(f"--output {output}: the name must end in .h5, .npz or .txt.")
+    if not Path(output).absolute().parent.is_dir():
+        raise click.UsageError(f"--output {output}: there is no folder {Path(output).parent}.")
+
+
+def write_export(client: Client, params: dict[str, Any], output: str) -> int:
+    """How many bytes were written; the file is whole or not there."""
+    if output.endswith(".npz"):
+        # Builds first, with a bar; then the table lies ready.
+        said = ask(client, "ic.get", {**params, "components": ["zz"], "rows": {"first": 0, "count": 1}}, "building")
+        spec = read(IcSpec, said["spec"], "spec")
+        save_table(output, client.get_ic(spec.material, spec.grid, _as_asked(params, spec)))
+        return os.path.getsize(output)
+    said = ask(client, "ic.export", {**params, "format": "hdf5" if output.endswith(".h5") else "contact"}, "building")
+    content = said["text"].encode() if "text" in said else np.asarray(said["file"], dtype=np.uint8).tobytes()
+    part = Path(f"{output}.part")
+    try:
+        part.write_bytes(content)
+        part.replace(output)
+    finally:
+        part.unlink(missing_ok=True)
+    return len(content)
+
+
+def _as_asked(params: dict[str, Any], spec: IcSpec) -> AnalyticIcs | FemIcs:
+    """What the request says of the coefficients: the answer has defaults, which do not all go together."""
+    fields = {name: value for name, value in params["ics"].items() if name not in ("source", "layers", "base")}
+    if isinstance(spec.ics, FemIcs):
+        return FemIcs(**fields)
+    return AnalyticIcs(load_shape=fields.get("load_shape"))
+
+
+def shown_file(path: str) -> tuple[dict[str, Any], Any]:
+    """For scripts and for people. Raises TableFileError or OSError."""
+    table = load_table(path)
+    if isinstance(table, TableIcs):
+        ny, nx = table.array.shape[2:]
+        said = {"file": path, "of": "pair", "nx": nx, "ny": ny, "dx": table.dx, "dy": table.dy, "G": table.G}
+        rows: list[tuple[str, Any]] = [("of", "a pair of bodies"), ("modulus G", table.G)]
+        rows += [("offsets", f"{nx} x {ny} of {table.dx:g} x {table.dy:g} mm")]
+        return said, facts(path, [*rows, ("in memory", size(table.array.nbytes))])
+    return {"file": path, "of": "body", "spec": table.spec, "evidence": table.evidence}, _shown(path, table)
+
+
+def _shown(path: str, table: IcTable) -> Any:
+    grid, evidence, body = table.spec.grid, table.evidence, table.spec.material
+    is_unit = (grid.dx, getattr(body, "G", None)) == (1.0, 1.0)
+    errors = evidence.errors
+    return facts(
+        path,
+        [
+            ("of", f"a body of G = {body.G:g} N/mm^2, nu = {body.nu:g}" if isinstance(body, Material) else "layers"),
+            ("offsets", _extent(grid) + (", dimensionless: of a store" if is_unit else "")),
+            ("source", "finite elements" if evidence.source == "fem" else "closed form"),
+            ("elements", evidence.elements or None),
+            ("unknowns", evidence.dofs or None),
+            ("made by", evidence.version),
+            ("error of zz", None if errors is None else f"{errors.zz.origin:.2g} at the origin, {errors.zz.largest:.2g} at most"),
+            ("in memory", size(table.array.nbytes)),
+            *(("warning", warning) for warning in evidence.warnings),
+        ],
+    )
+
+
+def _extent(grid: Grid) -> str:
+    return f"{grid.nx} x {grid.ny} of {grid.dx:g} x {grid.dy:g} mm"
+
+
+def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
+    """Checks each file and copies it; it appears whole or not at all. Raises click.UsageError or TableFileError."""
+    folder = Path(store)
+    if not folder.is_dir():
+        raise click.UsageError(f"--store {store} is no folder.")
+    checked = [_checked(Path(file)) for file in files]
+    done = []
+    for file, key, nx, ny in checked:
+        target = folder / file.name
+        is_new = not target.exists()
+        if is_new:
+            part = folder / f".{file.name}.{os.getpid()}.part"
+            try:
+                shutil.copyfile(file, part)
+                part.replace(target)
+            finally:
+                part.unlink(missing_ok=True)
+        done.append({"key": key, "nx": nx, "ny": ny, "new": is_new})
+    return done
+
+
+def _checked(file: Path) -> tuple[Path, str, int, int]:
+    """The file with the key and extent of its name, whose digest and extent are right."""
+    matched = _STORED.fullmatch(file.name)
+    if matched is None:
+        raise click.UsageError(
+            f"{file} is no file of a store: those are called <key>.<nx>x<ny>.h5. What ic export writes is for other "
+            "programs, and for TableIcs."
+        )
+    if not file.exists():
+        raise click.UsageError(f"{file} is not there.")
+    key, nx, ny = matched[1], int(matched[2]), int(matched[3])
+    table = load_table(file)
+    if table.array.shape[2:] != (ny, nx):
+        found = " x ".join(map(str, reversed(table.array.shape[2:])))
+        raise click.UsageError(f"{file} holds {found} offsets; its name says {nx} x {ny}.")
+    return file, key, nx, ny

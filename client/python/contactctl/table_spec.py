@@ -1,0 +1,65 @@
+"""What table is meant: a file in the words of ic.get, options for what most often differs, and --set for all else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import click
+import typer
+
+from .files import read_object
+from .paths import changed
+
+__all__ = ["DX", "DY", "NU", "NX", "NY", "Accuracy", "E", "G", "Set", "Spec", "as_given", "offsets_of", "table_params"]
+
+Spec = Annotated[str | None, typer.Argument(metavar="[FILE]", help="JSON or YAML with material, grid and ics; - reads standard input.")]
+Set = Annotated[list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a field, as in ics.order=3; as often as wanted.")]
+G = Annotated[float | None, typer.Option("--G", help="Shear modulus (N/mm^2).")]
+E = Annotated[float | None, typer.Option("--E", help="Young's modulus (N/mm^2), in place of G.")]
+NU = Annotated[float | None, typer.Option("--nu", help="Poisson's ratio.")]
+NX = Annotated[int | None, typer.Option("--nx", help="Offsets along x.")]
+NY = Annotated[int | None, typer.Option("--ny", help="Offsets along y; as nx.")]
+DX = Annotated[float | None, typer.Option("--dx", help="Element size along x (mm).")]
+DY = Annotated[float | None, typer.Option("--dy", help="Element size along y (mm); as dx.")]
+Accuracy = Annotated[float | None, typer.Option("--accuracy", help="Largest relative error, by finite elements; 1e-3.")]
+
+
+def as_given(**options: Any) -> dict[str, Any]:
+    """Those that were given."""
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def table_params(file: str | None, given: dict[str, Any], sets: Sequence[str] | None) -> dict[str, Any]:
+    """The parameters of ic.get. Raises click.UsageError."""
+    params = read_object(file) if file is not None else {}
+    if file is None and not given and not sets:
+        raise click.UsageError("Say which table: a FILE, or at least --G, --nu, --nx and --dx.")
+    material, grid, ics = (dict(params.get(name) or {}) for name in ("material", "grid", "ics"))
+    material |= _modulus(given, material)
+    grid |= {name: given[name] for name in ("nx", "ny", "dx", "dy") if name in given}
+    for other, same in (("ny", "nx"), ("dy", "dx")):
+        if same in grid:
+            grid.setdefault(other, grid[same])
+    if "accuracy" in given:
+        ics["accuracy"] = given["accuracy"]
+    ics.setdefault("source", "fem")
+    parts = {"material": material, "grid": grid, "ics": ics}
+    return changed({**params, **{name: part for name, part in parts.items() if part}}, sets or ())
+
+
+def _modulus(given: dict[str, Any], material: dict[str, Any]) -> dict[str, Any]:
+    found = {name: given[name] for name in ("G", "nu") if name in given}
+    if "E" not in given:
+        return found
+    nu = found.get("nu", material.get("nu"))
+    if "G" in given or not isinstance(nu, (int, float)):
+        raise click.UsageError("--E goes with --nu, and in place of --G.")
+    return {**found, "G": given["E"] / (2 * (1 + nu))}
+
+
+def offsets_of(params: dict[str, Any]) -> int:
+    """How many; 0 where that is not said rightly, which is the daemon's to refuse."""
+    grid = params.get("grid", {})
+    nx, ny = grid.get("nx"), grid.get("ny")
+    return nx * ny if isinstance(nx, int) and isinstance(ny, int) and nx > 0 and ny > 0 else 0
