@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Sequence
-from typing import Annotated, Any
+from typing import Annotated
 
 import click
 import typer
 
 from contactd import __version__
 
-from .codes import Code, Terminated
+from .codes import Code
 from .commands import bench, completion, info, jobs, keys, session, solve, study, tables, watch, wheelrail
 from .common import Group
+from .interrupts import heed_sigterm
 
 __all__ = ["app", "run"]
 
@@ -50,8 +50,10 @@ def contactctl(
 
 def run(arguments: Sequence[str] | None = None) -> int:
     """The exit code of the command that `arguments` name."""
-    signal.signal(signal.SIGTERM, _terminate)
+    heed_sigterm()
     command = typer.main.get_command(app)
+    if (answered := completion.completed(command)) is not None:
+        return answered
     try:
         ended = command.main(None if arguments is None else list(arguments), "contactctl", standalone_mode=False)
     except click.ClickException as error:
@@ -61,6 +63,3 @@ def run(arguments: Sequence[str] | None = None) -> int:
         return Code.INTERRUPTED
     return ended if isinstance(ended, int) else Code.DONE
 
-
-def _terminate(*_: Any) -> None:
-    raise Terminated

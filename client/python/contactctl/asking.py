@@ -9,6 +9,7 @@ from contactd import Client, ContactdError, Job, Progress, StatusError, TimeoutE
 from contactd.waiting import may_build
 
 from .codes import Code, Ended
+from .interrupts import uninterrupted
 from .output import note
 from .progress import Bar
 
@@ -37,6 +38,10 @@ class OwnBuilds:
 
     def cancel(self) -> None:
         """Ends those that nobody waits for any more, now that the requests are cancelled."""
+        with uninterrupted():
+            self._cancel()
+
+    def _cancel(self) -> None:
         try:
             deadline = time.monotonic() + _PATIENCE
             while (mine := self._running()) and any(job.callers for job in mine) and time.monotonic() < deadline:
@@ -45,33 +50,33 @@ class OwnBuilds:
                 if job.callers:
                     note(f"{job.job} goes on: others wait for it.")
                     continue
-                self._client.cancel_job(job.job)
+                self._client.cancel_job(job.job, timeout=_PATIENCE)
                 note(f"{job.job} is cancelled.")
         except ContactdError as error:
             note(f"contactctl: what was started cannot be cancelled: {error}")
 
     def _running(self) -> list[Job]:
-        return [job for job in self._client.jobs() if job.job in self._seen - self._others]
+        return [job for job in self._client.jobs(timeout=_PATIENCE) if job.job in self._seen - self._others]
 
 
 def ask(client: Client, method: str, params: dict[str, Any], what: str) -> dict[str, Any]:
     """The result of a request, `what` being said beside its bar. Interrupted, it ends its builds, too."""
     builds = OwnBuilds(client) if may_build(params) else None
-    with Bar(what) as bar:
+    try:
+        with Bar(what) as bar:
 
-        def report(progress: Progress) -> None:
-            if builds is not None:
-                builds.notice(progress)
-            bar.report(progress)
+            def report(progress: Progress) -> None:
+                if builds is not None:
+                    builds.notice(progress)
+                bar.report(progress)
 
-        try:
             return client.call(method, params, on_progress=report)
-        except KeyboardInterrupt:
-            if builds is not None:
-                builds.cancel()
-            raise
-        except TimeoutExpired as error:
-            raise Ended(Code.TIMEOUT, _late(error, builds)) from None
+    except KeyboardInterrupt:
+        if builds is not None:
+            builds.cancel()
+        raise
+    except TimeoutExpired as error:
+        raise Ended(Code.TIMEOUT, _late(error, builds)) from None
 
 
 def _late(error: TimeoutExpired, builds: OwnBuilds | None) -> str:

@@ -10,7 +10,7 @@ from rich.progress import Progress as Bars
 
 from contactd import Progress
 
-from .output import console, on_terminal, span
+from .output import console, note, on_terminal, span
 
 __all__ = ["Bar"]
 
@@ -21,6 +21,8 @@ class Bar:
     def __init__(self, what: str) -> None:
         self._what = what
         self._bars: Bars | None = None
+        self._is_seen = on_terminal(sys.stderr)  # not asked again: a bar puts something else in its place
+        self._has_told = False
 
     def __enter__(self) -> Bar:
         return self
@@ -34,13 +36,23 @@ class Bar:
     def report(self, progress: Progress) -> None:
         """How far a request is."""
         left = "" if progress.seconds_left is None else f"about {span(progress.seconds_left)} to go"
+        if progress.seconds_left is not None and not self._has_told:
+            self._has_told = True
+            self._tell(f"{progress.job or self._what}: {left}, the daemon expects.")
         if progress.iteration:
             left = f"iteration {progress.iteration}, residual {progress.residual:.1e}  {left}"
         self.show(progress.fraction, f"{progress.job}: {progress.stage}" if progress.job else progress.stage, left)
 
+    def _tell(self, sentence: str) -> None:
+        """Above the bar where there is one; it stays."""
+        if self._bars is None:
+            note(sentence)
+        else:
+            self._bars.console.print(sentence)
+
     def show(self, fraction: float, stage: str, remark: str = "") -> None:
         """`fraction` is 0 to 1."""
-        if not on_terminal(sys.stderr):
+        if not self._is_seen:
             return
         if self._bars is None:
             columns = (

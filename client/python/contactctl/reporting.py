@@ -12,6 +12,7 @@ import click
 from contactd import ContactdError, StatusError, TableFileError
 
 from .codes import Code, Ended, code_of
+from .interrupts import ignore_more
 from .output import note
 
 __all__ = ["reported", "sentence"]
@@ -29,6 +30,7 @@ def reported() -> Iterator[None]:
         _drop_output()
         raise click.exceptions.Exit(Code.PIPE) from None
     except KeyboardInterrupt as error:
+        ignore_more()
         raise click.exceptions.Exit(code_of(error)) from None
     except Ended as error:
         note(f"contactctl: {error}")

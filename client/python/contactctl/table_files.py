@@ -59,8 +59,11 @@ def _as_asked(params: dict[str, Any], spec: IcSpec) -> AnalyticIcs | FemIcs:
 
 
 def shown_file(path: str) -> tuple[dict[str, Any], Any]:
-    """For scripts and for people. Raises TableFileError or OSError."""
-    table = load_table(path)
+    """For scripts and for people. Raises click.UsageError or TableFileError."""
+    try:
+        table = load_table(path)
+    except OSError as error:
+        raise click.UsageError(f"{path} cannot be read: {error.strerror or error}.") from None
     if isinstance(table, TableIcs):
         ny, nx = table.array.shape[2:]
         said = {"file": path, "of": "pair", "nx": nx, "ny": ny, "dx": table.dx, "dy": table.dy, "G": table.G}

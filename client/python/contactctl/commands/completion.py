@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import os
 from enum import Enum
 from typing import Annotated
 
 import typer
-from click.shell_completion import get_completion_class
+from click import Command as ClickCommand
+from click.shell_completion import get_completion_class, shell_complete
 
 from ..common import Command
 
-__all__ = ["add_to"]
+__all__ = ["add_to", "completed"]
+
+_VARIABLE = "_CONTACTCTL_COMPLETE"  #: what the scripts set
 
 
 class Shell(str, Enum):
@@ -30,4 +34,10 @@ def completion(context: typer.Context, shell: Annotated[Shell, typer.Argument(he
     """Print the script that makes a shell complete contactctl: `eval "$(contactctl completion bash)"`."""
     kind = get_completion_class(shell.value)
     assert kind is not None
-    typer.echo(kind(context.find_root().command, {}, "contactctl", "_CONTACTCTL_COMPLETE").source())
+    typer.echo(kind(context.find_root().command, {}, "contactctl", _VARIABLE).source())
+
+
+def completed(command: ClickCommand) -> int | None:
+    """The exit code after an answer to the script of a shell; None when none asks."""
+    instruction = os.environ.get(_VARIABLE)
+    return None if instruction is None else shell_complete(command, {}, "contactctl", _VARIABLE, instruction)

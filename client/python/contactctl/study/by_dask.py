@@ -40,7 +40,7 @@ def run_by_dask(
         arguments = [(case.key, plan.params(case)) for case in cases]
         futures = dask.map(_solved, arguments, method=plan.method, answers=plan.answers, said=vars(said), pure=False)
         try:
-            for future, (key, row) in as_completed(futures, with_results=True):
+            for future, (key, row) in as_completed(futures, loop=dask.loop, with_results=True):
                 journal.add({"key": key, "values": by_key[key].values, **row})
                 future.release()
                 on_row()

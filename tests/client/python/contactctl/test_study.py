@@ -1,0 +1,247 @@
+"""Studies: what they mean, and that no end of the process loses or doubles a row."""
+
+import csv
+import json
+import random
+import signal
+import time
+
+import pytest
+
+from contactctl.codes import Ended
+from contactctl.study.journal import Journal
+from contactd import Client
+from support.daemons import eventually
+
+STUDY = """\
+problem: contact.yaml
+vary:
+  friction.mu: [0.1, 0.4]
+  approach: {from: 0.005, to: 0.02, count: 3}
+answers: [forces.Fn, forces.Fx, converged]
+"""
+
+
+def test_rows_are_what_single_solves_answer(ctl):
+    ctl.write("study.yaml", STUDY)
+    rows = ctl("study", "study.yaml", "--json").json["rows"]
+    assert [(row["values"]["friction.mu"], row["values"]["approach"]) for row in rows] == [
+        (mu, approach) for mu in (0.1, 0.4) for approach in (0.005, 0.0125, 0.02)
+    ]
+    for row in rows[::5]:
+        sets = [f"--set={path}={value}" for path, value in row["values"].items()]
+        alone = ctl("solve", "contact.yaml", "--json", "--fields", "none", *sets).json
+        assert row["answers"] == {"forces.Fn": alone["forces"]["Fn"], "forces.Fx": alone["forces"]["Fx"], "converged": True}
+
+
+def test_rows_that_are_there_are_not_solved_again(own):
+    own.write("study.yaml", STUDY)
+    with Client(own.endpoint) as client:
+        first = own("study", "study.yaml", "--json").json
+        assert own("study", "study.yaml", "--json").json == first
+        assert client.info().counters["solves"] == 6
+        own.write("study.yaml", STUDY.replace("[0.1, 0.4]", "[0.1, 0.4, 0.3]"))
+        assert len(own("study", "study.yaml", "--json").json["rows"]) == 9
+        assert client.info().counters["solves"] == 9, "a study that grows keeps its rows"
+        own("study", "study.yaml", "--fresh")
+        assert client.info().counters["solves"] == 18
+
+
+def test_fields_move_together_and_by_logarithms(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 1e-1, count: 3, scale: log}}\n"
+                            "together: {grid.nx: [20, 10], grid.ny: [20, 10]}\nanswers: [converged]\n")  # fmt: skip
+    values = [list(row["values"].values()) for row in ctl("study", "study.yaml", "--json").json["rows"]]
+    assert [row[1:] for row in values] == [[20, 20], [10, 10]] * 3
+    assert [row[0] for row in values[::2]] == pytest.approx([1e-3, 1e-2, 1e-1])
+
+
+def test_a_range_by_steps_has_its_end(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: {from: 0.1, to: 0.3, step: 0.1}}\n")
+    assert [row["values"]["friction.mu"] for row in ctl("study", "study.yaml", "--json").json["rows"]] == pytest.approx([0.1, 0.2, 0.3])
+
+
+def test_wheels_on_rails_are_studied(ctl):
+    ctl.write("study.yaml", "method: wheelrail.solve\nproblem: {setup: {dx: 0.8, dy: 0.8}, state: {Fz: 60e3}}\nvary: {state.position.y: [0, 3]}\n")
+    rows = ctl("study", "study.yaml", "--json").json["rows"]
+    assert [row["answers"]["forces.track.Fz"] for row in rows] == pytest.approx([60e3, 60e3], rel=1e-4)
+
+
+def test_all_rows_go_to_a_csv_file(ctl):
+    ctl.write("study.yaml", STUDY)
+    shown = ctl("study", "study.yaml", "--csv", "rows.csv")
+    assert "6 rows: 6 done" in shown.out
+    with open(ctl.folder / "rows.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 6
+    assert float(rows[5]["forces.Fn"]) == ctl("study", "study.yaml", "--json").json["rows"][5]["answers"]["forces.Fn"]
+
+
+def test_a_row_that_fails_is_a_row_and_an_exit_code(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {bodies.upper.nu: [0.3, 0.7]}\n")
+    ended = ctl("study", "study.yaml", "--json")
+    assert ended.code == 4
+    assert [row["code"] for row in ended.json["rows"]] == [0, 4]
+    assert "bodies.upper.nu" in ended.json["rows"][1]["error"]
+    ctl.write("rough.yaml", 'problem: contact.yaml\nvary: {settings.tangential: [{"max_iterations": 1}, {}]}\n')
+    ended = ctl("study", "rough.yaml", "--json")
+    assert (ended.code, [row["code"] for row in ended.json["rows"]]) == (5, [5, 0])
+    assert ctl("study", "rough.yaml", "--retry").code == 5
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("vary: {approach: [1]}", "lacks problem"),
+        ("problem: contact.yaml", "lacks vary"),
+        ("problem: contact.yaml\nvary: {approach: 3}", "the values of approach must be a list"),
+        ("problem: contact.yaml\nvary: {approach: {from: 1, to: x, count: 3}}", "finite numbers"),
+        ("problem: contact.yaml\nvary: {approach: {from: 1, to: 2}}", "either count or"),
+        ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, count: 3, scale: log}}", "between positive numbers"),
+        ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, step: -1}}", "does not lead from 0 to 2"),
+        ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, count: 0}}", "count of approach"),
+        ("problem: contact.yaml\nvary: {approach: [1, 1]}", "has a row twice"),
+        ("problem: contact.yaml\nvary: {approach.x: [1, 2]}", "approach.x cannot be set"),
+        ("problem: contact.yaml\nvary: {a: [1]}\ntogether: {a: [1]}", "a is in vary and in together"),
+        ("problem: contact.yaml\ntogether: {a: [1], b: [1, 2]}", "numbers of values that differ"),
+        ("problem: contact.yaml\nvary: {approach: {from: 0, to: 1, count: 1000000}, Fn: [1, 2]}", "more than 1000000 rows"),
+        ("problem: contact.yaml\nmethod: ic.get\nvary: {a: [1]}", "method is 'ic.get'"),
+        ("problem: contact.yaml\nanswers: 3\nvary: {a: [1]}", "answers must be a list"),
+        ("problem: contact.yaml\nvery: {a: [1]}", "has 'very'"),
+    ],
+)
+def test_a_study_that_cannot_be_meant_is_refused_before_anything_is_solved(lonely, text, sentence):
+    lonely.write("study.yaml", text)
+    ended = lonely("study", "study.yaml")
+    assert (ended.code, ended.out) == (2, "")
+    assert sentence in ended.err
+
+
+@pytest.mark.timeout(240)
+def test_a_study_that_is_killed_three_times_has_every_row_once(own):
+    own.write("study.yaml", "problem: contact.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 500}\n"
+                            "  friction.mu: [0.1, 0.2, 0.3, 0.4]\nanswers: [forces.Fn, forces.Fx]\n")  # fmt: skip
+    rows = own.folder / "study.yaml.rows"
+
+    def count():
+        return rows.read_bytes().count(b"\n") if rows.exists() else 0
+
+    seen = [0]
+    for goal in (400, 900, 1400):
+        with own.start("study", "study.yaml", "--workers", 2) as running:
+            eventually(lambda: count() >= goal or running.poll() is not None, seconds=60)  # noqa: B023
+            time.sleep(random.random() / 10)
+            running.send_signal(signal.SIGKILL)
+            running.communicate(timeout=30)
+            assert running.returncode == -signal.SIGKILL
+        seen.append(count())
+        assert seen[-2] < seen[-1] < 2000, "it was killed on its way"
+    ended = own("study", "study.yaml", "--json", "--workers", 2)
+    assert ended.code == 0
+    assert f"{seen[-1]} of 2000 rows" in ended.err
+    found = [json.loads(line.partition(" ")[2]) for line in rows.read_text().splitlines()]
+    values = {(row["values"]["approach"], row["values"]["friction.mu"]) for row in found}
+    assert len(found) == len(values) == len(ended.json["rows"]) == 2000
+    for row in ended.json["rows"]:
+        assert abs(row["answers"]["forces.Fx"]) <= row["values"]["friction.mu"] * row["answers"]["forces.Fn"] * (1 + 1e-9)
+
+
+def test_a_daemon_that_comes_back_ends_no_study(daemons, own):
+    daemon = daemons.start("mortal")
+    own.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 2e-2, count: 2000}}\n")
+    with own.start("study", "study.yaml", "-e", daemon.endpoint, "--json") as running:
+        with daemon.client() as client:
+            eventually(lambda: client.info().counters["solves"] > 50)
+        daemon.kill()
+        daemons.start("mortal")
+        out, err = running.communicate(timeout=60)
+    assert running.returncode == 0, err
+    assert len(json.loads(out)["rows"]) == 2000
+
+
+def test_a_daemon_that_stays_away_ends_it_with_3_and_keeps_its_rows(daemons, own):
+    daemon = daemons.start("mortal")
+    own.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 2e-2, count: 2000}}\n")
+    with own.start("study", "study.yaml", "-e", daemon.endpoint) as running:
+        with daemon.client() as client:
+            eventually(lambda: client.info().counters["solves"] > 50)
+        daemon.kill()
+        _, err = running.communicate(timeout=60)
+    assert running.returncode == 3, err
+    assert "the same command goes on" in err
+    assert own("study", "study.yaml").code == 0
+
+
+def test_two_runs_of_one_study_do_not_meet(own):
+    own.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 2e-2, count: 20000}}\n")
+    with own.start("study", "study.yaml") as first:
+        eventually((own.folder / "study.yaml.rows").exists)
+        eventually(lambda: (own.folder / "study.yaml.rows").stat().st_size > 0)
+        ended = own("study", "study.yaml")
+        assert (ended.code, "belongs to a study that runs" in ended.err) == (2, True)
+        first.send_signal(signal.SIGTERM)
+        first.communicate(timeout=30)
+    assert first.returncode == 143
+
+
+@pytest.mark.parametrize("words", [["--local"], ["--local", "--workers", "1"]])
+def test_a_study_runs_without_a_daemon(lonely, words):
+    lonely.write("study.yaml", STUDY)
+    assert "6 rows: 6 done" in lonely("study", "study.yaml", *words).out
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_a_study_runs_on_a_dask_cluster(own):
+    own.write("study.yaml", STUDY)
+    pytest.importorskip("distributed")
+    scheduler = own.start_python("from distributed import LocalCluster", "import sys",
+                                 "cluster = LocalCluster(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None, protocol='tcp', host='127.0.0.1')",
+                                 "print(cluster.scheduler_address, flush=True)", "sys.stdin.read()", "cluster.close()")  # fmt: skip
+    with scheduler:
+        address = scheduler.stdout.readline().strip()
+        by_dask = own("study", "study.yaml", "--dask", address, "--json")
+        alone = own("study", "study.yaml", "--dask", address, "--local", "--rows", "local.rows", "--json")
+        scheduler.communicate("", timeout=60)
+    assert by_dask.code == 0, by_dask.err
+    here = own("study", "study.yaml", "--rows", "here.rows", "--json").json["rows"]
+    for rows in (by_dask.json["rows"], alone.json["rows"]):
+        assert [row["answers"] for row in rows] == [row["answers"] for row in here]
+
+
+def row(key):
+    return {"key": key, "values": {"x": 1.5}, "code": 0, "answers": {}}
+
+
+def test_a_journal_cut_at_any_byte_loses_no_whole_row(tmp_path):
+    path = tmp_path / "rows"
+    with Journal(path) as journal:
+        for key in "abc":
+            journal.add(row(key))
+    whole = path.read_bytes()
+    ends = [index + 1 for index, byte in enumerate(whole) if byte == 10]
+    for cut in range(len(whole) + 1):
+        path.write_bytes(whole[:cut])
+        with Journal(path) as journal:
+            assert len(journal.rows) == sum(end <= cut for end in ends)
+            for key in "abc":
+                journal.add(row(key))
+        assert path.read_bytes() == whole
+
+
+def test_a_damaged_row_is_solved_again(tmp_path, capsys):
+    path = tmp_path / "rows"
+    with Journal(path) as journal:
+        for key in "abc":
+            journal.add(row(key))
+    lines = path.read_bytes().splitlines(keepends=True)
+    path.write_bytes(lines[0] + lines[1].replace(b"1.5", b"2.5") + lines[2])
+    with Journal(path) as journal:
+        assert list(journal.rows) == ["a", "c"]
+    assert "1 damaged lines" in capsys.readouterr().err
+
+
+def test_a_file_of_something_else_is_left_alone(tmp_path):
+    path = tmp_path / "rows"
+    path.write_text("the notes of a year\n")
+    with pytest.raises(Ended, match="is no file with rows of a study"):
+        Journal(path)
+    assert path.read_text() == "the notes of a year\n"

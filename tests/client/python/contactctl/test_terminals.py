@@ -1,0 +1,149 @@
+"""At a terminal: bars that live, colours, Ctrl-C. In a pipe: none of these, and quiet when who reads has gone."""
+
+import os
+import pty
+import re
+import select
+import subprocess
+import time
+
+import pytest
+
+from contactd import Client
+from support.daemons import eventually
+from support.patience import SLOWER
+
+ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
+
+
+class Terminal:
+    """A command whose standard input, output and error are a terminal of 100 columns."""
+
+    def __init__(self, ctl, *words, **environment):
+        self.master, slave = pty.openpty()
+        self.text = ""
+        self.process = subprocess.Popen(
+            [*ctl.command, *map(str, words)], cwd=ctl.folder, env={**ctl.environment, **environment},
+            stdin=slave, stdout=slave, stderr=slave, preexec_fn=_take_terminal,
+        )  # fmt: skip
+        os.close(slave)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+        os.close(self.master)
+
+    def press(self, keys):
+        os.write(self.master, keys)
+
+    def wait_for(self, pattern):
+        """Until it has shown up."""
+        deadline = time.monotonic() + 30 * SLOWER
+        while not re.search(pattern, self.text):
+            assert time.monotonic() < deadline, self.text
+            assert self._read(), f"it ended: {self.text}"
+
+    def ended(self):
+        """The exit code, when all was read."""
+        while self._read():
+            pass
+        return self.process.wait(30 * SLOWER)
+
+    def _read(self):
+        if not select.select([self.master], [], [], 30 * SLOWER)[0]:
+            return False
+        try:
+            chunk = os.read(self.master, 65536)
+        except OSError:  # the other side is closed
+            return False
+        self.text += chunk.decode()
+        return bool(chunk)
+
+
+def _take_terminal():
+    """So that Ctrl-C goes to the command."""
+    import fcntl
+    import termios
+
+    os.setsid()
+    fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+
+
+def test_a_build_has_a_live_bar_that_goes_when_ctrl_c_ends_it(own):
+    with Terminal(own, "ic", "build", "long.json") as terminal, Client(own.endpoint) as client:
+        terminal.wait_for(r"build-\d+: about [\d.]+ m?s to go, the daemon expects")
+        terminal.wait_for(r"[1-9]\d* %.*build-\d+: \w+")
+        shown = set(re.findall(r"(\d+) %", terminal.text))
+        assert len(shown) > 1, "the bar stands still"
+        terminal.press(b"\x03")
+        assert terminal.ended() == 130
+        assert "is cancelled." in terminal.text
+        assert "Traceback" not in terminal.text
+        eventually(lambda: not client.jobs())
+
+
+def test_a_bar_is_on_standard_error_and_json_on_standard_output(own):
+    with open(own.folder / "out.json", "w") as out:
+        master, slave = pty.openpty()
+        ended = own.start("ic", "build", "quick.json", "--json", stdout=out, stderr=slave)
+        assert ended.wait(30 * SLOWER) == 0
+        os.close(slave)
+        os.close(master)
+    assert (own.folder / "out.json").read_text().count("\n") == 1
+    assert (own.folder / "out.json").read_text().startswith('{"evidence"')
+
+
+def test_a_study_has_a_live_bar_and_ends_with_ctrl_c(own):
+    own.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 2e-2, count: 20000}}\n")
+    with Terminal(own, "study", "study.yaml", "--workers", 2) as terminal, Client(own.endpoint) as client:
+        terminal.wait_for(r"[1-9]\d* of 20000 rows")
+        terminal.press(b"\x03")
+        assert terminal.ended() == 130
+        assert "the same command goes on" in terminal.text
+        assert "Traceback" not in terminal.text
+        eventually(lambda: not client.jobs())
+
+
+def test_a_watch_lives_until_ctrl_c(ctl):
+    with Terminal(ctl, "watch", "-i", "0.2") as terminal:
+        terminal.wait_for(r"(?s)requests.*workers.*requests.*workers")
+        terminal.press(b"\x03")
+        assert terminal.ended() == 130
+        assert "Traceback" not in terminal.text
+
+
+@pytest.mark.parametrize("words", [["info"], ["solve", "contact.yaml"], ["bench", "-n", "3"]])
+def test_colours_are_for_terminals(ctl, words):
+    with Terminal(ctl, *words) as terminal:
+        assert terminal.ended() == 0
+        assert "\x1b[1m" in terminal.text, "titles are bold"
+    with Terminal(ctl, *words, NO_COLOR="1") as terminal:
+        assert terminal.ended() == 0
+        assert "\x1b[36m" not in terminal.text
+    assert not ESCAPE.search(ctl(*words).out)
+
+
+def test_lines_in_a_pipe_are_as_long_as_they_need_to_be(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1, 0.2]}\n")
+    lines = ctl("study", "study.yaml", COLUMNS="40").out.splitlines()
+    assert lines[0].split() == ["friction.mu", "forces.Fn", "forces.Fx", "forces.Fy", "forces.Mz", "approach", "pmax", "converged"]
+
+
+def test_a_terminal_without_utf_8_gets_ascii(ctl):
+    said = ctl("bench", "-n", 3, PYTHONIOENCODING="ascii", LC_ALL="C", PYTHONUTF8="0")
+    assert said.code == 0
+    assert said.out.isascii()
+
+
+@pytest.mark.parametrize("words", [["info"], ["watch", "-i", "0.1"], ["solve", "contact.yaml", "--json"]])
+def test_who_reads_a_pipe_may_go(ctl, words):
+    command = ctl.start(*words)
+    command.stdout.close()
+    err = command.stderr.read()
+    command.stderr.close()
+    assert command.wait(30) == 141
+    assert err == ""
