@@ -95,11 +95,13 @@ def _yaml(text: str) -> Any:
     Loader: Any = type("Loader", (yaml.SafeLoader,), {})
 
     def pairs(loader: Any, node: Any) -> dict[str, Any]:
+        def construct(part: Any) -> Any:
+            return loader.construct_object(part, deep=True)
+
+        own = [key for key, _ in node.value if not key.tag.endswith(":merge")]
+        _object((construct(key), None) for key in own)  # before what is merged, which they may replace
         loader.flatten_mapping(node)
-        return _object(
-            (loader.construct_object(key, deep=True), loader.construct_object(value, deep=True))
-            for key, value in node.value
-        )
+        return {construct(key): construct(value) for key, value in node.value}
 
     Loader.yaml_implicit_resolvers = {}
     for tag, pattern, first in (

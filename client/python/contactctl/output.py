@@ -113,9 +113,9 @@ def counted(count: int, noun: str) -> str:
 
 
 def size(count: float) -> str:
-    """Bytes in the unit that leaves one to four digits before the point."""
-    for unit in ("bytes", "kB", "MB", "GB"):
-        if abs(count) < 1000 or unit == "GB":
+    """Bytes in the unit that leaves one to three digits before the point."""
+    for unit in ("bytes", "kB", "MB", "GB", "TB"):
+        if abs(count) < 1000 or unit == "TB":
             return f"{count:.0f} {unit}" if unit == "bytes" else f"{count:.3g} {unit}"
         count /= 1000
     raise AssertionError
