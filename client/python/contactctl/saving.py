@@ -53,7 +53,7 @@ def save(path: Path, asked: dict[str, Any], answer: dict[str, Any], draw: Callab
 
         figure = Figure(layout="constrained")
         draw(figure)
-        figure.savefig(path, dpi=150)
+        figure.savefig(path, dpi=150, bbox_inches="tight")
 
 
 def _write_hdf5(path: Path, asked: dict[str, Any], answer: dict[str, Any]) -> None:
