@@ -1,5 +1,5 @@
 # Debian packages by CPack: contactd (daemon, builder, unit, configuration), python3-contactd (client),
-# python3-contactd-local (what the client solves with in process), and the C
+# python3-contactd-local (what the client solves with in process), contactctl (command line), and the C
 # libraries libcontactd1, libcontactd-local1 and libcontactd-cntc0 with libcontactd-dev and libcontactd-cntc-dev, by which
 # programs are built with them.
 #   ./dev package
@@ -16,12 +16,13 @@ endfunction()
 
 contactd_compressed(${package_files}/man/contactd.8 contactd.8 share/man/man8 programs)
 contactd_compressed(${package_files}/man/contactd-ic.1 contactd-ic.1 share/man/man1 programs)
+contactd_compressed(${package_files}/man/contactctl.1 contactctl.1 share/man/man1 cli)
 contactd_compressed(${package_files}/debian/changelog changelog share/doc/contactd programs)
 contactd_compressed(${package_files}/debian/changelog changelog share/doc/python3-contactd python)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/contactd COMPONENT programs)
 install(FILES ${package_files}/debian/copyright DESTINATION share/doc/python3-contactd COMPONENT python)
 foreach(package IN ITEMS libcontactd1=c_library libcontactd-local1=c_local_library libcontactd-dev=c_development
-    libcontactd-cntc0=cntc libcontactd-cntc-dev=cntc_development python3-contactd-local=python_local)
+    libcontactd-cntc0=cntc libcontactd-cntc-dev=cntc_development python3-contactd-local=python_local contactctl=cli)
   string(REGEX MATCH "^(.+)=(.+)$" package ${package})
   contactd_compressed(${package_files}/debian/changelog changelog share/doc/${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
   install(FILES ${package_files}/debian/copyright DESTINATION share/doc/${CMAKE_MATCH_1} COMPONENT ${CMAKE_MATCH_2})
@@ -30,6 +31,9 @@ install(FILES ${package_files}/contactd.service DESTINATION lib/systemd/system C
 install(FILES ${package_files}/contactd.json DESTINATION /etc/contactd COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/client/python/contactd DESTINATION lib/python3/dist-packages COMPONENT python
   PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/client/python/contactctl DESTINATION lib/python3/dist-packages COMPONENT cli
+  PATTERN __pycache__ EXCLUDE)
+install(PROGRAMS ${package_files}/contactctl DESTINATION bin COMPONENT cli)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME contactd)
@@ -40,7 +44,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL programs python python_local c_library c_local_library c_development cntc cntc_development)
+set(CPACK_COMPONENTS_ALL programs python python_local cli c_library c_local_library c_development cntc cntc_development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -50,7 +54,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "adduser, init-system-helpers (>= 1.52)")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "openmpi-bin")
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "python3-contactd")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "contactctl, python3-contactd")
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "The daemon solves contact problems with the boundary element method. Where the
 influence coefficients of the bodies have no closed form, a second program
 computes them with finite elements; they are kept in HDF5 files. Clients talk
@@ -79,6 +83,16 @@ python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_python})")
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SUGGESTS "contactd")
 set(CPACK_DEBIAN_PYTHON_LOCAL_DESCRIPTION "elastic contact in the process of Python (Python 3)
 What contactd.local() of python3-contactd solves with, instead of a daemon.")
+
+set(CPACK_DEBIAN_CLI_PACKAGE_NAME contactctl)
+set(CPACK_DEBIAN_CLI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_CLI_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_CLI_PACKAGE_DEPENDS "python3-contactd (= ${PROJECT_VERSION}), \
+python3 (>= 3.10), python3-numpy, python3-rich, python3-typer, python3-yaml, python3-zmq")
+set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "contactd, python3-contactd-local, python3-distributed, python3-h5py, python3-matplotlib")
+set(CPACK_DEBIAN_CLI_DESCRIPTION "command line of contactd, elastic contact as a service
+Contact problems, wheels on rails, tables of influence coefficients and
+parameter studies from a terminal and from scripts: tables or JSON out.")
 
 # contactd_library_package(COMPONENT NAME DESCRIPTION...) is a package of a shared library, whose name has its version.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
@@ -116,9 +130,15 @@ set(CPACK_DEBIAN_CNTC_DEVELOPMENT_DESCRIPTION "functions of the CONTACT program'
 The header contactd_cntc.h, and what CMake and pkg-config ask for.")
 
 # Control files have fixed names; those of this package are kept under its own.
-foreach(script postinst prerm)
-  configure_file(${package_files}/debian/python3-contactd.${script} ${PROJECT_BINARY_DIR}/packaging/python/${script} COPYONLY)
+foreach(package IN ITEMS python3-contactd=python contactctl=cli)
+  string(REGEX MATCH "^(.+)=(.+)$" package ${package})
+  foreach(script postinst prerm)
+    configure_file(${package_files}/debian/${CMAKE_MATCH_1}.${script}
+      ${PROJECT_BINARY_DIR}/packaging/${CMAKE_MATCH_2}/${script} COPYONLY)
+  endforeach()
 endforeach()
+set(CPACK_DEBIAN_CLI_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packaging/cli/postinst
+  ${PROJECT_BINARY_DIR}/packaging/cli/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packaging/python/postinst
   ${PROJECT_BINARY_DIR}/packaging/python/prerm)
 include(CPack)

@@ -41,6 +41,10 @@ cd /
 contactd --ping $endpoint
 PYTHONDONTWRITEBYTECODE=1 python3 "$folder/test_installed.py" $endpoint || { cat /tmp/daemon.log >&2; fail "the client failed"; }
 
+say "asking from the command line"
+[ "$(contactctl health --endpoint $endpoint)" = serving ] || fail "contactctl does not reach the daemon"
+contactctl wheelrail geometry --Fz 80e3 --endpoint $endpoint --json | python3 -m json.tool >/dev/null || fail "contactctl failed"
+
 say "solving in the process of Python"
 PYTHONDONTWRITEBYTECODE=1 python3 "$folder/test_installed.py" local || fail "the client failed in process"
 
