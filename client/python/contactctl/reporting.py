@@ -57,9 +57,10 @@ def sentence(error: ContactdError) -> str:
     if not isinstance(error, StatusError):
         return str(error)
     text = error.message.rstrip()
-    lines = [f"  {violation.field}: {violation.description}" for violation in error.violations]
-    if len(lines) == 1 and error.violations[0].description in text:
-        lines = []
+    lines = []
+    if len(error.violations) > 1:  # which the message has one behind the other
+        text = f"{len(error.violations)} fields of the request cannot be used."
+        lines = [f"  {violation.field}: {violation.description}" for violation in error.violations]
     words = f"{error.name}, {error.reason}" if error.reason else error.name
     head = f"{text if text.endswith(('.', '!', '?')) else text + '.'} ({words})"
     if error.retry_delay:

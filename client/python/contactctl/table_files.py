@@ -81,7 +81,7 @@ def _shown(path: str, table: IcTable) -> Any:
         path,
         [
             ("of", f"a body of G = {body.G:g} N/mm^2, nu = {body.nu:g}" if isinstance(body, Material) else "layers"),
-            ("offsets", _extent(grid) + (", dimensionless: of a store" if is_unit else "")),
+            ("offsets", _extent(grid) + (", as in a store" if is_unit else "")),
             ("source", "finite elements" if evidence.source == "fem" else "closed form"),
             ("elements", evidence.elements or None),
             ("unknowns", evidence.dofs or None),

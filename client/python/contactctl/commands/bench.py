@@ -45,7 +45,10 @@ def bench(
     count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Requests of each kind.")] = 200,
     clients: Annotated[int, typer.Option("--clients", "-c", min=1, max=128, help="How many ask at a time.")] = 1,
 ) -> None:
-    """Time requests: one that does nothing (server.health), and a solve."""
+    """Time requests, as they are from here.
+
+    One that does nothing (server.health), and a solve.
+    """
     problem = changed({"fields": [], **read_object(file)} if file else SMALL, sets or ())
     kinds: list[tuple[str, dict[str, Any]]] = [("server.health", {}), ("contact.solve", problem)]
     measured = {}

@@ -31,7 +31,10 @@ def add_to(app: typer.Typer) -> None:
 
 
 def completion(context: typer.Context, shell: Annotated[Shell, typer.Argument(help="Which one.")]) -> None:
-    """Print the script that makes a shell complete contactctl: `eval "$(contactctl completion bash)"`."""
+    """Print what makes a shell complete commands and options.
+
+    Put this into the start file of the shell: eval "$(contactctl completion bash)"
+    """
     kind = get_completion_class(shell.value)
     assert kind is not None
     typer.echo(kind(context.find_root().command, {}, "contactctl", _VARIABLE).source())

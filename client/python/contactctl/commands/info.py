@@ -28,7 +28,10 @@ def info() -> None:
 
 
 def health() -> None:
-    """Whether the daemon serves (exit code 0) or ends (3), and what it warns of."""
+    """Whether the daemon serves, and what it warns of.
+
+    Ends with 0 when it serves, and with 3 when it is ending.
+    """
     with connected() as client:
         said = client.call("server.health")
     emit(setting().json, said, str(said["state"]))

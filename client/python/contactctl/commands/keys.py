@@ -19,7 +19,7 @@ __all__ = ["add_to"]
 
 def add_to(app: typer.Typer) -> None:
     """Adds the commands of this family."""
-    family = typer.Typer(cls=Group, no_args_is_help=True, help="Keys for encrypted connections.", rich_markup_mode=None)
+    family = typer.Typer(cls=Group, help="Keys for encrypted connections.", rich_markup_mode=None)
     family.command(cls=Command)(new)
     family.command(cls=Command)(show)
     app.add_typer(family, name="keys")
@@ -29,7 +29,10 @@ def new(
     name: Annotated[str, typer.Argument(help="Whose keys: a user, or the daemon.")],
     folder: Annotated[Path, typer.Option("--to", help="Where NAME.key and NAME.key_secret are written.")] = Path("."),
 ) -> None:
-    """Make a pair of keys: NAME.key for the others, NAME.key_secret for NAME alone. Never overwrites."""
+    """Make a pair of keys; never overwrites.
+
+    NAME.key is for the others, NAME.key_secret for NAME alone.
+    """
     if not name or "/" in name or name.startswith("."):
         raise click.UsageError(f"{name!r} is no name of a file; a name is letters and digits, such as alice.")
     folder.mkdir(parents=True, exist_ok=True)
@@ -47,7 +50,10 @@ def new(
 
 
 def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.")]) -> None:
-    """The public key of a file, and whether a secret one lies beside it there; never the secret itself."""
+    """The public key of a file.
+
+    And whether the file has a secret one, too, which is never shown.
+    """
     try:
         public, secret = zmq.auth.load_certificate(file)
     except OSError as error:

@@ -41,7 +41,9 @@ def study(
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all rows, also those that are there.")] = False,
     retry: Annotated[bool, typer.Option("--retry", help="Solve those again that failed or did not converge.")] = False,
 ) -> None:
-    """Solve a problem for many values of its parameters. Killed at any moment and started again, it goes on.
+    """Solve a problem for many values of its parameters.
+
+    Killed at any moment and started again, it goes on where it was.
 
     Ends with 5 when rows did not converge, and with 4, 7 or 8 when rows failed.
     """

@@ -36,7 +36,7 @@ __all__ = ["add_to"]
 
 def add_to(app: typer.Typer) -> None:
     """Adds the commands of this family."""
-    family = typer.Typer(cls=Group, no_args_is_help=True, help="Tables of influence coefficients.", rich_markup_mode=None)
+    family = typer.Typer(cls=Group, help="Tables of influence coefficients.", rich_markup_mode=None)
     for command in (build, show, export, delete):
         family.command(cls=Command)(command)
     family.command("list", cls=Command)(list_tables)
@@ -48,7 +48,9 @@ def build(
     file: Spec = None, sets: Set = None, G: G = None, E: E = None, nu: NU = None,
     nx: NX = None, ny: NY = None, dx: DX = None, dy: DY = None, accuracy: Accuracy = None,
 ) -> None:  # fmt: skip
-    """Have the daemon make a table, unless it has it; Ctrl-C ends the build.
+    """Have the daemon make a table, unless it has it.
+
+    Ctrl-C ends the build, unless others wait for it, too.
 
     FILE has the parameters of ic.get: material, grid, ics. Without one the options say them.
     """
@@ -128,7 +130,10 @@ def export(
     file: Spec = None, sets: Set = None, G: G = None, E: E = None, nu: NU = None,
     nx: NX = None, ny: NY = None, dx: DX = None, dy: DY = None, accuracy: Accuracy = None,
 ) -> None:  # fmt: skip
-    """Write a table to a file; the daemon makes it, unless it has it."""
+    """Write a table to a file.
+
+    The daemon makes it, unless it has it.
+    """
     check_suffix(output)
     params = table_params(file, as_given(G=G, E=E, nu=nu, nx=nx, ny=ny, dx=dx, dy=dy, accuracy=accuracy), sets)
     with connected() as client:
@@ -140,7 +145,10 @@ def import_tables(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files of another store.")],
     store: Annotated[str, typer.Option("--store", help="The folder of the store, as the daemon's configuration names it.")],
 ) -> None:
-    """Put tables of another store into the folder of a store, checked, where daemons find them at once."""
+    """Put files of another store into a store.
+
+    They are checked first. Daemons with this store find them at once.
+    """
     done = import_files(files, store)
     rows = [(entry["key"][:16], f"{entry['nx']} x {entry['ny']}", "new" if entry["new"] else "was there") for entry in done]
     emit(setting().json, {"tables": done}, listing(None, ["key", "offsets", "in the store"], rows))

@@ -29,7 +29,10 @@ def watch(
     interval: Annotated[float, typer.Option("--interval", "-i", min=0.1, max=3600, help="Seconds between looks.")] = 1.0,
     count: Annotated[int | None, typer.Option("--count", "-n", min=1, help="End after so many looks; else with Ctrl-C.")] = None,
 ) -> None:
-    """Show live what the daemon does: requests, solves, builds, memory. In a pipe a line a look, with --json an object."""
+    """Show live what the daemon does, until Ctrl-C.
+
+    Requests, solves, builds, memory, jobs. In a pipe a line a look, with --json an object.
+    """
     as_json, is_live = setting().json, on_terminal(sys.stdout) and not setting().json
     with connected() as client, Live(console=console(), auto_refresh=False, transient=False) as live:
         if not is_live:

@@ -33,7 +33,7 @@ RADIUS = 460.0  #: of the wheel, where the set-up names none (mm)
 
 def add_to(app: typer.Typer) -> None:
     """Adds the commands of this family."""
-    family = typer.Typer(cls=Group, no_args_is_help=True, help="A wheel on a rail.", rich_markup_mode=None)
+    family = typer.Typer(cls=Group, help="A wheel on a rail.", rich_markup_mode=None)
     family.command(cls=Command)(solve)
     family.command(cls=Command)(geometry)
     app.add_typer(family, name="wheelrail")

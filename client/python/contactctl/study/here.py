@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterable
 
-from contactd import Client, Progress
+from contactd import Client
 
 from ..asking import OwnBuilds
 from .journal import Journal
@@ -23,12 +23,9 @@ def run_here(
     """Adds a row for each case, and tells `on_row` in this thread. Interrupted, it ends the builds that it started; what
     else the daemon does for it ends with the connections."""
     todo, lock = iter(cases), threading.Lock()
-    changed, errors = threading.Event(), list[BaseException]()
-    ending = threading.Event()
+    errors: list[BaseException] = []
+    changed, ending, closed = threading.Event(), threading.Event(), threading.Event()
     builds = OwnBuilds(client)
-
-    def notice(progress: Progress) -> None:
-        builds.notice(progress)
 
     def work() -> None:
         try:
@@ -37,9 +34,9 @@ def run_here(
                     case = next(todo, None)
                 if case is None:
                     return
-                row = row_of(client, plan.method, plan.params(case), plan.answers, notice)
+                row = row_of(client, plan.method, plan.params(case), plan.answers, builds.notice)
                 with lock:
-                    if not ending.is_set() or not errors:
+                    if not closed.is_set():
                         journal.add({"key": case.key, "values": case.values, **row})
                 changed.set()
         except BaseException as error:  # told to who waits for the threads
@@ -62,8 +59,9 @@ def run_here(
         builds.cancel()
         for thread in threads:
             thread.join(_PATIENCE / workers)
-        with lock:
-            errors.append(KeyboardInterrupt())  # whoever still runs must not write any more
         raise
+    finally:
+        with lock:
+            closed.set()  # whoever still runs must not write any more
     if errors:
         raise errors[0]

@@ -27,6 +27,7 @@ def test_done_is_0(ctl):
     ("words", "sentence"),
     [
         (["bogus"], "No such command 'bogus'"),
+        (["ic"], "Missing command"),
         (["solve"], "Missing argument 'FILE'"),
         (["solve", "nowhere.yaml"], "nowhere.yaml cannot be read: No such file or directory"),
         (["solve", "contact.yaml", "-o", "a.doc"], "must end in .json, .h5, .png, .svg or .pdf"),

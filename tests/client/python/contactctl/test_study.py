@@ -3,6 +3,7 @@
 import csv
 import json
 import random
+import resource
 import signal
 import time
 
@@ -225,6 +226,24 @@ def test_a_journal_cut_at_any_byte_loses_no_whole_row(tmp_path):
             for key in "abc":
                 journal.add(row(key))
         assert path.read_bytes() == whole
+
+
+def test_a_row_for_which_there_is_no_room_leaves_no_part(tmp_path):
+    path = tmp_path / "rows"
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    with Journal(path) as journal:
+        journal.add(row("a"))
+        whole = path.read_bytes()
+        resource.setrlimit(resource.RLIMIT_FSIZE, (len(whole) + 10, before[1]))
+        try:
+            with pytest.raises(OSError, match="File too large"):
+                journal.add(row("b"))
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        assert path.read_bytes() == whole
+        journal.add(row("b"))
+    with Journal(path) as journal:
+        assert list(journal.rows) == ["a", "b"]
 
 
 def test_a_damaged_row_is_solved_again(tmp_path, capsys):
