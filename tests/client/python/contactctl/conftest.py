@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import ExitStack, chdir, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import pytest
 
+from contactctl.app import run
 from integration.conftest import daemon, daemons, shared_daemon  # noqa: F401
 from support.daemons import BIN
 from support.patience import SLOWER
@@ -69,7 +73,20 @@ class Ctl:
         }  # fmt: skip
 
     def __call__(self, *words: object, given: str = "", **environment: str) -> Ended:
-        """Runs it until it ends."""
+        """Runs it until it ends, in this process, which spares the time of a start."""
+        out, err = io.StringIO(), io.StringIO()
+        with ExitStack() as stack:
+            there = {name: value for name, value in self.environment.items() if not name.startswith("PYTHON")}
+            stack.enter_context(mock.patch.dict(os.environ, {**there, **environment}, clear=True))
+            stack.enter_context(chdir(self.folder))
+            stack.enter_context(redirect_stdout(out))
+            stack.enter_context(redirect_stderr(err))
+            stack.enter_context(mock.patch.object(sys, "stdin", io.StringIO(given)))
+            code = run([str(word) for word in words])
+        return Ended(code, out.getvalue(), err.getvalue())
+
+    def alone(self, *words: object, given: str = "", **environment: str) -> Ended:
+        """Runs it until it ends, in a process of its own."""
         ended = subprocess.run(
             [*self.command, *map(str, words)], cwd=self.folder, env={**self.environment, **environment},
             input=given, capture_output=True, text=True, timeout=50 * SLOWER,
@@ -106,9 +123,11 @@ class Ctl:
 @pytest.fixture(autouse=True)
 def _interrupts() -> Iterator[None]:
     """Commands get Ctrl-C as at a terminal, also where the tests run in the background."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
-    signal.signal(signal.SIGINT, before)
+    for number, handler in before.items():
+        signal.signal(number, handler)
 
 
 @pytest.fixture

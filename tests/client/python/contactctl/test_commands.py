@@ -249,7 +249,7 @@ def test_commands_and_options_are_completed(lonely):
 def test_without_a_daemon_it_solves_by_itself(ctl, lonely, installed):
     expected = ctl("solve", "contact.yaml", "--json").json["forces"]
     hidden = {} if installed else {"PYTHONPATH": f"{lonely.write_module('contactd_local')}:{lonely.environment['PYTHONPATH']}"}
-    said = lonely("solve", "contact.yaml", "--local", "--json", **hidden)
+    said = lonely.alone("solve", "contact.yaml", "--local", "--json", **hidden)
     assert said.json["forces"] == expected
 
 

@@ -199,8 +199,8 @@ def test_a_study_runs_on_a_dask_cluster(own):
                                  "print(cluster.scheduler_address, flush=True)", "sys.stdin.read()", "cluster.close()")  # fmt: skip
     with scheduler:
         address = scheduler.stdout.readline().strip()
-        by_dask = own("study", "study.yaml", "--dask", address, "--json")
-        alone = own("study", "study.yaml", "--dask", address, "--local", "--rows", "local.rows", "--json")
+        by_dask = own.alone("study", "study.yaml", "--dask", address, "--json")
+        alone = own.alone("study", "study.yaml", "--dask", address, "--local", "--rows", "local.rows", "--json")
         scheduler.communicate("", timeout=60)
     assert by_dask.code == 0, by_dask.err
     here = own("study", "study.yaml", "--rows", "here.rows", "--json").json["rows"]

@@ -124,7 +124,7 @@ def test_colours_are_for_terminals(ctl, words):
     with Terminal(ctl, *words, NO_COLOR="1") as terminal:
         assert terminal.ended() == 0
         assert "\x1b[36m" not in terminal.text
-    assert not ESCAPE.search(ctl(*words).out)
+    assert not ESCAPE.search(ctl.alone(*words).out)
 
 
 def test_lines_in_a_pipe_are_as_long_as_they_need_to_be(ctl):
@@ -134,7 +134,7 @@ def test_lines_in_a_pipe_are_as_long_as_they_need_to_be(ctl):
 
 
 def test_a_terminal_without_utf_8_gets_ascii(ctl):
-    said = ctl("bench", "-n", 3, PYTHONIOENCODING="ascii", LC_ALL="C", PYTHONUTF8="0")
+    said = ctl.alone("bench", "-n", 3, PYTHONIOENCODING="ascii", LC_ALL="C", PYTHONUTF8="0")
     assert said.code == 0
     assert said.out.isascii()
 
