@@ -47,7 +47,7 @@ def folder(own):
 
 
 @pytest.mark.slow
-@pytest.mark.timeout(240)
+@pytest.mark.timeout(300)
 def test_the_examples_of_the_page_run_and_show_what_they_show(folder):
     found = list(examples())
     assert len(found) > 20
