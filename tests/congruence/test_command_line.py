@@ -13,43 +13,50 @@ from typing import Any
 import pytest
 
 import contactd
-from congruence.cases import CASES, write
+from congruence.cases import CASES
 from congruence.driver import answers
 from contactctl.app import run
 from contactctl.codes import Code, code_of
 from contactctl.output import plain_json
+from contactd.arrays import decode
 from integration.conftest import shared_daemon  # noqa: F401
 
 #: What a history has no words for.
 BEYOND = {"session.save", "session.restore", "session.forget"}
+#: Python refuses to send them, as it would from a file.
+REFUSED_HERE = {"an-approach-that-is-no-number"}
 
 
 class Recording(contactd.Client):
-    """A client that keeps what it asks, and what it is told, by cases."""
+    """A client that keeps what goes to the daemon, and what comes back."""
 
     def __init__(self, endpoint: str) -> None:
         super().__init__(endpoint)
-        self.calls: list[list[tuple[str, dict[str, Any], Any]]] = []
+        self.calls: list[tuple[str, dict[str, Any], Any]] = []
 
-    def call(self, method: str, params: dict[str, Any] | None = None, **options: Any) -> dict[str, Any]:
-        if method == "session.open":
-            self.calls.append([])
-        if method in ("session.close", "server.info"):
-            return super().call(method, params, **options)
+    def _exchange(self, *said: Any) -> Any:
+        envelope, frames = (said[0], said[1]) if len(said) > 1 else (said[0].envelope, said[0].frames)
+        asked = envelope["method"], plain_json(decode(envelope["params"], frames))
         try:
-            result = super().call(method, params, **options)
-            self.calls[-1].append((method, dict(params or {}), plain_json(result)))
-            return result
+            reply = super()._exchange(*said)
         except contactd.StatusError as error:
-            self.calls[-1].append((method, dict(params or {}), error))
+            self.calls.append((*asked, error))
             raise
+        self.calls.append((*asked, plain_json(decode(reply.result, reply.frames))))
+        return reply
 
 
 @pytest.fixture(scope="module")
 def recorded(shared_daemon: Any, tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[tuple[str, dict[str, Any], Any]]]:  # noqa: F811
+    """The calls of each session, by cases; those that Python refuses before they go are not among them."""
+    folder, found = tmp_path_factory.mktemp("cases"), {}
     with Recording(shared_daemon.endpoint) as client:
-        list(answers(client, write(tmp_path_factory.mktemp("cases") / "cases.txt")))
-        return dict(zip(CASES, client.calls, strict=True))
+        for name, text in CASES.items():
+            (folder / name).write_text("\n".join([f"case {name}", *text.split(";")]) + "\n")
+            client.calls.clear()
+            list(answers(client, folder / name))
+            found[name] = [call for call in client.calls if call[0] not in ("server.info", "session.close")]
+    return found
 
 
 def history(calls: list[tuple[str, dict[str, Any], Any]]) -> Iterator[tuple[str, dict[str, Any], Any]]:
@@ -70,20 +77,18 @@ def without_times(value: Any) -> Any:
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_history_from_a_file_is_answered_alike(recorded: Any, shared_daemon: Any, tmp_path: Path, name: str) -> None:  # noqa: F811
+    if not recorded[name]:
+        assert name in REFUSED_HERE
+        return
     (_, opening, opened), *steps = history(recorded[name])
     said = [{key: value for key, value in params.items() if key not in ("session", "step")} for _, params, _ in steps]
     file = tmp_path / "history.json"
-    file.write_text(json.dumps({"open": as_written(opening), "steps": [as_written(step) for step in said] or [{}]}))
+    file.write_text(json.dumps({"open": opening, "steps": said or [{}]}))
     out, err = io.StringIO(), io.StringIO()
     with redirect_stdout(out), redirect_stderr(err):
         code = run(["session", str(file), "--json", "--endpoint", shared_daemon.endpoint])
     told = [opened, *(answer for _, _, answer in steps)]
     failed = told[-1] if isinstance(told[-1], contactd.StatusError) else None
-    if any(word in file.read_text() for word in ("Infinity", "NaN")):  # which JSON has no word for
-        assert failed is not None
-        assert (code, out.getvalue()) == (Code.USAGE, "")
-        assert "every number must be finite" in err.getvalue()
-        return
     assert code == (Code.DONE if failed is None else code_of(failed))
     solved = [answer for answer in told[1:] if answer is not failed]
     found = json.loads(out.getvalue())["steps"] if out.getvalue() else []
@@ -91,11 +96,6 @@ def test_a_history_from_a_file_is_answered_alike(recorded: Any, shared_daemon: A
     if failed is not None:
         assert len(found) == len(solved)
         assert all(violation.field in err.getvalue() for violation in failed.violations)
-
-
-def as_written(value: Any) -> Any:
-    """As Python writes it, numbers that are not finite included."""
-    return json.loads(json.dumps(value, default=lambda array: array.tolist()))
 
 
 def test_most_cases_are_histories(recorded: Any) -> None:
