@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "contactd/error.hpp"
-#include "geometry/profile/profile_lines.hpp"
+#include "profile_lines.hpp"
 
 namespace contactd {
 namespace {

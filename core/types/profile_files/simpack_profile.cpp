@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
-#include "geometry/profile/profile_lines.hpp"
-#include "types/number_text.hpp"
+#include "../number_text.hpp"
+#include "profile_lines.hpp"
 
 namespace contactd::geometry {
 namespace {

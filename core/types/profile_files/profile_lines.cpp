@@ -1,4 +1,4 @@
-#include "geometry/profile/profile_lines.hpp"
+#include "profile_lines.hpp"
 
 #include <algorithm>
 #include <charconv>
