@@ -7,10 +7,11 @@
 !     code = contactd_set_mu(contact, 0.3d0)
 !     if (code /= contactd_ok) print *, contactd_last_error(contact)
 !
-! Compile contactd_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
+! Compile contactd_calls.f90 and contactd_wheel_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
 module contactd
     use, intrinsic :: iso_c_binding
     use contactd_calls
+    use contactd_wheel_calls
     implicit none
 
     integer(c_int32_t), parameter :: contactd_ok = 0, contactd_cancelled = 1, contactd_unknown = 2, &
@@ -35,11 +36,19 @@ module contactd
         contactd_of_fn = 3, contactd_of_approach = 4
     integer(c_int32_t), parameter :: contactd_by_x = 0, contactd_by_y = 1, contactd_by_turn = 2, &
         contactd_by_load = 3, contactd_by_mu = 4
+    integer(c_int32_t), parameter :: contactd_left = 0, contactd_right = 1
+    integer(c_int32_t), parameter :: contactd_wheel = 0, contactd_rail = 1
+    integer(c_int32_t), parameter :: contactd_in_track = 0, contactd_in_rail = 1, contactd_in_wheelset = 2
+    integer(c_int32_t), parameter :: contactd_pitch = 4, contactd_gap = 6
+    integer(c_int32_t), parameter :: contactd_by_position_y = 0, contactd_by_position_z = 1, &
+        contactd_by_position_roll = 2, contactd_by_position_yaw = 3, contactd_by_velocity_x = 4, &
+        contactd_by_velocity_y = 5, contactd_by_velocity_z = 6, contactd_by_velocity_roll = 7, &
+        contactd_by_velocity_yaw = 8, contactd_by_velocity_pitch = 9
     integer(c_int32_t), parameter :: contactd_log_debug = 0, contactd_log_info = 1, &
         contactd_log_warning = 2, contactd_log_error = 3
 
     private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
-    private :: get_warning_c, get_origin_c, strlen, text_of, copy_text
+    private :: get_warning_c, get_origin_c, wheel_get_warning_c, wheel_set_file_c, strlen, text_of, copy_text
 
 contains
 
@@ -93,6 +102,22 @@ contains
         character(c_char) :: buffer(len(text) + 1)
         code = get_origin_c(contact, body, buffer, size(buffer, kind=c_int32_t))
         call copy_text(code, buffer, text)
+    end function
+
+    integer(c_int32_t) function contactd_wheel_get_warning(wheel, index, text) result(code)
+        type(c_ptr), intent(in) :: wheel
+        integer(c_int32_t), intent(in) :: index
+        character(*), intent(out) :: text
+        character(c_char) :: buffer(len(text) + 1)
+        code = wheel_get_warning_c(wheel, index, buffer, size(buffer, kind=c_int32_t))
+        call copy_text(code, buffer, text)
+    end function
+    integer(c_int32_t) function contactd_wheel_set_file(wheel, body, path, smoothing_length) result(code)
+        type(c_ptr), intent(in) :: wheel
+        integer(c_int32_t), intent(in) :: body
+        character(*), intent(in) :: path
+        real(c_double), intent(in) :: smoothing_length
+        code = wheel_set_file_c(wheel, body, trim(path) // c_null_char, smoothing_length)
     end function
 
     function text_of(pointer) result(text)

@@ -16,7 +16,7 @@
  *     contactd_close(connection);
  *
  * Every function answers a code, 0 when it did what it is for; contactd_last_error has the sentence. No pointer may be
- * NULL unless it says so. A contact is used by one thread at a time, a connection by any number.
+ * NULL unless it says so. A contact or a wheel is used by one thread at a time, a connection by any number.
  *
  * Units are the caller's, consistently; N and mm stand for them here. Signs: docs/contact.md. Arrays over the grid have
  * nx*ny values, x running fastest: element (ix, iy) is at iy*nx + ix.
@@ -85,10 +85,31 @@ enum {
 enum { CONTACTD_OF_FX = 0, CONTACTD_OF_FY = 1, CONTACTD_OF_MZ = 2, CONTACTD_OF_FN = 3, CONTACTD_OF_APPROACH = 4 };
 enum { CONTACTD_BY_X = 0, CONTACTD_BY_Y = 1, CONTACTD_BY_TURN = 2, CONTACTD_BY_LOAD = 3, CONTACTD_BY_MU = 4 };
 
+/* Wheels on rails: sides in the direction of travel, bodies, coordinates of forces, a solver more, an array more. */
+enum { CONTACTD_LEFT = 0, CONTACTD_RIGHT = 1 };
+enum { CONTACTD_WHEEL = 0, CONTACTD_RAIL = 1 };
+enum { CONTACTD_IN_TRACK = 0, CONTACTD_IN_RAIL = 1, CONTACTD_IN_WHEELSET = 2 };
+enum { CONTACTD_PITCH = 4 }; /* the search for a pitch rate */
+enum { CONTACTD_GAP = 6 };   /* undeformed distances */
+/* Inputs of their derivatives: parts of the position, and of the velocity. */
+enum {
+    CONTACTD_BY_POSITION_Y = 0,
+    CONTACTD_BY_POSITION_Z = 1,
+    CONTACTD_BY_POSITION_ROLL = 2,
+    CONTACTD_BY_POSITION_YAW = 3,
+    CONTACTD_BY_VELOCITY_X = 4,
+    CONTACTD_BY_VELOCITY_Y = 5,
+    CONTACTD_BY_VELOCITY_Z = 6,
+    CONTACTD_BY_VELOCITY_ROLL = 7,
+    CONTACTD_BY_VELOCITY_YAW = 8,
+    CONTACTD_BY_VELOCITY_PITCH = 9
+};
+
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
 typedef struct contactd_connection contactd_connection; /* where contacts are solved */
 typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
+typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail */
 /* Called in the thread of the call that it tells of, which it must let return; `text` holds until then. */
 typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
@@ -98,9 +119,9 @@ CONTACTD_API int32_t contactd_version_number(void);        /* 10000 major + 100 
 CONTACTD_API int32_t contactd_has_local(void);             /* 1 when contactd_open takes "local", else 0 */
 CONTACTD_API const char* contactd_code_name(int32_t code); /* "INVALID_ARGUMENT"; "UNKNOWN" where there is none */
 
-/* The last call with this connection or contact that failed: in this thread or, when none did, in any. With NULL, or a
- * handle that is none, the last one in this thread. Texts hold until the same function is called again in this thread;
- * "" and CONTACTD_OK where nothing failed. */
+/* The last call with this connection, contact or wheel that failed: in this thread or, when none did, in any. With
+ * NULL, or a handle that is none, the last one in this thread. Texts hold until the same function is called again in
+ * this thread; "" and CONTACTD_OK where nothing failed. */
 CONTACTD_API int32_t contactd_last_code(const void* handle);
 CONTACTD_API const char* contactd_last_error(const void* handle);  /* a sentence, or more */
 CONTACTD_API const char* contactd_last_field(const void* handle);  /* "gap.paraboloid.Rx", as on the wire, or "" */
@@ -253,6 +274,156 @@ CONTACTD_API int32_t contactd_get_division(contactd_contact* contact, int32_t* d
 /* Where the coefficients came from, after contactd_start: "closed_form", "memory", "disk", "built" or "given";
  * CONTACTD_NOT_FOUND of rigid bodies and quick models. `body`: CONTACTD_UPPER, _LOWER, or _PAIR. */
 CONTACTD_API int32_t contactd_get_origin(contactd_contact* contact, int32_t body, char* text, int32_t length);
+
+/* --- wheels on rails ----------------------------------------------------------------------------------------- */
+/* From profiles and the position of a wheelset to patches and forces (docs/wheel-rail.md has coordinates and signs):
+ *
+ *     contactd_wheel_new(connection, &wheel);
+ *     contactd_wheel_set_velocity(wheel, 20e3, 0, 0, 0, 0, -20e3 / 460);
+ *     contactd_wheel_set_Fz(wheel, 80e3);
+ *     while (...) {
+ *         contactd_wheel_set_position(wheel, y, 0, roll, yaw);
+ *         contactd_wheel_solve(wheel);
+ *         contactd_wheel_get_forces(wheel, CONTACTD_IN_TRACK, forces);
+ *     }
+ *
+ * There is nothing to start: a wheel that was made is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with
+ * mu = 0.3 and elements of 0.2 mm, and all of it can be set at any time. What is set holds until it is set anew. A
+ * solve carries nothing over to the next one; profiles and operators are kept for wheels that are set up alike. Lengths
+ * are in mm, angles in rad, forces in N on the rail. */
+/* Sets *wheel to NULL when it fails. */
+CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contactd_wheel** wheel);
+/* The handle is none afterwards, unless another thread uses it (CONCURRENT_USE). */
+CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
+/* No contact is an answer: no patches. So is what has not converged: contactd_wheel_get_converged. A solve that fails
+ * leaves the results of the one before. */
+CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
+/* From any thread: the solve that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
+CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
+/* Of a solve, instead of the connection's (s). */
+CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
+
+/* The set-up. Profiles are those of a right side, of left wheels, too: y to the field side, z down. `body`:
+ * CONTACTD_WHEEL or CONTACTD_RAIL. */
+CONTACTD_API int32_t contactd_wheel_set_side(contactd_wheel* wheel, int32_t side);
+CONTACTD_API int32_t contactd_wheel_set_s1002(contactd_wheel* wheel);
+CONTACTD_API int32_t contactd_wheel_set_rail_60e1(contactd_wheel* wheel, double inclination); /* a slope: 1/40 */
+/* An arc through the origin, with the slope dz/dy there; radius > 0 falls off to both sides. From y to y. */
+CONTACTD_API int32_t contactd_wheel_set_arc(contactd_wheel* wheel, int32_t body, double radius, double slope,
+                                            double from, double to);
+CONTACTD_API int32_t contactd_wheel_set_cone(contactd_wheel* wheel, int32_t body, double slope, double from, double to);
+/* Points in the order of the curve: y[count], z[count]. smoothing_length: wavelength of which half the amplitude is
+ * smoothed away; 0: none. docs/profiles.md says what is made of them. */
+CONTACTD_API int32_t contactd_wheel_set_points(contactd_wheel* wheel, int32_t body, const double* y, const double* z,
+                                               int32_t count, double smoothing_length);
+/* Of a file: Simpack (.prr, .prw), MiniProf (.ban, .whl), or two columns. It is read now, and here. */
+CONTACTD_API int32_t contactd_wheel_set_file(contactd_wheel* wheel, int32_t body, const char* path,
+                                             double smoothing_length);
+/* The rail varies along the track: what its profile is set to now, it has at x. By ascending x, two or more. */
+CONTACTD_API int32_t contactd_wheel_add_slice(contactd_wheel* wheel, double x);
+CONTACTD_API int32_t contactd_wheel_clear_slices(contactd_wheel* wheel);
+/* Where the rails lie: by their gauge, measured gauge_height below their tops, and the cant of the profiles; or where
+ * the profile's origin is, from the centre of the track to the field side. */
+CONTACTD_API int32_t contactd_wheel_set_track(contactd_wheel* wheel, double gauge, double gauge_height, double cant);
+CONTACTD_API int32_t contactd_wheel_set_rail_origin(contactd_wheel* wheel, double y, double z);
+/* A roller in place of the rail; 0: a rail. */
+CONTACTD_API int32_t contactd_wheel_set_roller(contactd_wheel* wheel, double radius);
+/* Between the backs of the flanges; y of a flange's back in its profile; radius of the wheel where its profile has
+ * z = 0. */
+CONTACTD_API int32_t contactd_wheel_set_wheelset(contactd_wheel* wheel, double flange_back_distance,
+                                                 double flange_back_position, double nominal_radius);
+CONTACTD_API int32_t contactd_wheel_set_material(contactd_wheel* wheel, int32_t body, double G, double nu);
+CONTACTD_API int32_t contactd_wheel_set_rigid(contactd_wheel* wheel, int32_t body);
+CONTACTD_API int32_t contactd_wheel_set_model(contactd_wheel* wheel, int32_t model);
+/* Friction: one coefficient; or some by the angle of the rail's surface, angle[count] ascending, mu[count], straight
+ * lines between; along_profile: 1, row by row; 0: one for each patch. Or none. */
+CONTACTD_API int32_t contactd_wheel_set_mu(contactd_wheel* wheel, double mu);
+CONTACTD_API int32_t contactd_wheel_set_mu_by_angle(contactd_wheel* wheel, const double* angle, const double* mu,
+                                                    int32_t count, int32_t along_profile);
+CONTACTD_API int32_t contactd_wheel_set_kinetic(contactd_wheel* wheel, int32_t law, double mu, double slip_velocity);
+CONTACTD_API int32_t contactd_wheel_set_frictionless(contactd_wheel* wheel);
+/* Size of the elements along and across the track, and step of rolling (0: dx). */
+CONTACTD_API int32_t contactd_wheel_set_elements(contactd_wheel* wheel, double dx, double dy, double dq);
+/* What becomes of regions of overlap that lie close to each other; at first pi/2, 8, 4, 12, 0.3. */
+CONTACTD_API int32_t contactd_wheel_set_patch_rules(contactd_wheel* wheel, double angle_separate,
+                                                    double distance_separate, double distance_combine,
+                                                    double distance_turn, double locus_step);
+/* 1: the wheel is evaluated between the corners of a mesh; 0, as at first: exactly. */
+CONTACTD_API int32_t contactd_wheel_set_bilinear(contactd_wheel* wheel, int32_t bilinear);
+/* 1: elements slip by the motion of both surfaces there, for conformal contact; 0: by creepages, as in a plane. */
+CONTACTD_API int32_t contactd_wheel_set_slip_of_surfaces(contactd_wheel* wheel, int32_t of_surfaces);
+/* `solver`: CONTACTD_NORMAL, _TANGENTIAL, _OUTER, or _FORCE, the search for z. */
+CONTACTD_API int32_t contactd_wheel_set_tolerance(contactd_wheel* wheel, int32_t solver, double tolerance,
+                                                  int32_t max_iterations);
+
+/* The state. Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the
+ * track; roll turns y to z, yaw x to y. */
+CONTACTD_API int32_t contactd_wheel_set_position(contactd_wheel* wheel, double y, double z, double roll, double yaw);
+CONTACTD_API int32_t contactd_wheel_set_x(contactd_wheel* wheel, double x); /* along the track, where the rail varies */
+/* Of the centre (mm/s) and about its own axes (rad/s): rolling forwards has a pitch rate near -x/nominal_radius. */
+CONTACTD_API int32_t contactd_wheel_set_velocity(contactd_wheel* wheel, double x, double y, double z, double roll,
+                                                 double yaw, double pitch);
+/* Of the rail from where it should lie, in track coordinates; and how fast that changes. */
+CONTACTD_API int32_t contactd_wheel_set_deviation(contactd_wheel* wheel, double y, double z, double roll);
+CONTACTD_API int32_t contactd_wheel_set_deviation_rate(contactd_wheel* wheel, double y, double z, double roll);
+CONTACTD_API int32_t contactd_wheel_set_roller_pitch(contactd_wheel* wheel, double pitch); /* of a roller (rad/s) */
+/* Forces prescribed: the vertical one on the rail, which z is found for, and the longitudinal one, which the pitch rate
+ * is found for. */
+CONTACTD_API int32_t contactd_wheel_set_Fz(contactd_wheel* wheel, double Fz);
+CONTACTD_API int32_t contactd_wheel_set_Fx(contactd_wheel* wheel, double Fx);
+CONTACTD_API int32_t contactd_wheel_clear_forces(contactd_wheel* wheel); /* z and pitch rate are prescribed */
+/* Whether patches bring this array along, CONTACTD_GAP, too (1), or not (0, as at first). */
+CONTACTD_API int32_t contactd_wheel_want(contactd_wheel* wheel, int32_t array, int32_t wanted);
+CONTACTD_API int32_t contactd_wheel_want_derivatives(contactd_wheel* wheel, int32_t wanted);
+
+/* Results of the last solve. Height and pitch rate of the wheelset, as prescribed or found. */
+CONTACTD_API int32_t contactd_wheel_get_motion(contactd_wheel* wheel, double* z, double* pitch);
+/* Least vertical distance of wheel and rail, < 0 where they overlap; CONTACTD_NOT_FOUND where they are not above each
+ * other. */
+CONTACTD_API int32_t contactd_wheel_get_clearance(contactd_wheel* wheel, double* clearance);
+/* forces[6]: Fx, Fy, Fz (N) and Mx, My, Mz (N mm), about the origin of the coordinates, CONTACTD_IN_TRACK, _IN_RAIL or
+ * _IN_WHEELSET. */
+CONTACTD_API int32_t contactd_wheel_get_forces(contactd_wheel* wheel, int32_t coordinates, double* forces);
+/* forces[6] in track coordinates, by CONTACTD_BY_POSITION_... or _VELOCITY_...; CONTACTD_NOT_FOUND where there are
+ * none: not wanted, no contact, not converged. */
+CONTACTD_API int32_t contactd_wheel_get_derivative(contactd_wheel* wheel, int32_t by, double* forces);
+CONTACTD_API int32_t contactd_wheel_get_converged(contactd_wheel* wheel, int32_t* converged);
+/* Of a search, CONTACTD_FORCE or _PITCH: solves, what was left, whether that is enough; CONTACTD_NOT_FOUND: it did not
+ * run. */
+CONTACTD_API int32_t contactd_wheel_get_evidence(contactd_wheel* wheel, int32_t solver, int32_t* iterations,
+                                                 double* residual, int32_t* converged);
+CONTACTD_API int32_t contactd_wheel_get_warnings(contactd_wheel* wheel, int32_t* count);
+CONTACTD_API int32_t contactd_wheel_get_warning(contactd_wheel* wheel, int32_t index, char* text, int32_t length);
+/* Patches, from the right to the left; `patch` counts from 0. */
+CONTACTD_API int32_t contactd_wheel_get_patches(contactd_wheel* wheel, int32_t* count);
+/* The origin of its contact coordinates, on the rail in track coordinates, and the angle of its plane. */
+CONTACTD_API int32_t contactd_wheel_get_place(contactd_wheel* wheel, int32_t patch, double* x, double* y, double* z,
+                                              double* angle);
+/* Elements, their size, and the corner of element (0, 0), in contact coordinates. */
+CONTACTD_API int32_t contactd_wheel_get_grid(contactd_wheel* wheel, int32_t patch, int32_t* nx, int32_t* ny, double* dx,
+                                             double* dy, double* x0, double* y0);
+CONTACTD_API int32_t contactd_wheel_get_creepages(contactd_wheel* wheel, int32_t patch, double* xi, double* eta,
+                                                  double* phi, double* velocity);
+/* Of curvature, > 0 where convex, infinite where straight. */
+CONTACTD_API int32_t contactd_wheel_get_radii(contactd_wheel* wheel, int32_t patch, double* wheel_along,
+                                              double* wheel_across, double* rail_along, double* rail_across);
+/* In contact coordinates: normal, longitudinal and lateral force, and moment about the normal. */
+CONTACTD_API int32_t contactd_wheel_get_contact_forces(contactd_wheel* wheel, int32_t patch, double* Fn, double* Fx,
+                                                       double* Fs, double* Mn);
+/* forces[6] as contactd_wheel_get_forces. */
+CONTACTD_API int32_t contactd_wheel_get_patch_forces(contactd_wheel* wheel, int32_t patch, int32_t coordinates,
+                                                     double* forces);
+CONTACTD_API int32_t contactd_wheel_get_pressure(contactd_wheel* wheel, int32_t patch, double* approach, double* pmax);
+CONTACTD_API int32_t contactd_wheel_get_areas(contactd_wheel* wheel, int32_t patch, double* in_contact,
+                                              double* adhesion, double* slip);
+CONTACTD_API int32_t contactd_wheel_get_counts(contactd_wheel* wheel, int32_t patch, int32_t* in_contact,
+                                               int32_t* adhesion, int32_t* slip, int32_t* border);
+/* Arrays that were wanted: length = nx*ny of the patch. Slip is all zero without friction, and CONTACTD_GAP is of model
+ * full only. */
+CONTACTD_API int32_t contactd_wheel_get_array(contactd_wheel* wheel, int32_t patch, int32_t array, double* values,
+                                              int32_t length);
+CONTACTD_API int32_t contactd_wheel_get_division(contactd_wheel* wheel, int32_t patch, int32_t* division,
+                                                 int32_t length);
 
 #ifdef __cplusplus
 }

@@ -123,6 +123,27 @@ class LocalContact final : public OpenContact {
     long long serial_ = 0;
 };
 
+class LocalWheel final : public OpenWheel {
+   public:
+    LocalWheel(std::shared_ptr<Engine> engine, std::chrono::milliseconds timeout)
+        : engine_(std::move(engine)), timeout_(timeout) {}
+
+    WheelRailSolution solve(const WheelInput& input, const Control& control) override {
+        WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
+            return engine_->solve(input.setup, input.state, observer);
+        });
+        for (WheelRailPatch& patch : solution.patches) {
+            keep_wanted(input.fields, patch.solution);
+            if (!input.gap) patch.gap.clear();
+        }
+        return solution;
+    }
+
+   private:
+    const std::shared_ptr<Engine> engine_;
+    const std::chrono::milliseconds timeout_;
+};
+
 class LocalBackend final : public Backend {
    public:
     std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
@@ -130,6 +151,9 @@ class LocalBackend final : public Backend {
         const auto timeout = may_build(spec.setup) ? settings.build_timeout : settings.timeout;
         auto steps = observed(control, timeout, [&](LocalObserver& observer) { return engine_->open(spec, observer); });
         return std::make_unique<LocalContact>(engine_, std::move(steps), settings.timeout);
+    }
+    std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
+        return std::make_unique<LocalWheel>(engine_, settings.timeout);
     }
     void ping(const Settings&) const override {}
 

@@ -60,6 +60,25 @@ static const struct {
     {"traction_y", CONTACTD_TRACTION_Y},
     {"slip_x", CONTACTD_SLIP_X},
     {"slip_y", CONTACTD_SLIP_Y},
+    {"left", CONTACTD_LEFT},
+    {"right", CONTACTD_RIGHT},
+    {"wheel", CONTACTD_WHEEL},
+    {"rail", CONTACTD_RAIL},
+    {"in_track", CONTACTD_IN_TRACK},
+    {"in_rail", CONTACTD_IN_RAIL},
+    {"in_wheelset", CONTACTD_IN_WHEELSET},
+    {"pitch", CONTACTD_PITCH},
+    {"gap", CONTACTD_GAP},
+    {"by_position_y", CONTACTD_BY_POSITION_Y},
+    {"by_position_z", CONTACTD_BY_POSITION_Z},
+    {"by_position_roll", CONTACTD_BY_POSITION_ROLL},
+    {"by_position_yaw", CONTACTD_BY_POSITION_YAW},
+    {"by_velocity_x", CONTACTD_BY_VELOCITY_X},
+    {"by_velocity_y", CONTACTD_BY_VELOCITY_Y},
+    {"by_velocity_z", CONTACTD_BY_VELOCITY_Z},
+    {"by_velocity_roll", CONTACTD_BY_VELOCITY_ROLL},
+    {"by_velocity_yaw", CONTACTD_BY_VELOCITY_YAW},
+    {"by_velocity_pitch", CONTACTD_BY_VELOCITY_PITCH},
 };
 
 /* The call that runs: MATLAB is one thread. */
@@ -140,6 +159,7 @@ static void print_line(void* user, int32_t level, const char* text) {
 }
 
 #include "contactd_mex_calls.h"
+#include "contactd_mex_wheel_calls.h"
 
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     char command[longest_text], where[longest_text];
@@ -165,6 +185,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     if (!mxIsUint64(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
         mexErrMsgIdAndTxt("contactd:arguments", "Argument 2 must be what 'open' or 'new' returned.");
     handle = *(const uint64_t*)mxGetData(prhs[1]);
-    if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_that_reads(command, nlhs, plhs))
+    if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_that_reads(command, nlhs, plhs) &&
+        !call_that_sets_wheel(command) && !call_that_reads_wheel(command, nlhs, plhs))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

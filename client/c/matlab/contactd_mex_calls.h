@@ -10,10 +10,16 @@
 static int call_of_connection(const char* command, mxArray* plhs[]) {
     contactd_connection* c = (contactd_connection*)(uintptr_t)handle;
     contactd_contact* contact = NULL;
+    contactd_wheel* wheel = NULL;
     char server_key[longest_text], own_key[longest_text];
     if (!strcmp(command, "new")) {
         check(contactd_new(c, &contact));
         plhs[0] = made_handle(contact);
+        return 1;
+    }
+    if (!strcmp(command, "wheel_new")) {
+        check(contactd_wheel_new(c, &wheel));
+        plhs[0] = made_handle(wheel);
         return 1;
     }
     if (!strcmp(command, "set_keys")) {

@@ -32,14 +32,7 @@ std::int32_t contactd_step_again(contactd_contact* contact) {
 }
 
 std::int32_t contactd_cancel(contactd_contact* contact) {
-    std::shared_ptr<Contact> found;
-    try {
-        found = contacts().find(contact);
-        found->cancel();
-        return CONTACTD_OK;
-    } catch (...) {
-        return failed(contact, found.get());
-    }
+    return cancel(contacts(), contact);
 }
 
 std::int32_t contactd_save(contactd_contact* contact, std::int32_t* state) {

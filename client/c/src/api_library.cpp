@@ -10,9 +10,10 @@ namespace {
 /// See contactd_last_code.
 Failure last_failure_of(const void* handle) {
     const auto contact = contacts().find_any(handle);
+    const auto wheel = wheels().find_any(handle);
     const auto connection = connections().find_any(handle);
-    if (const Failure* mine = kept_failure(contact || connection ? handle : nullptr)) return *mine;
-    return contact ? contact->last_failure() : connection->last_failure();
+    if (const Failure* mine = kept_failure(contact || wheel || connection ? handle : nullptr)) return *mine;
+    return contact ? contact->last_failure() : wheel ? wheel->last_failure() : connection->last_failure();
 }
 
 /// A text that holds until the next call with this `place`, which is the thread's own.

@@ -1,6 +1,5 @@
 // contactd.h: the results of the last step.
 #include <algorithm>
-#include <limits>
 
 #include "edge.hpp"
 
@@ -33,31 +32,11 @@ const SolverEvidence* evidence_of(const ContactSolution& solution, std::int32_t 
     return some ? &*some : nullptr;
 }
 
-const std::vector<double>& array_of(const ContactSolution& solution, SolutionField field) {
-    switch (field) {
-        case SolutionField::pressure:
-            return solution.pressure;
-        case SolutionField::traction_x:
-            return solution.traction_x;
-        case SolutionField::traction_y:
-            return solution.traction_y;
-        case SolutionField::slip_x:
-            return solution.slip_x;
-        default:
-            return solution.slip_y;
-    }
-}
-
-/// Of an array that is read into `length` values.
-void check_array(const Contact& contact, SolutionField field, std::int32_t length) {
+void require(const Contact& contact, SolutionField field) {
     const std::vector<SolutionField>& wanted = contact.result().fields;
     if (std::find(wanted.begin(), wanted.end(), field) == wanted.end())
         throw contactd::StatusError(contactd::StatusCode::failed_precondition, no_result,
                                     "The last step did not bring this array along; contactd_want asks for it before.");
-    const std::size_t size = contact.said.problem.grid.size();
-    if (length < 0 || static_cast<std::size_t>(length) != size)
-        throw contactd::InvalidArgument(
-            "length", "is " + std::to_string(length) + "; the grid has " + std::to_string(size) + " elements");
 }
 
 }  // namespace
@@ -88,22 +67,14 @@ std::int32_t contactd_get_pmax(contactd_contact* contact, double* pmax) {
 }
 
 std::int32_t contactd_get_areas(contactd_contact* contact, double* in_contact, double* adhesion, double* slip) {
-    return read(contact, [&](const ContactSolution& solution) {
-        given(in_contact, "in_contact"), given(adhesion, "adhesion"), given(slip, "slip");
-        *in_contact = solution.area.contact;
-        *adhesion = solution.area.adhesion;
-        *slip = solution.area.slip;
-    });
+    return read(contact,
+                [&](const ContactSolution& solution) { put_areas(solution.area, in_contact, adhesion, slip); });
 }
 
 std::int32_t contactd_get_counts(contactd_contact* contact, std::int32_t* in_contact, std::int32_t* adhesion,
                                  std::int32_t* slip, std::int32_t* border) {
     return read(contact, [&](const ContactSolution& solution) {
-        given(in_contact, "in_contact"), given(adhesion, "adhesion"), given(slip, "slip"), given(border, "border");
-        *in_contact = solution.elements.contact;
-        *adhesion = solution.elements.adhesion;
-        *slip = solution.elements.slip;
-        *border = solution.elements.border;
+        put_counts(solution.elements, in_contact, adhesion, slip, border);
     });
 }
 
@@ -182,34 +153,23 @@ std::int32_t contactd_get_warnings(contactd_contact* contact, std::int32_t* coun
 }
 
 std::int32_t contactd_get_warning(contactd_contact* contact, std::int32_t index, char* text, std::int32_t length) {
-    return read(contact, [&](const ContactSolution& solution) {
-        if (index < 0 || static_cast<std::size_t>(index) >= solution.warnings.size())
-            throw contactd::InvalidArgument("index", "is " + std::to_string(index) + "; there are " +
-                                                         std::to_string(solution.warnings.size()) + " warnings");
-        put_text(solution.warnings[static_cast<std::size_t>(index)], text, length);
-    });
+    return read(contact, [&](const ContactSolution& solution) { put_warning(solution.warnings, index, text, length); });
 }
 
 std::int32_t contactd_get_array(contactd_contact* contact, std::int32_t array, double* values, std::int32_t length) {
     return with(contact, [&](Contact& asked) {
         given(values, "values");
-        if (word(array, CONTACTD_SLIP_Y, "array") == CONTACTD_DIVISION)
-            throw contactd::InvalidArgument("array", "is CONTACTD_DIVISION; contactd_get_division reads it");
-        const auto field = static_cast<SolutionField>(array);
-        check_array(asked, field, length);
-        const std::vector<double>& source = array_of(asked.result().reply.solution, field);
-        std::fill_n(values, length, 0.0);  // slip without friction
-        std::copy(source.begin(), source.end(), values);
+        const auto field = double_field(word(array, CONTACTD_SLIP_Y, "array"), "contactd_get_division");
+        require(asked, field);
+        put_array(array_of(asked.result().reply.solution, field), asked.said.problem.grid, values, length);
     });
 }
 
 std::int32_t contactd_get_division(contactd_contact* contact, std::int32_t* division, std::int32_t length) {
     return with(contact, [&](Contact& asked) {
         given(division, "division");
-        check_array(asked, SolutionField::element_division, length);
-        const auto& source = asked.result().reply.solution.element_division;
-        std::transform(source.begin(), source.end(), division,
-                       [](contactd::ElementState state) { return static_cast<std::int32_t>(state); });
+        require(asked, SolutionField::element_division);
+        put_division(asked.result().reply.solution, asked.said.problem.grid, division, length);
     });
 }
 

@@ -10,6 +10,9 @@
 #include <string>
 
 #include "contactd/session.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
 
 namespace contactd::c {
 
@@ -43,6 +46,22 @@ class OpenContact {
     virtual const IcUses& ics() const = 0;
 };
 
+/// What a wheel on its rail is asked, and the arrays that its patches shall have.
+struct WheelInput {
+    WheelRailSetup setup;
+    WheelRailState state;
+    SolutionFields fields;
+    bool gap = false;
+};
+
+/// Where wheels on rails are solved. One thread at a time; nothing is carried from one call to the next.
+class OpenWheel {
+   public:
+    virtual ~OpenWheel() = default;
+    /// Arrays are empty unless they are asked for. Throws as OpenContact, naming "setup.track.gauge", ...
+    virtual WheelRailSolution solve(const WheelInput& input, const Control& control) = 0;
+};
+
 /// Any number of threads at a time.
 class Backend {
    public:
@@ -50,6 +69,8 @@ class Backend {
     /// Returns when the tables lie ready. `spec` has passed validate_opening.
     virtual std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
                                               const Control& control) const = 0;
+    /// Sends nothing yet.
+    virtual std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const = 0;
     /// Throws when no contact can be solved there now.
     virtual void ping(const Settings& settings) const = 0;
 };

@@ -15,8 +15,7 @@ std::string percent(double fraction) {
 
 }  // namespace
 
-Contact::Contact(const Connection& connection)
-    : user(0), backend_(connection.backend), settings_(connection.told().first), log_(connection.told().second) {}
+Contact::Contact(const Connection& connection) : Called(connection) {}
 
 void Contact::require_set_up(const char* what) const {
     if (started())
@@ -26,24 +25,6 @@ void Contact::require_set_up(const char* what) const {
 
 void Contact::require_started() const {
     if (!started()) throw wrong_order_of("The contact was not started yet; contactd_start comes first.");
-}
-
-template <class Ask>
-auto Contact::controlled(const Ask& ask) {
-    Control control;
-    {
-        const std::scoped_lock lock(mutex_);
-        stop_ = std::stop_source();
-        control.stop = stop_.get_token();
-    }
-    struct Ended {
-        Contact& contact;
-        ~Ended() {
-            const std::scoped_lock lock(contact.mutex_);
-            contact.stop_ = std::stop_source(std::nostopstate);
-        }
-    } const ended{*this};
-    return ask(control);
 }
 
 void Contact::start() {
@@ -120,11 +101,6 @@ void Contact::forget(std::int32_t state) {
     saved_.erase(at);
 }
 
-void Contact::cancel() {
-    const std::scoped_lock lock(mutex_);
-    stop_.request_stop();
-}
-
 const Result& Contact::result() const {
     if (!result_)
         throw StatusError(StatusCode::failed_precondition, no_result,
@@ -140,16 +116,6 @@ const IcUses& Contact::ics() const {
 std::int32_t Contact::step_number() const {
     require_started();
     return result_ ? static_cast<std::int32_t>(result_->reply.step) : 0;
-}
-
-void Contact::keep(const Failure& failure) {
-    const std::scoped_lock lock(mutex_);
-    last_ = failure;
-}
-
-Failure Contact::last_failure() const {
-    const std::scoped_lock lock(mutex_);
-    return last_;
 }
 
 }  // namespace contactd::c

@@ -1,16 +1,13 @@
 // A contact: what was said of it, where it is solved, and the results of its last step.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "connection.hpp"
+#include "called.hpp"
 #include "said.hpp"
 
 namespace contactd::c {
@@ -22,12 +19,11 @@ struct Result {
 };
 
 /// One thread at a time (Turn), but for cancel and the failures.
-class Contact {
+class Contact : public Called {
    public:
     explicit Contact(const Connection& connection);
 
-    Said said;              ///< the setters write here
-    std::atomic<int> user;  ///< of Turn
+    Said said;  ///< the setters write here
 
     bool started() const { return open_ != nullptr; }
     /// Throws StatusError (WRONG_ORDER) when the contact was started.
@@ -44,18 +40,11 @@ class Contact {
     void restore(std::int32_t state);
     void forget(std::int32_t state);
 
-    /// From any thread: ends what runs.
-    void cancel();
-
     /// Of the last step. Throws StatusError (NO_RESULT) when there is none.
     const Result& result() const;
     const IcUses& ics() const;
     /// Of the last step, 0 before the first.
     std::int32_t step_number() const;
-
-    const Log& log() const { return log_; }
-    void keep(const Failure& failure);
-    Failure last_failure() const;
 
    private:
     struct Saved {
@@ -64,21 +53,12 @@ class Contact {
         Rolling rolling;  // the estimates that Said had
     };
 
-    /// Calls `ask` with a Control that cancel() reaches.
-    template <class Ask>
-    auto controlled(const Ask& ask);
     std::map<std::int32_t, Saved>::iterator saved(std::int32_t state);
 
-    const std::shared_ptr<const Backend> backend_;
-    const Settings settings_;
-    const Log log_;
     std::unique_ptr<OpenContact> open_;
     std::shared_ptr<const Result> result_;
     std::map<std::int32_t, Saved> saved_;
-    std::int32_t states_ = 0;   // that were saved so far
-    mutable std::mutex mutex_;  // guards what follows
-    std::stop_source stop_{std::nostopstate};
-    Failure last_;
+    std::int32_t states_ = 0;  // that were saved so far
 };
 
 }  // namespace contactd::c

@@ -1,8 +1,5 @@
 #include "edge.hpp"
 
-#include <algorithm>
-#include <cstring>
-
 namespace contactd::c {
 
 Connections& connections() {
@@ -15,12 +12,9 @@ Contacts& contacts() {
     return *all;
 }
 
-void put_text(const std::string& source, char* text, std::int32_t length) {
-    given(text, "text");
-    if (length < 1) throw InvalidArgument("length", "is " + std::to_string(length) + "; it must be at least 1");
-    const std::size_t kept = std::min(source.size(), static_cast<std::size_t>(length) - 1);
-    std::memcpy(text, source.data(), kept);
-    text[kept] = '\0';
+Wheels& wheels() {
+    static auto* const all = new Wheels("wheel", 5);
+    return *all;
 }
 
 }  // namespace contactd::c

@@ -1,26 +1,29 @@
 // The edge of the interface: no exception leaves, whatever comes in.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "arguments.hpp"
 #include "connection.hpp"
 #include "contact.hpp"
 #include "contactd.h"
 #include "handles.hpp"
+#include "put_results.hpp"
 #include "turn.hpp"
+#include "wheel.hpp"
 
 namespace contactd::c {
 
 using Connections = Handles<Connection, contactd_connection>;
 using Contacts = Handles<Contact, contactd_contact>;
+using Wheels = Handles<Wheel, contactd_wheel>;
 /// Those of the process. They stay at its end: what is not given back then ends with it.
 Connections& connections();
 Contacts& contacts();
+Wheels& wheels();
 
 /// Keeps the exception that is being handled as the failure of a handle, and of `object`, which may be null; its code.
 template <class Object>
@@ -48,22 +51,43 @@ std::int32_t with(contactd_connection* handle, const Body& body) noexcept {
     }
 }
 
-/// Calls `body` with the contact, for which it is this thread's turn.
-template <class Body>
-std::int32_t with(contactd_contact* handle, const Body& body) noexcept {
-    std::shared_ptr<Contact> contact;
+/// Calls `body` with one of the objects, for which it is this thread's turn.
+template <class Object, class Handle, class Body>
+std::int32_t with_turn(const Handles<Object, Handle>& all, Handle* handle, const Body& body) noexcept {
+    std::shared_ptr<Object> object;
     try {
-        contact = contacts().find(handle);
-        const Turn turn(contact->user);
+        object = all.find(handle);
+        const Turn turn(object->user);
         try {
-            body(*contact);
+            body(*object);
         } catch (...) {
-            if (contact->log()) contact->log()(CONTACTD_LOG_ERROR, current_failure().sentence);
+            if (object->log()) object->log()(CONTACTD_LOG_ERROR, current_failure().sentence);
             throw;
         }
         return CONTACTD_OK;
     } catch (...) {
-        return failed(handle, contact.get());
+        return failed(handle, object.get());
+    }
+}
+template <class Body>
+std::int32_t with(contactd_contact* handle, const Body& body) noexcept {
+    return with_turn(contacts(), handle, body);
+}
+template <class Body>
+std::int32_t with(contactd_wheel* handle, const Body& body) noexcept {
+    return with_turn(wheels(), handle, body);
+}
+
+/// Ends what runs with one of the objects, from any thread.
+template <class Object, class Handle>
+std::int32_t cancel(const Handles<Object, Handle>& all, Handle* handle) noexcept {
+    std::shared_ptr<Object> object;
+    try {
+        object = all.find(handle);
+        object->cancel();
+        return CONTACTD_OK;
+    } catch (...) {
+        return failed(handle, object.get());
     }
 }
 
@@ -81,46 +105,6 @@ template <class Body>
 std::int32_t load(contactd_contact* handle, const Body& body) noexcept {
     return with(handle, [&](Contact& contact) { body(contact.said); });
 }
-
-// --- what comes in: each throws InvalidArgument naming `field`
-// ---------------------------------------------------------
-
-template <class Pointee>
-Pointee* given(Pointee* pointer, const char* field) {
-    if (pointer == nullptr) throw InvalidArgument(field, "is NULL");
-    return pointer;
-}
-
-inline double finite(double value, const char* field) {
-    if (!std::isfinite(value)) throw InvalidArgument(field, "is not finite; it must be a number");
-    return value;
-}
-
-/// As finite, but infinite is a value, too.
-inline double number(double value, const char* field) {
-    if (std::isnan(value)) throw InvalidArgument(field, "is not a number");
-    return value;
-}
-
-/// One of the words 0..last.
-inline std::int32_t word(std::int32_t value, std::int32_t last, const char* field) {
-    if (value < 0 || value > last)
-        throw InvalidArgument(field, "is " + std::to_string(value) +
-                                         "; it must be one of the words of contactd.h, 0 to " + std::to_string(last));
-    return value;
-}
-
-inline std::vector<double> array(const double* values, std::int32_t count, const char* field) {
-    given(values, field);
-    if (count < 1) throw InvalidArgument("count", "is " + std::to_string(count) + "; it must be at least 1");
-    return {values, values + count};
-}
-
-// --- what goes out
-// -----------------------------------------------------------------------------------------------------
-
-/// `text`, cut to what `length` bytes hold with their end.
-void put_text(const std::string& source, char* text, std::int32_t length);
 
 inline StatusError nothing_of(const char* what) {
     return {StatusCode::not_found, no_result, std::string("The last step has no ") + what + "."};

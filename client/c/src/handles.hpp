@@ -17,12 +17,12 @@ namespace contactd::c {
 template <class Object, class Handle>
 class Handles {
    public:
-    /// `field` is what a parameter of this kind is called. Numbers of kind k are k modulo 4, and odd, as no address is.
+    /// `field` is what a parameter of this kind is called. Numbers of kind k are k modulo 8, and odd, as no address is.
     Handles(const char* field, std::uintptr_t kind) : field_(field), kind_(kind) {}
 
     Handle* add(std::shared_ptr<Object> object) {
         const std::unique_lock lock(mutex_);
-        const std::uintptr_t number = 4 * ++given_ + kind_;
+        const std::uintptr_t number = 8 * ++given_ + kind_;
         objects_.emplace(number, std::move(object));
         return reinterpret_cast<Handle*>(number);
     }

@@ -53,6 +53,18 @@ class RemoteContact final : public OpenContact {
     client::Session session_;
 };
 
+class RemoteWheel final : public OpenWheel {
+   public:
+    RemoteWheel(const std::string& endpoint, const Settings& settings) : client_(endpoint, options_of(settings)) {}
+
+    WheelRailSolution solve(const WheelInput& input, const Control& control) override {
+        return client_.wheel_rail(input.setup, input.state, options_of(control), input.fields, input.gap);
+    }
+
+   private:
+    client::Client client_;
+};
+
 class RemoteBackend final : public Backend {
    public:
     explicit RemoteBackend(std::string endpoint) : endpoint_(std::move(endpoint)) {}
@@ -60,6 +72,10 @@ class RemoteBackend final : public Backend {
     std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
                                       const Control& control) const override {
         return std::make_unique<RemoteContact>(endpoint_, spec, settings, control);
+    }
+
+    std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
+        return std::make_unique<RemoteWheel>(endpoint_, settings);
     }
 
     void ping(const Settings& settings) const override {

@@ -1,4 +1,4 @@
-// One user of a contact at a time.
+// One user of a contact or a wheel at a time.
 #pragma once
 
 #include <atomic>
@@ -20,9 +20,10 @@ class Turn {
         int holder = user_.load();
         do {
             if (holder == self)
-                throw StatusError(StatusCode::failed_precondition, concurrent_use,
-                                  "Another call of this contact runs, in another thread or in whose log this is; the "
-                                  "one that runs goes on. Use a contact for each thread.");
+                throw StatusError(
+                    StatusCode::failed_precondition, concurrent_use,
+                    "Another call of this contact or wheel runs, in another thread or in whose log this is; the "
+                    "one that runs goes on. Use one for each thread.");
         } while (!user_.compare_exchange_weak(holder, self));
     }
     ~Turn() { user_.store(0); }

@@ -1,0 +1,56 @@
+#include "wheel.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace contactd::c {
+namespace {
+
+StatusError not_brought() {
+    return {StatusCode::failed_precondition, no_result,
+            "The last solve did not bring this array along; contactd_wheel_want asks for it before."};
+}
+
+}  // namespace
+
+void Wheel::solve() {
+    if (!open_) open_ = backend_->open_wheel(settings_);
+    Result result{{}, said.fields, said.gap};
+    result.solution = controlled([&](Control& control) {
+        control.timeout = timeout;
+        return open_->solve(said, control);
+    });
+    result_ = std::move(result);
+    if (!log_) return;
+    for (const std::string& warning : result_->solution.warnings) log_(CONTACTD_LOG_WARNING, warning);
+}
+
+const Wheel::Result& Wheel::result() const {
+    if (!result_)
+        throw StatusError(StatusCode::failed_precondition, no_result,
+                          "There are no results yet; contactd_wheel_solve makes them.");
+    return *result_;
+}
+
+const WheelRailSolution& Wheel::solution() const {
+    return result().solution;
+}
+
+const WheelRailPatch& Wheel::patch(std::int32_t number) const {
+    const auto& patches = solution().patches;
+    if (number < 0 || static_cast<std::size_t>(number) >= patches.size())
+        throw InvalidArgument("patch", "is " + std::to_string(number) + "; there are " +
+                                           std::to_string(patches.size()) + " patches, from 0 on");
+    return patches[static_cast<std::size_t>(number)];
+}
+
+void Wheel::require(SolutionField field) const {
+    const SolutionFields& fields = result().fields;
+    if (std::find(fields.begin(), fields.end(), field) == fields.end()) throw not_brought();
+}
+
+void Wheel::require_gap() const {
+    if (!result().gap) throw not_brought();
+}
+
+}  // namespace contactd::c
