@@ -49,6 +49,9 @@ class Engine {
     /// A wheel on its rail. Bodies are half-spaces in closed form; profiles and operators are kept for the next step
     /// with an equal set-up. Throws InvalidArgument naming "setup.track.gauge", "state.position.z", ..., and Cancelled.
     WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
+    /// Both wheels, and the roll at which each has its force. Throws the same, naming "setup.", "left." (where that has
+    /// a set-up of its own), and "state.left_rail.y", ...
+    WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer);
     /// The search for contacts alone. Throws the same, naming "states[i].position.z".
     std::vector<WheelRailGeometry> locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
                                           Observer& observer);
@@ -68,6 +71,8 @@ class Engine {
     IcAnswer fetch(const IcSpec& spec, Observer& observer);
     IcAnswers fetch(const ContactSetup& setup, Observer& observer);
     void count(const ContactSolution& solution);
+    void count(const WheelRailSolution& solution);
+    PreparedContacts::Contact wheel_on_rail(const WheelRailSetup& setup);
     ContactInfluence patch_influence(const ContactProblem& problem);
 
     const EngineSettings settings_;

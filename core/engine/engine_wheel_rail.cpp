@@ -50,8 +50,13 @@ auto with_names(const std::string& setup, const std::string& state, const Ask& a
     }
 }
 
-void check(const WheelRailState& state, const std::string& name) {
-    with_names(name, name, [&] { validate(state); });
+template <class State>
+void check(const State& state, const std::string& name) {
+    try {
+        validate(state);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(name + error.field(), std::string(error.what()).substr(error.field().size() + 1));
+    }
 }
 
 }  // namespace
@@ -67,15 +72,36 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem) {
 
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
     check(state, "state.");
-    WheelRailSolution solution = with_names("setup.", "state.", [&] {
-        check_half_spaces(setup.bodies);
-        return wheels_on_rails_.of(setup)->solve(state, observer);
-    });
+    WheelRailSolution solution =
+        with_names("setup.", "state.", [&] { return wheel_on_rail(setup)->solve(state, observer); });
+    count(solution);
+    return solution;
+}
+
+WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer) {
+    check(state, "state.");
+    const auto contact = [&](Side side) {
+        const bool own = side == Side::left && setup.left;
+        return with_names(own ? "left." : "setup.", "state.", [&] { return wheel_on_rail(setup_of(setup, side)); });
+    };
+    const PreparedContacts::Contact right = contact(Side::right), left = contact(Side::left);
+    WheelsetSolution solution =
+        with_names("setup.", "state.", [&] { return solve_wheelset(*left, *right, state, observer); });
+    count(solution.left);
+    count(solution.right);
+    return solution;
+}
+
+PreparedContacts::Contact Engine::wheel_on_rail(const WheelRailSetup& setup) {
+    check_half_spaces(setup.bodies);
+    return wheels_on_rails_.of(setup);
+}
+
+void Engine::count(const WheelRailSolution& solution) {
     for (const WheelRailPatch& patch : solution.patches) {
         check_patch(patch.place.grid, settings_.most_patch_elements);  // of quick models, which ask for no operators
         count(patch.solution);
     }
-    return solution;
 }
 
 std::vector<WheelRailGeometry> Engine::locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,

@@ -134,4 +134,10 @@ void validate(const WheelRailSetup& setup) {
     check(setup.force, "force");
 }
 
+WheelRailSetup setup_of(const WheelsetSetup& wheelset, Side side) {
+    WheelRailSetup setup = side == Side::left && wheelset.left ? *wheelset.left : wheelset.setup;
+    setup.side = side;
+    return setup;
+}
+
 }  // namespace contactd

@@ -60,6 +60,8 @@ def test_every_parameter_is_described(document):
         ("contact.solve_many", {"problems": [SOLVE, {**SOLVE, "gap": {"array": [[1]]}}]}),
         ("contact.subsurface", STRESS),
         ("wheelrail.solve", {"setup": {"friction": {"mu": 0.3}, "dx": 1, "dy": 1}, "state": {"Fz": 10000}}),
+        ("wheelrail.wheelset", {"setup": {"dx": 1, "dy": 1}, "state": {"Fz_left": 1e4, "Fz_right": 9e3}}),
+        ("wheelrail.geometry", {"contacts": {"shifts": [1]}, "conicity": {"amplitudes": [2]}, "profiles": True}),
         ("wheelrail.geometry", {"states": [{"position": {"y": 3}, "Fz": 10000}]}),
     ],
     ids=lambda part: part if isinstance(part, str) else "",

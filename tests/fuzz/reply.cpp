@@ -16,8 +16,11 @@ void decode(const std::string& method, const nlohmann::json& result, const std::
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
     if (method == "contact.subsurface") decode_subsurface_reply(result, frames);
     if (method == "wheelrail.solve") decode_wheel_rail_solution(result, frames);
+    if (method == "wheelrail.wheelset") decode_wheelset_solution(result, frames);
     if (method == "wheelrail.geometry") decode_wheel_rail_geometries(result);
     if (method == "wheelrail.geometry" && result.contains("conicities")) decode_conicities(result["conicities"]);
+    if (method == "wheelrail.geometry" && result.contains("contacts")) decode_contacts(result["contacts"]);
+    if (method == "wheelrail.geometry" && result.contains("profiles")) decode_profiles(result["profiles"], frames);
     if (method == "session.info") decode_session_info(result);
     if (method == "session.step") decode_step_reply(result, frames, contactd::Grid::centred(2, 1, 1, 1));
 }

@@ -45,10 +45,14 @@ void decode(const Request& request) {
         for (const auto& problem : params.at("problems")) check_problem(decode_problem(problem, request.frames));
     } else if (request.method == "contact.subsurface") {
         decode_subsurface_request(params, request.frames, limits);
+    } else if (request.method == "wheelrail.wheelset") {
+        decode_wheelset_setup(params, request.frames);
+        decode_wheelset_state(params["state"]);
     } else if (request.method.starts_with("wheelrail.")) {
-        decode_wheel_rail_setup(params, request.frames);
+        decode_wheelset_setup(params, request.frames);
         if (params.contains("state")) decode_wheel_rail_state(params["state"]);
         if (params.contains("conicity")) decode_conicity(params["conicity"]);
+        if (params.contains("contacts")) decode_contacts_request(params["contacts"]);
     }
 }
 

@@ -238,7 +238,9 @@ REQUESTS = [
     ("session.step", {"session": "0" * 32, "step": 1, "fields": ["pressure"], "friction": SESSION["friction"]}),
     ("session.step_many", {"steps": [{"session": "0" * 32, "step": 1, "friction": SESSION["friction"]}]}),
     ("wheelrail.solve", {"setup": WHEEL, "state": {}, "fields": ["pressure"]}),
-    ("wheelrail.geometry", {"setup": WHEEL, "states": [{}]}),
+    ("wheelrail.wheelset", {"setup": WHEEL, "left": WHEEL, "state": {"Fz_left": 1, "Fz_right": 1}}),
+    ("wheelrail.geometry", {"setup": WHEEL, "left": WHEEL, "states": [{}], "contacts": {"shifts": [0], "roll": "demanded"},
+                            "conicity": {"amplitudes": [1], "roll": "neglected"}}),
     *((f"session.{method}", {"session": "0" * 32}) for method in ("info", "save", "close")),
     *((f"session.{method}", {"session": "0" * 32, "state": "state-1"}) for method in ("restore", "forget")),
 ]  # fmt: skip

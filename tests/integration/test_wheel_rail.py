@@ -217,36 +217,6 @@ def test_bad_input_is_named_by_its_field(shared_daemon, setup, state, field):
     assert caught.value.violations[0].field.startswith(field), caught.value
 
 
-def test_a_cone_has_its_own_conicity(shared):
-    cone = RIGHT.replace(wheel=ConeProfile(-0.05, ends=(-60, 60)))
-    for found in shared.equivalent_conicity(cone, [1, 3, 5]):
-        assert found.integrated == pytest.approx(0.05, rel=1e-6)
-        assert found.harmonic == pytest.approx(0.05, rel=1e-6)
-        assert found.wavelength == pytest.approx(2 * math.pi * math.sqrt(1500 * 460 / (2 * 0.05)), rel=1e-6)
-
-
-def test_s1002_on_60e1_has_the_conicity_that_is_known_of_it(shared):
-    (found,) = shared.equivalent_conicity(RIGHT, [3])
-    assert found.integrated == pytest.approx(0.180, abs=0.001)
-    assert found.harmonic == pytest.approx(0.182, abs=0.001)
-
-
-@pytest.mark.parametrize(
-    ("setup", "amplitudes", "field"),
-    [
-        ({}, [0], "conicity.amplitudes[0]"),
-        ({}, [], "conicity.amplitudes"),
-        ({"rail": ArcProfile(300, ends=(-5, 5))}, [10], "conicity.amplitudes"),
-        ({"rail": ProfilePoints([[0, 0]])}, [1], "setup.rail.points"),
-        ({"track": Track(gauge=30)}, [1], "setup.track.gauge"),
-    ],
-)
-def test_a_bad_request_for_conicity_is_named(shared_daemon, setup, amplitudes, field):
-    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument) as caught:
-        client.equivalent_conicity(RIGHT.replace(**setup), amplitudes)
-    assert caught.value.violations[0].field.startswith(field), caught.value
-
-
 def test_a_bad_state_of_many_is_named(shared):
     with pytest.raises(InvalidArgument) as caught:
         shared.wheel_rail_geometry(RIGHT, [CENTRED, rolling(Fz=None, z=10)])

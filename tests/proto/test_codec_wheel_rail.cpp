@@ -132,6 +132,54 @@ TEST_CASE("A wheel on a rail arrives as it was sent", "[codec]") {
     CHECK(decode_patch_fields(params).gap);
 }
 
+TEST_CASE("A wheelset arrives as it was sent", "[codec]") {
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    WheelsetSetup setup{unusual_setup()};
+    const bool own = GENERATE(false, true);
+    if (own) setup.left = WheelRailSetup{};
+    const WheelsetState state{
+        {1, 2, 0.1, 0.2, 77}, {3, 4, 5, 6, 7, 8}, {9, 10, 0.3, 12, 13, 14}, {15, 16, 0.4, 18, 19, 20}, 21, 22, 23};
+    ArrayWriter arrays(encoding);
+    const json params = sent(encode_wheelset_request(setup, state, {{SolutionField::pressure}, true}, arrays));
+    const auto frames = arrays.take_frames();
+    CHECK_NOTHROW(check_params("wheelrail.wheelset", params));
+    CHECK_NOTHROW(check_frames_used(params, frames));
+    CHECK(decode_wheelset_setup(params, frames) == setup);
+    CHECK(decode_wheelset_state(params["state"]) == state);
+    CHECK(decode_patch_fields(params).gap);
+}
+
+TEST_CASE("The fields of a left wheel are named as such", "[codec]") {
+    const json params = {{"left", {{"rail", {{"points", json::array({{0, 0, 1}, {1, 0, 1}})}}}}}};
+    const auto status = wire::status_thrown_by([&] { decode_wheelset_setup(params, {}); });
+    REQUIRE(status);
+    REQUIRE_FALSE(status->violations.empty());
+    CHECK(status->violations[0].field == "left.rail.points");
+}
+
+TEST_CASE("The solution of a wheelset comes back exactly", "[codec]") {
+    WheelsetSolution original;
+    original.z = 0.1 + 0.2;
+    original.roll = -1e-3;
+    original.left = original.right = solution();
+    original.right.pitch = 5;
+    original.roll_search = {3, 1e-7, true, 0.5};
+    original.warnings = {"No roll."};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json result = sent(encode_wheelset_solution(original, {all_solution_fields, true}, arrays));
+    CHECK(violations_of("wheelrail.wheelset.result", result).empty());
+    const WheelsetSolution read = decode_wheelset_solution(result, arrays.take_frames());
+    CHECK(read.z == original.z);
+    CHECK(read.roll == original.roll);
+    CHECK(read.roll_search.residual == 1e-7);
+    CHECK(read.warnings == original.warnings);
+    CHECK(read.right.pitch == 5);
+    CHECK(read.left.pitch == original.left.pitch);
+    REQUIRE(read.right.patches.size() == 1);
+    CHECK(read.right.patches[0].solution.pressure == original.right.patches[0].solution.pressure);
+    CHECK(read.left.patches[0].gap == original.left.patches[0].gap);
+}
+
 TEST_CASE("Each profile arrives as it was sent", "[codec]") {
     const ProfileShape shape =
         GENERATE(ProfileShape(S1002{}), ProfileShape(Rail60E1{0.05}), ProfileShape(ArcProfile{-300, 0.1, -20, 21}),
@@ -252,7 +300,7 @@ TEST_CASE("Geometries come back exactly", "[codec]") {
 TEST_CASE("Conicities are asked for and come back", "[codec]") {
     const ConicityRequest wanted{{1, 2.5}, {WheelsetRoll::demanded, 1510, 1e-2}};
     ArrayWriter arrays(ArrayEncoding::frame);
-    const json params = sent(encode_conicity_request(unusual_setup(), wanted, arrays));
+    const json params = sent(encode_conicity_request({unusual_setup()}, wanted, arrays));
     CHECK_NOTHROW(check_params("wheelrail.geometry", params));
     CHECK(decode_conicity(params["conicity"]) == wanted);
     CHECK(decode_conicity({{"amplitudes", {3}}}) == ConicityRequest{{3}});
@@ -338,4 +386,33 @@ TEST_CASE("Points of many slices are limited, though they come in one frame", "[
     params["setup"]["rail_slices"] = json(11, slice);
     CHECK_THAT(refusal_of(params, {std::string(320'000, '\0')}),
                ContainsSubstring("LIMIT_EXCEEDED: setup.rail_slices have more than 200000 points together"));
+}
+
+TEST_CASE("Contacts of a wheelset are asked for and come back exactly", "[codec]") {
+    const ContactsRequest wanted{{-1, 0.1 + 0.2}, WheelsetRoll::demanded};
+    const WheelsetSetup setup{WheelRailSetup{}, unusual_setup()};
+    ArrayWriter asked(ArrayEncoding::frame);
+    const json params = sent(encode_contacts_request(setup, wanted, asked));
+    CHECK_NOTHROW(check_params("wheelrail.geometry", params));
+    CHECK(decode_wheelset_setup(params, asked.take_frames()) == setup);
+    CHECK(decode_contacts_request(params["contacts"]) == wanted);
+    CHECK(decode_contacts_request({{"shifts", {3}}}) == ContactsRequest{{3}});
+
+    const std::vector<WheelsetContacts> contacts{
+        {1, -0.1, {-750, 0.1, 0.02, 459, 0.2, 1, -1, true}, {751, 0.3, -0.05, 461.5, 0.4, 2, -2, false}}};
+    const json result = sent({{"geometries", json::array()}, {"contacts", encode_contacts(contacts)}});
+    CHECK(violations_of("wheelrail.geometry.result", result).empty());
+    CHECK(result["contacts"][0]["radius_difference"] == 2.5);
+    CHECK(decode_contacts(result["contacts"]) == contacts);
+}
+
+TEST_CASE("Placed profiles are asked for and come back exactly", "[codec]") {
+    ArrayWriter asked(ArrayEncoding::list);
+    CHECK_NOTHROW(check_params("wheelrail.geometry", sent(encode_profiles_request({}, asked))));
+
+    const ProfilesOfSides profiles{{{{0, 1}, {2, 3}}, {{4, 5}}, 750, {751, 0.5}}, {{{6, 7}}, {{8, 9}}, 8, {9, 10}}};
+    ArrayWriter arrays(GENERATE(ArrayEncoding::frame, ArrayEncoding::list));
+    const json result = sent({{"geometries", json::array()}, {"profiles", encode_profiles(profiles, arrays)}});
+    CHECK(violations_of("wheelrail.geometry.result", result).empty());
+    CHECK(decode_profiles(result["profiles"], arrays.take_frames()) == profiles);
 }

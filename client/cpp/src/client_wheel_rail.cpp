@@ -21,6 +21,16 @@ void validate_as(const std::string& name, const Part& part) {
     }
 }
 
+void validate_both(const WheelsetSetup& setup) {
+    validate_as("setup", setup.setup);
+    if (setup.left) validate_as("left", *setup.left);
+}
+
+const json& part_of(const json& result, const char* name) {
+    if (!result.contains(name)) throw ProtocolError(std::string("The daemon's answer lacks the ") + name + ".");
+    return result[name];
+}
+
 /// What is there has the size of its grid; read_array has seen to that.
 void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields) {
     if (std::find(fields.begin(), fields.end(), SolutionField::pressure) == fields.end()) return;
@@ -45,6 +55,21 @@ WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRai
     });
 }
 
+WheelsetSolution Client::wheelset(const WheelsetSetup& setup, const WheelsetState& state, const CallOptions& options,
+                                  const SolutionFields& fields, bool gap) {
+    validate_both(setup);
+    validate_as("state", state);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_wheelset_request(setup, state, {fields, gap}, arrays);
+    const Reply reply = impl_->call("wheelrail.wheelset", std::move(params), arrays.take_frames(), options);
+    return decoded([&] {
+        WheelsetSolution solution = proto::decode_wheelset_solution(reply.result, reply.frames);
+        check_pressures(solution.left, fields);
+        check_pressures(solution.right, fields);
+        return solution;
+    });
+}
+
 std::vector<WheelRailGeometry> Client::wheel_rail_geometry(const WheelRailSetup& setup,
                                                            std::span<const WheelRailState> states,
                                                            const CallOptions& options) {
@@ -63,17 +88,30 @@ std::vector<WheelRailGeometry> Client::wheel_rail_geometry(const WheelRailSetup&
     });
 }
 
-std::vector<EquivalentConicity> Client::equivalent_conicities(const WheelRailSetup& setup,
-                                                              const ConicityRequest& wanted,
+std::vector<EquivalentConicity> Client::equivalent_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
                                                               const CallOptions& options) {
-    validate_as("setup", setup);
+    validate_both(setup);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_conicity_request(setup, wanted, arrays);
     const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
-    return decoded([&] {
-        if (!reply.result.contains("conicities")) throw ProtocolError("The daemon's answer lacks the conicities.");
-        return proto::decode_conicities(reply.result["conicities"]);
-    });
+    return decoded([&] { return proto::decode_conicities(part_of(reply.result, "conicities")); });
+}
+
+std::vector<WheelsetContacts> Client::wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+                                                        const CallOptions& options) {
+    validate_both(setup);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_contacts_request(setup, wanted, arrays);
+    const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
+    return decoded([&] { return proto::decode_contacts(part_of(reply.result, "contacts")); });
+}
+
+ProfilesOfSides Client::placed_profiles(const WheelsetSetup& setup, const CallOptions& options) {
+    validate_both(setup);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_profiles_request(setup, arrays);
+    const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
+    return decoded([&] { return proto::decode_profiles(part_of(reply.result, "profiles"), reply.frames); });
 }
 
 }  // namespace contactd::client

@@ -1,4 +1,4 @@
-"""A wheel on a rail: what `Client.wheel_rail` takes, profiles, track, wheelset and where it is.
+"""A wheel on a rail: what `Client.wheel_rail` and `Client.wheelset` take, profiles, track, wheelset and where it is.
 
 ::
 
@@ -41,13 +41,21 @@ from .wheel_rail_places import (
     ContactReference,
     ContactRow,
     Creepages,
-    EquivalentConicity,
     OverlapRegion,
     WheelRailGeometry,
 )
 from .wheel_rail_profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
-from .wheel_rail_solution import WheelRailPatch, WheelRailSolution
-from .wheel_rail_state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
+from .wheel_rail_solution import WheelRailPatch, WheelRailSolution, WheelsetSolution
+from .wheel_rail_state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetState, WheelsetVelocity
+from .wheelset_geometry import (
+    EquivalentConicity,
+    PlacedProfiles,
+    ProfileOrigin,
+    ProfilesOfSides,
+    RigidContact,
+    WheelsetContacts,
+    WheelsetRoll,
+)
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -66,10 +74,14 @@ __all__ = [
     "EquivalentConicity",
     "OverlapRegion",
     "PatchRules",
+    "PlacedProfiles",
     "Profile",
+    "ProfileOrigin",
     "ProfilePoints",
+    "ProfilesOfSides",
     "Rail60E1",
     "RailDeviation",
+    "RigidContact",
     "Track",
     "WheelRailDerivatives",
     "WheelRailForces",
@@ -80,7 +92,11 @@ __all__ = [
     "WheelRailSolution",
     "WheelRailState",
     "Wheelset",
+    "WheelsetContacts",
     "WheelsetPosition",
+    "WheelsetRoll",
+    "WheelsetSolution",
+    "WheelsetState",
     "WheelsetVelocity",
     "Wrench",
     "WrenchesByPosition",

@@ -19,9 +19,10 @@ from .wheel_rail import (
     WheelRailFriction,
     WheelRailSetup,
     WheelRailState,
+    WheelsetState,
 )
 
-__all__ = ["profile_params", "setup_params", "state_params"]
+__all__ = ["profile_params", "setup_params", "state_params", "wheelset_state_params"]
 
 
 def profile_params(profile: Profile, field: str) -> dict[str, Any]:
@@ -42,17 +43,17 @@ def profile_params(profile: Profile, field: str) -> dict[str, Any]:
     return {"arc" if isinstance(profile, ArcProfile) else "cone": given}
 
 
-def setup_params(setup: WheelRailSetup) -> dict[str, Any]:
-    """`setup` of wheelrail.solve."""
-    check_type("setup", setup, WheelRailSetup)
+def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:
+    """`setup` of wheelrail.solve; `field` is where it stands."""
+    check_type(field, setup, WheelRailSetup)
     given = plain(setup)
     said = ("side", "model", "dx", "dy", "dq", "wheel_surface", "rigid_slip", "conformal")
     params: dict[str, Any] = {name: given[name] for name in said if name in given}
     params |= {name: plain(given[name]) for name in ("wheelset", "patches", "force") if name in given}
-    params |= {name: profile_params(given[name], f"setup.{name}") for name in ("wheel", "rail") if name in given}
+    params |= {name: profile_params(given[name], f"{field}.{name}") for name in ("wheel", "rail") if name in given}
     if setup.rail_slices is not None:
         params["rail_slices"] = [
-            {"x": x, "profile": profile_params(profile, f"setup.rail_slices[{i}].profile")}
+            {"x": x, "profile": profile_params(profile, f"{field}.rail_slices[{i}].profile")}
             for i, (x, profile) in enumerate(setup.rail_slices)
         ]
     if setup.track is not None:
@@ -70,6 +71,13 @@ def state_params(state: WheelRailState, field: str) -> dict[str, Any]:
     """`state` of wheelrail.solve; `field` is where it stands."""
     check_type(field, state, WheelRailState)
     return {**plain(state), **{name: plain(getattr(state, name)) for name in ("position", "velocity", "rail")}}
+
+
+def wheelset_state_params(state: WheelsetState) -> dict[str, Any]:
+    """`state` of wheelrail.wheelset."""
+    check_type("state", state, WheelsetState)
+    parts = ("position", "velocity", "left_rail", "right_rail")
+    return {**plain(state), **{name: plain(getattr(state, name)) for name in parts}}
 
 
 def _track_params(track: Track) -> dict[str, Any]:

@@ -12,7 +12,6 @@ __all__ = [
     "ContactReference",
     "ContactRow",
     "Creepages",
-    "EquivalentConicity",
     "OverlapRegion",
     "WheelRailGeometry",
 ]
@@ -151,20 +150,3 @@ class WheelRailGeometry:
     places: tuple[ContactPlace, ...]
     clearance: float | None = None
     warnings: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class EquivalentConicity:
-    """Of a wheelset with the same profiles on both sides: the conicity of cones that roll with the same wavelength.
-
-    Attributes:
-        amplitude: Half of the way from side to side (mm).
-        harmonic: The first harmonic of the radius difference.
-        integrated: From the wavelength of the kinematic motion; None where the wheelset does not swing.
-        wavelength: Of the kinematic motion (mm); None where the wheelset does not swing.
-    """
-
-    amplitude: float
-    harmonic: float
-    integrated: float | None = None
-    wavelength: float | None = None

@@ -20,7 +20,7 @@ from .wheel_rail_places import ContactPlace
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["WheelRailPatch", "WheelRailSolution", "read_wheel_rail"]
+__all__ = ["WheelRailPatch", "WheelRailSolution", "WheelsetSolution", "read_wheel_rail", "read_wheelset"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,9 +90,53 @@ class WheelRailSolution(Saved, Shown):
         return self.warnings
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class WheelsetSolution(Saved, Shown):
+    """Both wheels of a wheelset on their rails. Read `warnings`, and those of each wheel; ask `converged`.
+
+    Attributes:
+        z: Of the wheelset, as found (mm).
+        roll: Of the wheelset, as found (rad).
+        left: The left wheel on its rail.
+        right: The right wheel on its rail.
+        roll_search: Solves of both wheels, and by how much their heights differ (mm).
+        converged: Whether the solvers of both wheels and the search for the roll reached their tolerances.
+        warnings: Sentences, of both wheels together.
+    """
+
+    z: float
+    roll: float
+    left: WheelRailSolution
+    right: WheelRailSolution
+    roll_search: SolverEvidence
+    converged: bool
+    warnings: tuple[str, ...] = ()
+
+    def _rows(self) -> Rows:
+        rows: Rows = [("z", self.z), ("roll", self.roll)]
+        for name, wheel in (("left", self.left), ("right", self.right)):
+            track = wheel.forces.track
+            rows.append((name, f"{len(wheel.patches)} patches, Fx {track.Fx:.5g}, Fy {track.Fy:.5g}, Fz {track.Fz:.5g}"))
+        return [*rows, ("converged", "yes" if self.converged else "NO")]
+
+    def _remarks(self) -> tuple[str, ...]:
+        return self.warnings + self.left.warnings + self.right.warnings
+
+
 def read_wheel_rail(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelRailSolution:
     """The answer to a request for the arrays `names`, None: all, and, where `gap` says so, the undeformed distances."""
-    solution = read(WheelRailSolution, result)
+    return _checked(read(WheelRailSolution, result), names, gap)
+
+
+def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelsetSolution:
+    """As `read_wheel_rail`, of both wheels."""
+    solution = read(WheelsetSolution, result)
+    for wheel in (solution.left, solution.right):
+        _checked(wheel, names, gap)
+    return solution
+
+
+def _checked(solution: WheelRailSolution, names: Iterable[str] | None, gap: bool) -> WheelRailSolution:
     wanted = list(ALL_FIELDS if names is None else names)
     for index, patch in enumerate(solution.patches):
         check_arrays(patch.solution, wanted, patch.place.grid)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from .saving import Saved
 
-__all__ = ["RailDeviation", "WheelRailState", "WheelsetPosition", "WheelsetVelocity"]
+__all__ = ["RailDeviation", "WheelRailState", "WheelsetPosition", "WheelsetState", "WheelsetVelocity"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,3 +92,26 @@ class WheelRailState(Saved):
     Fz: float | None = None
     Fx: float | None = None
     derivatives: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelsetState(Saved):
+    """Where a wheelset is that is free to roll, and how it moves.
+
+    Attributes:
+        Fz_left: Vertical force of the left wheel on its rail (N), > 0.
+        Fz_right: Vertical force of the right wheel on its rail (N), > 0.
+        position: Of its centre; z and roll are found, and only tell where to start.
+        velocity: Of its centre.
+        left_rail: Deviation of the left rail, in track coordinates: y to the right.
+        right_rail: Deviation of the right rail.
+        roller_pitch: Pitch rate of rollers (rad/s): positive where the wheels turn as when rolling forwards.
+    """
+
+    Fz_left: float
+    Fz_right: float
+    position: WheelsetPosition = WheelsetPosition()
+    velocity: WheelsetVelocity = WheelsetVelocity()
+    left_rail: RailDeviation = RailDeviation()
+    right_rail: RailDeviation = RailDeviation()
+    roller_pitch: float = 0.0

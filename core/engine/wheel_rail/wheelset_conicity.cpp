@@ -5,6 +5,7 @@
 #include "contactd/equivalent_conicity.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
+#include "contactd/wheelset_contacts.hpp"
 
 namespace contactd::engine {
 namespace {
@@ -19,27 +20,63 @@ ProfileCurve curve_of(const ProfileSpec& profile, const std::string& name) {
     try {
         return make_profile(profile).curve;
     } catch (const InvalidArgument& error) {
-        throw renamed(error, "setup." + name, std::string("profile").size());
+        throw renamed(error, name, std::string("profile").size());
     }
+}
+
+/// `name` is where the set-up stands.
+WheelOverRail side_of(const WheelRailSetup& setup, const std::string& name) {
+    if (!setup.rail_slices.empty())
+        throw InvalidArgument(name + ".rail_slices",
+                              "are given; a rigid wheelset is told for rails that do not vary along the track");
+    const ProfileCurve wheel = curve_of(setup.wheel, name + ".wheel"), rail = curve_of(setup.rail, name + ".rail");
+    try {
+        return wheel_over_rail(wheel, rail, setup.track, setup.wheelset);
+    } catch (const InvalidArgument& error) {
+        throw renamed(error, name + ".", 0);
+    }
+}
+
+WheelsetOnTrack wheelset_of(const WheelsetSetup& setup) {
+    const WheelOverRail right = side_of(setup.setup, "setup");
+    return {setup.left ? side_of(*setup.left, "left") : right, right, setup.setup.wheelset.nominal_radius};
+}
+
+PlacedProfiles placed(const WheelOverRail& side) {
+    return {side.wheel.points(), side.rail.points(), side.wheel_origin, side.rail_origin};
 }
 
 }  // namespace
 
-std::vector<EquivalentConicity> wheelset_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted,
+std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
                                                     const Observer& observer) {
-    if (!setup.rail_slices.empty())
-        throw InvalidArgument("setup.rail_slices",
-                              "are given; the conicity is that of a rail that does not vary along the track");
-    const ProfileCurve wheel = curve_of(setup.wheel, "wheel"), rail = curve_of(setup.rail, "rail");
+    const WheelsetOnTrack wheelset = wheelset_of(setup);
     try {
-        return equivalent_conicities(wheelset_on_track(wheel, rail, setup.track, setup.wheelset), wanted.amplitudes,
-                                     wanted.settings, observer);
+        return equivalent_conicities(wheelset, wanted.amplitudes, wanted.settings, observer);
     } catch (const InvalidArgument& error) {
-        const std::string& field = error.field();
-        if (field.starts_with("track.") || field.starts_with("wheelset.")) throw renamed(error, "setup.", 0);
-        if (field != "shift") throw renamed(error, "conicity.", 0);
+        if (error.field() != "shift") throw renamed(error, "conicity.", 0);
         throw InvalidArgument("conicity.amplitudes", "lead to a " + std::string(error.what()));
     }
+}
+
+std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+                                                const Observer& observer) {
+    const WheelsetOnTrack wheelset = wheelset_of(setup);
+    std::vector<WheelsetContacts> contacts;
+    for (const double shift : wanted.shifts) {
+        observer.throw_if_cancelled();
+        try {
+            contacts.push_back(contacts_at(wheelset, shift, wanted.roll));
+        } catch (const InvalidArgument& error) {
+            throw renamed(error, "contacts.shifts[" + std::to_string(contacts.size()) + "]", error.field().size());
+        }
+    }
+    return contacts;
+}
+
+ProfilesOfSides placed_profiles(const WheelsetSetup& setup) {
+    const WheelsetOnTrack wheelset = wheelset_of(setup);
+    return {placed(wheelset.left), placed(wheelset.right)};
 }
 
 }  // namespace contactd::engine

@@ -1,4 +1,4 @@
-// The equivalent conicity of a wheelset that has the wheel and the rail of a set-up on both sides.
+// A rigid wheelset that has the profiles of a set-up: contacts, equivalent conicity, and the profiles as they lie.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,16 @@
 
 namespace contactd::engine {
 
-/// Throws InvalidArgument naming "setup.rail.points", "conicity.amplitudes[i]", ..., and Cancelled.
-std::vector<EquivalentConicity> wheelset_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted,
+/// Throws InvalidArgument naming "setup.rail.points", "left.rail.points", "conicity.amplitudes[i]", ..., and Cancelled.
+std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
                                                     const Observer& observer);
+
+/// In the order of the shifts. Throws InvalidArgument naming "setup.rail.points", "contacts.shifts[i]", ..., and
+/// Cancelled.
+std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+                                                const Observer& observer);
+
+/// Throws InvalidArgument naming "setup.rail.points", ...
+ProfilesOfSides placed_profiles(const WheelsetSetup& setup);
 
 }  // namespace contactd::engine

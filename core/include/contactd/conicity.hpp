@@ -1,8 +1,11 @@
-// The equivalent conicity of a wheelset on a track, as plain values: that of the cones on which it would roll with the
-// same wavelength.
+// A rigid wheelset on rigid rails, as plain values: where it touches them, and its equivalent conicity, that of the
+// cones on which it would roll with the same wavelength. Lengths in mm, angles in rad; track coordinates have y to the
+// right, z down.
 #pragma once
 
 #include <vector>
+
+#include "contactd/profile_spec.hpp"
 
 namespace contactd {
 
@@ -18,6 +21,52 @@ struct ConicitySettings {
     bool operator==(const ConicitySettings&) const = default;
 };
 
+/// A contact of a rigid wheel with a rigid rail.
+struct RigidContact {
+    double y = 0, z = 0;  ///< in track coordinates
+    double angle = 0;     ///< of the rail's tangent there, atan2(dz, dy): negative at the right wheel's flange
+    double radius = 0;    ///< of the wheel there
+    double height = 0;    ///< z of the wheelset, against wheels that touch z = 0 with their nominal radius
+    double wheel_y = 0, rail_y = 0;  ///< in the profiles; the rail's as the cant turns it
+    bool at_end = false;             ///< of the wheel's or the rail's profile: it ends before the bodies part
+
+    bool operator==(const RigidContact&) const = default;
+};
+
+/// Where both wheels touch.
+struct WheelsetContacts {
+    double shift = 0, roll = 0;
+    RigidContact left, right;
+
+    double radius_difference() const { return right.radius - left.radius; }
+    bool operator==(const WheelsetContacts&) const = default;
+};
+
+/// Contacts that are wanted.
+struct ContactsRequest {
+    std::vector<double> shifts;  ///< of the wheelset to the right (mm)
+    WheelsetRoll roll = WheelsetRoll::neglected;
+
+    bool operator==(const ContactsRequest&) const = default;
+};
+
+/// The points through which the curves of a side go, in the coordinates of the profiles; the rail's as the cant turns
+/// it.
+struct PlacedProfiles {
+    std::vector<ProfilePoint> wheel, rail;
+    double wheel_origin = 0;     ///< from the middle of the axle to y = 0 of the wheel's profile
+    ProfilePoint rail_origin{};  ///< from the middle of the track
+
+    bool operator==(const PlacedProfiles&) const = default;
+};
+
+/// Of both sides, each as if it were a right one.
+struct ProfilesOfSides {
+    PlacedProfiles left, right;
+
+    bool operator==(const ProfilesOfSides&) const = default;
+};
+
 /// Conicities that are wanted.
 struct ConicityRequest {
     std::vector<double> amplitudes;  ///< (mm)
@@ -29,7 +78,7 @@ struct ConicityRequest {
 struct EquivalentConicity {
     double amplitude = 0;   ///< half of the way from side to side (mm)
     double integrated = 0;  ///< from the wavelength of the kinematic motion; not a number where this does not swing
-    double harmonic = 0;    ///< the first harmonic of the radius difference
+    double harmonic = 0;    ///< the first harmonic of the radius difference; not a number where there is no centre
     double wavelength = 0;  ///< of the kinematic motion (mm)
 };
 

@@ -127,6 +127,17 @@ struct WheelRailSetup {
     bool operator==(const WheelRailSetup&) const = default;
 };
 
+/// Both wheels of a wheelset. `side` means nothing in the parts.
+struct WheelsetSetup {
+    WheelRailSetup setup{};                ///< of both wheels, or of the right one where the left one has its own
+    std::optional<WheelRailSetup> left{};  ///< of the left wheel, where it differs
+
+    bool operator==(const WheelsetSetup&) const = default;
+};
+
+/// Of one of its wheels, on its side.
+WheelRailSetup setup_of(const WheelsetSetup& wheelset, Side side);
+
 /// Throws InvalidArgument naming the field, in the words of these structs.
 void validate(const WheelRailSetup& setup);
 

@@ -151,7 +151,8 @@ struct WheelRailSolution {
 struct WheelsetSolution {
     double z = 0, roll = 0;  ///< of the wheelset, as found (mm, rad)
     WheelRailSolution left, right;
-    SolverEvidence roll_search;  ///< solves of both wheels, and by how much their heights differ (mm)
+    SolverEvidence roll_search;         ///< solves of both wheels, and by how much their heights differ (mm)
+    std::vector<std::string> warnings;  ///< of both wheels together, sentences; each has those of its own
 
     bool converged() const { return left.converged() && right.converged() && roll_search.converged; }
 };

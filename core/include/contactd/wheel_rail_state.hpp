@@ -60,7 +60,13 @@ struct WheelsetState {
     bool operator==(const WheelsetState&) const = default;
 };
 
+/// What a wheelset brings to one of its wheels, by the position and the force that it states.
+WheelRailState state_of_right_wheel(const WheelsetState& state);
+WheelRailState state_of_left_wheel(const WheelsetState& state);
+
 /// Throws InvalidArgument naming the field, e.g. "position.roll".
 void validate(const WheelRailState& state);
+/// Throws InvalidArgument naming the field, e.g. "left_rail.y", "Fz_right".
+void validate(const WheelsetState& state);
 
 }  // namespace contactd

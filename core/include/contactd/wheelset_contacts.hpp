@@ -30,22 +30,6 @@ WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rai
 WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                                   const Wheelset& wheelset = {});
 
-struct RigidContact {
-    double y = 0, z = 0;  ///< in track coordinates
-    double angle = 0;     ///< of the rail's tangent there, atan2(dz, dy): negative at the right wheel's flange
-    double radius = 0;    ///< of the wheel there
-    double height = 0;    ///< z of the wheelset, against wheels that touch z = 0 with their nominal radius
-    double wheel_s = 0, rail_s = 0;  ///< in the curves of the profiles
-    bool at_end = false;             ///< of the wheel's or the rail's profile: it ends before the bodies part
-};
-
-struct WheelsetContacts {
-    double shift = 0, roll = 0;
-    RigidContact left, right;
-
-    double radius_difference() const { return right.radius - left.radius; }
-};
-
 /// The wheelset shifted to the right by `shift`, without yaw. Where a wheel touches in two points at once, that with
 /// the least gap by rounding. Throws InvalidArgument for shifts at which a wheel is not above its rail.
 WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll = WheelsetRoll::demanded);

@@ -15,22 +15,15 @@ namespace {
 constexpr double largest_roll = 0.2;  // rad
 
 WheelRailState state_of(const WheelsetState& state, Side side, double roll) {
-    WheelRailState wheel;
-    wheel.position = state.position;
+    WheelRailState wheel = side == Side::left ? state_of_left_wheel(state) : state_of_right_wheel(state);
     wheel.position.roll = roll;
-    wheel.velocity = state.velocity;
-    wheel.rail = side == Side::left ? state.left_rail : state.right_rail;
-    wheel.roller_pitch = state.roller_pitch;
-    wheel.Fz = side == Side::left ? state.Fz_left : state.Fz_right;
     return wheel;
 }
 
 void check(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state) {
     if (left.setup().side != Side::left) throw InvalidArgument("left", "is the contact of a right wheel");
     if (right.setup().side != Side::right) throw InvalidArgument("right", "is the contact of a left wheel");
-    for (const auto& [value, field] : {std::pair(state.Fz_left, "Fz_left"), std::pair(state.Fz_right, "Fz_right")})
-        if (!(value > 0 && std::isfinite(value)))
-            throw InvalidArgument(field, "is " + number_text(value) + "; it must be a positive force (N)");
+    validate(state);
 }
 
 /// A roll that lifts the left wheel lets the right one down: the height of the left one less that of the right rises.
@@ -62,6 +55,21 @@ class Rolls {
     WheelsetSolution solution_;
 };
 
+/// Heights of wheels that are not above their rails agree, too, and mean nothing.
+bool bears(const WheelRailSolution& wheel) {
+    return wheel.in_contact() && wheel.force && wheel.force->converged;
+}
+
+std::string not_borne(const std::string& side, const RisingFound& found) {
+    return "The " + side + " wheel does not bear its force at a roll of " + short_text(found.at) +
+           " rad, and no roll was found at which both do; its own warnings say why.";
+}
+
+std::string not_found(const RisingFound& found) {
+    return "No roll within " + short_text(largest_roll) + " rad brings both wheels their forces at one height: at " +
+           short_text(found.at) + " rad their heights differ by " + short_text(std::abs(found.value)) + " mm.";
+}
+
 }  // namespace
 
 // The heights that Hertz's theory expects are off by micrometres, and by nearly the same ones at all rolls.
@@ -91,7 +99,12 @@ WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailCon
     }
     WheelsetSolution solution = std::move(rolls.solution());
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
-    solution.roll_search = {solves, std::abs(found.value), found.converged, duration.count()};
+    const char* unborne = !bears(solution.left) ? "left" : !bears(solution.right) ? "right" : nullptr;
+    solution.roll_search = {solves, std::abs(found.value), found.converged && !unborne, duration.count()};
+    if (unborne)
+        solution.warnings.push_back(not_borne(unborne, found));
+    else if (!found.converged)
+        solution.warnings.push_back(not_found(found));
     return solution;
 }
 

@@ -1,4 +1,4 @@
-// `conicity` of wheelrail.geometry, of which the request holds the set-up, too.
+// `conicity` and `contacts` of wheelrail.geometry, of which the request holds the set-up, too.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,5 +8,6 @@
 namespace contactd::proto {
 
 nlohmann::json encode_conicity(const ConicityRequest& wanted);
+nlohmann::json encode_contacts_request(const ContactsRequest& wanted);
 
 }  // namespace contactd::proto

@@ -35,9 +35,7 @@ json encode(const ConeProfile& cone, ArrayWriter&) {
 }
 
 json encode(const ProfilePoints& points, ArrayWriter& arrays) {
-    std::vector<double> flat;
-    for (const ProfilePoint& point : points.points) flat.insert(flat.end(), {point.y, point.z});
-    return object({{"points", arrays.write(std::span<const double>(flat), {points.points.size(), 2})},
+    return object({{"points", encode_pairs(points.points, arrays)},
                    {"unit", finite(points.unit, "unit")},
                    {"mirror_y", points.mirror_y},
                    {"mirror_z", points.mirror_z},
@@ -57,19 +55,8 @@ void decode_ends(const json& source, const std::string& field, Shape& shape) {
 }
 
 ProfilePoints decode_points(const json& source, const std::vector<std::string>& frames, const std::string& field) {
-    const std::string its_field = field + ".points";
-    const std::vector<std::size_t> shape = claimed_shape(source["points"], 2);
-    if (shape.size() != 2 || shape[1] != 2)
-        throw invalid_field(its_field, "has shape " + json(shape).dump() + "; it must be [n,2], of y and z",
-                            reason::array_invalid);
-    if (shape[0] > most_profile_points)
-        throw invalid_field(its_field,
-                            "are " + std::to_string(shape[0]) + "; " + std::to_string(most_profile_points) +
-                                " are the most, leave some of them out",
-                            reason::limit_exceeded);
-    const std::vector<double> flat = read_array(source["points"], frames, shape, its_field);
     ProfilePoints points;
-    for (std::size_t i = 0; i < shape[0]; ++i) points.points.push_back({flat[2 * i], flat[2 * i + 1]});
+    points.points = decode_pairs(source["points"], frames, field + ".points");
     points.unit = source.value("unit", points.unit);
     points.mirror_y = source.value("mirror_y", points.mirror_y);
     points.mirror_z = source.value("mirror_z", points.mirror_z);
@@ -94,6 +81,29 @@ ProfileShape decode_shape(const json& source, const std::vector<std::string>& fr
 }
 
 }  // namespace
+
+json encode_pairs(const std::vector<ProfilePoint>& points, ArrayWriter& arrays) {
+    std::vector<double> flat;
+    for (const ProfilePoint& point : points) flat.insert(flat.end(), {point.y, point.z});
+    return arrays.write(std::span<const double>(flat), {points.size(), 2});
+}
+
+std::vector<ProfilePoint> decode_pairs(const json& source, const std::vector<std::string>& frames,
+                                       const std::string& field) {
+    const std::vector<std::size_t> shape = claimed_shape(source, 2);
+    if (shape.size() != 2 || shape[1] != 2)
+        throw invalid_field(field, "has shape " + json(shape).dump() + "; it must be [n,2], of y and z",
+                            reason::array_invalid);
+    if (shape[0] > most_profile_points)
+        throw invalid_field(field,
+                            "are " + std::to_string(shape[0]) + "; " + std::to_string(most_profile_points) +
+                                " are the most, leave some of them out",
+                            reason::limit_exceeded);
+    const std::vector<double> flat = read_array(source, frames, shape, field);
+    std::vector<ProfilePoint> points;
+    for (std::size_t i = 0; i < shape[0]; ++i) points.push_back({flat[2 * i], flat[2 * i + 1]});
+    return points;
+}
 
 json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays) {
     return std::visit([&](const auto& shape) { return encode(shape, arrays); }, profile.shape);

@@ -1,4 +1,4 @@
-// `setup` of wheelrail.solve and wheelrail.geometry.
+// `setup` of wheelrail.*.
 #include <span>
 #include <utility>
 
@@ -124,18 +124,19 @@ json encode_slices(const std::vector<RailSlice>& slices, ArrayWriter& arrays) {
 }
 
 /// One frame may be the points of many slices, each of which has its own.
-std::vector<RailSlice> decode_slices(const json& source, const std::vector<std::string>& frames) {
+std::vector<RailSlice> decode_slices(const json& source, const std::string& name,
+                                     const std::vector<std::string>& frames) {
     std::vector<RailSlice> slices;
     std::size_t points = 0;
     for (const json& slice : source) {
-        const std::string field = "setup.rail_slices[" + std::to_string(slices.size()) + "].profile";
+        const std::string field = name + "[" + std::to_string(slices.size()) + "].profile";
         slices.push_back(
             {slice["x"].get<double>(), decode_profile(slice["profile"], ProfileKind::rail, frames, field)});
         if (const auto* given = std::get_if<ProfilePoints>(&slices.back().profile.shape))
             points += given->points.size();
         if (points > most_points_of_slices)
             throw invalid_field(
-                "setup.rail_slices",
+                name,
                 "have more than " + std::to_string(most_points_of_slices) + " points together; leave some of them out",
                 reason::limit_exceeded);
     }
@@ -164,41 +165,17 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     return result;
 }
 
-}  // namespace
-
-json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state, const PatchFields& fields,
-                               ArrayWriter& arrays) {
-    json params = object({{"setup", encode_setup(setup, arrays)}, {"state", encode_wheel_rail_state(state)}});
-    if (fields.solution != all_solution_fields) params["fields"] = encode_fields(fields.solution);
-    if (fields.gap) params["gap"] = true;
-    return params;
-}
-
-json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelRailState> states, ArrayWriter& arrays) {
-    json params = object({{"setup", encode_setup(setup, arrays)}, {"states", json::array()}});
-    for (const WheelRailState& state : states) params["states"].push_back(encode_wheel_rail_state(state));
-    return params;
-}
-
-json encode_conicity_request(const WheelRailSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays) {
-    return object({{"setup", encode_setup(setup, arrays)}, {"conicity", encode_conicity(wanted)}});
-}
-
-PatchFields decode_patch_fields(const json& params) {
-    return {decode_fields(params, all_solution_fields), params.value("gap", false)};
-}
-
-WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std::string>& frames) {
+WheelRailSetup decode_setup(const json& params, const std::string& name, const std::vector<std::string>& frames) {
     WheelRailSetup setup;
     setup.friction.reset();
-    if (!params.contains("setup")) return setup;
-    const json& source = params["setup"];
+    if (!params.contains(name)) return setup;
+    const json& source = params[name];
     const auto has = [&](const char* field) { return source.contains(field); };
     decode_numbers(source, numbers_of_elements(setup));
     if (has("side")) setup.side = meaning_of(source["side"], sides);
-    if (has("wheel")) setup.wheel = decode_profile(source["wheel"], ProfileKind::wheel, frames, "setup.wheel");
-    if (has("rail")) setup.rail = decode_profile(source["rail"], ProfileKind::rail, frames, "setup.rail");
-    if (has("rail_slices")) setup.rail_slices = decode_slices(source["rail_slices"], frames);
+    if (has("wheel")) setup.wheel = decode_profile(source["wheel"], ProfileKind::wheel, frames, name + ".wheel");
+    if (has("rail")) setup.rail = decode_profile(source["rail"], ProfileKind::rail, frames, name + ".rail");
+    if (has("rail_slices")) setup.rail_slices = decode_slices(source["rail_slices"], name + ".rail_slices", frames);
     if (has("track")) setup.track = decode_track(source["track"]);
     if (has("wheelset")) decode_numbers(source["wheelset"], numbers_of_wheelset(setup.wheelset));
     if (has("bodies")) {
@@ -221,6 +198,72 @@ WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std
         setup.force.tolerance = source["force"].value("tolerance", setup.force.tolerance);
         setup.force.max_iterations = source["force"].value("max_iterations", setup.force.max_iterations);
     }
+    return setup;
+}
+
+json encode_setups(const WheelsetSetup& wheelset, ArrayWriter& arrays) {
+    json result = object({{"setup", encode_setup(wheelset.setup, arrays)}});
+    if (wheelset.left) result["left"] = encode_setup(*wheelset.left, arrays);
+    return result;
+}
+
+void add_fields(const PatchFields& fields, json& params) {
+    if (fields.solution != all_solution_fields) params["fields"] = encode_fields(fields.solution);
+    if (fields.gap) params["gap"] = true;
+}
+
+}  // namespace
+
+json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state, const PatchFields& fields,
+                               ArrayWriter& arrays) {
+    json params = object({{"setup", encode_setup(setup, arrays)}, {"state", encode_wheel_rail_state(state)}});
+    add_fields(fields, params);
+    return params;
+}
+
+json encode_wheelset_request(const WheelsetSetup& setup, const WheelsetState& state, const PatchFields& fields,
+                             ArrayWriter& arrays) {
+    json params = encode_setups(setup, arrays);
+    params["state"] = encode_wheelset_state(state);
+    add_fields(fields, params);
+    return params;
+}
+
+json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelRailState> states, ArrayWriter& arrays) {
+    json params = object({{"setup", encode_setup(setup, arrays)}, {"states", json::array()}});
+    for (const WheelRailState& state : states) params["states"].push_back(encode_wheel_rail_state(state));
+    return params;
+}
+
+json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays) {
+    json params = encode_setups(setup, arrays);
+    params["conicity"] = encode_conicity(wanted);
+    return params;
+}
+
+json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& wanted, ArrayWriter& arrays) {
+    json params = encode_setups(setup, arrays);
+    params["contacts"] = encode_contacts_request(wanted);
+    return params;
+}
+
+json encode_profiles_request(const WheelsetSetup& setup, ArrayWriter& arrays) {
+    json params = encode_setups(setup, arrays);
+    params["profiles"] = true;
+    return params;
+}
+
+PatchFields decode_patch_fields(const json& params) {
+    return {decode_fields(params, all_solution_fields), params.value("gap", false)};
+}
+
+WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std::string>& frames) {
+    return decode_setup(params, "setup", frames);
+}
+
+WheelsetSetup decode_wheelset_setup(const json& params, const std::vector<std::string>& frames) {
+    WheelsetSetup setup{decode_setup(params, "setup", frames)};
+    if (params.contains("left")) setup.left = decode_setup(params, "left", frames);
     return setup;
 }
 

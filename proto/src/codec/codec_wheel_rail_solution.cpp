@@ -1,4 +1,4 @@
-// Results of wheelrail.solve and wheelrail.geometry.
+// Results of wheelrail.*.
 #include <span>
 #include <utility>
 
@@ -148,6 +148,27 @@ WheelRailSolution decode_wheel_rail_solution(const json& result, const std::vect
     for (const auto& [name, search] : searches_of(solution))
         if (result.contains(name)) *search = decode_solver_evidence(result[name]);
     if (result.contains("derivatives")) solution.derivatives = decode_wheel_rail_derivatives(result["derivatives"]);
+    solution.warnings = result["warnings"].get<std::vector<std::string>>();
+    return solution;
+}
+
+json encode_wheelset_solution(const WheelsetSolution& solution, const PatchFields& fields, ArrayWriter& arrays) {
+    return object({{"z", finite(solution.z, "z of the wheelset")},
+                   {"roll", finite(solution.roll, "The roll")},
+                   {"left", encode_wheel_rail_solution(solution.left, fields, arrays)},
+                   {"right", encode_wheel_rail_solution(solution.right, fields, arrays)},
+                   {"roll_search", encode_solver_evidence(solution.roll_search)},
+                   {"warnings", solution.warnings},
+                   {"converged", solution.converged()}});
+}
+
+WheelsetSolution decode_wheelset_solution(const json& result, const std::vector<std::string>& frames) {
+    WheelsetSolution solution;
+    solution.z = result["z"].get<double>();
+    solution.roll = result["roll"].get<double>();
+    solution.left = decode_wheel_rail_solution(result["left"], frames);
+    solution.right = decode_wheel_rail_solution(result["right"], frames);
+    solution.roll_search = decode_solver_evidence(result["roll_search"]);
     solution.warnings = result["warnings"].get<std::vector<std::string>>();
     return solution;
 }

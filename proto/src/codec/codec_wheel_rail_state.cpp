@@ -1,4 +1,4 @@
-// `state` of wheelrail.solve and wheelrail.geometry.
+// `state` of wheelrail.*.
 #include <utility>
 
 #include "contactd/proto/object.hpp"
@@ -54,6 +54,29 @@ WheelRailState decode_wheel_rail_state(const json& source) {
     if (has("Fz")) state.Fz = source["Fz"].get<double>();
     if (has("Fx")) state.Fx = source["Fx"].get<double>();
     state.derivatives = source.value("derivatives", false);
+    return state;
+}
+
+json encode_wheelset_state(const WheelsetState& state) {
+    return object({{"position", encode_numbers(numbers_of_position(state.position))},
+                   {"velocity", encode_numbers(numbers_of_velocity(state.velocity))},
+                   {"left_rail", encode_numbers(numbers_of_rail(state.left_rail))},
+                   {"right_rail", encode_numbers(numbers_of_rail(state.right_rail))},
+                   {"roller_pitch", finite(state.roller_pitch, "roller_pitch")},
+                   {"Fz_left", finite(state.Fz_left, "Fz_left")},
+                   {"Fz_right", finite(state.Fz_right, "Fz_right")}});
+}
+
+WheelsetState decode_wheelset_state(const json& source) {
+    WheelsetState state;
+    const auto has = [&](const char* field) { return source.contains(field); };
+    if (has("position")) decode_numbers(source["position"], numbers_of_position(state.position));
+    if (has("velocity")) decode_numbers(source["velocity"], numbers_of_velocity(state.velocity));
+    if (has("left_rail")) decode_numbers(source["left_rail"], numbers_of_rail(state.left_rail));
+    if (has("right_rail")) decode_numbers(source["right_rail"], numbers_of_rail(state.right_rail));
+    state.roller_pitch = source.value("roller_pitch", 0.0);
+    state.Fz_left = source["Fz_left"].get<double>();
+    state.Fz_right = source["Fz_right"].get<double>();
     return state;
 }
 

@@ -43,6 +43,13 @@ WheelRailSetup setup_of(const CallPtr& call) {
     return setup;
 }
 
+WheelsetSetup wheelset_setup_of(const CallPtr& call) {
+    const proto::Request& request = call->request;
+    WheelsetSetup setup = proto::decode_wheelset_setup(request.params, request.frames);
+    proto::check_frames_used(request.params, request.frames);
+    return setup;
+}
+
 void solve(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json& params = call->request.params;
     const WheelRailSetup setup = setup_of(call);
@@ -56,24 +63,45 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     work.succeed(result, arrays.take_frames());
 }
 
+void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {
+    const proto::Request& request = call->request;
+    const WheelsetSetup setup = wheelset_setup_of(call);
+    const WheelsetState state = proto::decode_wheelset_state(request.params.at("state"));
+    ++parts.counters.solves;
+    WorkOnCall work(call, parts);
+    const WheelsetSolution solution = parts.engine.solve(setup, state, work.observer());
+    proto::ArrayWriter arrays(request.arrays);
+    const nlohmann::json result =
+        proto::encode_wheelset_solution(solution, proto::decode_patch_fields(request.params), arrays);
+    work.succeed(result, arrays.take_frames());
+}
+
 void locate(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json& params = call->request.params;
-    const WheelRailSetup setup = setup_of(call);
+    const WheelsetSetup wheelset = wheelset_setup_of(call);
     std::vector<WheelRailState> states;
     for (const nlohmann::json& state : params.value("states", nlohmann::json::array()))
         states.push_back(proto::decode_wheel_rail_state(state));
     WorkOnCall work(call, parts);
-    nlohmann::json result = proto::encode_wheel_rail_geometries(parts.engine.locate(setup, states, work.observer()));
+    proto::ArrayWriter arrays(call->request.arrays);
+    nlohmann::json result =
+        proto::encode_wheel_rail_geometries(parts.engine.locate(wheelset.setup, states, work.observer()));
+    if (params.contains("contacts"))
+        result["contacts"] = proto::encode_contacts(
+            engine::wheelset_contacts(wheelset, proto::decode_contacts_request(params["contacts"]), work.observer()));
     if (params.contains("conicity"))
         result["conicities"] = proto::encode_conicities(
-            engine::wheelset_conicities(setup, proto::decode_conicity(params["conicity"]), work.observer()));
-    work.succeed(result);
+            engine::wheelset_conicities(wheelset, proto::decode_conicity(params["conicity"]), work.observer()));
+    if (params.value("profiles", false))
+        result["profiles"] = proto::encode_profiles(engine::placed_profiles(wheelset), arrays);
+    work.succeed(result, arrays.take_frames());
 }
 
 }  // namespace
 
 void add_wheelrail_methods(MethodTable& methods) {
     methods.add({.name = "wheelrail.solve", .job = "solve", .handle = solve});
+    methods.add({.name = "wheelrail.wheelset", .job = "solve", .handle = solve_wheelset});
     methods.add({.name = "wheelrail.geometry", .job = "solve", .handle = locate});
 }
 

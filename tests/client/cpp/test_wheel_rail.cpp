@@ -65,6 +65,47 @@ TEST_CASE("A wheel on a rail is asked for and read", "[client]") {
     }
 }
 
+TEST_CASE("A wheelset is asked for and read", "[client]") {
+    WheelsetSetup setup;
+    setup.left = WheelRailSetup{};
+    setup.left->rail.shape = Rail60E1{1.0 / 20};
+    WheelsetState state;
+    state.Fz_left = 7;
+    state.Fz_right = 8;
+    std::size_t pressures = 2;
+    fake::Daemon daemon([&](const json& request, const Frames& frames) -> std::vector<Frames> {
+        CHECK(request["method"] == "wheelrail.wheelset");
+        CHECK(proto::decode_wheelset_setup(request["params"], frames) == setup);
+        CHECK(proto::decode_wheelset_state(request["params"]["state"]) == state);
+        WheelsetSolution solution;
+        solution.roll = -0.01;
+        solution.right.patches = {patch_with(pressures)};
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        const SolutionFields sent = pressures == 2 ? SolutionFields{SolutionField::pressure} : SolutionFields{};
+        return message_of(request, proto::encode_wheelset_solution(solution, {sent, false}, arrays), arrays);
+    });
+    Client client(daemon.endpoint());
+
+    SECTION("as it comes") {
+        const WheelsetSolution solution = client.wheelset(setup, state, {}, {SolutionField::pressure});
+        CHECK(solution.roll == -0.01);
+        REQUIRE(solution.right.patches.size() == 1);
+        CHECK(solution.right.patches[0].solution.pressure == std::vector<double>{3, 3});
+    }
+    SECTION("an array that was asked for and did not come is the daemon's fault") {
+        pressures = 0;
+        CHECK_THROWS_AS(client.wheelset(setup, state), ProtocolError);
+    }
+    SECTION("a bad field is named before anything is sent") {
+        state.left_rail.y = 1e9;
+        CHECK_THROWS_MATCHES(client.wheelset(setup, state), InvalidArgument,
+                             MessageMatches(ContainsSubstring("state.left_rail.y is 1e+09")));
+        setup.left->dx = -1;
+        CHECK_THROWS_MATCHES(client.wheelset(setup, state), InvalidArgument,
+                             MessageMatches(ContainsSubstring("left.dx is -1")));
+    }
+}
+
 TEST_CASE("Geometries are asked for and read", "[client]") {
     std::vector<WheelRailGeometry> found(2);
     found[1].z = 0.5;
@@ -106,4 +147,29 @@ TEST_CASE("Conicities are asked for and read", "[client]") {
     const auto conicities = client.equivalent_conicities({}, wanted);
     REQUIRE(conicities.size() == 1);
     CHECK(conicities[0].harmonic == 0.21);
+}
+
+TEST_CASE("Contacts and profiles of a wheelset are asked for and read", "[client]") {
+    WheelsetSetup setup;
+    setup.left = WheelRailSetup{};
+    setup.left->dx = 0.7;
+    bool answers = true;
+    const std::vector<WheelsetContacts> contacts{{1, 0.1, {}, {750}}};
+    const ProfilesOfSides profiles{{{{1, 2}}, {{3, 4}}, 5, {6, 7}}, {}};
+    fake::Daemon daemon([&](const json& request, const Frames& frames) -> std::vector<Frames> {
+        CHECK(request["method"] == "wheelrail.geometry");
+        CHECK(proto::decode_wheelset_setup(request["params"], frames) == setup);
+        proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+        json result = {{"geometries", json::array()}};
+        if (answers && request["params"].contains("contacts")) result["contacts"] = proto::encode_contacts(contacts);
+        if (answers && request["params"].contains("profiles"))
+            result["profiles"] = proto::encode_profiles(profiles, arrays);
+        return message_of(request, result, arrays);
+    });
+    Client client(daemon.endpoint());
+    CHECK(client.wheelset_contacts(setup, {{1}}) == contacts);
+    CHECK(client.placed_profiles(setup) == profiles);
+    answers = false;
+    CHECK_THROWS_AS(client.wheelset_contacts(setup, {{1}}), ProtocolError);
+    CHECK_THROWS_AS(client.placed_profiles(setup), ProtocolError);
 }

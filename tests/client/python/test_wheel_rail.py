@@ -17,20 +17,23 @@ from contactd.wheel_rail import (
     PatchRules,
     ProfilePoints,
     Rail60E1,
+    RailDeviation,
     Track,
     WheelRailFriction,
     WheelRailSetup,
     WheelRailState,
     Wheelset,
     WheelsetPosition,
+    WheelsetState,
 )
-from contactd.wheel_rail_params import profile_params, setup_params, state_params
-from contactd.wheel_rail_solution import read_wheel_rail
+from contactd.wheel_rail_params import profile_params, setup_params, state_params, wheelset_state_params
+from contactd.wheel_rail_solution import read_wheel_rail, read_wheelset
 from support import schemas
 
 SCHEMAS = Path(__file__).parents[3] / "proto" / "schema"
 #: As the schema shows it: one patch without arrays.
 ANSWER = json.loads((SCHEMAS / "wheelrail.solve.result.json").read_text())["examples"][0]
+WHEELSET_ANSWER = json.loads((SCHEMAS / "wheelrail.wheelset.result.json").read_text())["examples"][0]
 GRID = ANSWER["patches"][0]["place"]["grid"]
 
 
@@ -133,3 +136,29 @@ def test_arrays_that_do_not_fit_their_grid_are_no_answer():
     answer["patches"][0]["gap"] = np.zeros((2, 2))
     with pytest.raises(ProtocolError, match="gap of patch 0"):
         read_wheel_rail([], True, answer)
+
+
+def test_a_wheelset_is_told_by_both_of_its_wheels():
+    state = WheelsetState(Fz_left=1.0, Fz_right=2.0, left_rail=RailDeviation(y=3))
+    sent = {
+        "setup": setup_params(WheelRailSetup()),
+        "left": setup_params(WheelRailSetup(dx=1), "left"),
+        "state": wheelset_state_params(state),
+    }
+    schemas.check("wheelrail.wheelset.params", sent)
+    assert sent["state"]["left_rail"]["y"] == 3
+    with pytest.raises(TypeError, match=r"left\.wheel"):
+        setup_params(WheelRailSetup(wheel="S1002"), "left")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="state"):
+        wheelset_state_params(WheelRailState())  # type: ignore[arg-type]
+
+
+def test_both_wheels_of_an_answer_are_read():
+    answer = copy.deepcopy(WHEELSET_ANSWER)
+    solution = read_wheelset([], False, answer)
+    assert solution.roll == answer["roll"]
+    assert solution.right.forces.track.Fx == 973.1
+    assert "left" in repr(solution)
+    answer["right"] = ANSWER
+    with pytest.raises(ProtocolError, match="lacks pressure"):
+        read_wheelset(["pressure"], False, answer)

@@ -66,6 +66,48 @@ TEST_CASE("Wheels of the wrong side, and wheels that do not press, are refused")
                       ContainsSubstring("Fz_left is 0"));
 }
 
+TEST_CASE("A state of a wheelset is checked by field") {
+    const auto [change, sentence] = GENERATE(table<void (*)(WheelsetState&), std::string>({
+        {[](WheelsetState& state) { state.left_rail.roll = 2; }, "left_rail.roll is 2"},
+        {[](WheelsetState& state) { state.right_rail.y = std::nan(""); }, "right_rail.y is nan"},
+        {[](WheelsetState& state) { state.Fz_right = -1; }, "Fz_right is -1"},
+        {[](WheelsetState& state) { state.velocity.yaw = 1e300 * 1e300; }, "velocity.yaw is inf"},
+    }));
+    WheelsetState state = wheelset_state(manchester_cases[0]);
+    validate(state);
+    change(state);
+    CHECK_THROWS_WITH(validate(state), ContainsSubstring(sentence));
+}
+
+TEST_CASE("The wheels of a wheelset have what is theirs") {
+    WheelsetSetup wheelset{manchester_setup(Side::left)};
+    CHECK(setup_of(wheelset, Side::right).side == Side::right);
+    CHECK(setup_of(wheelset, Side::left) == manchester_setup(Side::left));
+    wheelset.left = manchester_setup(Side::right);
+    wheelset.left->dx = 0.7;
+    CHECK(setup_of(wheelset, Side::left).dx == 0.7);
+    CHECK(setup_of(wheelset, Side::left).side == Side::left);
+    CHECK(setup_of(wheelset, Side::right) == manchester_setup(Side::right));
+    WheelsetState state = wheelset_state(manchester_cases[0]);
+    state.left_rail.y = 1;
+    state.Fz_right = 20000;
+    CHECK(state_of_left_wheel(state).rail.y == 1);
+    CHECK(state_of_right_wheel(state).rail.y == 0);
+    CHECK(state_of_right_wheel(state).Fz == 20000);
+}
+
+TEST_CASE("A wheelset beside its track bears no force, and says so") {
+    Observer observer;
+    WheelsetState state = wheelset_state(manchester_cases[0]);
+    state.position.y = GENERATE(80, 200);
+    const WheelsetSolution solution = solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer);
+    CHECK_FALSE(solution.converged());
+    REQUIRE_FALSE(solution.warnings.empty());
+    CHECK_THAT(solution.warnings.back(), ContainsSubstring("The left wheel does not bear its force"));
+    CHECK(std::isfinite(solution.roll_search.residual));
+    CHECK(std::isfinite(solution.z));
+}
+
 // By the established program: case 5, right wheel, -4.3442191 rad/s.
 TEST_CASE("A longitudinal force finds the pitch rate that brings it") {
     Observer observer;

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Literal
+from typing import Any
 
 from ..errors import ProtocolError
 from ..partial import Fields, names_of
 from ..reading import read
-from ..wheel_rail import WheelRailSetup, WheelRailState
-from ..wheel_rail_params import setup_params, state_params
-from ..wheel_rail_places import EquivalentConicity, WheelRailGeometry
-from ..wheel_rail_solution import WheelRailSolution, read_wheel_rail
+from ..wheel_rail import WheelRailSetup, WheelRailState, WheelsetState
+from ..wheel_rail_params import setup_params, state_params, wheelset_state_params
+from ..wheel_rail_places import WheelRailGeometry
+from ..wheel_rail_solution import WheelRailSolution, WheelsetSolution, read_wheel_rail, read_wheelset
+from ..wheelset_geometry import EquivalentConicity, ProfilesOfSides, WheelsetContacts, WheelsetRoll, read_profiles
 from .asking import Answering, asks
 from .caller import Caller, ProgressCallback
 
@@ -40,13 +41,36 @@ class WheelRailCalls(Caller):
         naming ``setup.track.gauge``, ``state.position.z``, ...
         """
         names = None if fields is None else names_of(fields)
-        params: dict[str, Any] = {"setup": setup_params(setup), "state": state_params(state, "state")}
-        if names is not None:
-            params["fields"] = names
-        if gap:
-            params["gap"] = True
+        params = {"setup": setup_params(setup), "state": state_params(state, "state"), **_of_patches(names, gap)}
         result = yield from self.asked("wheelrail.solve", params, timeout=timeout, on_progress=on_progress, progress=progress)
         return read_wheel_rail(names, gap, result)
+
+    @asks
+    def wheelset(
+        self,
+        setup: WheelRailSetup,
+        state: WheelsetState,
+        *,
+        left: WheelRailSetup | None = None,
+        fields: Fields | None = None,
+        gap: bool = False,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[WheelsetSolution]:
+        """Both wheels of a wheelset that is free to roll: its height and its roll, at which each presses on its rail as the
+        state says, with patches and forces of both.
+
+        `setup` is that of both wheels, whatever its side; `left` that of the left wheel, where it differs. `fields` and `gap`
+        are as for `wheel_rail`. Raises InvalidArgument naming ``setup.track.gauge``, ``left.rail.points``,
+        ``state.left_rail.y``, ...
+        """
+        names = None if fields is None else names_of(fields)
+        params = {"setup": setup_params(setup), "state": wheelset_state_params(state), **_of_patches(names, gap)}
+        if left is not None:
+            params["left"] = setup_params(left, "left")
+        result = yield from self.asked("wheelrail.wheelset", params, timeout=timeout, on_progress=on_progress, progress=progress)
+        return read_wheelset(names, gap, result)
 
     @asks
     def wheel_rail_geometry(
@@ -74,18 +98,41 @@ class WheelRailCalls(Caller):
         return [read(WheelRailGeometry, item, f"result.geometries[{i}]") for i, item in enumerate(geometries)]
 
     @asks
+    def wheelset_contacts(
+        self,
+        setup: WheelRailSetup,
+        shifts: Iterable[float],
+        *,
+        left: WheelRailSetup | None = None,
+        roll: WheelsetRoll | None = None,
+        timeout: float | None = None,
+    ) -> Answering[list[WheelsetContacts]]:
+        """Where a rigid wheelset touches rigid rails at 1 to 1000 lateral shifts (mm): contact points, angles and rolling
+        radii of both wheels. `left` is the set-up of the left side, where it differs.
+
+        `roll` is "neglected" (default), where each wheel finds its own height, or "demanded" by both contacts. Raises
+        InvalidArgument naming ``contacts.shifts[3]``, ``setup.track.gauge``, ``left.rail.points``, ...
+        """
+        wanted: dict[str, Any] = {"shifts": [float(shift) for shift in shifts]}
+        if roll is not None:
+            wanted["roll"] = roll
+        contacts = yield from self._of_wheelset(setup, left, "contacts", wanted, "contacts", timeout)
+        return [read(WheelsetContacts, item, f"result.contacts[{i}]") for i, item in enumerate(contacts)]
+
+    @asks
     def equivalent_conicity(
         self,
         setup: WheelRailSetup,
         amplitudes: Iterable[float],
         *,
-        roll: Literal["demanded", "neglected"] | None = None,
+        left: WheelRailSetup | None = None,
+        roll: WheelsetRoll | None = None,
         contact_distance: float | None = None,
         tolerance: float | None = None,
         timeout: float | None = None,
     ) -> Answering[list[EquivalentConicity]]:
-        """The equivalent conicity of a wheelset with the profiles of the set-up on both sides, for 1 to 100 amplitudes
-        (mm): integrated over the kinematic motion (EN 15302), and by the harmonic approximation.
+        """The equivalent conicity of a rigid wheelset for 1 to 100 amplitudes (mm): integrated over the kinematic motion
+        (EN 15302), and by the harmonic approximation. `left` is the set-up of the left side, where it differs.
 
         `roll` is "neglected" (default), by which a cone has its own conicity, or as both contacts demand. `contact_distance`
         is that between the contact points of both wheels (mm, default 1500), `tolerance` that of the radius difference
@@ -93,8 +140,35 @@ class WheelRailCalls(Caller):
         """
         given = {"roll": roll, "contact_distance": contact_distance, "tolerance": tolerance}
         wanted = {"amplitudes": list(amplitudes), **{name: v for name, v in given.items() if v is not None}}
-        params = {"setup": setup_params(setup), "conicity": wanted}
-        conicities = (yield from self.asked("wheelrail.geometry", params, timeout=timeout)).get("conicities")
-        if not isinstance(conicities, list):
-            raise ProtocolError("The answer to wheelrail.geometry lacks the conicities.")
+        conicities = yield from self._of_wheelset(setup, left, "conicity", wanted, "conicities", timeout)
         return [read(EquivalentConicity, item, f"result.conicities[{i}]") for i, item in enumerate(conicities)]
+
+    @asks
+    def placed_profiles(
+        self, setup: WheelRailSetup, *, left: WheelRailSetup | None = None, timeout: float | None = None
+    ) -> Answering[ProfilesOfSides]:
+        """The profiles of both sides as the daemon has read them, and where they lie: for whoever draws them."""
+        profiles = yield from self._of_wheelset(setup, left, "profiles", True, "profiles", timeout)
+        return read_profiles(profiles)
+
+    def _of_wheelset(
+        self,
+        setup: WheelRailSetup,
+        left: WheelRailSetup | None,
+        question: str,
+        wanted: Any,
+        answer: str,
+        timeout: float | None,
+    ) -> Answering[Any]:
+        params = {"setup": setup_params(setup), question: wanted}
+        if left is not None:
+            params["left"] = setup_params(left, "left")
+        result = yield from self.asked("wheelrail.geometry", params, timeout=timeout)
+        if answer not in result:
+            raise ProtocolError(f"The answer to wheelrail.geometry lacks the {answer}.")
+        return result[answer]
+
+
+def _of_patches(names: list[str] | None, gap: bool) -> dict[str, Any]:
+    """`fields` and `gap` of wheelrail.solve and wheelrail.wheelset."""
+    return {**({} if names is None else {"fields": names}), **({"gap": True} if gap else {})}

@@ -36,8 +36,8 @@ RigidContact contact_of(const WheelOverRail& pair, double nominal_radius, const 
             .angle = outwards * std::atan2(along.z, along.y),
             .radius = nominal_radius + pair.wheel.at(found.wheel_s).z,
             .height = found.gap,
-            .wheel_s = found.wheel_s,
-            .rail_s = found.rail_s,
+            .wheel_y = pair.wheel.at(found.wheel_s).y,
+            .rail_y = pair.rail.at(found.rail_s).y,
             .at_end = found.at_end};
 }
 

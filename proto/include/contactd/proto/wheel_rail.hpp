@@ -1,4 +1,4 @@
-// The messages of wheelrail.solve and wheelrail.geometry (docs/wheel-rail.md).
+// The messages of wheelrail.solve, wheelrail.wheelset and wheelrail.geometry (docs/wheel-rail.md).
 #pragma once
 
 #include <span>
@@ -32,6 +32,7 @@ nlohmann::json encode_wheel_rail_request(const WheelRailSetup& setup, const Whee
 WheelRailSetup decode_wheel_rail_setup(const nlohmann::json& params, const std::vector<std::string>& frames);
 nlohmann::json encode_wheel_rail_state(const WheelRailState& state);
 WheelRailState decode_wheel_rail_state(const nlohmann::json& state);
+nlohmann::json encode_wheelset_state(const WheelsetState& state);
 PatchFields decode_patch_fields(const nlohmann::json& params);
 
 /// Throws Error for numbers that are not finite.
@@ -39,17 +40,36 @@ nlohmann::json encode_wheel_rail_solution(const WheelRailSolution& solution, con
                                           ArrayWriter& arrays);
 WheelRailSolution decode_wheel_rail_solution(const nlohmann::json& result, const std::vector<std::string>& frames);
 
+// --- wheelrail.wheelset ----------------------------------------------------------------------------------------------
+nlohmann::json encode_wheelset_request(const WheelsetSetup& setup, const WheelsetState& state,
+                                       const PatchFields& fields, ArrayWriter& arrays);
+/// `setup` and `left` of params that have passed their schema. Throws as decode_wheel_rail_setup.
+WheelsetSetup decode_wheelset_setup(const nlohmann::json& params, const std::vector<std::string>& frames);
+WheelsetState decode_wheelset_state(const nlohmann::json& state);
+nlohmann::json encode_wheelset_solution(const WheelsetSolution& solution, const PatchFields& fields,
+                                        ArrayWriter& arrays);
+WheelsetSolution decode_wheelset_solution(const nlohmann::json& result, const std::vector<std::string>& frames);
+
 // --- wheelrail.geometry ----------------------------------------------------------------------------------------------
 nlohmann::json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelRailState> states,
                                        ArrayWriter& arrays);
 nlohmann::json encode_wheel_rail_geometries(std::span<const WheelRailGeometry> geometries);
 std::vector<WheelRailGeometry> decode_wheel_rail_geometries(const nlohmann::json& result);
 
-nlohmann::json encode_conicity_request(const WheelRailSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays);
+nlohmann::json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays);
+nlohmann::json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& wanted, ArrayWriter& arrays);
+nlohmann::json encode_profiles_request(const WheelsetSetup& setup, ArrayWriter& arrays);
 /// `conicity` of params that have passed their schema.
 ConicityRequest decode_conicity(const nlohmann::json& conicity);
 /// `conicities` of a result. What is not finite is left out, and not a number on the other side.
 nlohmann::json encode_conicities(std::span<const EquivalentConicity> conicities);
 std::vector<EquivalentConicity> decode_conicities(const nlohmann::json& conicities);
+/// `contacts` of params that have passed their schema, and of a result.
+ContactsRequest decode_contacts_request(const nlohmann::json& contacts);
+nlohmann::json encode_contacts(std::span<const WheelsetContacts> contacts);
+std::vector<WheelsetContacts> decode_contacts(const nlohmann::json& contacts);
+/// `profiles` of a result.
+nlohmann::json encode_profiles(const ProfilesOfSides& profiles, ArrayWriter& arrays);
+ProfilesOfSides decode_profiles(const nlohmann::json& profiles, const std::vector<std::string>& frames);
 
 }  // namespace contactd::proto

@@ -80,6 +80,32 @@ TEST_CASE("The engine answers as a contact of one's own, and the same again") {
     CHECK(engine.counters().solves_converged == 2);
 }
 
+TEST_CASE("The engine answers for both wheels as for each of them") {
+    Engine engine({});
+    Observer observer;
+    WheelsetState state;
+    state.position.y = 2;
+    state.velocity = rolling_state().velocity;
+    state.Fz_left = 1e4;
+    state.Fz_right = 1.2e4;
+    WheelsetSetup setup{coarse_setup()};
+    const WheelsetSolution both = engine.solve(setup, state, observer);
+    CHECK(both.converged());
+    WheelRailState alone = state_of_right_wheel(state);
+    alone.position.roll = both.roll;
+    CHECK(engine.solve(coarse_setup(), alone, observer).forces.track == both.right.forces.track);
+    CHECK(engine.counters().solves_converged == 3);
+
+    setup.left = coarse_setup();
+    setup.left->track.gauge = -1;
+    CHECK_THROWS_WITH(engine.solve(setup, state, observer), StartsWith("left.track.gauge "));
+    setup.left.reset();
+    setup.setup.track.gauge = -1;
+    CHECK_THROWS_WITH(engine.solve(setup, state, observer), StartsWith("setup.track.gauge "));
+    state.left_rail.y = 1e9;
+    CHECK_THROWS_WITH(engine.solve(setup, state, observer), StartsWith("state.left_rail.y "));
+}
+
 TEST_CASE("Fields are named as in the request") {
     Engine engine({});
     Observer observer;

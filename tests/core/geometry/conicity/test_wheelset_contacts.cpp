@@ -91,8 +91,9 @@ TEST_CASE("contacts are where the tangents of wheel and rail agree", "[conicity]
         const auto contacts = contacts_at(wheelset, shift);
         const auto& right = contacts.right;
         CHECK_FALSE(right.at_end);
-        CHECK_THAT(wheelset.right.wheel.angle(right.wheel_s) + contacts.roll, WithinAbs(right.angle, 1e-8));
-        CHECK_THAT(wheelset.right.rail.at(right.rail_s).y + wheelset.right.rail_origin.y, WithinAbs(right.y, 1e-9));
+        CHECK_THAT(wheelset.right.wheel.angle(wheelset.right.wheel.s_at_y(right.wheel_y)) + contacts.roll,
+                   WithinAbs(right.angle, 1e-8));
+        CHECK_THAT(right.rail_y + wheelset.right.rail_origin.y, WithinAbs(right.y, 1e-9));
     }
 }
 

@@ -133,15 +133,24 @@ class Client {
     WheelRailSolution wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,
                                  const CallOptions& options = {}, const SolutionFields& fields = all_solution_fields,
                                  bool gap = false);
+    /// Both wheels of a wheelset that is free to roll: each presses on its rail as the state says, and height and roll
+    /// are found. Throws InvalidArgument naming "setup.track.gauge", "left.rail.points", "state.left_rail.y", ...
+    WheelsetSolution wheelset(const WheelsetSetup& setup, const WheelsetState& state, const CallOptions& options = {},
+                              const SolutionFields& fields = all_solution_fields, bool gap = false);
     /// The search for contacts alone, in up to 1000 states; where one has Fz, at the height at which Hertz's theory
     /// expects that force.
     std::vector<WheelRailGeometry> wheel_rail_geometry(const WheelRailSetup& setup,
                                                        std::span<const WheelRailState> states,
                                                        const CallOptions& options = {});
 
-    /// The equivalent conicity of a wheelset with the profiles of the set-up on both sides, for each amplitude.
-    std::vector<EquivalentConicity> equivalent_conicities(const WheelRailSetup& setup, const ConicityRequest& wanted,
+    /// The equivalent conicity of a rigid wheelset, for each amplitude.
+    std::vector<EquivalentConicity> equivalent_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
                                                           const CallOptions& options = {});
+    /// Where a rigid wheelset touches rigid rails, for each lateral shift.
+    std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+                                                    const CallOptions& options = {});
+    /// The profiles as the daemon has read them, and where they lie: for whoever draws them.
+    ProfilesOfSides placed_profiles(const WheelsetSetup& setup, const CallOptions& options = {});
 
     /// The open sessions, oldest first.
     std::vector<SessionSummary> sessions(const CallOptions& options = {});
