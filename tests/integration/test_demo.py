@@ -105,6 +105,24 @@ def test_the_demo_of_a_wheelset_agrees_with_the_benchmark_and_draws_a_picture(fo
     assert left_in(folder) == ["sub"]
 
 
+@pytest.mark.timeout(300)
+def test_the_demo_of_profiles_agrees_with_closed_forms_and_draws_pictures(folder):
+    demo = start(folder, "profiles", "--bin", BIN, "--output", folder / "sub" / "all.png")
+    output, errors = demo.communicate(timeout=280)
+    assert demo.returncode == 0, output + errors
+    assert errors == ""
+    assert "FAIL" not in output
+    assert output.count("pass") == 4
+    pictures = sorted((folder / "sub").iterdir())
+    assert [picture.stem for picture in pictures] == [
+        "contact-locus", "creep-forces", "equivalent-conicity", "wheel-rail-patches",
+    ]  # fmt: skip
+    for picture in pictures:
+        assert picture.read_bytes().startswith(b"\x89PNG")
+        picture.unlink()
+    assert left_in(folder) == ["sub"]
+
+
 def test_a_demo_that_there_is_not_is_refused(folder):
     demo = start(folder, "railway")
     _, errors = demo.communicate(timeout=50)
