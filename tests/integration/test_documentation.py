@@ -85,12 +85,25 @@ def test_the_guide_to_embedding(monkeypatch, installed):
 
 
 def test_the_guide_to_wheels_on_rails(shared_daemon):
-    (example,) = re.findall(r"^```python\n(.*?)^```", (DOCS / "wheel-rail.md").read_text(), re.MULTILINE | re.DOTALL)
-    names: dict[str, Any] = {}
-    here = example.replace("tcp://127.0.0.1:5555", shared_daemon.endpoint)
-    exec(compile(here, "docs/wheel-rail.md", "exec"), names)
+    names = run_page("wheel-rail.md", shared_daemon)
     assert names["solution"].forces.track.Fz == pytest.approx(80e3, rel=1e-5)
     assert names["geometry"].places
+    assert names["wheelset"].right.forces.track.Fz == pytest.approx(85e3, rel=1e-5)
+    assert names["wheelset"].converged
+
+
+def test_the_guide_to_profiles(shared_daemon):
+    names = run_page("profiles.md", shared_daemon)
+    assert names["conicity"].integrated == pytest.approx(0.0093, abs=1e-4)
+    assert names["contacts"][0].radius_difference == pytest.approx(0, abs=1e-6)
+
+
+def run_page(page: str, daemon: Any) -> dict[str, Any]:
+    """The names that the examples of a page leave behind, with clients of this daemon."""
+    names: dict[str, Any] = {}
+    for example in re.findall(r"^```python\n(.*?)^```", (DOCS / page).read_text(), re.MULTILINE | re.DOTALL):
+        exec(compile(example.replace("tcp://127.0.0.1:5555", daemon.endpoint), f"docs/{page}", "exec"), names)
+    return names
 
 
 def test_the_guide_to_contact_problems(shared):

@@ -215,11 +215,13 @@ std::int32_t contactd_wheel_set_elements(contactd_wheel* wheel, double dx, doubl
 std::int32_t contactd_wheel_set_patch_rules(contactd_wheel* wheel, double angle_separate, double distance_separate,
                                             double distance_combine, double distance_turn, double locus_step) {
     return setup(wheel, [&](WheelRailSetup& changed) {
-        changed.patches = {finite(angle_separate, "setup.patches.angle_separate"),
-                           finite(distance_separate, "setup.patches.distance_separate"),
-                           finite(distance_combine, "setup.patches.distance_combine"),
-                           finite(distance_turn, "setup.patches.distance_turn"),
-                           finite(locus_step, "setup.patches.locus_step")};
+        contactd::PatchRules rules = changed.patches;
+        rules.angle_separate = finite(angle_separate, "setup.patches.angle_separate");
+        rules.distance_separate = finite(distance_separate, "setup.patches.distance_separate");
+        rules.distance_combine = finite(distance_combine, "setup.patches.distance_combine");
+        rules.distance_turn = finite(distance_turn, "setup.patches.distance_turn");
+        rules.locus_step = finite(locus_step, "setup.patches.locus_step");
+        changed.patches = rules;
     });
 }
 
