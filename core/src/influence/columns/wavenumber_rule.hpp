@@ -1,0 +1,21 @@
+// From values at wavenumbers to values at offsets along x.
+#pragma once
+
+#include <vector>
+
+namespace contactd {
+
+/// `count` wavenumbers from 0 to `last`, even in asinh(xi/xi0).
+std::vector<double> wavenumber_nodes(double xi0, double last, int count);
+
+/// Weights [node * nx + k]: the integral over xi of the spline through values at the nodes, times the transform of an
+/// element of length dx and times cos (even) or sin (odd) of xi (k dx + shift), over pi.
+/// The spline is cubic in asinh(xi/xi0) and knows the parity: zero slope of what is even at 0, no value and no
+/// curvature of what is odd. Beyond the last node its value falls as 1/xi^2, as the effect of a surface's curvature
+/// does.
+struct WavenumberRule {
+    std::vector<double> even, odd;
+};
+WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift);
+
+}  // namespace contactd

@@ -1,0 +1,126 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+
+#include "contactd/column_spectrum.hpp"
+#include "contactd/half_space.hpp"
+#include "influence/columns/screened_half_space.hpp"
+#include "influence/columns/wavenumber_rule.hpp"
+
+using namespace contactd;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double nu = 0.28, xi0 = 0.01;
+constexpr std::array axes{Axis::x, Axis::y, Axis::z};
+
+/// Flat columns whose difference to the screened half-space is that of the table under the zeroth wavenumber.
+ColumnSpectrum flat_spectrum(int columns, int nodes) {
+    ColumnSpectrum spectrum{columns, nu, xi0, wavenumber_nodes(xi0, 6, nodes), {}, {}};
+    for (int column = 0; column < columns; ++column) spectrum.frames.push_back({static_cast<double>(column), 0, 0});
+    const double pi = std::numbers::pi;
+    for (const double xi : spectrum.nodes)
+        for (int a = 0; a < 3 * columns; ++a)
+            for (int b = 0; b <= a; ++b) {
+                const int l = a / 3 - b / 3, i = a % 3, j = b % 3;
+                const KernelIntegrals k = screened_transforms(xi, xi0, l);
+                double value = 0;
+                if (i == 0 && j == 0) value = (k.xx + (1 - nu) * k.yy) / (2 * pi);
+                if (i == 1 && j == 1) value = (k.yy + (1 - nu) * k.xx) / (2 * pi);
+                if (i == 2 && j == 2) value = (1 - nu) * (k.xx + k.yy) / (2 * pi);
+                if (i + j == 1) value = (i == 0 ? 1 : -1) * nu * k.xy / (2 * pi);
+                if (i + j == 2 && i != j) value = (1 - 2 * nu) * k.x / (4 * pi);
+                if (i + j == 3) value = (i == 1 ? 1 : -1) * (1 - 2 * nu) * k.y / (4 * pi);
+                spectrum.values.push_back(value);
+            }
+    return spectrum;
+}
+
+/// By many small steps.
+double integral(const auto& function, double from, double to) {
+    constexpr int steps = 200'000;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) sum += function(from + (to - from) * (i + 0.5) / steps);
+    return sum * (to - from) / steps;
+}
+
+}  // namespace
+
+TEST_CASE("The spectrum of the screened half-space gives the half-space less what is screened", "[columns]") {
+    const int columns = 4, nx = 12;
+    const double dx = 0.7;
+    const ColumnTable table = column_table(flat_spectrum(columns, 9), dx, nx);
+    for (const Axis i : axes)
+        for (const Axis j : axes)
+            for (int I = 0; I < columns; ++I)
+                for (int k = 0; k < nx; ++k) {
+                    const KernelIntegrals change = screening(xi0, k * dx, I - 1, dx);
+                    double expected = half_space_coefficient(i, j, k * dx, I - 1, dx, 1, {.G = 1, .nu = nu});
+                    const double pi = std::numbers::pi;
+                    if (i == Axis::z && j == Axis::z) expected += (1 - nu) * (change.xx + change.yy) / (2 * pi);
+                    if (i == Axis::x && j == Axis::x) expected += (change.xx + (1 - nu) * change.yy) / (2 * pi);
+                    if (i == Axis::y && j == Axis::y) expected += (change.yy + (1 - nu) * change.xx) / (2 * pi);
+                    CAPTURE(static_cast<int>(i), static_cast<int>(j), I, k);
+                    CHECK_THAT(table(i, j, I, 1, k), WithinAbs(expected, i == j ? 1e-12 : 2e-5));
+                }
+}
+
+TEST_CASE("Screened kernels in space are the transforms of those in wavenumbers", "[columns]") {
+    // Far from the singularity, where an element is about a point: cosine and sine integrals over the strip's
+    // transform.
+    const double x = 3.5, dx = 1e-3, last = 40;
+    const int l = 2;
+    const KernelIntegrals change = screening(xi0, x, l, dx);
+    const double plain =
+        half_space_coefficient(Axis::z, Axis::z, x, l, dx, 1, {.G = 1, .nu = 0}) * 2 * std::numbers::pi;  // xx + yy
+    const double back = integral(
+        [&](double xi) {
+            const KernelIntegrals k = screened_transforms(xi, xi0, l);
+            return (k.xx + k.yy) * std::cos(xi * x);
+        },
+        0, last / 10);
+    CHECK_THAT(back * dx / std::numbers::pi, WithinRel(plain + change.xx + change.yy, 2e-3));
+}
+
+TEST_CASE("Weights of wavenumbers integrate what is even and what is odd", "[columns]") {
+    const double dx = 0.5, last = 6, shift = 0.2;
+    const auto nodes = wavenumber_nodes(0.05, last, 33);
+    const WavenumberRule rule = wavenumber_rule(nodes, 0.05, dx, 5, shift);
+    for (int k = 0; k < 5; ++k) {
+        double even = 0, odd = 0;
+        for (std::size_t node = 0; node < nodes.size(); ++node) {
+            const double xi = nodes[node];
+            even += rule.even[node * 5 + static_cast<std::size_t>(k)] * std::exp(-xi * xi);
+            odd += rule.odd[node * 5 + static_cast<std::size_t>(k)] * xi * std::exp(-xi * xi);
+        }
+        const double x = k * dx + shift;
+        const auto element = [&](double xi) { return 2 * std::sin(xi * dx / 2) / xi / std::numbers::pi; };
+        CHECK_THAT(
+            even,
+            WithinAbs(integral([&](double xi) { return std::exp(-xi * xi) * element(xi) * std::cos(xi * x); }, 0, 20),
+                      2e-6));
+        CHECK_THAT(
+            odd, WithinAbs(integral([&](double xi) { return xi * std::exp(-xi * xi) * element(xi) * std::sin(xi * x); },
+                                    0, 20),
+                           5e-6));
+    }
+}
+
+TEST_CASE("A shift by a whole element is the next offset, and one back the parity's", "[columns]") {
+    const ColumnSpectrum spectrum = flat_spectrum(3, 9);
+    const ColumnTable table = column_table(spectrum, 1, 6), ahead = column_table(spectrum, 1, 5, 1),
+                      back = column_table(spectrum, 1, 5, -1);
+    for (const Axis i : axes)
+        for (const Axis j : axes) {
+            CHECK_THAT(ahead(i, j, 2, 0, 3), WithinAbs(table(i, j, 2, 0, 4), 1e-10));
+            CHECK_THAT(back(i, j, 2, 0, 0), WithinAbs(table.at(i, j, 2, 0, -1), 1e-10));
+        }
+}
+
+TEST_CASE("A spectrum that is the reference has neither nested changes nor an end", "[columns]") {
+    const ColumnSpectrum spectrum = flat_spectrum(3, 9);
+    CHECK(nested_change(spectrum, 1, 10) < 1e-12);
+    CHECK(beyond_the_end(spectrum) < 1e-12);
+}
