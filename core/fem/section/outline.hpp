@@ -1,0 +1,53 @@
+// What the mesh of a cross-section is made from: closed curves of smooth pieces, by arc length, and the columns on one
+// of them. Lengths are over the width ds of a column, so that sections of one shape have one mesh.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace contactd::fem {
+
+struct PlanePoint {
+    double y = 0, z = 0;
+};
+
+/// A smooth stretch of an outline; s runs from 0 to `length` with the body on the right.
+struct OutlinePiece {
+    double length = 0;
+    bool held = false;
+    std::function<PlanePoint(double s)> point;
+    std::function<PlanePoint(double s)> normal;  ///< outward, of length one
+};
+
+using OutlineLoop = std::vector<OutlinePiece>;
+
+struct SectionOutline {
+    std::vector<OutlineLoop> loops;  ///< the outer one first
+    std::size_t carrier = 0;         ///< the loop that carries the columns
+    double first_column = 0;         ///< where the first one begins, in arc length along it
+    int columns = 0;                 ///< of arc length one each, side by side
+};
+
+/// Where a point of a loop lies: a piece, and the arc length along it.
+struct OutlinePosition {
+    std::size_t loop = 0, piece = 0;
+    double s = 0;
+};
+
+double length_of(const OutlineLoop& loop);
+/// Of arc length along a loop, which is taken round as often as it needs; at a joint the piece that begins there.
+OutlinePosition position_at(const SectionOutline& outline, std::size_t loop, double s);
+
+inline PlanePoint point_at(const SectionOutline& outline, const OutlinePosition& at) {
+    return outline.loops[at.loop][at.piece].point(at.s);
+}
+inline PlanePoint normal_at(const SectionOutline& outline, const OutlinePosition& at) {
+    return outline.loops[at.loop][at.piece].normal(at.s);
+}
+
+/// Two pieces of an outline: a straight one, and an arc about `centre` that begins at angle `from` (rad, from +y
+/// towards +z) and turns by `turn` (rad, positive towards +z).
+OutlinePiece straight(const PlanePoint& from, const PlanePoint& to, bool held = false);
+OutlinePiece arc(const PlanePoint& centre, double radius, double from, double turn, bool held = false);
+
+}  // namespace contactd::fem

@@ -1,0 +1,32 @@
+// The mesh of a section: triangles whose edges on the outline lie on it, to the order of the elements.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <mfem.hpp>
+
+#include "triangulation.hpp"
+
+namespace contactd::fem {
+
+/// Of the outline's edges: the triangle, and which of its corners the edge begins and ends at.
+struct EdgeElement {
+    int element = -1;
+    int first = 0, second = 0;
+
+    /// Reference point of the share t, 0 to 1, along the edge.
+    mfem::IntegrationPoint at(double t) const;
+};
+
+struct SectionMesh {
+    std::unique_ptr<mfem::Mesh> mesh;  ///< coordinates (y, z), isoparametric of `order`
+    DividedOutline outline;
+    std::vector<EdgeElement> edge_elements;  ///< of each edge of `outline`
+};
+
+/// Throws InvalidArgument ("ics.section") when the outline curves too much for its triangles.
+SectionMesh make_section_mesh(const SectionOutline& outline, const DividedOutline& divided,
+                              const Triangulation& triangulation, int order);
+
+}  // namespace contactd::fem

@@ -1,0 +1,44 @@
+// The transform of a section's coefficients to the accuracy asked for: mesh, order and wavenumbers chosen, with what
+// their errors are.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include <mpi.h>
+
+#include "collective_observer.hpp"
+#include "contactd/column_spectrum.hpp"
+#include "section_model.hpp"
+
+namespace contactd::fem {
+
+/// Errors over zz of the half-space under an element of length ds along x.
+struct SpectrumErrors {
+    double mesh = 0;         ///< half as much again as the difference to elements of the next order
+    double wavenumbers = 0;  ///< a twelfth of what every other wavenumber changes
+    double end = 0;          ///< what may lie beyond the last wavenumber
+    double reciprocity = 0;  ///< before the transform was made symmetric, of a coefficient
+    double total() const { return mesh + wavenumbers + end; }
+};
+
+struct SpectrumBuild {
+    ColumnSpectrum spectrum;
+    SpectrumErrors errors;
+    int order = 0;
+    long long triangles = 0, unknowns = 0;
+    double mesh_seconds = 0, setup_seconds = 0, solve_seconds = 0;
+};
+
+/// Collective; wavenumbers are spread over the processes, and every one gets the result. `outline` and the frames of
+/// `columns` have lengths over ds. Throws InvalidArgument when no mesh can be made, OutOfMemory when the processes
+/// together would need more than `max_memory_bytes` (0: no limit) as the analysis of the matrix predicts, NotConverged
+/// when nothing holds the body, and Cancelled. An accuracy that is missed even by the finest choice is no error:
+/// `errors` says what was reached.
+SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
+                             Observer& observer, std::uint64_t max_memory_bytes = 0);
+
+/// Of the columns, lengths over ds; angles run on continuously.
+std::vector<ColumnFrame> column_frames(const SectionOutline& outline);
+
+}  // namespace contactd::fem

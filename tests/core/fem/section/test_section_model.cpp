@@ -1,0 +1,91 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <vector>
+
+#include "contactd/error.hpp"
+#include "section/section_model.hpp"
+#include "section_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::fem;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double nu = 0.28;
+
+SectionMesh mesh_of(const SectionOutline& outline, int order) {
+    const MeshDensity density;
+    const DividedOutline divided = divide(outline, density);
+    return make_section_mesh(outline, divided, triangulate(divided, density), order);
+}
+
+/// Sums over all columns, loaded and observed alike, per column.
+double mean_response(const WaveResponse& response, int columns, int i, int j) {
+    double sum = 0;
+    for (int I = 0; I < columns; ++I)
+        for (int J = 0; J < columns; ++J) {
+            const std::size_t a = 3 * I + i, b = 3 * J + j, high = std::max(a, b), low = std::min(a, b);
+            sum += response.values[high * (high + 1) / 2 + low];
+        }
+    return sum / columns;
+}
+
+}  // namespace
+
+TEST_CASE("Columns all round a solid cylinder meet the closed form with Bessel functions", "[section]") {
+    // Of R = 10, G = 1; nothing is held.
+    struct Case {
+        double xi_R, nn, xx, xn, ss;
+    };
+    const auto [xi_R, nn, xx, xn, ss] = GENERATE(Case{1, 2.7923559, 9.2948680, 1.5369378, 41.6330612},
+                                                 Case{5, 1.4744782, 1.4462099, -0.3555476, 2.7803242},
+                                                 Case{10, 0.7429830, 0.7264634, -0.2089434, 1.1707062});
+    const int columns = 40;
+    const SectionOutline outline = disc(columns, 0);
+    const SectionMesh mesh = mesh_of(outline, 4);
+    SectionModel model(outline, mesh, 4, nu);
+    const double radius = columns / (2 * std::numbers::pi), scale = 10 / radius;
+    const WaveResponse response = model.at(xi_R / radius);
+    CHECK_THAT(scale * mean_response(response, columns, 2, 2), WithinRel(nn, 1e-5));
+    CHECK_THAT(scale * mean_response(response, columns, 0, 0), WithinRel(xx, 1e-5));
+    CHECK_THAT(scale * mean_response(response, columns, 0, 2), WithinRel(xn, 1e-5));
+    CHECK_THAT(scale * mean_response(response, columns, 1, 1), WithinRel(ss, 1e-5));
+}
+
+TEST_CASE("A disc under two opposed loads widens across as Michell says", "[section]") {
+    const int columns = 120;
+    const SectionOutline outline = disc(columns, 0.005);
+    const SectionMesh mesh = mesh_of(outline, 4);
+    SectionModel model(outline, mesh, 4, nu);
+    const WaveResponse response = model.at(0);
+    // Columns about the top (0 and columns - 1 meet there), the right, the bottom and the left: line loads by two
+    // columns each, of traction 1/2 a column.
+    const auto nn = [&](int I, int J) {
+        const std::size_t a = 3 * I + 2, b = 3 * J + 2, high = std::max(a, b), low = std::min(a, b);
+        return response.values[high * (high + 1) / 2 + low];
+    };
+    double widening = 0;
+    for (const int load : {0, columns - 1, columns / 2 - 1, columns / 2})
+        for (const int side : {columns / 4 - 1, columns / 4, 3 * columns / 4 - 1, 3 * columns / 4})
+            widening -= nn(side, load) / 4;
+    CHECK_THAT(widening, WithinRel(0.238366, 2e-3));
+}
+
+TEST_CASE("What nothing holds is refused at wavenumber zero", "[section]") {
+    const SectionOutline outline = disc(20, 0);
+    const SectionMesh mesh = mesh_of(outline, 2);
+    SectionModel model(outline, mesh, 2, nu);
+    CHECK_NOTHROW(model.at(0.5));
+    CHECK_THROWS_AS(model.at(0), NotConverged);
+}
+
+TEST_CASE("A response is reciprocal to the order of its observation at centres", "[section]") {
+    const SectionOutline outline = groove(20, 60, 70, 20);
+    const SectionMesh mesh = mesh_of(outline, 4);
+    SectionModel model(outline, mesh, 4, nu);
+    for (const double xi : {0.0, 0.1, 1.0}) CHECK(model.at(xi).reciprocity_defect < 2e-3);
+}
