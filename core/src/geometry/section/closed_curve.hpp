@@ -11,7 +11,7 @@ namespace contactd::geometry {
 
 class ClosedCurve {
    public:
-    /// Throws InvalidArgument below `field` when it is not closed, or a part has no length.
+    /// Throws InvalidArgument below `field` when it is not closed, or as its pieces do.
     ClosedCurve(const Outline& outline, const std::string& field);
 
     double length() const { return begin_.back(); }
@@ -23,10 +23,12 @@ class ClosedCurve {
     double begin_of(std::size_t piece) const { return begin_[piece]; }
     /// By which the outward normal turns where the piece begins (rad), positive where the body has a convex corner.
     double turn_before(std::size_t piece) const;
-    /// The piece at an arc length from 0 to length(); that behind a joint.
+    /// The piece at an arc length in [0, length()]; that behind a joint.
     std::size_t piece_at(double s) const;
-    /// An arc length modulo the length.
+    /// An arc length modulo the length, in [0, length()).
     double reduced(double s) const;
+    /// Points of all pieces in the order of travel.
+    std::vector<SectionPoint> points() const;
 
    private:
     std::vector<OutlinePiece> pieces_;

@@ -1,47 +1,66 @@
 // A smooth piece of an outline by its arc length: a line, an arc, or a spline.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "contactd/profile.hpp"
 #include "contactd/section.hpp"
 
 namespace contactd::geometry {
 
+/// An angle in [-pi, pi].
+inline double principal(double angle) {
+    return std::remainder(angle, 2 * std::numbers::pi);
+}
+
 /// What an arc length leads to.
 struct OutlinePlace {
     SectionPoint at;
-    double angle = 0;      ///< of the outward normal, as that of a ColumnFrame, in (-pi, pi]
+    double angle = 0;      ///< of the outward normal, as that of a ColumnFrame, in [-pi, pi]
     double curvature = 0;  ///< d angle / d arc length (1/mm): positive where the body is convex
 
-    SectionPoint tangent() const;  ///< unit vectors
-    SectionPoint normal() const;
+    SectionPoint tangent() const { return {std::cos(angle), -std::sin(angle)}; }
+    SectionPoint normal() const { return {std::sin(angle), std::cos(angle)}; }
 };
 
 class OutlinePiece {
    public:
-    /// From `from` on. Throws InvalidArgument naming `field` for no length, and for an arc that does not reach.
+    /// Throws InvalidArgument naming `field` for no length, for an arc that does not reach, and for a spline whose
+    /// points coincide or lie beyond 1e5 mm.
     OutlinePiece(const SectionPoint& from, const OutlinePart& part, const std::string& field);
 
     double length() const { return length_; }
     bool held() const { return held_; }
     OutlinePlace place(double s) const;  ///< 0 <= s <= length
-    /// By how much its tangent may turn within ds (rad), and so what an edge of a mesh should not exceed.
-    double sharpest_radius() const;
+    /// Points along it from s = 0 on, without its end: chords between them turn by little from one to the next.
+    std::vector<SectionPoint> points() const;
 
    private:
     struct Line {
-        SectionPoint from, direction;
+        SectionPoint from;
+        double angle;
     };
     struct Arc {
         SectionPoint centre;
-        double radius;  // signed
-        double angle;   // of the outward normal where it begins
+        double radius;  // signed, as that of an ArcTo
+        double angle;   // where it begins
     };
-    std::variant<Line, Arc, ProfileCurve> shape_;
+    using Shape = std::variant<Line, Arc, ProfileCurve>;
+
+    void draw(const SectionPoint& from, const LineTo& line, const std::string& field);
+    void draw(const SectionPoint& from, const ArcTo& arc, const std::string& field);
+    void draw(const SectionPoint& from, const SplineTo& spline, const std::string& field);
+
+    Shape shape_;
     double length_ = 0;
     bool held_;
 };
+
+/// Where a part ends.
+SectionPoint end_of(const OutlinePart& part);
 
 }  // namespace contactd::geometry

@@ -10,12 +10,16 @@
 
 namespace contactd::geometry {
 
-/// What is checked: outlines are closed, neither cross themselves nor each other, and have the body on their right;
-/// columns lie on their curve, where nothing is held, across no corner, beside each other, and a hollow's radius is
-/// more than their width.
+/// By more than this (rad) a curve turns at a corner; less are roundings of coordinates.
+inline constexpr double least_corner = 0.02;
+/// What a column's arc may turn by (rad).
+inline constexpr double most_column_turn = 0.5;
+
 class SectionGeometry {
    public:
-    /// Throws InvalidArgument below `field` with coordinates of what is wrong. `ds` is the arc length of a column (mm).
+    /// `ds` is the arc length of a column (mm). Throws InvalidArgument below `field` as validate() and check_outlines()
+    /// do, and, with coordinates, for columns that pass a corner, lie on a held part, on each other, or turn by more
+    /// than most_column_turn.
     SectionGeometry(const Section& section, int columns, double ds, const std::string& field = "section");
 
     /// The outside first, then the holes.
@@ -26,12 +30,16 @@ class SectionGeometry {
 
     int columns() const { return columns_; }
     double ds() const { return ds_; }
-    /// Arc length of the carrier at which a column begins, or the last one ends (column = columns()). From 0 on, it
-    /// exceeds the carrier's length where columns pass the start of the outline.
+    /// Arc length of the carrier at which a column begins, or the last one ends (column = columns()). It is in
+    /// [0, length) of the first column, and exceeds the length where columns pass the start of the outline.
     double begin_of(int column) const { return first_ + column * ds_; }
+    /// Columns lie all round the carrier, the last one beside the first.
+    bool all_round() const;
 
     /// At the midpoints of the columns.
     std::vector<ColumnFrame> frames() const;
+    /// The larger side of the rectangle around the body (mm).
+    double extent() const;
 
    private:
     std::vector<ClosedCurve> curves_;

@@ -1,0 +1,131 @@
+#include "geometry/section/outline_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "contactd/error.hpp"
+#include "geometry/section/place_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+using Polygon = std::vector<SectionPoint>;
+
+// Twice the area, positive anticlockwise.
+double turned_area(const Polygon& polygon) {
+    const SectionPoint& o = polygon.front();
+    double sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const SectionPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        sum += (a.y - o.y) * (b.z - o.z) - (b.y - o.y) * (a.z - o.z);
+    }
+    return sum;
+}
+
+bool inside(const SectionPoint& point, const Polygon& polygon) {
+    bool odd = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const SectionPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        if ((a.z > point.z) != (b.z > point.z) && point.y < a.y + (point.z - a.z) / (b.z - a.z) * (b.y - a.y))
+            odd = !odd;
+    }
+    return odd;
+}
+
+// One chord of a curve.
+struct Chord {
+    SectionPoint a, b;
+    std::size_t curve, index;
+
+    double low() const { return std::min(a.z, b.z); }
+    double high() const { return std::max(a.z, b.z); }
+};
+
+double side(const SectionPoint& a, const SectionPoint& b, const SectionPoint& point) {
+    return (b.y - a.y) * (point.z - a.z) - (b.z - a.z) * (point.y - a.y);
+}
+
+bool within(const SectionPoint& a, const SectionPoint& b, const SectionPoint& point) {
+    return std::min(a.y, b.y) <= point.y && point.y <= std::max(a.y, b.y) && std::min(a.z, b.z) <= point.z &&
+           point.z <= std::max(a.z, b.z);
+}
+
+// Where two chords cross or touch.
+std::optional<SectionPoint> common_point(const Chord& p, const Chord& q) {
+    if (std::max(p.a.y, p.b.y) < std::min(q.a.y, q.b.y) || std::max(q.a.y, q.b.y) < std::min(p.a.y, p.b.y)) return {};
+    const double a = side(q.a, q.b, p.a), b = side(q.a, q.b, p.b), c = side(p.a, p.b, q.a), d = side(p.a, p.b, q.b);
+    if ((a > 0) != (b > 0) && (c > 0) != (d > 0) && a != b) {
+        const double t = a / (a - b);
+        return SectionPoint{p.a.y + t * (p.b.y - p.a.y), p.a.z + t * (p.b.z - p.a.z)};
+    }
+    if (a == 0 && within(q.a, q.b, p.a)) return p.a;
+    if (b == 0 && within(q.a, q.b, p.b)) return p.b;
+    if (c == 0 && within(p.a, p.b, q.a)) return q.a;
+    if (d == 0 && within(p.a, p.b, q.b)) return q.b;
+    return {};
+}
+
+void check_corners(const ClosedCurve& curve, const std::string& name) {
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i)
+        if (std::abs(curve.turn_before(i)) > std::numbers::pi - 1e-6)
+            throw InvalidArgument(
+                name, "turns back on itself at " + place_text(curve.pieces()[i].place(0).at) + "; a body lies between");
+}
+
+void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std::string>& names) {
+    std::vector<Chord> chords;
+    for (std::size_t curve = 0; curve < polygons.size(); ++curve)
+        for (std::size_t i = 0; i < polygons[curve].size(); ++i)
+            chords.push_back({polygons[curve][i], polygons[curve][(i + 1) % polygons[curve].size()], curve, i});
+    std::sort(chords.begin(), chords.end(), [](const Chord& p, const Chord& q) { return p.low() < q.low(); });
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        for (std::size_t k = i + 1; k < chords.size() && chords[k].low() <= chords[i].high(); ++k) {
+            const Chord &p = chords[i], &q = chords[k];
+            const std::size_t apart = p.index > q.index ? p.index - q.index : q.index - p.index;
+            const bool neighbours = apart == 1 || apart + 1 == polygons[p.curve].size();
+            if (p.curve == q.curve && neighbours) continue;
+            if (const auto at = common_point(p, q)) {
+                if (p.curve == q.curve)
+                    throw InvalidArgument(names[p.curve], "crosses or touches itself at " + place_text(*at) +
+                                                              "; its parts may meet at their ends only");
+                throw InvalidArgument(names[std::max(p.curve, q.curve)],
+                                      "crosses or touches " + names[std::min(p.curve, q.curve)] + " at " +
+                                          place_text(*at) + "; there must be some of the body between them");
+            }
+        }
+}
+
+void check_sense(const Polygon& polygon, bool outside, const std::string& name) {
+    const double area = turned_area(polygon);
+    if (area == 0) throw InvalidArgument(name, "encloses nothing; it begins at " + place_text(polygon.front()));
+    if ((area > 0) == outside)
+        throw InvalidArgument(name, "runs " + std::string(outside ? "anticlockwise" : "clockwise") + " from " +
+                                        place_text(polygon.front()) +
+                                        ", so that the body would lie on its left; name its parts in reverse order, " +
+                                        "and the signs of radii");
+}
+
+}  // namespace
+
+void check_outlines(const std::vector<ClosedCurve>& curves, const std::vector<std::string>& names) {
+    std::vector<Polygon> polygons;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        check_corners(curves[i], names[i]);
+        polygons.push_back(curves[i].points());
+    }
+    check_crossings(polygons, names);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        check_sense(polygons[i], i == 0, names[i]);
+        const SectionPoint& point = polygons[i].front();
+        if (i > 0 && !inside(point, polygons[0]))
+            throw InvalidArgument(names[i], "lies outside of the body, at " + place_text(point));
+        for (std::size_t k = 1; k < i; ++k)
+            if (inside(point, polygons[k]) || inside(polygons[k].front(), polygons[i]))
+                throw InvalidArgument(names[i], "overlaps " + names[k] + ": one lies within the other at " +
+                                                    place_text(point) + "; make one hole of them");
+    }
+}
+
+}  // namespace contactd::geometry

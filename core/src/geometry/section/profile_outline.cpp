@@ -1,0 +1,85 @@
+// Sections below the profile of a rail or above that of a wheel.
+#include <algorithm>
+#include <vector>
+
+#include "contactd/error.hpp"
+#include "contactd/make_profile.hpp"
+#include "geometry/section/place_text.hpp"
+#include "geometry/section/ready_made.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+// The profile's curve between its kinks, in the order of travel: a rail's as it is, a wheel's from its other end.
+struct Surface {
+    SectionPoint start;
+    std::vector<OutlinePart> parts;
+    std::size_t part_at_origin = 0;
+    double from_origin = 0;  // of the point with y = 0 from the beginning of its part
+
+    Surface(const ProfileCurve& curve, bool reversed) {
+        const auto& points = curve.points();
+        const std::size_t last = points.size() - 1;
+        const auto point = [&](std::size_t i) {
+            const ProfilePoint& p = points[reversed ? last - i : i];
+            return SectionPoint{p.y, -p.z};
+        };
+        std::vector<std::size_t> ends;
+        for (const std::size_t kink : curve.kinks()) ends.push_back(reversed ? last - kink : kink);
+        if (reversed) std::reverse(ends.begin(), ends.end());
+        ends.push_back(last);
+        const auto arc_length = [&](double s) {
+            return reversed ? curve.arc_length(curve.end()) - curve.arc_length(s) : curve.arc_length(s);
+        };
+        const double origin = arc_length(curve.s_at_y(0));
+        start = point(0);
+        std::size_t from = 0;
+        for (const std::size_t to : ends) {
+            const double begin = arc_length(curve.knots()[reversed ? last - from : from]);
+            if (begin <= origin) {
+                part_at_origin = parts.size();
+                from_origin = origin - begin;
+            }
+            SplineTo spline;
+            for (std::size_t i = from + 1; i <= to; ++i) spline.through.push_back(point(i));
+            parts.push_back({std::move(spline)});
+            from = to;
+        }
+    }
+};
+
+// Upright sides from the ends of the surface to a level cut.
+OutlineSection with_cut(Surface surface, double z, double from) {
+    const SectionPoint begin = surface.start, end = std::get<SplineTo>(surface.parts.back().curve).through.back();
+    Outline outline{begin, std::move(surface.parts)};
+    outline.parts.push_back({LineTo{{end.y, z}}});
+    outline.parts.push_back({LineTo{{begin.y, z}}, true});
+    outline.parts.push_back({LineTo{begin}});
+    return {.outside = std::move(outline), .part = surface.part_at_origin, .from = surface.from_origin + from};
+}
+
+}  // namespace
+
+OutlineSection outline_of(const WheelRimSection& rim, double) {
+    const Profile wheel = make_profile({ProfileKind::wheel, S1002{}});
+    return with_cut(Surface(wheel.curve, true), rim.thickness, rim.from);
+}
+
+OutlineSection outline_of(const ProfileSection& section, double, const std::string& field) {
+    const Profile profile = make_profile(section.profile);
+    const bool wheel = profile.kind == ProfileKind::wheel;
+    const auto& points = profile.curve.points();
+    if (!(points.front().y < 0 && points.back().y > 0))
+        throw InvalidArgument(field + ".profile_section.profile", "reaches from y = " + short_text(points.front().y) +
+                                                                      " to " + short_text(points.back().y) +
+                                                                      "; y = 0 must lie between its ends");
+    for (const ProfilePoint& point : points)
+        if (!((wheel ? -point.z : point.z) < section.depth))
+            throw InvalidArgument(field + ".profile_section.depth",
+                                  "is " + number_text(section.depth) + ", where the profile reaches to " +
+                                      place_text({point.y, -point.z}) + "; the cut must lie inside the body");
+    return with_cut(Surface(profile.curve, wheel), wheel ? section.depth : -section.depth, section.from);
+}
+
+}  // namespace contactd::geometry

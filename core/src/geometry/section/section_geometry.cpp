@@ -1,0 +1,162 @@
+#include "geometry/section/section_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contactd/error.hpp"
+#include "geometry/section/outline_checks.hpp"
+#include "geometry/section/place_text.hpp"
+#include "geometry/section/ready_made.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd::geometry {
+namespace {
+
+constexpr double rounding = 1e-9;  // of a column: ends may miss a corner by as much
+constexpr int looks = 8;           // at the curvature of a column
+
+void check_numbers(int columns, double ds, const std::string& field) {
+    if (columns < 1 || columns > most_columns)
+        throw InvalidArgument(field, "has " + std::to_string(columns) + " columns; from 1 to " +
+                                         std::to_string(most_columns) + " are taken");
+    if (!(ds >= 1e-9 && ds <= 1e9))
+        throw InvalidArgument(
+            field, "has columns of the width " + number_text(ds) + "; it must be a length between 1e-9 and 1e9 mm");
+}
+
+std::string degrees(double angle) {
+    return short_text(std::abs(angle) * 180 / std::numbers::pi) + " degrees";
+}
+
+// Each finds one kind of mistake.
+class ColumnCheck {
+   public:
+    ColumnCheck(const SectionGeometry& section, const std::string& field)
+        : section_(section),
+          curve_(section.carrier()),
+          field_(field),
+          begin_(section.begin_of(0) + rounding * section.ds()),
+          end_(section.begin_of(section.columns()) - rounding * section.ds()) {}
+
+    void length() const {
+        const double all = section_.columns() * section_.ds();
+        if (!(all <= curve_.length() * (1 + rounding)))
+            throw InvalidArgument(field_, "has " + number() + " columns of " + short_text(section_.ds()) +
+                                              " mm, together " + short_text(all) +
+                                              " mm; their curve, which begins at " + place_text(curve_.place(0).at) +
+                                              ", is only " + short_text(curve_.length()) + " mm long");
+    }
+
+    void corners() const {
+        for_each_piece([&](std::size_t piece, double from, double) {
+            if (from > begin_ && from < end_) corner(piece, column_at(from));
+        });
+    }
+
+    void support() const {
+        for_each_piece([&](std::size_t piece, double from, double to) {
+            if (curve_.pieces()[piece].held() && to > begin_ && from < end_) held(std::max(from, begin_));
+        });
+    }
+
+    void curvature() const {
+        const double step = section_.ds() / looks;
+        for (int column = 0; column < section_.columns(); ++column)
+            for (int look = 0; look <= looks; ++look) {
+                const double near = look == 0 ? rounding : look == looks ? -rounding : 0;
+                const OutlinePlace here = curve_.place(section_.begin_of(column) + look * step + near * section_.ds());
+                if (!(std::abs(here.curvature) * section_.ds() <= most_column_turn))
+                    throw InvalidArgument(
+                        field_, "has columns of " + short_text(section_.ds()) + " mm, too wide for the radius of " +
+                                    short_text(1 / std::abs(here.curvature)) + " mm at " + place_text(here.at) +
+                                    " in column " + std::to_string(column) + "; take columns of " +
+                                    short_text(most_column_turn / std::abs(here.curvature)) + " mm at most there");
+            }
+    }
+
+   private:
+    // With the arc lengths of its ends; at most twice, where columns pass the start of the curve.
+    template <class Visit>
+    void for_each_piece(const Visit& visit) const {
+        for (const double lap : {0.0, curve_.length()})
+            for (std::size_t i = 0; i < curve_.pieces().size(); ++i)
+                visit(i, lap + curve_.begin_of(i), lap + curve_.begin_of(i + 1));
+    }
+    std::string number() const { return std::to_string(section_.columns()); }
+    int column_at(double s) const {
+        const int column = static_cast<int>((s - section_.begin_of(0)) / section_.ds());
+        return std::clamp(column, 0, section_.columns() - 1);
+    }
+    void corner(std::size_t piece, int column) const {
+        const double turn = curve_.turn_before(piece);
+        if (std::abs(turn) <= least_corner) return;
+        throw InvalidArgument(field_, "has a corner of " + degrees(turn) + " at " +
+                                          place_text(curve_.pieces()[piece].place(0).at) + " in column " +
+                                          std::to_string(column) + " of " + number() +
+                                          "; columns must end at a corner, take fewer of them or let them begin "
+                                          "elsewhere");
+    }
+    void held(double s) const {
+        throw InvalidArgument(field_, "is held at " + place_text(curve_.place(s).at) + " where its column " +
+                                          std::to_string(column_at(s)) + " of " + number() +
+                                          " lies; columns must lie on parts that are free to move");
+    }
+
+    const SectionGeometry& section_;
+    const ClosedCurve& curve_;
+    const std::string field_;
+    const double begin_, end_;  // of all columns, but for rounding
+};
+
+}  // namespace
+
+SectionGeometry::SectionGeometry(const Section& section, int columns, double ds, const std::string& field)
+    : columns_(columns), ds_(ds) {
+    validate(section, field.c_str());
+    check_numbers(columns, ds, field);
+    const OutlineSection outline = outline_of(section, columns * ds, field);
+    const bool own = std::holds_alternative<OutlineSection>(section.shape);
+    std::vector<std::string> names{own ? field + ".outline.outside" : field};
+    curves_.emplace_back(outline.outside, names[0]);
+    for (std::size_t i = 0; i < outline.holes.size(); ++i) {
+        names.push_back(own ? field + ".outline.holes[" + std::to_string(i) + "]" : field);
+        curves_.emplace_back(outline.holes[i], names.back());
+    }
+    check_outlines(curves_, names);
+    carrier_ = outline.carrier;
+    // What begins at a corner but for rounding begins there.
+    const double first = carrier().reduced(carrier().begin_of(outline.part) + outline.from);
+    first_ = carrier().length() - first < rounding * ds ? 0 : first;
+    const ColumnCheck check(*this, field);
+    check.length();
+    check.corners();
+    check.support();
+    check.curvature();
+}
+
+bool SectionGeometry::all_round() const {
+    return columns_ * ds_ >= carrier().length() - ds_ / 2;
+}
+
+std::vector<ColumnFrame> SectionGeometry::frames() const {
+    std::vector<ColumnFrame> frames;
+    for (int column = 0; column < columns_; ++column) {
+        const OutlinePlace middle = carrier().place(begin_of(column) + ds_ / 2);
+        const double before = frames.empty() ? 0 : frames.back().angle;
+        frames.push_back({middle.at.y, middle.at.z, before + principal(middle.angle - before)});
+    }
+    return frames;
+}
+
+double SectionGeometry::extent() const {
+    double low_y = INFINITY, high_y = -INFINITY, low_z = INFINITY, high_z = -INFINITY;
+    for (const SectionPoint& point : curves_.front().points()) {
+        low_y = std::min(low_y, point.y);
+        high_y = std::max(high_y, point.y);
+        low_z = std::min(low_z, point.z);
+        high_z = std::max(high_z, point.z);
+    }
+    return std::max(high_y - low_y, high_z - low_z);
+}
+
+}  // namespace contactd::geometry
