@@ -2,29 +2,52 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "contactd/section.hpp"
+#include "influence/kernel_integrals.hpp"
 
 namespace contactd {
 
-/// Displacement along i for a load along j at [3 i + j]; axes x, s, n, as Axis counts them.
+/// Displacement along i for a load along j at [3 i + j]; axes x, s, n in the order of Axis.
 using NineValues = std::array<double, 9>;
 
-/// The position of a column as another one's half-space sees it: the normal of the half-space lies midway between the
-/// normals of both.
+/// Those of the half-space that its kernels' integrals make, times G.
+NineValues nine_values(const KernelIntegrals& integrals, double nu);
+
+/// A column as another one sees it: both on a half-space whose normal lies midway between theirs.
 struct ColumnView {
     double s = 0;     ///< of the observed column from the loaded one, along the surface (mm)
-    double turn = 0;  ///< angle of the observed column's normal less that of the loaded one's, in (-pi, pi] (rad)
+    double turn = 0;  ///< angle of the observed column's normal less that of the loaded one's (rad)
 };
 
-/// Columns are of arc length ds, side by side. On a closed curve (`perimeter` > 0) the shorter way counts.
+/// Columns of arc length ds lie side by side. On a closed curve of the length `perimeter` the shorter way counts; 0:
+/// there is one way only.
 ColumnView view_of(std::span<const ColumnFrame> frames, double ds, double perimeter, int observed, int loaded);
 
-/// Coefficients in the axes of both columns from those in the axes midway between them: displacements are taken along
-/// axes turned by turn/2, loads along those turned by -turn/2 (Blanco-Lorenzo et al., 2016).
-NineValues in_column_axes(const NineValues& midway, double turn);
+/// From the axes midway between two columns to those of both.
+class ColumnAxes {
+   public:
+    explicit ColumnAxes(double turn) : sine_(std::sin(turn / 2)), cosine_(std::cos(turn / 2)) {}
+
+    /// Displacements along axes that are turned by turn/2, for loads along axes that are turned by -turn/2.
+    NineValues operator()(NineValues midway) const {
+        for (std::size_t j = 0; j < 3; ++j) turn_axes(midway[3 + j], midway[6 + j], sine_);
+        for (std::size_t i = 0; i < 3; ++i) turn_axes(midway[3 * i + 1], midway[3 * i + 2], -sine_);
+        return midway;
+    }
+
+   private:
+    // Components along s and n, in axes whose normal leans towards +s by the angle with this sine.
+    void turn_axes(double& s, double& n, double sine) const {
+        const double along_s = cosine_ * s - sine * n;
+        n = sine * s + cosine_ * n;
+        s = along_s;
+    }
+
+    double sine_, cosine_;
+};
 
 }  // namespace contactd

@@ -1,0 +1,39 @@
+#include "influence/rotated/midway_values.hpp"
+
+namespace contactd {
+namespace {
+
+// What is odd along s at the opposite distance.
+NineValues opposite(NineValues values) {
+    for (const std::size_t odd : {1, 3, 5, 7}) values[odd] = -values[odd];
+    return values;
+}
+
+}  // namespace
+
+std::vector<double> in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor) {
+    const std::size_t columns = grid.frames.size(), n = midway.size() / columns, component = columns * columns * n;
+    std::vector<double> values(9 * component);
+    for (std::size_t I = 0; I < columns; ++I)
+        for (std::size_t J = 0; J < columns; ++J) {
+            const ColumnAxes axes(
+                view_of(grid.frames, grid.ds, grid.perimeter, static_cast<int>(I), static_cast<int>(J)).turn);
+            const NineValues* of_pair = &midway[(I > J ? I - J : J - I) * n];
+            for (std::size_t k = 0; k < n; ++k) {
+                const NineValues turned = axes(I < J ? opposite(of_pair[k]) : of_pair[k]);
+                for (std::size_t ij = 0; ij < 9; ++ij)
+                    values[ij * component + (I * columns + J) * n + k] = factor * turned[ij];
+            }
+        }
+    return values;
+}
+
+ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor) {
+    ColumnTable table;
+    table.nx = grid.nx;
+    table.columns = static_cast<int>(grid.frames.size());
+    table.values = in_column_axes(grid, midway, factor);
+    return table;
+}
+
+}  // namespace contactd

@@ -1,0 +1,32 @@
+// Values of half-spaces midway between columns, and from there to the axes of the columns.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contactd/column_table.hpp"
+#include "influence/rotated/column_grid.hpp"
+#include "influence/rotated/column_values.hpp"
+
+namespace contactd {
+
+/// Midway between two columns, values depend on their distance only: n of each distance in columns, from 0 on, by
+/// `integrals(s, k)`, k = 0..n-1.
+template <class Integrals>
+std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::size_t n, const Integrals& integrals) {
+    std::vector<NineValues> values;
+    values.reserve(grid.frames.size() * n);
+    for (int distance = 0; distance < static_cast<int>(grid.frames.size()); ++distance) {
+        const double s = view_of(grid.frames, grid.ds, grid.perimeter, distance, 0).s;
+        for (std::size_t k = 0; k < n; ++k) values.push_back(nine_values(integrals(s, k), nu));
+    }
+    return values;
+}
+
+/// Shape [3, 3, columns, columns, n], in the axes of the columns, times a factor.
+std::vector<double> in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);
+
+/// The same as a table of grid.nx offsets.
+ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);
+
+}  // namespace contactd
