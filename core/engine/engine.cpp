@@ -135,7 +135,8 @@ IcAnswers Engine::fetch(const ContactSetup& setup, Observer& observer) {
 IcReply Engine::table(const IcSpec& spec, Observer& observer) {
     validate(spec);
     const IcAnswer answer = fetch(spec, observer);
-    return {answer.key, answer.origin, spec, table_for(*answer.record, spec), answer.record->evidence};
+    return {answer.key,         answer.origin, spec, table_for(*answer.record, spec), answer.record->evidence,
+            column_frames(spec)};
 }
 
 // --- solves ----------------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "build/family_build.hpp"
 #include "build/first_process.hpp"
 #include "build/mesh_build.hpp"
+#include "build/prism_build.hpp"
 #include "contactd/error.hpp"
 #include "system/build_size.hpp"
 
@@ -32,6 +33,7 @@ IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64
         throw InvalidArgument("ics.source", "is analytic; only a spec of source fem is built by finite elements");
     validate(requested);
     const IcSpec spec = dimensionless(requested);
+    if (spec.section) return build_prism(MPI_COMM_WORLD, spec, observer, max_memory_bytes);
     int processes = 1;
     MPI_Comm_size(MPI_COMM_WORLD, &processes);
     const BuildSize size = predicted_size(spec, 1);

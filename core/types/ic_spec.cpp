@@ -13,8 +13,9 @@
 namespace contactd {
 namespace {
 
-constexpr long long max_elements = 200'000;    // some millions of unknowns: what one machine can hold
-constexpr double largest_accuracy_aspect = 8;  // where the choice of meshes was tested with a margin
+constexpr long long max_elements = 200'000;            // some millions of unknowns: what one machine can hold
+constexpr std::size_t most_prism_values = 50'000'000;  // of each of nine components: 3.6 GB
+constexpr double largest_accuracy_aspect = 8;          // where the choice of meshes was tested with a margin
 
 void require(bool holds, const char* field, double value, const char* rule) {
     if (!holds) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + rule);
@@ -81,6 +82,32 @@ void validate_layers(const IcSpec& spec) {
                               "goes with half-spaces, not with layers: take a long row of elements");
 }
 
+void validate_prism(const IcSpec& spec) {
+    if (spec.body != BodyShape::prism)
+        throw InvalidArgument("ics.section", "goes with body prism; body is " + std::string(name_of(spec.body)));
+    if (!spec.section) throw InvalidArgument("ics.section", "is missing; body prism has a cross-section");
+    validate(*spec.section, "ics.section");
+    if (spec.section->free)
+        throw InvalidArgument("ics.section.free",
+                              "is true; what nothing holds has no displacements: hold a part of it");
+    if (spec.ny > most_columns)
+        throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) + "; a prism has at most " +
+                                             std::to_string(most_columns) + " columns");
+    if (static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >
+        most_prism_values)
+        throw InvalidArgument("grid.nx", "is " + std::to_string(spec.nx) + ", with ny " + std::to_string(spec.ny) +
+                                             "; nx ny^2 of a prism may be at most " +
+                                             std::to_string(most_prism_values));
+    if (spec.load_shape != LoadShape::constant)
+        throw InvalidArgument("ics.load_shape", "is bilinear; coefficients of prisms are those of constant tractions");
+    if (spec.line_contact) throw InvalidArgument("ics.line_contact", "goes with half-spaces, not with prisms");
+    if (spec.any_nu)
+        throw InvalidArgument("ics.any_nu", "does not go with a prism: its table is made for one nu, in seconds");
+    if (spec.source == IcSource::analytic) return;
+    if (spec.accuracy == 0)
+        throw InvalidArgument("ics.accuracy", "is missing; the mesh of a prism is chosen for an accuracy");
+}
+
 void validate_body(const IcSpec& spec) {
     if (spec.body != BodyShape::block) return;
     if (spec.source == IcSource::analytic)
@@ -97,7 +124,10 @@ void validate_accuracy(const IcSpec& spec) {
     const double aspect = spec.dx / spec.dy;
     require(aspect >= 1 / largest_accuracy_aspect && aspect <= largest_accuracy_aspect, "ics.accuracy", spec.accuracy,
             "be left out, and a mesh be given, where dx/dy is outside [0.125, 8]");
-    if (!spec.any_nu)
+    if (spec.section)
+        require(spec.material.nu <= largest_prism_nu, "material.nu", spec.material.nu,
+                "be at most 0.499 of a prism by finite elements");
+    else if (!spec.any_nu)
         require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
                 "be at most 0.49 when an accuracy is asked for");
 }
@@ -134,6 +164,7 @@ std::optional<FemSpec> fem_preset(std::string_view name) {
 void validate(const IcSpec& spec) {
     validate(Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "grid");
     if (spec.layered || spec.body == BodyShape::layered) validate_layers(spec);
+    if (spec.section || spec.body == BodyShape::prism) validate_prism(spec);
     validate(spec.material, "material", spec.source == IcSource::analytic);
     if (spec.line_contact)
         validate_line_contact(spec);
@@ -162,7 +193,7 @@ void validate(const IcSpec& spec) {
                                              " are allowed: take a larger f, or a smaller l_over_h, h_over_hs or "
                                              "L_over_h");
     }
-    if (chosen && spec.body == BodyShape::half_space) return;
+    if (chosen && (spec.body == BodyShape::half_space || spec.section)) return;
     const double L = spec.fem.L_over_h * std::max(spec.dx, spec.dy);
     const double farthest = std::max((spec.nx - 1) * spec.dx, (spec.ny - 1) * spec.dy);
     if (!(farthest < L))
@@ -231,6 +262,15 @@ IcSpec dimensionless(const IcSpec& spec) {
             layer = {rounded(layer.thickness / spec.dx), rounded(layer.G / spec.material.G), rounded(layer.nu)};
         Material& base = result.layered->base;
         if (!base.is_rigid()) base = {rounded(base.G / spec.material.G), rounded(base.nu)};
+    }
+    if (result.section) {
+        // By finite elements all lengths are over the width of a column, and any dx is served.
+        const bool any_dx = spec.source == IcSource::fem;
+        result.section = scaled(*result.section, 1 / (any_dx ? spec.dy : spec.dx));
+        if (any_dx) {
+            result.dy = 1;
+            result.nx = static_cast<int>(max_grid_elements) / spec.ny;
+        }
     }
     if (spec.source == IcSource::analytic) {
         result.fem = FemSpec{};

@@ -16,8 +16,8 @@ namespace {
 template <class Ask>
 IcReply in_pieces(const IcSpec& spec, const json& params, const MessageLimits& limits, const Ask& ask) {
     IcReply whole;
-    whole.table = IcTable(spec.nx, spec.ny);
-    for (const proto::IcPart& part : proto::parts_within(limits, spec.nx, spec.ny)) {
+    whole.table = IcTable(spec.nx, table_rows(spec));
+    for (const proto::IcPart& part : proto::parts_within(limits, spec.nx, table_rows(spec))) {
         json asked = params;
         asked.update(proto::encode_ic_part(part));
         const Reply reply = ask(std::move(asked));

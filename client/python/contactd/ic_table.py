@@ -21,6 +21,7 @@ __all__ = [
     "IcSpec",
     "IcTable",
     "LoadCase",
+    "SectionEvidence",
 ]
 
 
@@ -80,6 +81,31 @@ class IcErrors:
 
 
 @dataclass(frozen=True)
+class SectionEvidence:
+    """How the transform of a prism's coefficients was computed.
+
+    Errors are over zz of the half-space under an element as long as a column is wide.
+
+    Attributes:
+        order: Of the elements.
+        wavenumbers: How many it was computed at.
+        error: Of any coefficient: the sum of the three below.
+        mesh_error: Of the mesh, from elements of the next order.
+        wavenumber_error: Of interpolation between wavenumbers.
+        end_error: Of what lies beyond the last wavenumber.
+        reciprocity_defect: Of coefficients before they were made symmetric.
+    """
+
+    order: int
+    wavenumbers: int
+    error: float
+    mesh_error: float
+    wavenumber_error: float
+    end_error: float
+    reciprocity_defect: float
+
+
+@dataclass(frozen=True)
 class IcEvidence:
     """How a table was made. A closed-form one has no elements, no solves and no errors.
 
@@ -100,6 +126,7 @@ class IcEvidence:
         mesh: What was chosen for an accuracy; not of a block.
         family_nu: Of a family: Poisson's ratios of its tables.
         interpolation_error: Of a family: what interpolation between them adds at most, estimated.
+        section: Of a prism by finite elements.
     """
 
     source: str
@@ -116,6 +143,7 @@ class IcEvidence:
     mesh: FemIcs | None = None
     family_nu: tuple[float, ...] = ()
     interpolation_error: float | None = None
+    section: SectionEvidence | None = None
 
 
 @dataclass(frozen=True)
@@ -156,8 +184,11 @@ class IcTable(HasDict, Shown):
         key: Equal for every shear modulus, element size and extent of the same dimensionless problem; "" of a file .h5.
         origin: "closed_form", "memory", "disk" or "built"; "file" when load_table read it.
         spec: What was asked for, defaults filled in.
-        array: Shape [3, 3, ny, nx] (mm^3/N).
+        array: Shape [3, 3, ny, nx] (mm^3/N); of a prism [3, 3, ny, ny, nx]: `array[i, j, I, J, k]` is the displacement of
+            column I, k elements ahead of a loaded one of column J, axes x, along the outline, and outward of each.
         evidence: How it was made, and how good it is.
+        frames: Of a prism, shape [ny, 3]: y and z of the middle of each column (mm), z up, and the angle of its outward
+            normal from +z towards +y (rad).
     """
 
     key: str
@@ -165,6 +196,7 @@ class IcTable(HasDict, Shown):
     spec: IcSpec
     array: Array
     evidence: IcEvidence
+    frames: Array | None = None
 
     def _title(self) -> str:
         return f"IcTable of {self.spec.grid.nx} x {self.spec.grid.ny} offsets"
@@ -177,7 +209,9 @@ class IcTable(HasDict, Shown):
             rows = [("G", material.G), ("nu", material.nu)]
         rows += [("dx", grid.dx), ("dy", grid.dy)]
         rows.append(("source", _recipe(ics)))
-        rows += [("origin", self.origin), ("zz at the origin", float(self["zz"][0, 0]))]
+        rows += [("origin", self.origin), ("zz at the origin", float(self["zz"].flat[0]))]
+        if (section := self.evidence.section) is not None:
+            rows.append(("largest error, of zz at the origin", f"{section.error:.2g}"))
         if (errors := self.evidence.errors) is not None:
             name = "largest error of zz, estimated" if self.evidence.errors_estimated else "largest error of zz"
             rows.append((name, f"{errors.zz.largest:.2g}"))

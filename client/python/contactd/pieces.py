@@ -9,7 +9,7 @@ import numpy as np
 
 from .calls.asking import Answering
 from .errors import ProtocolError
-from .problem import Array, Grid
+from .problem import Array, Grid, Ics, table_shape
 from .solution import Limits
 
 __all__ = ["fetch_in_pieces"]
@@ -19,12 +19,18 @@ _COMPONENTS = tuple(load + axis for load in "xyz" for axis in "xyz")
 
 
 def fetch_in_pieces(
-    ask: Callable[[dict[str, Any]], Answering[dict[str, Any]]], params: dict[str, Any], grid: Grid, limits: Limits
+    ask: Callable[[dict[str, Any]], Answering[dict[str, Any]]],
+    params: dict[str, Any],
+    grid: Grid,
+    ics: Ics,
+    limits: Limits,
 ) -> Answering[dict[str, Any]]:
     """The result of ic.get for a whole table, put together from parts of it that fit the daemon's `limits`."""
-    table: Array = np.empty((len(_COMPONENTS), *grid.shape))
+    shape = table_shape(grid, ics)
+    rows = int(np.prod(shape[:-1]))
+    table: Array = np.empty((len(_COMPONENTS), rows, grid.nx))
     whole: dict[str, Any] = {}
-    for components, first, count in _parts(grid, min(limits.max_frame_bytes, limits.max_message_bytes // 2)):
+    for components, first, count in _parts(grid.nx, rows, min(limits.max_frame_bytes, limits.max_message_bytes // 2)):
         names = [_COMPONENTS[number] for number in components]
         result = yield from ask({**params, "components": names, "rows": {"first": first, "count": count}})
         part = result.pop("table", None)
@@ -35,15 +41,15 @@ def fetch_in_pieces(
         if result.get("key") != whole.get("key"):
             raise ProtocolError("The parts of the table belong to different tables.")
     table.flags.writeable = False
-    return {**whole, "table": table.reshape(3, 3, *grid.shape)}
+    return {**whole, "table": table.reshape(3, 3, *shape)}
 
 
-def _parts(grid: Grid, most_bytes: int) -> Iterator[tuple[list[int], int, int]]:
+def _parts(nx: int, ny: int, most_bytes: int) -> Iterator[tuple[list[int], int, int]]:
     """Numbers of components, the first row and the number of rows, as large as they may be."""
     numbers = max(1, most_bytes // _BYTES)
-    together = min(len(_COMPONENTS), max(1, numbers // grid.nx))
-    rows = max(1, numbers // (grid.nx * together))
+    together = min(len(_COMPONENTS), max(1, numbers // nx))
+    rows = max(1, numbers // (nx * together))
     for begin in range(0, len(_COMPONENTS), together):
         components = list(range(begin, min(begin + together, len(_COMPONENTS))))
-        for first in range(0, grid.ny, rows):
-            yield components, first, min(rows, grid.ny - first)
+        for first in range(0, ny, rows):
+            yield components, first, min(rows, ny - first)

@@ -219,7 +219,7 @@ def _centres(n: int, size: float, corner: float | None) -> Array:
     return np.asarray(start + (np.arange(n) + 0.5) * size, dtype=np.float64)
 
 
-Body = Literal["half_space", "block"]
+Body = Literal["half_space", "block", "prism"]
 LoadShape = Literal["constant", "bilinear"]
 Preset = Literal[
     "paper-test1", "paper-test2", "paper-test3", "paper-mesh2-test1", "paper-mesh2-test2", "paper-mesh2-test3"
@@ -253,15 +253,18 @@ class AnalyticIcs:
     """Influence coefficients of the elastic half-space in closed form.
 
     Attributes:
-        body: "half_space" (default); "layered" is what answers say of a LayeredBody.
+        body: "half_space" (default), or "prism": half-spaces that are turned from column to column of `section`
+            (docs/sections.md); "layered" is what answers say of a LayeredBody.
         load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
             (1 - |x|/dx) (1 - |y|/dy).
         line_contact: A contact that does not change along y; None: elements end along y.
+        section: Of a prism, as FemIcs.section.
     """
 
-    body: Literal["half_space", "layered"] | None = None
+    body: Literal["half_space", "layered", "prism"] | None = None
     load_shape: LoadShape | None = None
     line_contact: LineContact | None = None
+    section: Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
         if self.line_contact is not None:
@@ -291,7 +294,8 @@ class FemIcs:
         accuracy: Largest error, 1e-4 to 0.1: of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Of the
             other fields any_nu, body, load_shape and (of a block) L_over_h go with it.
         any_nu: True: one build for every Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate to.
-        body: "half_space" (default), or "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top.
+        body: "half_space" (default), "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top, or "prism": a body
+            that is uniform along x, for which an accuracy is asked for.
         load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
             (1 - |x|/dx) (1 - |y|/dy).
         l_over_h: Of meshes "hex" and "prism": size of the uniform cube around the load over h, 0.5 to 64; default 1.
@@ -315,6 +319,9 @@ class FemIcs:
         tolerance: Of the stop test, 1e-13 to 1; default 1e-8.
         max_iterations: Of conjugate gradients, per load case; default 1000.
         strength_threshold: Of BoomerAMG, 0 to 1; chosen for the mesh when left out.
+        section: Of a prism: its cross-section as the wire has it (docs/protocol.md, docs/sections.md), for example
+            {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}. Its columns
+            are the rows of the grid, dy wide along the outline.
     """
 
     preset: Preset | None = field(default=None, kw_only=False)
@@ -340,6 +347,7 @@ class FemIcs:
     tolerance: float | None = None
     max_iterations: int | None = None
     strength_threshold: float | None = None
+    section: Mapping[str, Any] | None = None
 
 
 Ics = AnalyticIcs | FemIcs
@@ -500,6 +508,11 @@ def ics_params(ics: Ics) -> dict[str, Any]:
     if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
         given["line_contact"] = plain(ics.line_contact)
     return {"source": source, **given}
+
+
+def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
+    """Of one component: [ny, nx], of a prism [ny, ny, nx]: the observed column, the loaded one, and the x offset."""
+    return grid.shape if ics.section is None else (grid.ny, *grid.shape)
 
 
 def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict[str, Any]:

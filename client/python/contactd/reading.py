@@ -88,6 +88,8 @@ def _converter(hint: Any) -> Convert:
         return _read_body
     if hint == Motion:
         return _read_motion
+    if hint is Any:
+        return _as_it_is
     if dataclasses.is_dataclass(hint):
         return functools.partial(read, cast(Any, hint))
     origin, inner = get_origin(hint), get_args(hint)
@@ -122,6 +124,10 @@ def _read_float(value: Any, path: str) -> float:
     if type(value) not in (int, float):
         raise _misplaced(value, path)
     return float(value)
+
+
+def _as_it_is(value: Any, path: str) -> Any:
+    return value
 
 
 def _optional(convert: Convert) -> Convert:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from .evidence import ContactEvidence, Discretisation, IcUse, SolverEvidence
 from .friction import Motion
-from .ic_table import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase
+from .ic_table import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
 from .problem import Array, Grid
 from .saving import Saved
 from .service import Job, Limits, Progress, QuarantinedIc, ServerInfo, StoredIc
@@ -43,6 +43,7 @@ __all__ = [
     "LoadCase",
     "Progress",
     "QuarantinedIc",
+    "SectionEvidence",
     "ServerInfo",
     "Solution",
     "SolverEvidence",

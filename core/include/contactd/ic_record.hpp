@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "contactd/column_spectrum.hpp"
+#include "contactd/column_table.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 
@@ -17,15 +19,15 @@ struct IcFamily {
     std::vector<IcTable> tables;
 };
 
-/// For G = 1 and dx = 1.
-using IcTables = std::variant<IcTable, IcFamily>;
+/// For G = 1 and dx = 1; a prism's spectrum for ds = 1, and any dx.
+using IcTables = std::variant<IcTable, IcFamily, ColumnTable, ColumnSpectrum>;
 
 struct IcRecord {
     IcSpec spec{};  ///< dimensionless, its extent that of the tables
     IcTables tables{};
     IcEvidence evidence{};
 
-    /// The only table; of a family the first.
+    /// The only table of offsets; of a family the first. Not of a prism.
     const IcTable& table() const;
     IcTable& table();
 };
@@ -44,13 +46,13 @@ std::size_t bytes_of(const IcTables& tables);
 
 /// What operators are made of: the coefficients of one body in mm^3/N, on the grid of a problem. Of kinds, too; bodies
 /// of unlike kinds meet in make_influence.
-using BodyTable = std::variant<IcTable>;
+using BodyTable = std::variant<IcTable, ColumnTable>;
 
 /// What `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument when the
 /// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other
 /// points than family_points().
 BodyTable body_table(const IcRecord& record, const IcSpec& request);
-/// The same where it is a table of offsets, which ic.get and ic.export answer.
+/// The same as ic.get answers it: of a prism with table_rows() rows.
 IcTable table_for(const IcRecord& record, const IcSpec& request);
 
 }  // namespace contactd

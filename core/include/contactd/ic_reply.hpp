@@ -14,8 +14,9 @@ struct IcReply {
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
     IcSpec spec;         ///< as requested, defaults filled in
-    IcTable table;       ///< in mm^3/N, cropped to the request
+    IcTable table;       ///< in mm^3/N, cropped to the request; ny is table_rows() of the spec
     IcEvidence evidence;
+    std::vector<ColumnFrame> frames{};  ///< of the columns of a prism
 };
 
 /// Where the coefficients of one body came from.

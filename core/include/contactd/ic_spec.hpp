@@ -10,11 +10,13 @@
 #include "contactd/enum_words.hpp"
 #include "contactd/layers.hpp"
 #include "contactd/material.hpp"
+#include "contactd/section.hpp"
 
 namespace contactd {
 
-/// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, or layers.
-enum class BodyShape { half_space, block, layered };
+/// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, layers, or
+/// a prism: whatever its cross-section is, uniform along x.
+enum class BodyShape { half_space, block, layered, prism };
 /// Traction of the loaded element: 1 over it, or the "tent" of bilinear tractions (paper, Remark 1): 1 at its centre,
 /// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
 enum class LoadShape { constant, bilinear };
@@ -41,7 +43,8 @@ enum class Diagonal { outward, across };
 
 /// What name_of and from_name call these, on the wire and in files.
 template <>
-inline constexpr auto enum_words<BodyShape> = std::to_array<std::string_view>({"half_space", "block", "layered"});
+inline constexpr auto enum_words<BodyShape> =
+    std::to_array<std::string_view>({"half_space", "block", "layered", "prism"});
 template <>
 inline constexpr auto enum_words<LoadShape> = std::to_array<std::string_view>({"constant", "bilinear"});
 template <>
@@ -109,8 +112,11 @@ struct Ics {
     /// Of source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
     std::optional<LineContactSpec> line_contact;
     std::optional<Layers> layered;  ///< of body layered, and of none other
-    bool any_nu = false;            ///< the family of tables over Poisson's ratio instead of one table
-    FemSpec fem;                    ///< of no meaning when source is analytic
+    /// Of body prism, and of none other. Its columns are the rows of a grid, dy wide along the outline; source analytic
+    /// is the half-space, turned from column to column (Blanco-Lorenzo et al., 2016).
+    std::optional<Section> section;
+    bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
+    FemSpec fem;          ///< of no meaning when source is analytic
 
     bool operator==(const Ics&) const = default;
 };
@@ -159,9 +165,17 @@ struct IcSpec : Ics {
     bool operator==(const IcSpec&) const = default;
 };
 
+/// Rows of a table as ic.get and IcReply have it: offsets along y; of a prism, whose coefficients are those between
+/// columns, I ny + J for the observed column I and the loaded one J.
+inline int table_rows(const IcSpec& spec) {
+    return spec.section ? spec.ny * spec.ny : spec.ny;
+}
+
 /// Range of the accuracy that may be asked for, and the bounds of Poisson's ratio a family covers.
 inline constexpr double finest_accuracy = 1e-4, coarsest_accuracy = 1e-1;
 inline constexpr double largest_family_nu = 0.49;
+/// Of a prism by finite elements.
+inline constexpr double largest_prism_nu = 0.499;
 /// Below and above it a family interpolates, and the choice of meshes decides, separately: nearly incompressible
 /// materials need finer meshes.
 inline constexpr double family_break = 0.3;

@@ -69,6 +69,20 @@ struct BuildSeconds {
     double total = 0;
 };
 
+/// How the transform of a prism's coefficients was computed, and its errors over zz of the half-space under an element
+/// as long as a column is wide.
+struct SectionEvidence {
+    int order = 0;        ///< of the elements
+    int wavenumbers = 0;  ///< that it was computed at
+    double error = 0;     ///< of any coefficient: the sum of these three
+    double mesh_error = 0;
+    double wavenumber_error = 0;    ///< of interpolation between them
+    double end_error = 0;           ///< of what lies beyond the last of them
+    double reciprocity_defect = 0;  ///< before it was made symmetric, which mends it
+
+    bool operator==(const SectionEvidence&) const = default;
+};
+
 /// What made the numbers of a table and how good they are.
 struct IcEvidence {
     std::string source;   ///< "analytic" or "fem"
@@ -89,6 +103,7 @@ struct IcEvidence {
     /// between them adds, in the measures above.
     std::vector<double> family_nu;
     std::optional<double> interpolation_error;
+    std::optional<SectionEvidence> section;  ///< of a prism by finite elements
 };
 
 /// Every value times `factor`: A of G and dx from the dimensionless table with factor = dx/G.

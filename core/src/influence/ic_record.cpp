@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "contactd/grid.hpp"
 #include "contactd/ic_family.hpp"
 
 namespace contactd {
@@ -18,6 +19,15 @@ IcExtent extent(const IcFamily& family) {
     return extent(family.tables.front());
 }
 
+IcExtent extent(const ColumnTable& table) {
+    return {table.nx, table.columns};
+}
+
+/// As many offsets as any grid has.
+IcExtent extent(const ColumnSpectrum& spectrum) {
+    return {static_cast<int>(max_grid_elements) / spectrum.columns, spectrum.columns};
+}
+
 std::size_t values_of(const IcTable& table) {
     return table.values.size();
 }
@@ -26,6 +36,14 @@ std::size_t values_of(const IcFamily& family) {
     std::size_t values = 0;
     for (const IcTable& table : family.tables) values += table.values.size();
     return values;
+}
+
+std::size_t values_of(const ColumnTable& table) {
+    return table.values.size();
+}
+
+std::size_t values_of(const ColumnSpectrum& spectrum) {
+    return spectrum.values.size();
 }
 
 IcTable part_of(const IcTable& table, const IcRecord&, const IcSpec& request, double factor) {
@@ -44,6 +62,22 @@ IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& re
             "The stored family holds tables at other Poisson's ratios than those this version "
             "interpolates between; remove it from the store and build it again.");
     return cropped(interpolated(family.tables, request.material.nu), request.nx, request.ny, factor);
+}
+
+void require_columns(int columns, const IcSpec& request) {
+    if (columns != request.ny)
+        throw InvalidArgument("grid.ny", "is " + std::to_string(request.ny) + "; the table of the prism has " +
+                                             std::to_string(columns) + " columns");
+}
+
+ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& request, double factor) {
+    require_columns(table.columns, request);
+    return cropped(table, 0, request.ny, request.nx, factor);
+}
+
+ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double) {
+    require_columns(spectrum.columns, request);
+    return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G);
 }
 
 }  // namespace
@@ -72,7 +106,15 @@ BodyTable body_table(const IcRecord& record, const IcSpec& request) {
 }
 
 IcTable table_for(const IcRecord& record, const IcSpec& request) {
-    return std::get<IcTable>(body_table(record, request));
+    BodyTable found = body_table(record, request);
+    if (auto* columns = std::get_if<ColumnTable>(&found)) {
+        IcTable table;  // the same numbers in the same order, a pair of columns being a row
+        table.nx = columns->nx;
+        table.ny = columns->columns * columns->columns;
+        table.values = std::move(columns->values);
+        return table;
+    }
+    return std::get<IcTable>(std::move(found));
 }
 
 }  // namespace contactd

@@ -118,7 +118,13 @@ std::vector<unsigned char> to_hdf5(const IcRecord& record) {
         put(file, "contactd_format", static_cast<long long>(format_version));
         write_spec(file.createGroup("spec"), record.spec);
         write_evidence(file.createGroup("evidence"), record.evidence);
-        write_table(file, record.table(), !is_dimensionless(record.spec));
+        if (const auto* spectrum = std::get_if<ColumnSpectrum>(&record.tables))
+            write_spectrum(file, *spectrum);
+        else if (std::holds_alternative<ColumnTable>(record.tables))
+            throw StoreError(
+                "Tables of prisms that are made of half-spaces are not kept in files: making one is quicker.");
+        else
+            write_table(file, record.table(), !is_dimensionless(record.spec));
         if (const auto* family = std::get_if<IcFamily>(&record.tables)) write_family(file, family->tables);
         file.flush(H5F_SCOPE_GLOBAL);
         const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
@@ -146,6 +152,13 @@ IcRecord from_hdf5(std::span<const unsigned char> image) {
                                std::to_string(format_version) + ".");
         IcRecord record;
         record.spec = read_spec(file.openGroup("spec"));
+        if (record.spec.section) {
+            record.evidence = read_evidence(file.openGroup("evidence"));
+            record.tables = read_spectrum(file, record.spec.material.nu);
+            record.spec.nx = extent_of(record.tables).nx;
+            record.spec.ny = extent_of(record.tables).ny;
+            return record;
+        }
         IcTable table = read_table(file);
         record.spec.nx = table.nx;
         record.spec.ny = table.ny;

@@ -42,6 +42,15 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
     put(group, "errors_estimated", static_cast<long long>(evidence.errors_estimated));
     put(group, "family_nu", evidence.family_nu);
     if (evidence.interpolation_error) put(group, "interpolation_error", *evidence.interpolation_error);
+    if (const auto& section = evidence.section) {
+        put(group, "section_order", section->order);
+        put(group, "wavenumbers", section->wavenumbers);
+        put(group, "section_error", section->error);
+        put(group, "mesh_error", section->mesh_error);
+        put(group, "wavenumber_error", section->wavenumber_error);
+        put(group, "end_error", section->end_error);
+        put(group, "reciprocity_defect", section->reciprocity_defect);
+    }
     if (evidence.mesh) {
         H5::Group mesh = group.createGroup("mesh");
         write_fem(mesh, *evidence.mesh);
@@ -81,6 +90,11 @@ IcEvidence read_evidence(const H5::Group& group) {
     evidence.errors_estimated = integer(group, "errors_estimated") != 0;
     evidence.family_nu = numbers(group, "family_nu");
     if (group.attrExists("interpolation_error")) evidence.interpolation_error = number(group, "interpolation_error");
+    if (group.attrExists("section_order"))
+        evidence.section = {integer(group, "section_order"),    integer(group, "wavenumbers"),
+                            number(group, "section_error"),     number(group, "mesh_error"),
+                            number(group, "wavenumber_error"),  number(group, "end_error"),
+                            number(group, "reciprocity_defect")};
     if (group.nameExists("mesh")) evidence.mesh = read_fem(group.openGroup("mesh"));
     for (const ErrorName& name : error_names)
         if (group.attrExists(name.origin))

@@ -2,6 +2,7 @@
 #include "contactd/fem_fields.hpp"
 #include "hdf5_attributes.hpp"
 #include "ic_hdf5_parts.hpp"
+#include "section_numbers.hpp"
 
 namespace contactd {
 
@@ -44,6 +45,24 @@ Layers read_layers(const H5::Group& group) {
     return body;
 }
 
+/// A dataset: attributes are small.
+void write_section(H5::Group& group, const Section& section) {
+    const std::vector<double> numbers = numbers_of(section);
+    const hsize_t size = numbers.size();
+    H5::DataSet dataset = group.createDataSet("section", H5::PredType::IEEE_F64LE, H5::DataSpace(1, &size));
+    dataset.write(numbers.data(), H5::PredType::NATIVE_DOUBLE);
+    put(dataset, "units", "lengths over the width of a column");
+}
+
+Section read_section(const H5::DataSet& dataset) {
+    constexpr hssize_t most = 1 << 20;
+    const hssize_t size = dataset.getSpace().getSimpleExtentNpoints();
+    if (size < 1 || size > most) throw DamagedTable("The section of the file has too many numbers, or none.");
+    std::vector<double> values(static_cast<std::size_t>(size));
+    dataset.read(values.data(), H5::PredType::NATIVE_DOUBLE);
+    return section_from(values);
+}
+
 }  // namespace
 
 void write_spec(H5::Group group, const IcSpec& spec) {
@@ -65,6 +84,7 @@ void write_spec(H5::Group group, const IcSpec& spec) {
         for_each_part_field<Part>(
             [&](const PartField<Part>& field) { put(object, field.name, (*value).*field.member); });
     });
+    if (spec.section) write_section(group, *spec.section);
     if (spec.layered) write_layers(group.createGroup("layers"), *spec.layered);
     if (spec.accuracy != 0) {
         put(group, "accuracy", spec.accuracy);
@@ -90,6 +110,7 @@ IcSpec read_spec(const H5::Group& group) {
         Part& value = (spec.*part.member).emplace();
         for_each_part_field<Part>([&](const PartField<Part>& field) { get(object, field.name, value.*field.member); });
     });
+    if (group.nameExists("section")) spec.section = read_section(group.openDataSet("section"));
     if (group.nameExists("layers")) spec.layered = read_layers(group.openGroup("layers"));
     if (group.attrExists("accuracy")) {
         spec.accuracy = number(group, "accuracy");

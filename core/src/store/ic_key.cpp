@@ -4,6 +4,7 @@
 
 #include "contactd/fem_fields.hpp"
 #include "contactd/ic_store.hpp"
+#include "section_numbers.hpp"
 #include "sha256.hpp"
 #include "types/number_text.hpp"
 
@@ -26,6 +27,11 @@ class CanonicalObject {
     void add_list(const char* name, const std::vector<CanonicalObject>& list) {
         std::string text;
         for (const CanonicalObject& object : list) text += (text.empty() ? "" : ",") + object.text();
+        members_[name] = '[' + text + ']';
+    }
+    void add_numbers(const char* name, const std::vector<double>& numbers) {
+        std::string text;
+        for (const double number : numbers) text += (text.empty() ? "" : ",") + number_text(number);
         members_[name] = '[' + text + ']';
     }
     void add_true(const char* name) { members_[name] = "true"; }
@@ -99,6 +105,10 @@ CanonicalObject canonical(const IcSpec& spec) {
         if (!spec.layered->base.is_rigid()) json.add_object("base", canonical(spec.layered->base));
     }
     json.add("load_shape", spec.load_shape);
+    if (spec.section) {
+        json.add_numbers("section", numbers_of(*spec.section));
+        json.add("columns", static_cast<double>(spec.ny));
+    }
     if (!spec.any_nu) json.add("nu", spec.material.nu);
     if (spec.accuracy != 0) json.add("recipe", accuracy_recipe);
     json.add("source", spec.source);

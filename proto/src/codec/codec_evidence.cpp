@@ -98,12 +98,32 @@ void decode_build(const json& source, IcEvidence& evidence) {
     evidence.errors_estimated = source.value("errors_estimated", false);
 }
 
+json encode_section_evidence(const SectionEvidence& section) {
+    return object({{"order", section.order},
+                   {"wavenumbers", section.wavenumbers},
+                   {"error", finite(section.error, "The error of a prism's table")},
+                   {"mesh_error", finite(section.mesh_error, "The error of a mesh")},
+                   {"wavenumber_error", finite(section.wavenumber_error, "The error between wavenumbers")},
+                   {"end_error", finite(section.end_error, "The error beyond the last wavenumber")},
+                   {"reciprocity_defect", finite(section.reciprocity_defect, "The defect of reciprocity")}});
+}
+
+SectionEvidence decode_section_evidence(const json& source) {
+    return {source["order"].get<int>(),
+            source["wavenumbers"].get<int>(),
+            source["error"].get<double>(),
+            source["mesh_error"].get<double>(),
+            source["wavenumber_error"].get<double>(),
+            source["end_error"].get<double>(),
+            source["reciprocity_defect"].get<double>()};
+}
+
 }  // namespace
 
 json encode_evidence(const IcEvidence& evidence) {
     json result = object({{"source", evidence.source}, {"version", evidence.version}});
     if (evidence.elements > 0) encode_build(evidence, result);
-    if (evidence.elements > 0 || evidence.errors.zz) {  // of a closed form there are none
+    if ((evidence.elements > 0 && !evidence.section) || evidence.errors.zz) {  // of a closed form there are none
         result["errors"] = encode_errors(evidence.errors);
         result["errors_estimated"] = evidence.errors_estimated;
     }
@@ -113,6 +133,7 @@ json encode_evidence(const IcEvidence& evidence) {
     if (!evidence.family_nu.empty()) result["family_nu"] = encode_family(evidence.family_nu);
     if (evidence.interpolation_error)
         result["interpolation_error"] = finite(*evidence.interpolation_error, "The error of interpolation");
+    if (evidence.section) result["section"] = encode_section_evidence(*evidence.section);
     return result;
 }
 
@@ -127,6 +148,7 @@ IcEvidence decode_evidence(const json& source) {
     if (source.contains("mesh")) decode_fem(source["mesh"], evidence.mesh.emplace());
     if (source.contains("interpolation_error"))
         evidence.interpolation_error = source["interpolation_error"].get<double>();
+    if (source.contains("section")) evidence.section = decode_section_evidence(source["section"]);
     return evidence;
 }
 

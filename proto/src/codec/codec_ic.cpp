@@ -45,13 +45,39 @@ IcSpec decode_ic_spec(const json& params) {
     return spec;
 }
 
+namespace {
+
+/// Of a prism the rows are pairs of columns.
+std::vector<std::size_t> table_shape(const IcSpec& spec) {
+    const auto nx = static_cast<std::size_t>(spec.nx), ny = static_cast<std::size_t>(spec.ny);
+    if (spec.section) return {3, 3, ny, ny, nx};
+    return {3, 3, ny, nx};
+}
+
+}  // namespace
+
+json encode_frames(const std::vector<ColumnFrame>& columns, ArrayWriter& arrays) {
+    std::vector<double> values;
+    for (const ColumnFrame& frame : columns) values.insert(values.end(), {frame.y, frame.z, frame.angle});
+    return arrays.write(std::span<const double>(values), {columns.size(), 3});
+}
+
+std::vector<ColumnFrame> decode_frames(const json& source, const std::vector<std::string>& frames, int columns) {
+    const std::vector<double> values = read_array(source, frames, {static_cast<std::size_t>(columns), 3}, "frames");
+    std::vector<ColumnFrame> result;
+    for (std::size_t at = 0; at + 2 < values.size(); at += 3)
+        result.push_back({values[at], values[at + 1], values[at + 2]});
+    return result;
+}
+
 json encode_ic_reply(const IcReply& reply, ArrayWriter& arrays) {
-    const auto nx = static_cast<std::size_t>(reply.table.nx), ny = static_cast<std::size_t>(reply.table.ny);
-    return {{"key", reply.key},
-            {"origin", reply.origin},
-            {"spec", encode_ic_spec(reply.spec)},
-            {"table", arrays.write(std::span<const double>(reply.table.values), {3, 3, ny, nx})},
-            {"evidence", encode_evidence(reply.evidence)}};
+    json result{{"key", reply.key},
+                {"origin", reply.origin},
+                {"spec", encode_ic_spec(reply.spec)},
+                {"table", arrays.write(std::span<const double>(reply.table.values), table_shape(reply.spec))},
+                {"evidence", encode_evidence(reply.evidence)}};
+    if (!reply.frames.empty()) result["frames"] = encode_frames(reply.frames, arrays);
+    return result;
 }
 
 IcReply decode_ic_reply(const json& result, const std::vector<std::string>& frames) {
@@ -60,10 +86,10 @@ IcReply decode_ic_reply(const json& result, const std::vector<std::string>& fram
     reply.origin = result["origin"].get<std::string>();
     reply.spec = decode_ic_spec(result["spec"]);
     reply.table.nx = reply.spec.nx;
-    reply.table.ny = reply.spec.ny;
-    const auto nx = static_cast<std::size_t>(reply.spec.nx), ny = static_cast<std::size_t>(reply.spec.ny);
-    reply.table.values = read_array(result["table"], frames, {3, 3, ny, nx}, "table");
+    reply.table.ny = table_rows(reply.spec);
+    reply.table.values = read_array(result["table"], frames, table_shape(reply.spec), "table");
     reply.evidence = decode_evidence(result["evidence"]);
+    if (result.contains("frames")) reply.frames = decode_frames(result["frames"], frames, reply.spec.ny);
     return reply;
 }
 

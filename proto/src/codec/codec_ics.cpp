@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "codec_parts.hpp"
+#include "codec_section.hpp"
 #include "contactd/fem_fields.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
@@ -116,6 +117,7 @@ json encode_ics(const Ics& ics) {
         const Material& base = ics.layered->base;
         result["base"] = base.is_rigid() ? json{{"rigid", true}} : encode_material(base);
     }
+    if (ics.section) result["section"] = encode_section(*ics.section);
     if (ics.source == IcSource::analytic) return result;
     if (ics.accuracy != 0) {
         result["accuracy"] = finite(ics.accuracy, "accuracy");
@@ -123,7 +125,7 @@ json encode_ics(const Ics& ics) {
     } else {
         result.update(encode_fem(ics.fem));
     }
-    result["any_nu"] = ics.any_nu;
+    if (!ics.section) result["any_nu"] = ics.any_nu;
     return result;
 }
 
@@ -133,6 +135,7 @@ Ics decode_ics(const json& source) {
     if (source.contains("body")) read_name(source["body"], ics.body);
     if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
     if (ics.body == BodyShape::layered) ics.layered = decode_layers(source);
+    if (source.contains("section")) ics.section = decode_section(source["section"], "ics.section");
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
         if (source.contains(part.name)) ics.*part.member = decode_part<Part>(source[part.name]);
     });

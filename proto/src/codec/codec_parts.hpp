@@ -74,6 +74,11 @@ nlohmann::json encode_ics(const Ics& ics);
 /// Applies preset and defaults.
 Ics decode_ics(const nlohmann::json& json);
 
+/// Columns of a prism as an array [columns, 3]: y, z (mm), angle (rad).
+nlohmann::json encode_frames(const std::vector<ColumnFrame>& columns, ArrayWriter& arrays);
+std::vector<ColumnFrame> decode_frames(const nlohmann::json& source, const std::vector<std::string>& frames,
+                                       int columns);
+
 /// The fields of a mesh and its solver.
 nlohmann::json encode_fem(const FemSpec& fem);
 /// The fields that are there; the others stay as they are.

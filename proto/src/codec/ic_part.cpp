@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "codec_parts.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/status.hpp"
 
@@ -119,6 +120,7 @@ json encode_ic_part_reply(const IcReply& reply, const IcPart& part, ArrayWriter&
     result["spec"] = encode_ic_spec(reply.spec);
     result["table"] = write_part(reply.table, part, arrays);
     result["evidence"] = encode_evidence(reply.evidence);
+    if (!reply.frames.empty()) result["frames"] = encode_frames(reply.frames, arrays);
     return result;
 }
 
@@ -140,6 +142,7 @@ void read_part(const json& result, const std::vector<std::string>& frames, const
     whole.origin = result["origin"].get<std::string>();
     whole.spec = decode_ic_spec(result["spec"]);
     whole.evidence = decode_evidence(result["evidence"]);
+    if (result.contains("frames")) whole.frames = decode_frames(result["frames"], frames, whole.spec.ny);
 }
 
 std::vector<IcPart> parts_within(const MessageLimits& limits, int nx, int ny) {

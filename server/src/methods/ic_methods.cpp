@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "all_methods.hpp"
+#include "contactd/closed_form_record.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "ic_export.hpp"
@@ -22,7 +23,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     check_grid_limit(call->request.params, parts.config.max_grid_elements);
     const IcSpec spec = proto::decode_ic_spec(call->request.params);
     validate(spec);
-    const proto::IcPart part = proto::decode_ic_part(call->request.params, spec.ny);
+    const proto::IcPart part = proto::decode_ic_part(call->request.params, table_rows(spec));
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
     const auto done = [call, spec, part](const engine::IcAnswer& answer) {
         guarded(call, [&] {
@@ -32,7 +33,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
                 throw proto::invalid_field("material.G",
                                            "and grid.dx make coefficients that are beyond a double's range");
             const json result = proto::encode_ic_part_reply(
-                {answer.key, answer.origin, spec, table, answer.record->evidence}, part, arrays);
+                {answer.key, answer.origin, spec, table, answer.record->evidence, column_frames(spec)}, part, arrays);
             call->succeed(result, arrays.take_frames());
         });
     };

@@ -53,10 +53,10 @@ class TableCalls(Caller):
             if error.reason != "ANSWER_TOO_LARGE":
                 raise
             limits = (yield from self.info_asked(timeout)).limits
-            result = yield from fetch_in_pieces(ask, params, grid, limits)
+            result = yield from fetch_in_pieces(ask, params, grid, ics, limits)
         result["array"] = result.pop("table", None)
         table = read(IcTable, result)
-        check_shapes(table, ["array"], (3, 3, *grid.shape))
+        check_shapes(table, ["array"], (3, 3, *asked.table_shape(grid, ics)))
         return table
 
     @asks

@@ -1,0 +1,12 @@
+// The outline of a section as meshes are made from it.
+#pragma once
+
+#include "geometry/section/section_geometry.hpp"
+#include "outline.hpp"
+
+namespace contactd::fem {
+
+/// Of a section whose lengths are over the width of a column.
+SectionOutline outline_of(const geometry::SectionGeometry& section);
+
+}  // namespace contactd::fem

@@ -1,0 +1,111 @@
+#include "codec_section.hpp"
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "codec_parts.hpp"
+#include "contactd/proto/status.hpp"
+#include "contactd/section_fields.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+template <class Value>
+json encode(const Value& value);
+
+/// An alternative stands under its own name in the place of the field that holds it.
+template <class Value>
+void put(json& object, const char* name, const Value& value) {
+    object[name] = encode(value);
+}
+template <class... Alternatives>
+void put(json& object, const char*, const std::variant<Alternatives...>& value) {
+    constexpr auto& names = alternative_names<std::variant<Alternatives...>>;
+    std::visit([&](const auto& alternative) { object[names[value.index()]] = encode(alternative); }, value);
+}
+
+template <class Value>
+json encode_list(const std::vector<Value>& list) {
+    json result = json::array();
+    for (const Value& value : list) result.push_back(encode(value));
+    return result;
+}
+
+template <class Value>
+json encode(const Value& value) {
+    if constexpr (HasWords<Value>) {
+        return name_of(value);
+    } else if constexpr (std::is_floating_point_v<Value>) {
+        return finite_field(value, "ics.section");
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        return value;
+    } else if constexpr (requires { value.begin(); }) {
+        return encode_list(value);
+    } else {
+        json object = json::object();
+        for_each_named_member(value, [&](const char* name, const auto& field) { put(object, name, field); });
+        return object;
+    }
+}
+
+class Reader {
+   public:
+    template <class Value>
+    void get(const json& source, const std::string& field, Value& value) const {
+        if constexpr (HasWords<Value>)
+            read_name(source, value);
+        else if constexpr (std::is_arithmetic_v<Value>)
+            value = source.get<Value>();
+        else
+            for_each_named_member(value,
+                                  [&](const char* name, auto& member) { get_member(source, field, name, member); });
+    }
+    template <class Value>
+    void get(const json& source, const std::string& field, std::vector<Value>& list) const {
+        for (std::size_t i = 0; i < source.size(); ++i)
+            get(source[i], field + "[" + std::to_string(i) + "]", list.emplace_back());
+    }
+
+   private:
+    template <class Value>
+    void get_member(const json& source, const std::string& field, const char* name, Value& value) const {
+        if (source.contains(name)) get(source[name], field + "." + name, value);
+    }
+    template <class... Alternatives>
+    void get_member(const json& source, const std::string& field, const char*,
+                    std::variant<Alternatives...>& value) const {
+        constexpr auto& names = alternative_names<std::variant<Alternatives...>>;
+        std::size_t found = 0;
+        std::string all;
+        for (const auto& name : names) {
+            found += source.contains(name);
+            all += (all.empty() ? "" : ", ") + std::string(name);
+        }
+        if (found != 1)
+            throw invalid_field(field, "has " + std::to_string(found) + " of these; it takes exactly one: " + all);
+        std::size_t index = 0;
+        const auto read = [&]<class Alternative>(std::type_identity<Alternative>) {
+            const std::string name(names[index++]);
+            if (source.contains(name)) get(source[name], field + "." + name, value.template emplace<Alternative>());
+        };
+        (read(std::type_identity<Alternatives>()), ...);
+    }
+};
+
+}  // namespace
+
+json encode_section(const Section& section) {
+    return encode(section);
+}
+
+Section decode_section(const json& source, const std::string& field) {
+    Section section;
+    Reader().get(source, field, section);
+    return section;
+}
+
+}  // namespace contactd::proto

@@ -1,0 +1,99 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+
+#include "contactd/error.hpp"
+#include "ic_records.hpp"
+#include "store/section_numbers.hpp"
+
+using namespace contactd;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+IcSpec prism_spec(double scale) {
+    IcSpec spec = fem_spec(30, 4);
+    spec.body = BodyShape::prism;
+    spec.accuracy = 1e-3;
+    spec.dx = 0.25 * scale;
+    spec.dy = 0.5 * scale;
+    spec.section = Section{EdgeBlock{100 * scale, 50 * scale, 1 * scale}};
+    return spec;
+}
+
+IcRecord prism_record() {
+    IcRecord record{dimensionless(prism_spec(1)), {}, {}};
+    ColumnSpectrum spectrum{4, 0.28, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
+    for (int column = 0; column < 4; ++column) spectrum.frames.push_back({column - 5.5, 0, 0.01 * column});
+    for (std::size_t n = 0; n < spectrum.nodes.size() * spectrum.component_size(); ++n)
+        spectrum.values.push_back(std::cos(0.1 * static_cast<double>(n)));
+    record.tables = spectrum;
+    record.evidence.source = "fem";
+    record.evidence.section = SectionEvidence{4, 21, 6e-4, 3e-4, 2e-4, 1e-4, 5e-4};
+    return record;
+}
+
+std::string key_with(const auto& change) {
+    IcSpec spec = prism_spec(1);
+    change(spec);
+    return ic_key(spec);
+}
+
+}  // namespace
+
+TEST_CASE("A prism's key is that of its shape, whatever its size, its material's G and its elements along x") {
+    const std::string key = ic_key(prism_spec(1));
+    CHECK(ic_key(prism_spec(3)) == key);
+    CHECK(key_with([](IcSpec& spec) { spec.dx = 0.7; }) == key);
+    CHECK(key_with([](IcSpec& spec) { spec.nx = 7; }) == key);
+    CHECK(key_with([](IcSpec& spec) { spec.material.G = 1; }) == key);
+    CHECK(key_with([](IcSpec& spec) { spec.ny = 5; }) != key);
+    CHECK(key_with([](IcSpec& spec) { spec.material.nu = 0.3; }) != key);
+    CHECK(key_with([](IcSpec& spec) { spec.accuracy = 1e-2; }) != key);
+    CHECK(key_with([](IcSpec& spec) { std::get<EdgeBlock>(spec.section->shape).height = 51; }) != key);
+    CHECK(key_with([](IcSpec& spec) { spec.section->turn = 0.1; }) != key);
+    CHECK(key_with([](IcSpec& spec) { spec.section = Section{Groove{100, 50, 1, 0}}; }) != key);
+}
+
+TEST_CASE("A prism's record goes through a file as it is, and serves any number of offsets") {
+    const TemporaryFolder folder;
+    const IcStore store(folder.path(), [](const std::string&) {});
+    const IcRecord record = prism_record();
+    const auto [nx, ny] = extent_of(record.tables);
+    write_ic_file(store.path_of(ic_key(record.spec), nx, ny), record);
+    const auto found = store.find(prism_spec(3));
+    REQUIRE(found);
+    CHECK(found->spec == record.spec);
+    CHECK(std::get<ColumnSpectrum>(found->tables) == std::get<ColumnSpectrum>(record.tables));
+    CHECK(found->evidence.section == record.evidence.section);
+}
+
+TEST_CASE("A prism's table has its units, and a row for each pair of columns") {
+    const IcRecord record = prism_record();
+    const IcSpec spec = prism_spec(3);
+    const auto columns = std::get<ColumnTable>(body_table(record, spec));
+    const ColumnTable plain = column_table(std::get<ColumnSpectrum>(record.tables), 0.5, 30);
+    CHECK_THAT(columns(Axis::z, Axis::z, 1, 2, 3), WithinRel(plain(Axis::z, Axis::z, 1, 2, 3) * 1.5 / 82000, 1e-12));
+    const IcTable rows = table_for(record, spec);
+    CHECK(rows.nx == 30);
+    CHECK(rows.ny == table_rows(spec));
+    CHECK(rows(Axis::x, Axis::z, 3, 1 * 4 + 2) == columns(Axis::x, Axis::z, 1, 2, 3));
+    IcSpec wider = spec;
+    wider.ny = 5;
+    CHECK_THROWS_AS(body_table(record, wider), InvalidArgument);
+}
+
+TEST_CASE("Numbers of a section say all of it, and others are refused") {
+    const Outline outline{{-5, 0}, {{LineTo{{5, 0}}, false}, {SplineTo{{{6, -1}, {5, -5}}}, true}, {ArcTo{{-5, 0}, 9}, true}}};
+    for (const Section& section :
+         {Section{OutlineSection{outline, {outline}, 1, 2, 0.3}, 2, 0.1, true}, Section{RailSection{0.025, RailSupport::foot, 2}},
+          Section{ProfileSection{{ProfileKind::rail, ProfilePoints{{{1, 2}, {3, 4}}, 1000, true, false, 2}}, 60, 1}}})
+        CHECK(section_from(numbers_of(section)) == section);
+    std::vector<double> numbers = numbers_of(Section{Slab{1, 2}});
+    numbers.pop_back();
+    CHECK_THROWS_AS(section_from(numbers), DamagedTable);
+    numbers = {99, 1, 0, 0};
+    CHECK_THROWS_AS(section_from(numbers), DamagedTable);
+    CHECK_THROWS_AS(section_from({0, 1e300}), DamagedTable);
+    CHECK_THROWS_AS(section_from({std::nan("")}), DamagedTable);
+}

@@ -1,0 +1,65 @@
+"""Tables of prisms through a daemon: built once for any elements along x, kept, and refused by a sentence."""
+
+import numpy as np
+import pytest
+
+from contactd import AnalyticIcs, FemIcs, Grid, InvalidArgument, Material
+
+STEEL = Material(G=82000, nu=0.28)
+EDGE = {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}
+GRID = Grid.centred(21, 20, 10.5, 10)
+SELF = 0.2019960  # zz of the half-space under an element of 0.5 x 0.5 mm, for G = 1
+
+
+def fem(section, accuracy=1e-2):
+    return FemIcs(body="prism", section=section, accuracy=accuracy)
+
+
+def test_a_table_by_finite_elements_states_its_error_and_serves_any_length_of_elements(shared):
+    table = shared.get_ic(STEEL, GRID, fem(EDGE))
+    assert table.array.shape == (3, 3, 20, 20, 21)
+    assert table.frames.shape == (20, 3)
+    assert table.frames[19] == pytest.approx([-1.25, 0, 0])
+    error = table.evidence.section.error
+    assert 0 < error <= 1e-2
+    assert table["zz"][19, 19, 0] * STEEL.G == pytest.approx(0.220063, abs=(error + 1e-4) * SELF)
+    assert table["yy"][19, 19, 4] * STEEL.G == pytest.approx(0.042699, abs=(error + 1e-4) * SELF)
+    longer = shared.get_ic(Material(G=1, nu=0.28), Grid.centred(40, 20, 80, 20), fem({**EDGE, "size": 2}))
+    assert longer.origin == "memory"
+    assert longer.key == table.key
+    assert np.array_equal(longer.frames, 2 * table.frames * [1, 1, 0.5])
+
+
+def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):
+    table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
+    flat = shared.get_ic(STEEL, GRID, AnalyticIcs())
+    assert table.origin == "closed_form"
+    assert table["zz"][3, 1] == pytest.approx(flat["zz"][2], rel=1e-10)
+    assert table["xz"][3, 1] == pytest.approx(flat["xz"][2], rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("section", "says"),
+    [
+        ({}, "exactly one"),
+        ({**EDGE, "disc": {"radius": 10, "core": 1}}, "exactly one"),
+        ({"edge_block": {"width": 5, "height": 50}}, "ics.section"),
+        ({"edge_block": {"width": 100}}, "height"),
+        ({"disc": {"radius": 10, "core": 0}}, "held"),
+        ({"cube": {}}, "cube"),
+    ],
+)
+def test_a_section_that_is_none_is_refused(shared, section, says):
+    with pytest.raises(InvalidArgument, match=says):
+        shared.get_ic(STEEL, GRID, fem(section))
+
+
+def test_a_prism_takes_an_accuracy_and_a_section_and_no_mesh(shared):
+    with pytest.raises(InvalidArgument, match="section"):
+        shared.get_ic(STEEL, GRID, FemIcs(body="prism", accuracy=1e-2))
+    with pytest.raises(InvalidArgument, match="order"):
+        shared.get_ic(STEEL, GRID, FemIcs(body="prism", section=EDGE, order=3))
+    with pytest.raises(InvalidArgument, match="prism"):
+        shared.get_ic(STEEL, GRID, FemIcs(section=EDGE, accuracy=1e-2))
+    with pytest.raises(InvalidArgument, match="prism"):
+        shared.export_ic(STEEL, GRID, fem(EDGE))
