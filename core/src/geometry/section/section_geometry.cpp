@@ -134,8 +134,10 @@ SectionGeometry::SectionGeometry(const Section& section, int columns, double ds,
     check.curvature();
 }
 
-bool SectionGeometry::all_round() const {
-    return columns_ * ds_ >= carrier().length() - ds_ / 2;
+double SectionGeometry::perimeter() const {
+    for (std::size_t piece = 0; piece < carrier().pieces().size(); ++piece)
+        if (std::abs(carrier().turn_before(piece)) > least_corner) return 0;
+    return carrier().length();
 }
 
 std::vector<ColumnFrame> SectionGeometry::frames() const {

@@ -33,8 +33,8 @@ class SectionGeometry {
     /// Arc length of the carrier at which a column begins, or the last one ends (column = columns()). It is in
     /// [0, length) of the first column, and exceeds the length where columns pass the start of the outline.
     double begin_of(int column) const { return first_ + column * ds_; }
-    /// Columns lie all round the carrier, the last one beside the first.
-    bool all_round() const;
+    /// Length of the carrier where it has no corner, so that columns may lie on it all round; otherwise 0.
+    double perimeter() const;
 
     /// At the midpoints of the columns.
     std::vector<ColumnFrame> frames() const;

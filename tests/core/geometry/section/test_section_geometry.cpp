@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "contactd/column_frames.hpp"
+#include "contactd/error.hpp"
 #include "section_cases.hpp"
 
 using namespace contactd;
@@ -124,10 +126,16 @@ TEST_CASE("A wheel's rim lies above its tread and runs to the flange", "[section
 TEST_CASE("Columns may lie all round a curve", "[section]") {
     const double ds = 20 * pi / 100;
     const SectionGeometry section({Disc{10, 0}, 1, 0, true}, 100, ds);
-    CHECK(section.all_round());
+    CHECK_THAT(section.perimeter(), WithinAbs(20 * pi, 1e-12));
     const auto frames = section.frames();
     CHECK_THAT(frames.back().angle - frames.front().angle, WithinAbs(2 * pi * 0.99, 1e-9));
-    CHECK_FALSE(SectionGeometry({Disc{10, 0}, 1, 0, true}, 98, ds).all_round());
+    CHECK(SectionGeometry({RoundEnd{9.7, 60}}, 20, 0.5).perimeter() == 0);
+}
+
+TEST_CASE("Frames follow from a section in one call", "[section]") {
+    const Section rail{RailSection{0.025, RailSupport::cut, 2}};
+    CHECK(column_frames(rail, 80, 0.5) == SectionGeometry(rail, 80, 0.5).frames());
+    CHECK_THROWS_AS(column_frames(rail, 0, 0.5), InvalidArgument);
 }
 
 TEST_CASE("A profile's section carries columns where its profile lies", "[section]") {

@@ -1,0 +1,17 @@
+// From a section as a value to where its columns lie.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contactd/section.hpp"
+
+namespace contactd {
+
+/// Frames of the columns, each `ds` wide along the outline (mm): all that a contact needs to know of the geometry.
+/// Takes a few milliseconds at most. Throws InvalidArgument below `field`, with coordinates, for all that is wrong with
+/// the section or its columns: outlines that are open or cross, columns past a corner or on what is held, and more.
+std::vector<ColumnFrame> column_frames(const Section& section, int columns, double ds,
+                                       const std::string& field = "section");
+
+}  // namespace contactd
