@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contactd/closed_form_record.hpp"
+#include "contactd/column_frames.hpp"
 #include "contactd/ic_family.hpp"
 #include "contactd/solve_contact.hpp"
 #include "contactd/status.hpp"
@@ -134,9 +135,11 @@ IcAnswers Engine::fetch(const ContactSetup& setup, Observer& observer) {
 
 IcReply Engine::table(const IcSpec& spec, Observer& observer) {
     validate(spec);
+    // Tells of a bad section in the lengths of the request, before anything is built.
+    std::vector<ColumnFrame> frames = column_frames(spec);
     const IcAnswer answer = fetch(spec, observer);
-    return {answer.key,         answer.origin, spec, table_for(*answer.record, spec), answer.record->evidence,
-            column_frames(spec)};
+    return {answer.key,       answer.origin, spec, table_for(*answer.record, spec), answer.record->evidence,
+            std::move(frames)};
 }
 
 // --- solves ----------------------------------------------------------------------------------------------------------

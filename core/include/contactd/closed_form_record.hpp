@@ -1,8 +1,6 @@
 // Tables of half-spaces in closed form, and of layers, as the store and the daemon hold tables.
 #pragma once
 
-#include <vector>
-
 #include "contactd/ic_record.hpp"
 #include "contactd/observer.hpp"
 
@@ -12,8 +10,5 @@ namespace contactd {
 /// version, and of layers the estimated errors. Of layers, which may take seconds, it asks the observer whether to go
 /// on.
 IcRecord closed_form_record(const IcSpec& spec, const Observer& observer = {});
-
-/// Of the columns of a prism (mm), none of other bodies. Throws InvalidArgument as the making of its table does.
-std::vector<ColumnFrame> column_frames(const IcSpec& spec);
 
 }  // namespace contactd

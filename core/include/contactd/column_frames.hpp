@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contactd/ic_spec.hpp"
 #include "contactd/section.hpp"
 
 namespace contactd {
@@ -13,5 +14,10 @@ namespace contactd {
 /// the section or its columns: outlines that are open or cross, columns past a corner or on what is held, and more.
 std::vector<ColumnFrame> column_frames(const Section& section, int columns, double ds,
                                        const std::string& field = "section");
+
+/// Those that a request's table has: of a prism, and none of other bodies.
+inline std::vector<ColumnFrame> column_frames(const IcSpec& spec) {
+    return spec.section ? column_frames(*spec.section, spec.ny, spec.dy, "ics.section") : std::vector<ColumnFrame>();
+}
 
 }  // namespace contactd

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "all_methods.hpp"
-#include "contactd/closed_form_record.hpp"
+#include "contactd/column_frames.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "ic_export.hpp"
@@ -25,7 +25,9 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     validate(spec);
     const proto::IcPart part = proto::decode_ic_part(call->request.params, table_rows(spec));
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
-    const auto done = [call, spec, part](const engine::IcAnswer& answer) {
+    // Tells of a bad section in the lengths of the request, before anything is built.
+    const std::vector<ColumnFrame> frames = column_frames(spec);
+    const auto done = [call, spec, part, frames](const engine::IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
             const IcTable table = table_for(*answer.record, spec);
@@ -33,7 +35,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
                 throw proto::invalid_field("material.G",
                                            "and grid.dx make coefficients that are beyond a double's range");
             const json result = proto::encode_ic_part_reply(
-                {answer.key, answer.origin, spec, table, answer.record->evidence, column_frames(spec)}, part, arrays);
+                {answer.key, answer.origin, spec, table, answer.record->evidence, frames}, part, arrays);
             call->succeed(result, arrays.take_frames());
         });
     };
