@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from contactd import AnalyticIcs, FemIcs, Grid, InvalidArgument, Material
+from contactd import AnalyticIcs, FemIcs, Grid, InvalidArgument, Material, Paraboloid, save_table
 
 STEEL = Material(G=82000, nu=0.28)
 EDGE = {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}
@@ -28,6 +28,19 @@ def test_a_table_by_finite_elements_states_its_error_and_serves_any_length_of_el
     assert longer.origin == "memory"
     assert longer.key == table.key
     assert np.array_equal(longer.frames, 2 * table.frames * [1, 1, 0.5])
+
+
+def test_a_table_is_kept_by_the_daemon_alone(shared, tmp_path):
+    table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
+    with pytest.raises(ValueError, match="get_ic"):
+        save_table(tmp_path / "table.npz", table)
+
+
+def test_contact_with_a_prism_is_refused_until_it_is_solved(shared):
+    with pytest.raises(InvalidArgument, match="prism"):
+        shared.solve(
+            grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, ics=AnalyticIcs(body="prism", section=EDGE)
+        )
 
 
 def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):

@@ -37,6 +37,8 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
     The file is whole or not there: it is written under another name first.
     """
     suffix = _suffix(path)
+    if isinstance(table, IcTable) and table.frames is not None:
+        raise ValueError("a prism's table is kept by the daemon, whose store has it: ask get_ic for it again")
     if suffix == ".npz":
         return write_whole(path, lambda file: np.savez(file, **_members(table)))
     if suffix == ".txt":

@@ -56,6 +56,8 @@ def _table(file: Any, name: str) -> IcTable:
     spec, evidence = _attributes(file["spec"]), file["evidence"]
     if spec.get("any_nu"):
         raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
+    if spec.get("body") == "prism":
+        raise TableFileError(f"{name} holds the transform of a prism; ask the daemon for its table (get_ic)")
     array = np.asarray(file["influence_coefficients"], dtype=np.float64)
     if array.ndim != 4 or array.shape[:2] != (3, 3):
         raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
