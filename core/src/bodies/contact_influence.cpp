@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "column_influence.hpp"
 #include "influence/layered/shifted_layers.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
@@ -71,6 +72,12 @@ ContactInfluence influence_of(const ContactProblem& problem, IcTable pair, std::
     return influence;
 }
 
+ContactInfluence influence_of(const ContactProblem& problem, ColumnTable upper, ColumnTable lower) {
+    if (problem.bodies.upper.material.is_rigid()) return column_influence(problem, std::move(lower));
+    if (problem.bodies.lower.material.is_rigid()) lower = ColumnTable(upper.nx, upper.columns);
+    return column_influence(problem, pair_of(upper, std::move(lower)));
+}
+
 ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, const IcTable& lower) {
     const auto [x, y] = step_of(problem);
     if (!problem.bodies.any_layered() || (x == 0 && y == 0))
@@ -81,12 +88,19 @@ ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, cons
 }
 
 /// Of one body alone, as if it lay below a rigid one; none of a rigid body.
-template <class Table>
-ContactInfluence influence_of(const ContactProblem& problem, const Body& body, Table table) {
+ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, IcTable table, bool /*is_upper*/) {
     if (body.material.is_rigid()) return {};
     ContactProblem alone = problem;
     alone.bodies = {{Material::rigid()}, body};
     return make_influence(alone, std::move(table));
+}
+
+/// The upper body is reflected in the plane of contact, and its columns are numbered as the lower's.
+ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, ColumnTable table, bool is_upper) {
+    if (body.material.is_rigid()) return {};
+    ContactProblem alone = problem;
+    alone.bodies = {{Material::rigid()}, body};
+    return column_influence(alone, is_upper ? mirrored(table) : std::move(table));
 }
 
 }  // namespace
@@ -123,8 +137,8 @@ ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, 
             else if constexpr (std::is_same_v<Upper, Lower>)
                 return influence_of(problem, std::move(above), std::move(below));
             else
-                return sum_of(influence_of(problem, problem.bodies.upper, std::move(above)),
-                              influence_of(problem, problem.bodies.lower, std::move(below)));
+                return sum_of(influence_alone(problem, problem.bodies.upper, std::move(above), true),
+                              influence_alone(problem, problem.bodies.lower, std::move(below), false));
         },
         upper, lower);
 }

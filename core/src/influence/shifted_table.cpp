@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "cubic_weights.hpp"
 #include "half_space_model.hpp"
 #include "shifted_half_space.hpp"
 #include "types/number_text.hpp"
@@ -129,16 +130,10 @@ class Difference {
     IcTable values_;
 };
 
-// Lagrange's cubic through the nodes -1, 0, 1, 2.
-std::array<double, 4> cubic(double t) {
-    return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
-            (t + 1) * t * (t - 1) / 6};
-}
-
 // Adds the difference, interpolated at (k + along_x, l + along_y): first along x on all lines needed, then along y.
 void add_interpolated(const Difference& difference, const Component& component, const Steps& along_x,
                       const Steps& along_y, ShiftedTable& table) {
-    const auto weights_x = cubic(along_x.fraction), weights_y = cubic(along_y.fraction);
+    const auto weights_x = cubic_weights(along_x.fraction), weights_y = cubic_weights(along_y.fraction);
     const int columns = 2 * table.nx - 1, lines = 2 * table.ny + 2;
     std::vector<double> nodes(static_cast<std::size_t>(columns) + 3);
     std::vector<std::vector<double>> line(static_cast<std::size_t>(lines), std::vector<double>(nodes.size() - 3));

@@ -1,4 +1,4 @@
-// Buffers and FFTW plans of PaddedFft.
+// Buffers and FFTW plans.
 #pragma once
 
 #include <fftw3.h>
@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <new>
 
 #include "padded_fft.hpp"
@@ -41,6 +42,9 @@ struct PlanDestroy {
     void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
 };
 using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDestroy>;
+
+/// FFTW plans and frees plans by one thread at a time; only execution is thread-safe.
+std::mutex& planner_mutex();
 
 struct PaddedFft::Plans {
     int nx, ny, padded_nx, padded_ny;

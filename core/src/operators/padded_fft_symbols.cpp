@@ -10,15 +10,14 @@
 namespace contactd {
 namespace {
 
-// FFTW plans and frees plans by one thread at a time; only execution is thread-safe.
+constexpr int longest_rows_together = 256;  // numbers; beyond, real rows one by one are as fast
+
+}  // namespace
+
 std::mutex& planner_mutex() {
     static std::mutex mutex;
     return mutex;
 }
-
-constexpr int longest_rows_together = 256;  // numbers; beyond, real rows one by one are as fast
-
-}  // namespace
 
 PaddedFft::Plans::Plans(int nx_, int ny_, int padded_nx_, int padded_ny_)
     : nx(nx_), ny(ny_), padded_nx(padded_nx_), padded_ny(padded_ny_) {

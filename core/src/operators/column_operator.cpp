@@ -1,0 +1,107 @@
+#include "column_operator.hpp"
+
+#include <utility>
+
+#include "contactd/error.hpp"
+
+namespace contactd {
+
+/// Averages and interpolates as the coarser grid of the half-spaces does.
+class ColumnOperator::Coarser final : public CoarserGrid {
+   public:
+    Coarser(const CoarserGrid& grid, ColumnTable table, int nx)
+        : grid_(grid),
+          influence_(std::make_shared<const ColumnParts>(std::move(table), nx),
+                     {0, 0, nx, static_cast<int>(grid.influence().size()) / nx},
+                     {std::shared_ptr<void>(), &grid.influence()}) {}
+
+    const InfluenceOperator& influence() const override { return influence_; }
+    int along_x() const override { return grid_.along_x(); }
+    int along_y() const override { return grid_.along_y(); }
+    void average(std::span<const double> fine, std::span<double> coarse) const override { grid_.average(fine, coarse); }
+    void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
+        grid_.interpolate(coarse, fine);
+    }
+    void copy(std::span<const double> coarse, std::span<double> fine) const override { grid_.copy(coarse, fine); }
+
+   private:
+    const CoarserGrid& grid_;
+    const ColumnOperator influence_;
+};
+
+class ColumnOperator::Boxes final : public ElementBoxes {
+   public:
+    explicit Boxes(const ColumnOperator& whole) : whole_(whole) {}
+
+    ElementBox extent() const override { return {0, 0, whole_.box_.nx, whole_.box_.ny}; }
+    ElementBox convenient(const ElementBox& needed, bool may_grow) const override {
+        return whole_.near_->boxes()->convenient(needed, may_grow);
+    }
+    std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override {
+        const ElementBox there{0, whole_.box_.first_y + box.first_y, box.nx, box.ny};
+        return std::make_shared<const ColumnOperator>(whole_.parts_, there, whole_.near_->boxes()->influence(box));
+    }
+
+   private:
+    const ColumnOperator& whole_;
+};
+
+ColumnOperator::ColumnOperator(std::shared_ptr<const ColumnParts> parts, const ElementBox& box,
+                               std::shared_ptr<const InfluenceOperator> near)
+    : parts_(std::move(parts)), box_(box), near_(std::move(near)), products_(parts_->on(box)) {
+    if (near_->size() != box_.size()) throw InvalidArgument("near", "is on another number of elements");
+    if (near_->boxes() != nullptr) boxes_ = std::make_unique<Boxes>(*this);
+}
+
+ColumnOperator::~ColumnOperator() = default;
+
+void ColumnOperator::normal(std::span<const double> pz, std::span<double> uz) const {
+    products_->normal(pz, uz);
+}
+
+void ColumnOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                                std::span<double> uy) const {
+    products_->tangential(px, py, ux, uy);
+}
+
+void ColumnOperator::normal_of_tangential(std::span<const double> px, std::span<const double> py,
+                                          std::span<double> uz) const {
+    if (!coupled()) return InfluenceOperator::normal_of_tangential(px, py, uz);
+    products_->normal_of_tangential(px, py, uz);
+}
+
+void ColumnOperator::tangential_of_normal(std::span<const double> pz, std::span<double> ux,
+                                          std::span<double> uy) const {
+    if (!coupled()) return InfluenceOperator::tangential_of_normal(pz, ux, uy);
+    products_->tangential_of_normal(pz, ux, uy);
+}
+
+std::vector<double> ColumnOperator::diagonal(Axis i) const {
+    std::vector<double> values;
+    values.reserve(size());
+    for (int column = box_.first_y; column < box_.first_y + box_.ny; ++column)
+        values.insert(values.end(), static_cast<std::size_t>(box_.nx), parts_->table()(i, i, column, column, 0));
+    return values;
+}
+
+void ColumnOperator::precondition(Axis i, std::span<const double> r, std::span<double> z) const {
+    near_->precondition(i, r, z);
+}
+
+void ColumnOperator::precondition_tangential(std::span<const double> rx, std::span<const double> ry,
+                                             std::span<double> zx, std::span<double> zy) const {
+    near_->precondition_tangential(rx, ry, zx, zy);
+}
+
+const CoarserGrid* ColumnOperator::coarser() const {
+    const auto make = [&]() -> std::unique_ptr<const CoarserGrid> {
+        const CoarserGrid* grid = near_->coarser();
+        if (grid == nullptr) return nullptr;
+        ColumnTable table = parts_->coarse(box_, grid->along_x(), grid->along_y());
+        const int nx = table.nx;
+        return std::make_unique<const Coarser>(*grid, std::move(table), nx);
+    };
+    return coarser_.get(make).get();
+}
+
+}  // namespace contactd

@@ -1,0 +1,80 @@
+#include "column_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "contactd/error.hpp"
+#include "contactd/given_ics.hpp"
+
+namespace contactd {
+namespace {
+
+using enum Axis;
+
+bool couples(const ColumnTable& table) {
+    double self = 0, largest = 0;
+    for (int I = 0; I < table.columns; ++I) self = std::max(self, table(z, z, I, I, 0));
+    for (const auto& [i, j] : {std::pair{x, z}, {y, z}, {z, x}, {z, y}}) {
+        const double* values = &table.values[table.index(i, j, 0, 0, 0)];
+        for (std::size_t at = 0; at < table.component_size(); ++at) largest = std::max(largest, std::abs(values[at]));
+    }
+    return largest > coupling_tolerance * self;
+}
+
+}  // namespace
+
+ColumnParts::ColumnParts(ColumnTable table, int nx, OffsetParity parity)
+    : nx_(nx), parity_(parity), coupled_(couples(table)) {
+    if (table.nx < nx)
+        throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " along x; the table holds " +
+                                          std::to_string(table.nx));
+    table_ = std::make_shared<const ColumnTable>(std::move(table));
+}
+
+std::shared_ptr<const ColumnProducts> ColumnParts::on(const ElementBox& box) const {
+    const ElementBox part{0, box.first_y, box.nx, box.ny};
+    const std::scoped_lock lock(mutex_);
+    for (const Kept& kept : kept_)
+        if (kept.box == part) return kept.products;
+    if (kept_.size() == most_kept) kept_.pop_front();
+    kept_.push_back({part, std::make_shared<const ColumnProducts>(table_, part, table_->nx - nx_, parity_)});
+    return kept_.back().products;
+}
+
+std::size_t ColumnParts::bytes_of(int nx, int columns) {
+    constexpr std::size_t of_table = 9, of_symbols = 7, of_boxes = 4;  // numbers a pair of columns and an offset
+    return static_cast<std::size_t>(nx) * static_cast<std::size_t>(columns) * static_cast<std::size_t>(columns) *
+           (of_table + of_symbols + of_boxes) * sizeof(double);
+}
+
+std::size_t ColumnParts::bytes() const {
+    return bytes_of(table_->nx, table_->columns);
+}
+
+ColumnTable ColumnParts::coarse(const ElementBox& box, int along_x, int along_y) const {
+    const auto number = [](int n, int factor) { return (n + factor - 1) / factor; };
+    ColumnTable result(number(box.nx, along_x), number(box.ny, along_y));
+    const auto column = [&](int at) { return box.first_y + std::min(at, box.ny - 1); };
+    const auto components = coupled_ ? std::vector{x, y, z} : std::vector{x, y};
+    const auto fill = [&](Axis i, Axis j) {
+        for (int I = 0; I < result.columns; ++I)
+            for (int J = 0; J < result.columns; ++J)
+                for (int a = 0; a < along_y; ++a)
+                    for (int b = 0; b < along_y; ++b)
+                        for (int K = 0; K < result.nx; ++K)
+                            for (int k = 1 - along_x; k < along_x; ++k) {
+                                const double weight = static_cast<double>(along_x - std::abs(k)) / along_x / along_y;
+                                const int offset = std::min(K * along_x + k, table_->nx - 1);
+                                result(i, j, I, J, K) +=
+                                    weight * table_->at(i, j, column(I * along_y + a), column(J * along_y + b), offset);
+                            }
+    };
+    for (const Axis i : components)
+        for (const Axis j : components) fill(i, j);
+    if (!coupled_) fill(z, z);
+    return result;
+}
+
+}  // namespace contactd

@@ -1,0 +1,49 @@
+// A column table with the products on parts of its grid, for the operators that share them.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+
+#include "column_products.hpp"
+
+namespace contactd {
+
+/// Safe to use from several threads at once.
+class ColumnParts {
+   public:
+    /// Of a grid of nx elements along each column. Products read up to table.nx - nx elements ahead. Throws
+    /// InvalidArgument where the table has fewer offsets than nx.
+    ColumnParts(ColumnTable table, int nx, OffsetParity parity = OffsetParity::natural);
+
+    const ColumnTable& table() const { return *table_; }
+    ElementBox extent() const { return {0, 0, nx_, table_->columns}; }
+    /// A[i,z] and A[z,i] of the tangential i beyond coupling_tolerance.
+    bool coupled() const { return coupled_; }
+    /// Where the box lies along x does not matter. Those of the last few boxes are kept.
+    std::shared_ptr<const ColumnProducts> on(const ElementBox& box) const;
+    /// About what all takes in memory: table, symbols, and those of some boxes.
+    std::size_t bytes() const;
+    static std::size_t bytes_of(int nx, int columns);
+
+    /// Of elements of along_x x along_y: mean displacements over one for a unit traction on another. The last may reach
+    /// beyond the grid, with the last column's coefficients there.
+    ColumnTable coarse(const ElementBox& box, int along_x, int along_y) const;
+
+   private:
+    struct Kept {
+        ElementBox box;
+        std::shared_ptr<const ColumnProducts> products;
+    };
+    static constexpr std::size_t most_kept = 8;
+
+    std::shared_ptr<const ColumnTable> table_;
+    int nx_;
+    OffsetParity parity_;
+    bool coupled_;
+    mutable std::mutex mutex_;
+    mutable std::deque<Kept> kept_;  // the oldest first
+};
+
+}  // namespace contactd

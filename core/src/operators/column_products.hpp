@@ -1,0 +1,72 @@
+// Products with a column table, or with some columns and offsets of it, by FFTs along x.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "column_fft.hpp"
+#include "column_symbols.hpp"
+#include "contactd/column_table.hpp"
+#include "contactd/element_box.hpp"
+#include "lazy.hpp"
+
+namespace contactd {
+
+/// Whether the components of a table are even and odd in the offset as those of ColumnTable, or the other way round.
+enum class OffsetParity { natural, opposite };
+
+/// On the elements of a box of a grid whose rows are columns of the table. Arrays are in the element order of the box.
+/// The symmetric part of the table counts (see symmetrised); with the opposite parity it is the antisymmetric one.
+/// Symbols are made when they are first needed; safe to use from several threads at once.
+class ColumnProducts {
+   public:
+    /// Reads displacements at elements up to `reach` elements ahead of the box and behind it, for which the table has
+    /// box.nx + reach offsets. Where the box lies along x does not matter.
+    ColumnProducts(std::shared_ptr<const ColumnTable> table, const ElementBox& box, int reach, OffsetParity parity);
+
+    /// These two of natural parity only.
+    void normal(std::span<const double> pz, std::span<double> uz) const;
+    void normal_of_tangential(std::span<const double> px, std::span<const double> py, std::span<double> uz) const;
+    void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                    std::span<double> uy) const;
+    void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const;
+    /// Adds them to what ux and uy hold.
+    void add_tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                        std::span<double> uy) const;
+    void add_tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const;
+    /// Less the displacements at the points that lie `ahead` elements further along x, |ahead| <= reach.
+    void tangential_change(int ahead, std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                           std::span<double> uy) const;
+    void tangential_change_of_normal(int ahead, std::span<const double> pz, std::span<double> ux,
+                                     std::span<double> uy) const;
+
+   private:
+    SymmetricSymbol normal_symbol() const;
+    SymmetricSymbol tangential_symbol() const;
+    RectangularSymbol coupling_symbol() const;
+    template <class Set>
+    void for_pairs(Axis i, Axis j, const Set& set) const;
+    Waves normal_waves(std::span<const double> pz) const;
+    Waves in_waves(std::span<const double> px, std::span<const double> py) const;
+    Waves tangential_waves(std::span<const double> px, std::span<const double> py) const;
+    Waves coupled_waves(std::span<const double> pz) const;
+    void turn_back(Waves& waves) const;
+    bool natural() const { return parity_ == OffsetParity::natural; }
+    template <class Take>
+    void read(const Waves& waves, std::size_t first, WavePhase phase, std::span<double> u, const Take& take) const;
+    template <class Take>
+    void read_tangential(const Waves& waves, std::span<double> ux, std::span<double> uy, const Take& take) const;
+    auto difference_to(int ahead) const;
+
+    const std::shared_ptr<const ColumnTable> table_;
+    const ElementBox box_;
+    const OffsetParity parity_;
+    const int offsets_, period_;
+    const std::size_t columns_;
+    const ColumnFft fft_;
+    mutable Lazy<SymmetricSymbol> normal_, tangential_;
+    mutable Lazy<RectangularSymbol> coupling_;
+};
+
+}  // namespace contactd

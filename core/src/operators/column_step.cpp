@@ -1,0 +1,69 @@
+#include "column_step.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contactd/error.hpp"
+
+namespace contactd {
+
+ColumnStep::ColumnStep(std::shared_ptr<const ColumnParts> parts, const ElementBox& box, int ahead,
+                       std::shared_ptr<const StepOperator> near)
+    : change_{std::move(parts), nullptr},
+      box_(box),
+      ahead_(ahead),
+      coupled_(change_.natural->coupled()),
+      near_(std::move(near)),
+      natural_(change_.natural->on(box)) {
+    const ColumnTable& table = change_.natural->table();
+    const int nx = change_.natural->extent().nx;
+    if (std::abs(ahead_) > table.nx - nx)
+        throw InvalidArgument("ahead", "is " + std::to_string(ahead_) + " elements; the table holds " +
+                                           std::to_string(table.nx) + " offsets along x, and the grid has " +
+                                           std::to_string(nx) + " elements");
+}
+
+ColumnStep::ColumnStep(ColumnChange change, const ElementBox& box, bool coupled,
+                       std::shared_ptr<const StepOperator> near)
+    : change_(std::move(change)),
+      box_(box),
+      coupled_(coupled),
+      near_(std::move(near)),
+      natural_(change_.natural->on(box)),
+      opposite_(change_.opposite->on(box)) {}
+
+void ColumnStep::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                            std::span<double> uy) const {
+    if (!opposite_) return natural_->tangential_change(ahead_, px, py, ux, uy);
+    natural_->tangential(px, py, ux, uy);
+    opposite_->add_tangential(px, py, ux, uy);
+}
+
+void ColumnStep::tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const {
+    if (!coupled()) {
+        std::fill(ux.begin(), ux.end(), 0.0);
+        std::fill(uy.begin(), uy.end(), 0.0);
+        return;
+    }
+    if (!opposite_) return natural_->tangential_change_of_normal(ahead_, pz, ux, uy);
+    natural_->tangential_of_normal(pz, ux, uy);
+    opposite_->add_tangential_of_normal(pz, ux, uy);
+}
+
+std::size_t ColumnStep::bytes() const {
+    const std::size_t own = opposite_ ? change_.natural->bytes() + change_.opposite->bytes() : 0;
+    return own + near_->bytes();
+}
+
+std::shared_ptr<const StepOperator> ColumnStep::on(const ElementBox& box) const {
+    auto near = near_->on(box);
+    if (!near) return nullptr;
+    const ElementBox there{0, box_.first_y + box.first_y, box.nx, box.ny};
+    if (!opposite_) return std::make_shared<const ColumnStep>(change_.natural, there, ahead_, std::move(near));
+    return std::make_shared<const ColumnStep>(change_, there, coupled_, std::move(near));
+}
+
+}  // namespace contactd
