@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "contact_columns_check.hpp"
 #include "contactd/error.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"
@@ -203,6 +204,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
     check_derivatives(problem);
+    check_columns(problem);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");
     check_settings(problem.settings.tangential, "settings.tangential");

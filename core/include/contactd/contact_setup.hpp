@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "contactd/body.hpp"
+#include "contactd/contact_columns.hpp"
 #include "contactd/friction.hpp"
 #include "contactd/grid.hpp"
 
@@ -36,6 +37,7 @@ struct ContactSetup {
     Model model = Model::full;
     std::optional<FrictionLaw> friction;  ///< absent: frictionless
     ContactSettings settings;
+    std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane
 };
 
 /// Whether its coefficients are those of a line contact.

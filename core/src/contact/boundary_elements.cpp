@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "closed_forms/undeformed_distance.hpp"
 #include "contact/derivatives/differentiate.hpp"
+#include "contact/normal/approach_operator.hpp"
 #include "contact/normal/normal_solver.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
+#include "curved_columns.hpp"
 #include "hertz_start.hpp"
 #include "tangential_step.hpp"
 #include "turn_tolerances.hpp"
@@ -67,7 +70,8 @@ class BoundaryElements {
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
           now_(first_estimate(problem)),
-          normal_(influence_) {
+          along_approach_(along_approach_of(problem, influence_)),
+          normal_(along_approach_ ? *along_approach_ : influence_) {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
@@ -155,16 +159,32 @@ class BoundaryElements {
         continue_with(solution_.evidence.normal, normal.evidence);
     }
 
+    static std::unique_ptr<const ApproachOperator> along_approach_of(const ContactProblem& problem,
+                                                                     const InfluenceOperator& influence) {
+        if (!problem.columns) return nullptr;
+        return std::make_unique<const ApproachOperator>(influence, facing(*problem.columns, problem.grid));
+    }
+
     NormalSolution solve_under_load(Values& gap, const SolverSettings& settings, Observer& observer) {
+        if (!along_approach_) return solve_along_approach(gap, now_.pressure, settings, observer);
+        gap = along_approach_->over_cosine(std::move(gap));
+        const Values estimate = along_approach_->times_cosine(now_.pressure);
+        NormalSolution normal = solve_along_approach(gap, estimate, settings, observer);
+        normal.pressure = along_approach_->over_cosine(std::move(normal.pressure));
+        return normal;
+    }
+
+    NormalSolution solve_along_approach(Values& gap, const Values& estimate, const SolverSettings& settings,
+                                        Observer& observer) {
         NormalTask task{gap, {}, settings};
         if (problem_.Fn) {
             task.pressure_sum = *problem_.Fn / problem_.grid.element_area();
         } else {
             for (double& h : gap) h -= *problem_.approach;
         }
-        NormalSolution normal =
-            has_pressures_ ? normal_.solve_again(task, now_.pressure, observer)
-                           : normal_.solve(task, now_.pressure, [this] { return hertz_start(problem_); }, observer);
+        NormalSolution normal = has_pressures_
+                                    ? normal_.solve_again(task, estimate, observer)
+                                    : normal_.solve(task, estimate, [this] { return hertz_start(problem_); }, observer);
         has_pressures_ = true;
         solution_.approach = problem_.Fn ? normal.approach : *problem_.approach;
         return normal;
@@ -255,6 +275,7 @@ class BoundaryElements {
     const Values distance_;
     std::optional<TangentialStep> step_;
     Tractions now_;
+    const std::unique_ptr<const ApproachOperator> along_approach_;  // of curved columns only
     NormalSolver normal_;
     bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
     Values static_mu_;            // per element

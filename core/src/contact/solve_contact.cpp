@@ -10,6 +10,7 @@
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contactd/error.hpp"
+#include "curved_columns.hpp"
 #include "discretisation.hpp"
 #include "types/number_text.hpp"
 
@@ -25,7 +26,8 @@ void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     solution.elements.border = border_elements(problem.grid, solution.pressure, is_line_contact(problem));
 }
 
-void sum_up(const Grid& grid, ContactSolution& solution) {
+void sum_up(const ContactSetup& setup, ContactSolution& solution) {
+    const Grid& grid = setup.grid;
     const double area = grid.element_area();
     for (const double p : solution.pressure) {
         solution.forces.Fn += p * area;
@@ -33,6 +35,7 @@ void sum_up(const Grid& grid, ContactSolution& solution) {
     }
     const TangentialForces forces = tangential_forces(grid, solution.traction_x, solution.traction_y);
     solution.forces = {solution.forces.Fn, forces.Fx, forces.Fy, forces.Mz};
+    if (setup.columns) sum_forces(*setup.columns, grid, solution);
     solution.area.contact = solution.elements.contact * area;
     solution.area.adhesion = solution.elements.adhesion * area;
     solution.area.slip = solution.elements.slip * area;
@@ -126,7 +129,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
                                           std::to_string(influence.here->size()));
     ContactSolution solution = solve_boundary_elements(problem, influence, observer);
     count_elements(problem, solution);
-    sum_up(problem.grid, solution);
+    sum_up(problem, solution);
     take_friction_losses(problem, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());
     warn(problem, solution);

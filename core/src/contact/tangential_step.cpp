@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/tangential/slip.hpp"
+#include "curved_columns.hpp"
 #include "steady_rolling.hpp"
 
 namespace contactd {
@@ -35,9 +36,12 @@ TangentialStep::TangentialStep(const ContactProblem& problem, const ContactInflu
 
 // Slip of the motion itself, w of a shift, dq w of rolling, and what the elements have beside it.
 Field TangentialStep::rigid_slip() const {
-    const Grid& grid = problem_.grid;
-    RigidSlip slip = rolling() ? contactd::rigid_slip(grid, *rolling(), unit_)
-                               : contactd::rigid_slip(grid, std::get<Shift>(motion_));
+    const auto of_plane = [&](const Grid& grid) {
+        return rolling() ? contactd::rigid_slip(grid, *rolling(), unit_)
+                         : contactd::rigid_slip(grid, std::get<Shift>(motion_));
+    };
+    RigidSlip slip =
+        problem_.columns ? contactd::rigid_slip(*problem_.columns, problem_.grid, of_plane) : of_plane(problem_.grid);
     Field result;
     result.x = std::move(slip.x);
     result.y = std::move(slip.y);

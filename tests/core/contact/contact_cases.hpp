@@ -11,6 +11,7 @@
 #include "contactd/half_space.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/solve_contact.hpp"
+#include "pair_operators.hpp"
 
 namespace contactd::test {
 
@@ -51,7 +52,7 @@ inline IcTable pair_table(const ContactProblem& problem) {
 
 inline ContactSolution solve_half_spaces(const ContactProblem& problem) {
     Observer observer;
-    return solve_contact(problem, make_influence(problem, pair_table(problem)), observer);
+    return solve_contact(problem, operators_of(problem, pair_table(problem)), observer);
 }
 
 /// u_i = A[i,j] p_j, element by element.

@@ -4,7 +4,6 @@
 #include "contact/normal/normal.hpp"
 #include "contact/tangential/prescribed_force.hpp"
 #include "contact/tangential/tangential.hpp"
-#include "operators/convolution.hpp"
 #include "random_problems.hpp"
 
 namespace contactd::test {
@@ -45,7 +44,7 @@ inline void add_motion(const Grid& grid, const Motion2d& motion, Values& rigid_x
 }
 
 inline FrictionAnswer solve(const RandomFriction& problem) {
-    const ConvolutionOperator influence(problem.table, problem.grid.nx, problem.grid.ny);
+    const PairOperator influence(problem.table, problem.grid.nx, problem.grid.ny);
     const std::size_t n = problem.grid.size();
     Values history_x(n), history_y(n);
     if (problem.has_history()) {
@@ -125,7 +124,7 @@ inline RandomFriction random_friction(std::uint64_t seed, int largest_size) {
     const RandomNormal normal = random_normal(seed, largest_size);
     Dice dice(seed + 1'000'000'007);
     RandomFriction problem{normal.grid, normal.table, {}, {}, {}, {}};
-    const ConvolutionOperator influence(normal.table, normal.grid.nx, normal.grid.ny);
+    const PairOperator influence(normal.table, normal.grid.nx, normal.grid.ny);
     Observer observer;
     const auto pressure = [&](double factor) {
         if (normal.pressure_sum)

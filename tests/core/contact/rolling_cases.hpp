@@ -7,8 +7,7 @@
 
 #include "contact/steady_rolling.hpp"
 #include "contact_cases.hpp"
-#include "operators/convolution.hpp"
-#include "operators/shifted_operator.hpp"
+#include "influence/shifted_table.hpp"
 
 namespace contactd::test {
 
@@ -18,8 +17,9 @@ struct RollingCase {
     double dq, step_x, step_y;
     IcTable pair;
     ShiftedTable change_table;
-    ConvolutionOperator influence;
-    ShiftedOperator change;
+    ContactInfluence operators;
+    const InfluenceOperator& influence;
+    const StepOperator& change;
     RollingBodies bodies;
     Values bound;
     Rolling rolling;
@@ -32,8 +32,9 @@ struct RollingCase {
           pair(half_space_pair(grid, material)),
           change_table(change_over_step(
               pair, shifted_half_spaces({{material, material}, LoadShape::constant}, grid, step_x, step_y))),
-          influence(pair, grid.nx, grid.ny),
-          change(change_table),
+          operators(operators_of(problem(material, chi), pair)),
+          influence(*operators.here),
+          change(*operators.change),
           bodies{influence, change, grid, step_x, step_y} {
         rolling.chi = chi;
         for (int iy = 0; iy < grid.ny; ++iy)
@@ -43,6 +44,15 @@ struct RollingCase {
             }
     }
     RollingCase(const RollingCase&) = delete;
+
+    ContactProblem problem(const Material& material, double chi) const {
+        ContactProblem problem;
+        problem.grid = grid;
+        problem.bodies = {{material}, {material}};
+        problem.friction = FrictionLaw{{0.3}};
+        problem.motion = Rolling{.chi = chi, .dq = dq};
+        return problem;
+    }
 
     void set(double xi, double eta, double phi) {
         rolling.xi = xi;

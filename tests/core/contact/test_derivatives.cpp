@@ -291,7 +291,7 @@ TEST_CASE("a cancelled solve ends among its derivatives, too", "[derivatives]") 
         int allowed = 1 << 30;
     } observer;
     const ContactProblem problem = ellipse(rolling());
-    const ContactInfluence influence = make_influence(problem, pair_table(problem));
+    const ContactInfluence influence = operators_of(problem, pair_table(problem));
     solve_contact(problem, influence, observer);
     observer.allowed = observer.asked - 1;
     observer.asked = 0;

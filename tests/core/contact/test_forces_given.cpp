@@ -44,7 +44,7 @@ struct Counted {
 Counted count(const ContactProblem& problem) {
     Counted result;
     Observer observer;
-    const ContactInfluence influence = make_influence(problem, pair_table(problem));
+    const ContactInfluence influence = operators_of(problem, pair_table(problem));
     result.solution = solve_contact(problem, counted(influence, result.products), observer);
     return result;
 }
@@ -150,7 +150,7 @@ TEST_CASE("the search for a motion is reported, and ends when it is cancelled", 
     ContactProblem problem = pressed();
     problem.motion = GENERATE(Motion{Shift{}}, Motion{Rolling{}});
     ask_for(problem.motion, -0.5 * mu * Fn, 0);
-    const ContactInfluence influence = make_influence(problem, pair_table(problem));
+    const ContactInfluence influence = operators_of(problem, pair_table(problem));
     Listens listens;
     solve_contact(problem, influence, listens);
     CHECK(listens.heard);

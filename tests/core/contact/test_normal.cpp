@@ -5,7 +5,6 @@
 
 #include "contact/normal/normal.hpp"
 #include "contact_cases.hpp"
-#include "operators/convolution.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -19,7 +18,7 @@ const Material material{200, 0.42};
 struct Case {
     Grid grid;
     IcTable table;
-    ConvolutionOperator influence;
+    PairOperator influence;
 
     explicit Case(const Grid& grid_)
         : grid(grid_), table(half_space_pair(grid, material)), influence(table, grid.nx, grid.ny) {}

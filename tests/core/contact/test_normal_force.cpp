@@ -8,7 +8,6 @@
 #include "contact/normal/normal.hpp"
 #include "contact_cases.hpp"
 #include "contactd/error.hpp"
-#include "operators/convolution.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -22,7 +21,7 @@ const double compliance = (1 - steel.nu) / steel.G;
 
 struct Case {
     Grid grid;
-    ConvolutionOperator influence;
+    PairOperator influence;
     Values distance;
 
     Case(const Grid& grid_, const Paraboloid& gap)

@@ -10,7 +10,6 @@
 #include "closed_forms/hertz.hpp"
 #include "contact/normal/normal_solver.hpp"
 #include "contactd/error.hpp"
-#include "operators/convolution.hpp"
 #include "plain_operator.hpp"
 
 using namespace contactd;
@@ -25,7 +24,7 @@ const SolverSettings exact{1e-10, 200};
 // A sphere on a grid that is wider than its contact; boxes around that save products.
 struct Sphere {
     Grid grid = Grid::centred(48, 40, 0.1, 0.1);
-    ConvolutionOperator influence{half_space_pair(grid, {82000, 0.28}), grid.nx, grid.ny};
+    PairOperator influence{half_space_pair(grid, {82000, 0.28}), grid.nx, grid.ny};
     Values distance = sampled(Paraboloid{300, 300}, grid);
 
     // The distance less the approach, with a wave of that height, as tractions of the other body make it.
@@ -53,7 +52,7 @@ void check_same(const NormalSolution& solution, const NormalSolution& expected) 
 TEST_CASE("a gap near the last one is solved from its solution, with fewer products", "[normal]") {
     const Sphere sphere;
     const auto plain = std::make_shared<PlainOperator>(
-        std::make_shared<ConvolutionOperator>(half_space_pair(sphere.grid, {82000, 0.28}), 48, 40));
+        std::make_shared<PairOperator>(half_space_pair(sphere.grid, {82000, 0.28}), 48, 40));
     const bool by_force = GENERATE(true, false);
     Observer observer;
     NormalSolver solver(*plain);

@@ -2,7 +2,6 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "contact/normal/normal.hpp"
-#include "operators/convolution.hpp"
 #include "random_problems.hpp"
 
 using namespace contactd;
@@ -13,7 +12,7 @@ TEST_CASE("random normal problems satisfy the contact conditions", "[normal][ran
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         CAPTURE(seed);
         const RandomNormal problem = random_normal(seed, 24);
-        const ConvolutionOperator influence(problem.table, problem.grid.nx, problem.grid.ny);
+        const PairOperator influence(problem.table, problem.grid.nx, problem.grid.ny);
         NormalSolution solution;
         if (problem.pressure_sum) {
             solution = solve_normal_force(influence, problem.distance, *problem.pressure_sum, {}, {}, observer);

@@ -129,8 +129,7 @@ TEST_CASE("only bodies that couple, or a slip law, need an outer loop", "[contac
 TEST_CASE("invalid problems and operators of another size are refused", "[contact]") {
     ContactProblem problem = cattaneo_problem(10);
     const ContactInfluence influence{
-        std::make_shared<ConvolutionOperator>(half_space_pair(Grid::centred(9, 10, 1, 1), {200, 0.42}), 9, 10),
-        nullptr};
+        std::make_shared<PairOperator>(half_space_pair(Grid::centred(9, 10, 1, 1), {200, 0.42}), 9, 10), nullptr};
     Observer observer;
     CHECK_THROWS_AS(solve_contact(problem, influence, observer), InvalidArgument);
     problem.friction->mu = {-1};
@@ -146,7 +145,7 @@ TEST_CASE("progress of the whole computation grows from normal to tangential", "
         }
     } observer;
     const ContactProblem problem = cattaneo_problem(16);
-    solve_contact(problem, make_influence(problem, half_space_pair(problem.grid, problem.bodies.upper.material)),
+    solve_contact(problem, operators_of(problem, half_space_pair(problem.grid, problem.bodies.upper.material)),
                   observer);
     CHECK(observer.last_normal >= 0);
     CHECK(observer.first_tangential >= observer.last_normal);
@@ -371,7 +370,7 @@ TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]")
     const IcTable pair = half_space_pair(problem.grid, problem.bodies.upper.material, LoadShape::bilinear);
     Observer observer;
 
-    const ContactSolution solution = solve_contact(problem, make_influence(problem, pair), observer);
+    const ContactSolution solution = solve_contact(problem, operators_of(problem, pair), observer);
 
     const reference::Hertz hertz = reference::hertz(problem.bodies.materials(), 50, *problem.approach);
     REQUIRE(solution.converged());

@@ -58,7 +58,7 @@ TEST_CASE("conjugate gradients or a march go on where Newton's method stands sti
     ContactProblem problem = cattaneo_problem(16);
     const bool rolls = GENERATE(false, true);
     if (rolls) problem.motion = Rolling{.xi = 4e-3};
-    const ContactInfluence influence = make_influence(problem, pair_table(problem));
+    const ContactInfluence influence = operators_of(problem, pair_table(problem));
     Observer observer;
     const ContactSolution expected = solve_contact(problem, influence, observer);
     // As often as Newton's method asks before it gives up; both halves of the preconditioner of rolling do.

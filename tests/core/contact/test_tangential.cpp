@@ -4,7 +4,6 @@
 
 #include "contact/tangential/tangential.hpp"
 #include "contact_cases.hpp"
-#include "operators/convolution.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -18,7 +17,7 @@ const Material material{200, 0.42};
 struct ShiftCase {
     Grid grid;
     IcTable table;
-    ConvolutionOperator influence;
+    PairOperator influence;
     Values bound, rigid_x, rigid_y;
 
     // An elliptic bound that fills the window, uniform shift.

@@ -1,0 +1,36 @@
+// Contact on a surface that is curved along y: where its columns of elements lie, and what is one direction for all.
+#pragma once
+
+#include <vector>
+
+#include "contactd/section.hpp"
+
+namespace contactd {
+
+/// Rows of the grid are columns of the lower body's surface, numbered along its tangent s: dy is their arc length, and
+/// y of the grid a distance along the surface. x, y and z of an element are the axes of its column's frame; gaps,
+/// pressures and tractions are along these. The upper body's columns lie opposite.
+struct ContactColumns {
+    std::vector<ColumnFrame> frames{};  ///< shape [ny]
+    /// From the lower body to the upper one, the direction that the upper one comes from: its angle from +z (rad) as
+    /// of frames. An approach delta closes the gap of a column by delta cos(angle - direction), and the normal force is
+    /// along it. Every column faces it: the cosine is at least least_facing.
+    double direction = 0;
+    /// On the axis of spin and rotation, which is along the direction; moments are about it. x = 0 of the grid.
+    SectionPoint origin{};
+
+    bool operator==(const ContactColumns&) const = default;
+};
+
+inline constexpr double least_facing = 0.01;
+
+/// Of all tractions on the upper body: force (N), and moment about the origin of the columns (N mm), in the axes of the
+/// section.
+struct Resultant {
+    double Fx = 0, Fy = 0, Fz = 0;
+    double Mx = 0, My = 0, Mz = 0;
+
+    bool operator==(const Resultant&) const = default;
+};
+
+}  // namespace contactd

@@ -1,0 +1,130 @@
+#include "approach_operator.hpp"
+
+#include <functional>
+#include <utility>
+
+namespace contactd {
+
+using Values = std::vector<double>;
+
+namespace {
+
+Values multiplied(std::span<const double> a, std::span<const double> b) {
+    Values result(a.size());
+    std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::multiplies<>());
+    return result;
+}
+
+Values divided(std::span<const double> a, std::span<const double> b) {
+    Values result(a.size());
+    std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::divides<>());
+    return result;
+}
+
+}  // namespace
+
+class ApproachOperator::Coarser final : public CoarserGrid {
+   public:
+    Coarser(const CoarserGrid& grid, std::span<const double> cosine)
+        : grid_(grid), influence_(grid.influence(), average_of(grid, cosine)) {}
+
+    const InfluenceOperator& influence() const override { return influence_; }
+    int along_x() const override { return grid_.along_x(); }
+    int along_y() const override { return grid_.along_y(); }
+    void average(std::span<const double> fine, std::span<double> coarse) const override { grid_.average(fine, coarse); }
+    void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
+        grid_.interpolate(coarse, fine);
+    }
+    void copy(std::span<const double> coarse, std::span<double> fine) const override { grid_.copy(coarse, fine); }
+
+   private:
+    static Values average_of(const CoarserGrid& grid, std::span<const double> fine) {
+        Values coarse(grid.influence().size());
+        grid.average(fine, coarse);
+        return coarse;
+    }
+
+    const CoarserGrid& grid_;
+    const ApproachOperator influence_;
+};
+
+/// Keeps the operator of a box that it stands for.
+class ApproachOperator::Part {
+   public:
+    Part(std::shared_ptr<const InfluenceOperator> inner, Values cosine)
+        : inner_(std::move(inner)), influence_(*inner_, std::move(cosine)) {}
+
+    const ApproachOperator& influence() const { return influence_; }
+
+   private:
+    const std::shared_ptr<const InfluenceOperator> inner_;
+    const ApproachOperator influence_;
+};
+
+class ApproachOperator::Boxes final : public ElementBoxes {
+   public:
+    Boxes(const ElementBoxes& inner, std::span<const double> cosine) : inner_(inner), cosine_(cosine) {}
+
+    ElementBox extent() const override { return inner_.extent(); }
+    ElementBox convenient(const ElementBox& needed, bool may_grow) const override {
+        return inner_.convenient(needed, may_grow);
+    }
+    std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override {
+        Values cosine;
+        for (int iy = box.first_y; iy < box.first_y + box.ny; ++iy) {
+            const auto row = cosine_.begin() + static_cast<std::ptrdiff_t>(iy) * extent().nx + box.first_x;
+            cosine.insert(cosine.end(), row, row + box.nx);
+        }
+        const auto part = std::make_shared<const Part>(inner_.influence(box), std::move(cosine));
+        return {part, &part->influence()};
+    }
+
+   private:
+    const ElementBoxes& inner_;
+    const std::span<const double> cosine_;
+};
+
+ApproachOperator::ApproachOperator(const InfluenceOperator& inner, Values cosine)
+    : inner_(inner), cosine_(std::move(cosine)) {
+    if (inner_.boxes() != nullptr) boxes_ = std::make_unique<Boxes>(*inner_.boxes(), cosine_);
+}
+
+ApproachOperator::~ApproachOperator() = default;
+
+Values ApproachOperator::times_cosine(Values values) const {
+    return multiplied(values, cosine_);
+}
+
+Values ApproachOperator::over_cosine(Values values) const {
+    return divided(values, cosine_);
+}
+
+void ApproachOperator::normal(std::span<const double> pz, std::span<double> uz) const {
+    inner_.normal(divided(pz, cosine_), uz);
+    std::transform(uz.begin(), uz.end(), cosine_.begin(), uz.begin(), std::divides<>());
+}
+
+void ApproachOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                                  std::span<double> uy) const {
+    inner_.tangential(px, py, ux, uy);
+}
+
+Values ApproachOperator::diagonal(Axis i) const {
+    return i == Axis::z ? divided(divided(inner_.diagonal(i), cosine_), cosine_) : inner_.diagonal(i);
+}
+
+void ApproachOperator::precondition(Axis i, std::span<const double> r, std::span<double> z) const {
+    if (i != Axis::z) return inner_.precondition(i, r, z);
+    inner_.precondition(i, multiplied(r, cosine_), z);
+    std::transform(z.begin(), z.end(), cosine_.begin(), z.begin(), std::multiplies<>());
+}
+
+const CoarserGrid* ApproachOperator::coarser() const {
+    const auto make = [&]() -> std::unique_ptr<const CoarserGrid> {
+        const CoarserGrid* grid = inner_.coarser();
+        return grid == nullptr ? nullptr : std::make_unique<const Coarser>(*grid, cosine_);
+    };
+    return coarser_.get(make).get();
+}
+
+}  // namespace contactd
