@@ -92,6 +92,26 @@ TEST_CASE("A problem comes back exactly", "[codec]") {
     CHECK(read.derivatives);
 }
 
+TEST_CASE("Curved columns come back exactly, and what a request leaves out of them has its default", "[codec]") {
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    ContactProblem original = problem();
+    original.columns = ContactColumns{{}, -0.3, {1.5, -2}};
+    for (int iy = 0; iy < original.grid.ny; ++iy) original.columns->frames.push_back({0.1 * iy, 1.0 / 3, 0.7 - iy});
+    ArrayWriter arrays(encoding);
+    json params = encode_problem(original, arrays);
+    CHECK(violations_of("contact.solve.params", params).empty());
+    CHECK(violations_of("session.open.params", encode_opening(original, arrays)).empty());
+    const auto frames = arrays.take_frames();
+    CHECK(decode_problem(sent(params), frames).columns == original.columns);
+    params["columns"].erase("direction");
+    params["columns"].erase("origin");
+    const ContactColumns read = *decode_problem(sent(params), frames).columns;
+    CHECK(read.direction == 0);
+    CHECK(read.origin == SectionPoint{});
+    params.erase("columns");
+    CHECK_FALSE(decode_problem(sent(params), frames).columns);
+}
+
 TEST_CASE("A problem with finite-element coefficients keeps their spec", "[codec]") {
     ContactProblem original = problem();
     Ics ics;

@@ -96,6 +96,17 @@ TEST_CASE("A solution whose arrays disagree is refused", "[codec]") {
     CHECK(wire::status_thrown_by([&] { decode_solve_reply(result, {""}); }));
 }
 
+TEST_CASE("The resultant on curved columns comes back", "[codec]") {
+    SolveReply reply = solve_reply();
+    reply.solution.resultant = Resultant{1, -2, 1.0 / 3, 4, 5e-9, -6};
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    CHECK(violations_of("contact.solve.result", result).empty());
+    CHECK(decode_solve_reply(sent(result), {}).solution.resultant == reply.solution.resultant);
+    reply.solution.resultant->My = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS(encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays), Error);
+}
+
 TEST_CASE("Every motion comes back", "[codec]") {
     SolveReply reply = solve_reply();
     SECTION("shift with a force") {

@@ -51,6 +51,7 @@ from .partial import PartialSolution
 from .plain_values import from_dict, to_dict
 from .problem import (
     AnalyticIcs,
+    ContactColumns,
     ContactProblem,
     Estimate,
     FemIcs,
@@ -94,6 +95,7 @@ __all__ = [
     "Cancelled",
     "Client",
     "ConnectionFailed",
+    "ContactColumns",
     "ContactProblem",
     "ContactSolution",
     "ContactdError",

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 __all__ = [
     "AnalyticIcs",
     "Body",
+    "ContactColumns",
     "ContactProblem",
     "Diagonal",
     "Estimate",
@@ -414,6 +415,31 @@ Model = Literal["full", "hertz", "fastsim"]
 
 
 @dataclass(frozen=True, eq=False)
+class ContactColumns:
+    """Where the surface is curved along y: rows of the grid are columns of elements of the lower body.
+
+    dy of the grid is their arc length. The axes of an element are those of its column: gap and pressure are along its
+    outward normal, tractions along x and along its tangent (cos angle, -sin angle), in the direction of which columns
+    are numbered. Axes of the section: y to the right, z up, x towards the reader.
+
+    Attributes:
+        frames: Of each column y and z of its middle (mm), and the angle of its normal from +z (rad), positive towards +y,
+            running on continuously; shape [ny, 3].
+        direction: Where the upper body comes from, an angle (rad) as of frames. An approach closes the gap of a column by
+            its cosine with the normal; the normal force, and the axis of spin and rotation, are along it.
+        origin: y and z of the point that moments are about, and that creepages and rigid shifts are those of (mm).
+    """
+
+    frames: npt.ArrayLike
+    direction: float = 0.0
+    origin: tuple[float, float] = (0.0, 0.0)
+
+    def params(self) -> dict[str, Any]:
+        """`columns` of contact.solve."""
+        return {"frames": array_of(self.frames), "direction": self.direction, "origin": list(self.origin)}
+
+
+@dataclass(frozen=True, eq=False)
 class ContactProblem(Saved):
     """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too.
 
@@ -437,6 +463,8 @@ class ContactProblem(Saved):
         previous: The step before, where a shift or transient rolling starts.
         outer: Stop test of the loop that bodies that differ, kinetic friction and forces need.
         derivatives: Whether the solution has those of its forces by motion, load and friction.
+        columns: Where the surface is curved along y; None: a plane. The gap is an array of distances along the normals
+            then, and the model "full".
     """
 
     grid: Grid
@@ -456,6 +484,7 @@ class ContactProblem(Saved):
     upper_ics: Ics | TableIcs | None = None
     lower_ics: Ics | TableIcs | None = None
     derivatives: bool = False
+    columns: ContactColumns | None = None
 
     def __post_init__(self) -> None:
         if self.gap is _REQUIRED:
@@ -484,6 +513,7 @@ def check_field_types(fields: Mapping[str, Any]) -> None:
         check_type(f"{name}_ics", fields.get(f"{name}_ics"), AnalyticIcs, FemIcs, TableIcs, optional=True)
     check_type("friction", fields.get("friction"), Friction, optional=True)
     check_type("derivatives", fields.get("derivatives"), bool, optional=True)
+    check_type("columns", fields.get("columns"), ContactColumns, optional=True)
     for name in ("normal", "tangential", "outer"):
         check_type(name, fields.get(name), SolverSettings, optional=True)
     for name in ("initial", "previous"):
@@ -565,6 +595,8 @@ def opening_params(fields: Mapping[str, Any]) -> dict[str, Any]:
     params.update({name: traction_params(given[name], name) for name in ("initial", "previous") if name in given})
     if given.get("derivatives"):
         params["derivatives"] = True
+    if "columns" in given:
+        params["columns"] = given["columns"].params()
     return params
 
 

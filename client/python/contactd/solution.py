@@ -43,6 +43,7 @@ __all__ = [
     "LoadCase",
     "Progress",
     "QuarantinedIc",
+    "Resultant",
     "SectionEvidence",
     "ServerInfo",
     "Solution",
@@ -149,6 +150,27 @@ class Forces:
     Mz: float
 
 
+@dataclass(frozen=True)
+class Resultant:
+    """Of all pressures and tractions on curved columns, on the upper body, in the axes of the section.
+
+    Attributes:
+        Fx: Force along x (N).
+        Fy: Force along y (N).
+        Fz: Force along z (N).
+        Mx: Moment about x through the origin of the columns (N mm).
+        My: The same about y.
+        Mz: The same about z.
+    """
+
+    Fx: float
+    Fy: float
+    Fz: float
+    Mx: float
+    My: float
+    Mz: float
+
+
 # What the arrays of a solution are: of a step each may be left out.
 Floats = TypeVar("Floats", bound="Array | None")
 Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
@@ -180,6 +202,7 @@ class Solution(Saved, Shown, Generic[Floats, Bytes]):
         motion: As asked for, with what a prescribed force made of it.
         derivatives: How forces follow the inputs, where the problem asked for that, and the solution has converged and has
             contact.
+        resultant: On curved columns: of all tractions together. None on a plane.
         grid: That of the problem, which the client adds.
     """
 
@@ -201,6 +224,7 @@ class Solution(Saved, Shown, Generic[Floats, Bytes]):
     frictional_power: float | None = None
     motion: Motion | None = None
     derivatives: Derivatives | None = None
+    resultant: Resultant | None = None
     grid: Grid | None = None
 
     def plot(self, axes: Axes | None = None) -> Axes:

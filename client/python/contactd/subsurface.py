@@ -161,6 +161,12 @@ def subsurface_params(
 
 def _ics(problem: ContactProblem) -> dict[str, Any]:
     """What tells the daemon of bodies that are no half-spaces."""
+    if problem.columns is not None:
+        raise invalid(
+            "columns",
+            "are curved; the closed form of the stresses is that of the half-space, under a plane, and says nothing of "
+            "what is below them",
+        )
     if problem.model not in (None, "full"):
         return {}  # of half-spaces by their theory
     if isinstance(problem.ics, TableIcs):

@@ -115,6 +115,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     if (problem.gap) params["gap"] = encode_gap(*problem.gap, problem.grid, arrays);
     if (problem.model != Model::full) params["model"] = word_for(model_words, problem.model);
     encode_settings(problem.settings, params);
+    if (problem.columns) params["columns"] = encode_columns(*problem.columns, arrays);
     encode_bodies(problem, params, arrays);
     if (problem.Fn && problem.approach) require_load(problem);
     if (problem.Fn) params["Fn"] = finite_field(*problem.Fn, "Fn");
@@ -139,6 +140,7 @@ ContactProblem decode_opening(const json& params, const std::vector<std::string>
     if (params.contains("friction")) decode_friction(params["friction"], frames, problem);
     problem.previous = decode_state("previous", params, frames, problem.grid);
     problem.settings = decode_settings(params);
+    if (params.contains("columns")) problem.columns = decode_columns(params["columns"], frames, problem.grid);
     problem.initial = decode_state("initial", params, frames, problem.grid);
     problem.derivatives = params.value("derivatives", false);
     return problem;

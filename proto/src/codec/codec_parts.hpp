@@ -57,6 +57,11 @@ double finite(double value, const char* what);
 /// The same of a field of a request. Throws InvalidArgument naming it.
 double finite_field(double value, const char* field);
 
+nlohmann::json encode_columns(const ContactColumns& columns, ArrayWriter& arrays);
+ContactColumns decode_columns(const nlohmann::json& source, const std::vector<std::string>& frames, const Grid& grid);
+nlohmann::json encode_resultant(const Resultant& resultant);
+Resultant decode_resultant(const nlohmann::json& source);
+
 nlohmann::json encode_grid(const Grid& grid);
 /// Throws StatusError naming the field, before anything of the grid's size is allocated.
 /// nx or ny of a grid. Throws StatusError when no grid has so many elements.

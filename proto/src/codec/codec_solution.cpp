@@ -51,21 +51,23 @@ auto dissipation_of(Solution& solution) {
 }
 
 json encode_totals(const ContactSolution& solution) {
-    return object({{"approach", finite(solution.approach, "The approach")},
-                   {"forces", object({{"Fn", finite(solution.forces.Fn, "Fn")},
-                                      {"Fx", finite(solution.forces.Fx, "Fx")},
-                                      {"Fy", finite(solution.forces.Fy, "Fy")},
-                                      {"Mz", finite(solution.forces.Mz, "Mz")}})},
-                   {"pmax", finite(solution.pmax, "pmax")},
-                   {"area", object({{"contact", finite(solution.area.contact, "The contact area")},
-                                    {"adhesion", finite(solution.area.adhesion, "The adhesion area")},
-                                    {"slip", finite(solution.area.slip, "The slip area")}})},
-                   {"elements", object({{"contact", solution.elements.contact},
-                                        {"adhesion", solution.elements.adhesion},
-                                        {"slip", solution.elements.slip},
-                                        {"border", solution.elements.border}})},
-                   {"warnings", solution.warnings},
-                   {"converged", solution.converged()}});
+    json result = object({{"approach", finite(solution.approach, "The approach")},
+                          {"forces", object({{"Fn", finite(solution.forces.Fn, "Fn")},
+                                             {"Fx", finite(solution.forces.Fx, "Fx")},
+                                             {"Fy", finite(solution.forces.Fy, "Fy")},
+                                             {"Mz", finite(solution.forces.Mz, "Mz")}})},
+                          {"pmax", finite(solution.pmax, "pmax")},
+                          {"area", object({{"contact", finite(solution.area.contact, "The contact area")},
+                                           {"adhesion", finite(solution.area.adhesion, "The adhesion area")},
+                                           {"slip", finite(solution.area.slip, "The slip area")}})},
+                          {"elements", object({{"contact", solution.elements.contact},
+                                               {"adhesion", solution.elements.adhesion},
+                                               {"slip", solution.elements.slip},
+                                               {"border", solution.elements.border}})},
+                          {"warnings", solution.warnings},
+                          {"converged", solution.converged()}});
+    if (solution.resultant) result["resultant"] = encode_resultant(*solution.resultant);
+    return result;
 }
 
 void decode_totals(const json& result, ContactSolution& solution) {
@@ -73,6 +75,7 @@ void decode_totals(const json& result, ContactSolution& solution) {
     solution.approach = result["approach"].get<double>();
     solution.forces = {forces["Fn"].get<double>(), forces["Fx"].get<double>(), forces["Fy"].get<double>(),
                        forces["Mz"].get<double>()};
+    if (result.contains("resultant")) solution.resultant = decode_resultant(result["resultant"]);
     solution.pmax = result["pmax"].get<double>();
     solution.area = {area["contact"].get<double>(), area["adhesion"].get<double>(), area["slip"].get<double>()};
     solution.elements = {elements["contact"].get<int>(), elements["adhesion"].get<int>(), elements["slip"].get<int>(),
