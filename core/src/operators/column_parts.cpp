@@ -56,7 +56,11 @@ std::size_t ColumnParts::bytes() const {
 ColumnTable ColumnParts::coarse(const ElementBox& box, int along_x, int along_y) const {
     const auto number = [](int n, int factor) { return (n + factor - 1) / factor; };
     ColumnTable result(number(box.nx, along_x), number(box.ny, along_y));
-    const auto column = [&](int at) { return box.first_y + std::min(at, box.ny - 1); };
+    // A pair of columns of which one lies beyond the last: both moved back by that much.
+    const auto value = [&](Axis i, Axis j, int I, int J, int k) {
+        const int beyond = std::max({I - (box.ny - 1), J - (box.ny - 1), 0});
+        return table_->at(i, j, box.first_y + std::max(I - beyond, 0), box.first_y + std::max(J - beyond, 0), k);
+    };
     const auto components = coupled_ ? std::vector{x, y, z} : std::vector{x, y};
     const auto fill = [&](Axis i, Axis j) {
         for (int I = 0; I < result.columns; ++I)
@@ -67,8 +71,7 @@ ColumnTable ColumnParts::coarse(const ElementBox& box, int along_x, int along_y)
                             for (int k = 1 - along_x; k < along_x; ++k) {
                                 const double weight = static_cast<double>(along_x - std::abs(k)) / along_x / along_y;
                                 const int offset = std::min(K * along_x + k, table_->nx - 1);
-                                result(i, j, I, J, K) +=
-                                    weight * table_->at(i, j, column(I * along_y + a), column(J * along_y + b), offset);
+                                result(i, j, I, J, K) += weight * value(i, j, I * along_y + a, J * along_y + b, offset);
                             }
     };
     for (const Axis i : components)

@@ -28,7 +28,7 @@ class ColumnParts {
     static std::size_t bytes_of(int nx, int columns);
 
     /// Of elements of along_x x along_y: mean displacements over one for a unit traction on another. The last may reach
-    /// beyond the grid, with the last column's coefficients there.
+    /// beyond the grid, where the surface goes on as it is before.
     ColumnTable coarse(const ElementBox& box, int along_x, int along_y) const;
 
    private:
