@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from .friction import Friction
 from .problem import (
+    ContactColumns,
     Estimate,
     Grid,
     Ics,
@@ -63,6 +64,7 @@ class ProblemFields(TypedDict, total=False):
     upper_ics: Ics | TableIcs | None
     lower_ics: Ics | TableIcs | None
     derivatives: bool
+    columns: ContactColumns | None
 
 
 class WheelRailFields(TypedDict, total=False):
