@@ -1,0 +1,75 @@
+"""The documentation site: all pages of the repository where they lie, so that their links hold here and on the web.
+
+    ./dev docs           (python3 docs/website --bin build/development/bin)
+
+CONTACTD_SITE_WORK is where __main__.py has put what doxygen found, and files that stand beside the pages.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
+WORK = Path(os.environ["CONTACTD_SITE_WORK"])
+sys.path.insert(0, str(FOLDER))
+
+project = "contactd"
+copyright = ""
+html_show_copyright = html_show_sphinx = False
+
+extensions = [
+    "myst_nb", "breathe", "sphinx.ext.autodoc", "sphinx.ext.graphviz", "sphinx.ext.napoleon", "roads", "mermaid", "reference"
+]  # fmt: skip
+root_doc = "docs/index"
+include_patterns = [
+    "*.md", "docs/*.md", "docs/paper/*.md", "docs/reference/*.md", "docs/tutorials/*.ipynb", "client/*/README.md",
+    "tests/README.md",
+]  # fmt: skip
+exclude_patterns = ["build", ".git", "**/.*"]
+suppress_warnings: list[str] = []  # none: warnings are errors
+
+# Pages.
+myst_heading_anchors = 4
+myst_fence_as_directive = ["mermaid"]
+default_role = "literal"  # of `names` in docstrings
+highlight_language = "none"  # of code without a language
+
+# Notebooks.
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 100
+nb_ipywidgets_js: dict[str, str] = {}  # nothing from the network
+nb_merge_streams = True
+
+# Python.
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_class_signature = "separated"
+autodoc_default_options = {"members": True, "show-inheritance": True}
+napoleon_numpy_docstring = False
+napoleon_use_ivar = True
+python_use_unqualified_type_names = True
+python_maximum_signature_line_length = 100
+
+# C and C++.
+breathe_projects = {"c": str(WORK / "c/xml"), "cpp": str(WORK / "cpp/xml")}
+breathe_default_project = "cpp"
+breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
+breathe_show_include = False
+c_id_attributes = ["CONTACTD_API"]
+cpp_maximum_signature_line_length = c_maximum_signature_line_length = 100
+
+# HTML.
+html_theme = "furo"
+html_title = "contactd"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+templates_path = ["templates"]
+html_additional_pages = {"index": "redirect.html"}
+html_extra_path = [str(WORK / "beside")]
+html_copy_source = False
+html_theme_options = {"sidebar_hide_name": False}
+graphviz_output_format = "svg"

@@ -1,0 +1,87 @@
+"""Draws the flow charts that pages have as Mermaid, which code-hosting pages draw by themselves, with Graphviz: what
+docs/operations.md uses of the language and no more; anything else is an error.
+
+    flowchart LR
+    subgraph name ["title"]           end
+    name["box"]   name(["stadium"])   name[("store")]
+    a --> b       a -->|"label"| b    a <-->|"label"| b
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from docutils import nodes
+from docutils.parsers.rst import Directive
+
+SHAPES = {"([": 'shape=box, style="rounded,filled"', "[(": "shape=cylinder", "[": "shape=box"}
+NODE = r'(\w+)(?:(\(\[|\[\(|\[)"([^"]*)"(?:\]\)|\)\]|\]))?'
+ARROW = re.compile(rf'{NODE} (<?)-->(?:\|"([^"]*)"\|)? {NODE}')
+GROUP = re.compile(r'subgraph (\w+) \["([^"]*)"\]')
+
+
+def dot(chart: str) -> str:
+    """The chart in Graphviz's language; a ValueError names a line that is not understood."""
+    first, *lines = [line.strip() for line in chart.strip().splitlines()]
+    if not (kind := re.fullmatch(r"flowchart (LR|TB)", first)):
+        raise ValueError(f"'{first}' is not 'flowchart LR' or 'flowchart TB'")
+    found = [
+        f'digraph {{ rankdir={kind[1]}; bgcolor=transparent; fontname="sans-serif"; fontsize=11; compound=true; nodesep=0.35',
+        'node [fontname="sans-serif", fontsize=10, style=filled, fillcolor="#f2f5f9", color="#50617a"]',
+        'edge [fontname="sans-serif", fontsize=9, color="#50617a"]',
+    ]
+    for line in filter(None, lines):
+        found += statements(line)
+    return "\n".join([*found, "}"])
+
+
+def statements(line: str) -> list[str]:
+    if line == "end":
+        return ["}"]
+    if group := GROUP.fullmatch(line):
+        return [f'subgraph cluster_{group[1]} {{ label="{group[2]}"; color="#50617a"; style=rounded']
+    if arrow := ARROW.fullmatch(line):
+        start, shape, text, both, label, end, end_shape, end_text = arrow.groups()
+        ends = [drawn(start, shape, text), drawn(end, end_shape, end_text)]
+        style = f'label="{broken(label or "")}"' + (", dir=both" if both else "")
+        return [*filter(None, ends), f"{start} -> {end} [{style}]"]
+    if node := re.fullmatch(NODE, line):
+        return [drawn(*node.groups())]
+    raise ValueError(f"docs/website/mermaid.py does not know how to draw '{line}'")
+
+
+def drawn(name: str, shape: str | None, text: str | None) -> str:
+    return f'{name} [label="{(text or name).replace("<br/>", chr(92) + "n")}", {SHAPES[shape]}]' if shape else ""
+
+
+def broken(label: str) -> str:
+    """In lines of about twenty characters."""
+    return re.sub(r"(.{14,}?) ", r"\1\\n", label)
+
+
+class Mermaid(Directive):
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        from sphinx.ext.graphviz import graphviz
+
+        try:
+            code = dot("\n".join(self.content))
+        except ValueError as error:
+            raise self.error(str(error)) from error
+        chart = graphviz()
+        chart["code"], chart["options"] = code, {}
+        chart["alt"] = "A flow chart: " + "; ".join(arrows("\n".join(self.content)))
+        return [nodes.container("", chart, classes=["chart"])]
+
+
+def arrows(chart: str) -> list[str]:
+    """What the chart says, for those who cannot see it."""
+    return [f"{found[1]} to {found[6]}" for found in map(ARROW.search, chart.splitlines()) if found]
+
+
+def setup(app: Any) -> dict[str, Any]:
+    app.setup_extension("sphinx.ext.graphviz")
+    app.add_directive("mermaid", Mermaid)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

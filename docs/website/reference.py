@@ -1,0 +1,87 @@
+"""The parts of pages that are written from docstrings, headers and schemas, so that nothing is missing in them."""
+
+from __future__ import annotations
+
+import ast
+import itertools
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from headers import path_of, public_headers
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "client" / "python" / "contactd"
+SCHEMAS = ROOT / "proto" / "schema"
+MEMBERS = "briefdescription detaileddescription innerclass enum typedef func var public-type public-func public-static-func public-attrib"
+
+
+def cpp() -> str:
+    return "\n".join(
+        f"## {header}\n\n{_head(header)}\n\n{_directive(f'doxygenfile:: {header}', project='cpp', sections=MEMBERS)}"
+        for header in public_headers()
+    )
+
+
+def _head(header: str) -> str:
+    """The comment at the beginning of a header."""
+    lines = path_of(header).read_text().splitlines()
+    comment = itertools.takewhile(lambda line: line.startswith("//"), lines)
+    return "\n".join(re.sub("^// ?", "", line) for line in comment)
+
+
+def c() -> str:
+    return _directive("doxygenfile:: contactd.h", project="c", sections="user-defined")
+
+
+def python() -> str:
+    """Every name that the package exports, by the module that has it."""
+    tree = ast.parse((PACKAGE / "__init__.py").read_text())
+    parts = []
+    for statement in tree.body:
+        if isinstance(statement, ast.ImportFrom) and statement.module != "_version":
+            names = [alias.name for alias in statement.names]
+            said = ast.get_docstring(ast.parse((PACKAGE / f"{statement.module}.py").read_text())) or ""
+            objects = "\n".join(f".. auto{'class' if name[0].isupper() else 'function'}:: {name}" for name in names)
+            lead = ".. currentmodule:: contactd\n\n" + said.partition("\n\n")[0] + "\n\n"
+            parts.append(f"## {statement.module}\n\n```{{eval-rst}}\n{lead}{objects}\n```\n")
+    parts.append("## contactd.wheel_rail\n\n" + _directive("automodule:: contactd.wheel_rail"))
+    return "\n".join(parts)
+
+
+def wire() -> str:
+    names = sorted(path.name.removesuffix(".json") for path in SCHEMAS.glob("*.json"))
+    rows = [f'<tr><td><a href="../../schema/{name}.json">{name}</a></td><td>{_sentence(name)}</td></tr>' for name in names]
+    return "\n".join(["<table><thead><tr><th>schema</th><th>what it describes</th></tr></thead><tbody>", *rows, "</tbody></table>\n"])
+
+
+def _sentence(name: str) -> str:
+    schema = json.loads((SCHEMAS / f"{name}.json").read_text())
+    said = schema.get("x-summary") or schema.get("description", "")
+    return str(said).partition(". ")[0].rstrip(".").replace("&", "&amp;").replace("<", "&lt;")
+
+
+def _directive(name: str, **options: str) -> str:
+    lines = "".join(f"   :{key}: {value}\n" for key, value in options.items())
+    return f"```{{eval-rst}}\n.. {name}\n{lines}```\n"
+
+
+PAGES = {"docs/reference/python": python, "docs/reference/c": c, "docs/reference/cpp": cpp, "docs/reference/wire": wire}
+
+
+def write(app: Any, name: str, source: list[str]) -> None:
+    if part := PAGES.get(name):
+        source[0] += "\n" + part()
+
+
+def adapt(_app: Any, _what: str, _name: str, _object: object, _options: object, lines: list[str]) -> None:
+    """In a docstring |x| is the size of x, no substitution, and docs/contact.md a page."""
+    lines[:] = [re.sub(r"\|([^|`]+)\|", r"\\|\1\\|", line) for line in lines]
+    lines[:] = [re.sub(r"(?<![\w/`])docs/(\w[\w-]*)\.md", r":doc:`docs/\1.md </docs/\1>`", line) for line in lines]
+
+
+def setup(app: Any) -> dict[str, Any]:
+    app.connect("autodoc-process-docstring", adapt)
+    app.connect("source-read", write)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
