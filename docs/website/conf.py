@@ -64,6 +64,7 @@ cpp_maximum_signature_line_length = c_maximum_signature_line_length = 100
 
 # HTML.
 html_theme = "furo"
+pygments_style, pygments_dark_style = "default", "github-dark"  # whose letters stand out enough
 html_title = "contactd"
 html_static_path = ["static"]
 html_css_files = ["site.css"]

@@ -1,5 +1,6 @@
 """Draws the flow charts that pages have as Mermaid, which code-hosting pages draw by themselves, with Graphviz: what
-docs/operations.md uses of the language and no more; anything else is an error.
+docs/operations.md uses of the language and no more; anything else is an error. It is drawn from top to bottom whatever
+the chart says: pages are narrow.
 
     flowchart LR
     subgraph name ["title"]           end
@@ -24,10 +25,10 @@ GROUP = re.compile(r'subgraph (\w+) \["([^"]*)"\]')
 def dot(chart: str) -> str:
     """The chart in Graphviz's language; a ValueError names a line that is not understood."""
     first, *lines = [line.strip() for line in chart.strip().splitlines()]
-    if not (kind := re.fullmatch(r"flowchart (LR|TB)", first)):
+    if first not in ("flowchart LR", "flowchart TB"):
         raise ValueError(f"'{first}' is not 'flowchart LR' or 'flowchart TB'")
     found = [
-        f'digraph {{ rankdir={kind[1]}; bgcolor=transparent; fontname="sans-serif"; fontsize=11; compound=true; nodesep=0.35',
+        'digraph { rankdir=TB; bgcolor=transparent; fontname="sans-serif"; fontsize=11; compound=true; nodesep=0.35',
         'node [fontname="sans-serif", fontsize=10, style=filled, fillcolor="#f2f5f9", color="#50617a"]',
         'edge [fontname="sans-serif", fontsize=9, color="#50617a"]',
     ]
