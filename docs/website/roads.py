@@ -15,7 +15,7 @@ def roads(index: str) -> Iterator[tuple[str, list[str]]]:
     """Of each heading with a list, its name and the targets of the links that the points of the list begin with."""
     for section in re.split(r"^## ", index, flags=re.MULTILINE)[1:]:
         heading, _, text = section.partition("\n")
-        if pages := re.findall(r"^\* \[[^\]]+\]\(([^)#]+)\)", text, re.MULTILINE):
+        if pages := re.findall(r"^\* \[[^\]]+\]\(([^)#]+)[^)]*\)", text, re.MULTILINE):
             yield heading.strip(), pages
 
 

@@ -9,7 +9,9 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 CHANGELOG = ROOT / "CHANGELOG.md"  # an entry is a sentence is a line
-WRITTEN = sorted(chain(*(ROOT.glob(pattern) for pattern in ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md"))))
+FOLDERS_OF_PAGES = ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md", "docs/reference/*.md")
+WRITTEN = sorted(chain(*(ROOT.glob(pattern) for pattern in FOLDERS_OF_PAGES)))
+NOTEBOOKS = sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))  # which test_notebooks.py runs
 COMPUTED = sorted((ROOT / "docs" / "paper").glob("*.md"))  # by ./dev paper
 LINE_LENGTH = 120  # lines are shorter
 FOLDERS = ("bench", "client", "configs", "core", "packaging", "proto", "server", "tests")
@@ -64,9 +66,18 @@ def test_no_two_headings_have_the_same_anchor(page):
     assert len(anchors(page)) == len(set(anchors(page)))
 
 
-def test_every_page_is_on_a_road_of_the_readme():
+def test_every_page_is_in_a_list_of_the_index():
+    index = ROOT / "docs" / "index.md"
+    points = re.findall(r"^\* \[[^\]]+\]\(([^)#]+)\)", index.read_text(), re.MULTILINE)
+    listed = {(index.parent / target).resolve() for target in points}
+    assert len(listed) == len(points), "a page is listed once"
+    missing = sorted(str(page.relative_to(ROOT)) for page in {*WRITTEN, *COMPUTED, *NOTEBOOKS} - listed - {index, ROOT / "README.md"})
+    assert not missing, f"{', '.join(missing)}: add a point to a list of docs/index.md that begins with a link to it"
+
+
+def test_the_readme_leads_to_the_roads():
     linked = {target.resolve() for target, _ in links(ROOT / "README.md")}
-    assert {*WRITTEN, *COMPUTED} - linked <= {ROOT / "README.md", ROOT / "tests" / "README.md"}
+    assert {ROOT / "docs" / "index.md", ROOT / "docs" / "operations.md", ROOT / "CONTRIBUTING.md"} <= linked
 
 
 def test_pages_that_sources_name_exist():

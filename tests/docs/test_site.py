@@ -1,0 +1,134 @@
+"""The documentation site: it builds without a warning, and is whole by itself. Slow, since it is built."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import pytest
+
+from support.daemons import BIN
+
+from .site_pages import Site, code_colours, contrast
+
+ROOT = Path(__file__).parents[2]
+READABLE = 4.5  # WCAG 2, level AA
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Site:
+    folder = tmp_path_factory.mktemp("site") / "docs"
+    command = [sys.executable, str(ROOT / "docs" / "website"), "--bin", str(BIN), "--output", str(folder)]
+    built = subprocess.run(command, env=os.environ, capture_output=True, text=True)
+    assert built.returncode == 0, built.stderr + built.stdout
+    assert "WARNING" not in built.stderr
+    return Site(folder)
+
+
+def test_every_page_of_the_index_is_there(site):
+    index = (ROOT / "docs" / "index.md").read_text()
+    listed = re.findall(r"^\* \[[^\]]+\]\(([^)#]+)\)", index, re.MULTILINE)
+    assert len(listed) > 25
+    for page in listed:
+        assert (site.folder / "docs" / page).resolve().with_suffix(".html") in site.pages, page
+
+
+def test_links_lead_somewhere_without_a_network(site):
+    assert not site.broken()
+    assert sum(len(page.links) for page in site.pages.values()) > 5000
+
+
+def test_nothing_is_loaded_from_the_network(site):
+    loaded = {source for page in site.pages.values() for source in page.loaded}
+    assert not [source for source in loaded if re.match(r"(\w+:)?//", source)]
+    for file in site.folder.rglob("*.css"):
+        assert not re.findall(r"(?:url\(|@import)\s*[\"']?(?:https?:)?//", file.read_text()), file
+
+
+def test_every_page_has_a_language_a_title_of_its_own_and_one_heading(site):
+    pages = list(site.documents())
+    assert {page.language for page in pages} == {"en"}
+    titles = [page.titles[0] for page in pages if page.path.stem != "README" or page.path.parent != site.folder]
+    assert len(set(titles)) == len(titles)
+    assert not [page.path for page in pages if len(page.headings) != 1]
+
+
+def test_every_picture_has_words_in_its_place(site):
+    images = [image for page in site.documents() for image in page.images]
+    assert len(images) > 20
+    assert not [source for source, words in images if len(words) < 5]
+
+
+def test_notebooks_are_shown_with_their_pictures(site):
+    for name, pictures in (("wheelset", 3), ("layer", 2)):
+        page = site.pages[site.folder / "docs" / "tutorials" / f"{name}.html"]
+        assert len(page.images) == pictures
+
+
+def test_every_public_name_of_python_c_and_cpp_is_in_the_reference(site):
+    inventory = (site.folder / "objects.inv").read_bytes().split(b"\n", 4)[4]
+    names = {line.split(" ")[0] for line in zlib.decompress(inventory).decode().splitlines()}
+    package = ast.parse((ROOT / "client" / "python" / "contactd" / "__init__.py").read_text())
+    exported = {alias.name for item in package.body if isinstance(item, ast.ImportFrom) for alias in item.names}
+    assert not {f"contactd.{name}" for name in exported - {"__version__"}} - names
+    header = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
+    functions = set(re.findall(r"^CONTACTD_API [^(]*?(contactd_\w+)\(", header, re.MULTILINE))
+    words = set(re.findall(r"\b(CONTACTD_\w+) = \d", header))
+    assert len(functions) > 70 and len(words) > 40
+    assert not functions - names
+    assert not words - {name.rpartition(".")[2] for name in names}  # those of enums without a name
+    structs = re.findall(r"^(?:struct|class) (\w+) (?:final )?[:{]", _headers_of_types(), re.MULTILINE)
+    assert len(structs) > 60
+    assert not {"contactd::client::Client::solve", *(f"contactd::{name}" for name in structs)} - names
+
+
+def _headers_of_types() -> str:
+    names = re.findall(r"include/(contactd/\w+\.hpp)", (ROOT / "core" / "CMakeLists.txt").read_text())
+    return "\n".join((ROOT / "core" / "include" / name).read_text() for name in names)
+
+
+def test_the_wire_is_there_as_files(site):
+    schemas = {path.name for path in (ROOT / "proto" / "schema").glob("*.json")}
+    assert {path.name for path in (site.folder / "schema").iterdir()} == schemas
+    methods = {method["name"] for method in json.loads((site.folder / "openrpc.json").read_text())["methods"]}
+    assert {f"{name}.params.json" for name in methods} <= schemas
+
+
+def test_the_search_knows_words_of_pages_headers_and_docstrings(site):
+    index = json.loads((site.folder / "searchindex.js").read_text().removeprefix("Search.setIndex(").removesuffix(")"))
+
+    def pages_with(stem: str) -> set[str]:
+        found = [index[kind].get(stem, []) for kind in ("terms", "titleterms")]
+        return {index["docnames"][number] for numbers in found for number in (numbers if isinstance(numbers, list) else [numbers])}
+
+    assert {"docs/profiles", "docs/wheel-rail", "docs/tutorials/wheelset", "docs/reference/python"} <= pages_with("conic")
+    assert "docs/architecture" in pages_with("cholmod")
+    assert {"docs/reference/c", "docs/reference/cpp"} <= pages_with("approach")
+    assert not pages_with("unobtainium")
+
+
+@pytest.mark.parametrize("selector", [".highlight", 'body[data-theme="dark"] .highlight'], ids=["light", "dark"])
+def test_letters_of_code_stand_out(site, selector):
+    ground, letters = code_colours((site.folder / "_static" / "pygments.css").read_text(), selector)
+    assert len(letters) > 30
+    assert min(contrast(letter, ground) for letter in letters) >= READABLE
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_letters_of_the_pages_stand_out(site, theme):
+    style = (site.folder / "_static" / "styles" / "furo.css").read_text()
+    light, _, dark = style.partition('body[data-theme="dark"] {')
+    block = dark.partition("}")[0] if theme == "dark" else light
+    colours = dict(re.findall(r"--color-([\w-]+): ?(#[0-9a-f]+|white|black)\b", block))
+    letters = ("foreground-primary", "foreground-secondary", "foreground-muted", "brand-primary", "brand-content", "problematic")
+    grounds = ("background-primary", "background-secondary")
+    pairs = {(letter, ground): contrast(colours[letter], colours[ground]) for letter in letters for ground in grounds}
+    assert min(pairs.values()) >= READABLE, pairs

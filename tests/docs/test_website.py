@@ -1,0 +1,118 @@
+"""The parts that build the documentation site, one at a time. They need no build."""
+
+from __future__ import annotations
+
+import importlib
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def part(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs" / "website"))
+    return importlib.import_module
+
+
+INDEX = """# Title
+
+* [not a road](a.md)
+
+## Use it
+
+* [One](one.md#there): a page; see [two](two.md).
+* [Notebook](more/three.ipynb)
+
+## No list
+
+Words.
+"""
+
+
+def test_roads_are_the_headings_with_lists_and_the_first_link_of_each_point(part):
+    assert list(part("roads").roads(INDEX)) == [("Use it", ["one.md", "more/three.ipynb"])]
+
+
+def test_a_page_is_named_by_its_place_in_the_repository(part):
+    document = part("roads").document
+    assert document("docs/index", "contact.md") == "docs/contact"
+    assert document("docs/index", "../client/c/README.md") == "client/c/README"
+
+
+def test_a_page_that_is_listed_nowhere_is_an_error_that_says_where_to_list_it(part, tmp_path):
+    from sphinx.errors import ExtensionError
+
+    (tmp_path / "index.md").write_text(INDEX)
+    app = SimpleNamespace(config=SimpleNamespace(root_doc="index"))
+    environment = SimpleNamespace(
+        found_docs={"index", "README", "more/three", "forgotten"},
+        doc2path=lambda name, base=True: tmp_path / f"{name}.md" if base else f"{name}.md",
+    )
+    with pytest.raises(ExtensionError, match=r"forgotten\.md: in no list of index\.md\. Add a point there that begins with a link"):
+        part("roads").check_that_every_page_is_listed(app, environment, [])
+
+
+CHART = """flowchart LR
+    a(["people"]) <-->|"words"| b
+    subgraph s ["a box"]
+        b["one<br/>two"]
+        b --> c[("files")]
+    end
+"""
+
+
+def test_a_flow_chart_becomes_nodes_and_arrows(part):
+    drawn = part("mermaid").dot(CHART)
+    assert 'a [label="people", shape=box, style="rounded,filled"]' in drawn
+    assert 'a -> b [label="words", dir=both]' in drawn
+    assert r'b [label="one\ntwo", shape=box]' in drawn
+    assert 'c [label="files", shape=cylinder]' in drawn
+    assert drawn.count("{") == drawn.count("}") == 2
+    assert part("mermaid").arrows(CHART) == ["a to b", "b to c"]
+
+
+@pytest.mark.parametrize("line", ["sequenceDiagram", "flowchart LR\n a -.-> b", "flowchart LR\n a{choice}"])
+def test_what_a_flow_chart_does_not_know_is_an_error_that_names_it(part, line):
+    with pytest.raises(ValueError, match=re.escape(line.splitlines()[-1].strip())):
+        part("mermaid").dot(line)
+
+
+HEADER = """/* The head. */
+#define X
+
+/* --- some words ------------- */
+/* Of both. */
+API int one(void); /* behind */
+API int two(void);
+
+API int three(void);
+/* --- more ------------- */
+API int four(void);
+"""
+
+
+def test_comments_of_the_c_header_are_marked_for_every_declaration_that_they_stand_over(part):
+    marked = part("c_header").marked(HEADER.replace("API", "CONTACTD_API"))
+    assert marked.startswith("/** @file The head. */\n")
+    assert "/** Of both. */\nCONTACTD_API int one(void); /**< behind */\n/** Of both. */\nCONTACTD_API int two(void);" in marked
+    assert marked.count("Of both") == 2
+    assert [*re.findall("@name (.*)", marked)] == ["Some words", "More"]
+    assert marked.count("@{") == marked.count("@}") == 2
+
+
+def test_no_comment_of_the_c_header_is_lost(part):
+    """As one in a style that the filter does not know would be."""
+    marked = part("c_header").marked((ROOT / "client" / "c" / "include" / "contactd.h").read_text())
+    assert marked.count("@name") > 5
+    assert not re.findall(r"/\*(?!\*).*", marked)
+
+
+def test_the_types_that_clients_meet_are_those_that_cmake_installs(part):
+    headers = part("headers").public_headers()
+    assert {"contactd/client/client.hpp", "contactd/contact.hpp", "contactd/grid.hpp"} <= set(headers)
+    assert "contactd/solve_wheel_rail.hpp" not in headers
+    assert all(part("headers").path_of(header).exists() for header in headers)
