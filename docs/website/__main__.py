@@ -36,8 +36,8 @@ def build(bin_folder: Path, output: Path) -> int:
     # Notebooks solve in process.
     paths = [str(bin_folder.parent / "lib/python"), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, "CONTACTD_SITE_WORK": str(work), "PYTHONPATH": os.pathsep.join(paths)}
-    # Python's own warnings are about the libraries' use of each other; Sphinx's are about the pages.
-    sphinx = [sys.executable, "-W", "ignore", "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html"]
+    environment["PYTHONWARNINGS"] = "ignore"  # of the libraries about each other; Sphinx's are about the pages
+    sphinx = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html"]
     return subprocess.run([*sphinx, "-c", FOLDER, "-d", work / "doctrees", ROOT, output], env=environment).returncode
 
 

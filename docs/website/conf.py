@@ -40,7 +40,7 @@ highlight_language = "none"  # of code without a language
 # Notebooks.
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
-nb_execution_timeout = 100
+nb_execution_timeout = 300
 nb_ipywidgets_js: dict[str, str] = {}  # nothing from the network
 nb_merge_streams = True
 

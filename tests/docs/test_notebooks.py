@@ -15,12 +15,12 @@ NOTEBOOKS = sorted((Path(__file__).parents[2] / "docs" / "tutorials").glob("*.ip
 RUN = """
 import sys, nbformat
 from nbclient import NotebookClient
-notebook = NotebookClient(nbformat.read(sys.argv[1], 4), timeout=100, resources={"metadata": {"path": sys.argv[2]}}).execute()
+notebook = NotebookClient(nbformat.read(sys.argv[1], 4), timeout=250, resources={"metadata": {"path": sys.argv[2]}}).execute()
 nbformat.write(notebook, sys.argv[2] + "/run.ipynb")
 """
 
 
-@pytest.mark.timeout(150)
+@pytest.mark.timeout(300)
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_runs_as_it_stands_there(notebook, tmp_path, monkeypatch):
     monkeypatch.setenv("PYTHONPATH", f"{BIN.parent / 'lib' / 'python'}:{Path(__file__).parents[2] / 'client' / 'python'}")

@@ -20,7 +20,7 @@ from .site_pages import Site, code_colours, contrast
 ROOT = Path(__file__).parents[2]
 READABLE = 4.5  # WCAG 2, level AA
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 
 
 @pytest.fixture(scope="module")
