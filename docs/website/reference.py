@@ -51,9 +51,13 @@ def python() -> str:
 
 
 def wire() -> str:
+    """Links to files that stand beside the pages of the site, which Markdown cannot make."""
     names = sorted(path.name.removesuffix(".json") for path in SCHEMAS.glob("*.json"))
-    rows = [f'<tr><td><a href="../../schema/{name}.json">{name}</a></td><td>{_sentence(name)}</td></tr>' for name in names]
-    return "\n".join(["<table><thead><tr><th>schema</th><th>what it describes</th></tr></thead><tbody>", *rows, "</tbody></table>\n"])
+    links = {"openrpc": ("openrpc", "All methods and messages in one document")}
+    links |= {f"schema/{name}": (name, _sentence(name)) for name in names}
+    rows = [f'<tr><td><a href="../../{file}.json">{name}</a></td><td>{said}</td></tr>' for file, (name, said) in links.items()]
+    head = "<thead><tr><th>file</th><th>what it describes</th></tr></thead>"
+    return f'<div class="table-wrapper"><table class="docutils">{head}<tbody>{"".join(rows)}</tbody></table></div>\n'
 
 
 def _sentence(name: str) -> str:
