@@ -4,7 +4,7 @@
 
 * ``/* --- words --- */`` begins a group of that name.
 * What stands above declarations belongs to all of them, up to a blank line or the next comment.
-* What stands behind one belongs to it.
+* What stands behind one belongs to it. Of an enum in one line it is put above, where doxygen takes it.
 """
 
 from __future__ import annotations
@@ -40,6 +40,7 @@ def _parts(text: str) -> Iterator[str]:
 
 def _documented(code: str, above: str) -> str:
     """`above` before each of the statements that it stands over, and the comments behind them marked."""
+    code = re.sub(r"(?m)^(enum \{.*\};) +/\*(.*?)\*/$", r"/**\2*/\n\1", code)
     over, blank, rest = code.partition("\n\n")
     if above:
         over = re.sub(r"(?m)^(?=CONTACTD_API|enum|typedef)", lambda _: above, over)

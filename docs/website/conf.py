@@ -59,6 +59,7 @@ breathe_projects = {"c": str(WORK / "c/xml"), "cpp": str(WORK / "cpp/xml")}
 breathe_default_project = "cpp"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 breathe_show_include = False
+breathe_show_enumvalue_initializer = True
 c_id_attributes = ["CONTACTD_API"]
 cpp_maximum_signature_line_length = c_maximum_signature_line_length = 100
 

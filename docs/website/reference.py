@@ -37,17 +37,35 @@ def c() -> str:
 
 def python() -> str:
     """Every name that the package exports, by the module that has it."""
-    tree = ast.parse((PACKAGE / "__init__.py").read_text())
+    import contactd
+
     parts = []
-    for statement in tree.body:
-        if isinstance(statement, ast.ImportFrom) and statement.module != "_version":
-            names = [alias.name for alias in statement.names]
-            said = ast.get_docstring(ast.parse((PACKAGE / f"{statement.module}.py").read_text())) or ""
-            objects = "\n".join(f".. auto{'class' if name[0].isupper() else 'function'}:: {name}" for name in names)
-            lead = ".. currentmodule:: contactd\n\n" + said.partition("\n\n")[0] + "\n\n"
-            parts.append(f"## {statement.module}\n\n```{{eval-rst}}\n{lead}{objects}\n```\n")
-    parts.append("## contactd.wheel_rail\n\n" + _directive("automodule:: contactd.wheel_rail"))
-    return "\n".join(parts)
+    for module, names in _exports(contactd).items():
+        said = ast.get_docstring(ast.parse((PACKAGE / f"{module}.py").read_text())) or ""
+        objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in names)
+        parts.append(f"## {module}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(said)}\n\n{objects}\n```\n")
+    return "\n".join([*parts, "## contactd.wheel_rail\n\n" + _directive("automodule:: contactd.wheel_rail")])
+
+
+def _exports(package: Any) -> dict[str, list[str]]:
+    """By modules, in the order in which __init__.py imports them; last those that it imports when they are first wanted."""
+    imports = [item for item in ast.parse((PACKAGE / "__init__.py").read_text()).body if isinstance(item, ast.ImportFrom)]
+    modules = {alias.name: item.module or "" for item in imports if item.level == 1 for alias in item.names}
+    found: dict[str, list[str]] = {module: [] for module in modules.values()}
+    for name in [*modules, *sorted(set(package.__all__) - set(modules))]:
+        if name in package.__all__ and not name.startswith("_"):
+            module = modules.get(name) or getattr(package, name).__module__.rpartition(".")[2]
+            found.setdefault(module, []).append(name)
+    return {module: names for module, names in found.items() if names}
+
+
+def _lead(docstring: str) -> str:
+    """The first paragraph."""
+    return docstring.partition("\n\n")[0]
+
+
+def _kind(thing: object) -> str:
+    return "class" if isinstance(thing, type) else "function" if callable(thing) else "data"
 
 
 def wire() -> str:

@@ -92,6 +92,7 @@ API int two(void);
 API int three(void);
 /* --- more ------------- */
 API int four(void);
+enum { A = 0, B = 1 }; /* of four */
 """
 
 
@@ -100,6 +101,7 @@ def test_comments_of_the_c_header_are_marked_for_every_declaration_that_they_sta
     assert marked.startswith("/** @file The head. */\n")
     assert "/** Of both. */\nCONTACTD_API int one(void); /**< behind */\n/** Of both. */\nCONTACTD_API int two(void);" in marked
     assert marked.count("Of both") == 2
+    assert "/** of four */\nenum { A = 0, B = 1 };" in marked
     assert [*re.findall("@name (.*)", marked)] == ["Some words", "More"]
     assert marked.count("@{") == marked.count("@}") == 2
 
