@@ -33,10 +33,10 @@ def on_terminal(stream: Any) -> bool:
     return bool(stream.isatty())
 
 
-def console(*, stderr: bool = False) -> Console:
-    """Where to print; colours on a terminal only, and there not against NO_COLOR."""
+def console(*, stderr: bool = False, is_bounded: bool = True) -> Console:
+    """Where to print; colours on a terminal only, and there not against NO_COLOR. `is_bounded` by its width."""
     stream = sys.stderr if stderr else sys.stdout
-    width = None if on_terminal(stream) else _UNBOUNDED
+    width = None if is_bounded and on_terminal(stream) else _UNBOUNDED
     return _Console(file=stream, width=width, highlight=False, markup=False, emoji=False, legacy_windows=False)
 
 
@@ -61,7 +61,8 @@ def emit(as_json: bool, value: Any, *shown: RenderableType) -> None:
 
 
 def _print(shown: Iterable[RenderableType]) -> None:
-    page = console()
+    # A terminal that is too narrow breaks lines, which reads better than numbers in pieces.
+    page = console(is_bounded=False)
     if on_terminal(sys.stdout):
         for part in shown:
             page.print(part)

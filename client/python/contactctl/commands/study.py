@@ -15,7 +15,7 @@ import typer
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
 from ..files import write_text
-from ..output import emit, listing, note
+from ..output import above_rounding, emit, listing, note
 from ..progress import Bar
 from ..study.by_dask import run_by_dask
 from ..study.here import run_here
@@ -92,6 +92,7 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     answers = [name for name in plan.answers if name not in plan.names]
     columns = [*plan.names, *answers]
     cells = [[*row["values"].values(), *(row.get("answers", {}).get(name) for name in answers)] for row in rows]
+    shown = [_shown(columns, line) for line in cells[:_SHOWN]]
     if table is not None:
         written = io.StringIO()
         csv.writer(written, lineterminator="\n").writerows([[*columns, "error"], *([*line, row.get("error", "")] for line, row in zip(cells, rows))])
@@ -102,10 +103,17 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     said += f", {unconverged} not converged" if unconverged else ""
     said += f", {codes.total()} failed" if codes else ""
     more = [f"... {len(rows) - _SHOWN} more rows: --csv FILE writes them all"] if len(rows) > _SHOWN else []
-    emit(setting().json, {"rows": rows}, listing(None, columns, cells[:_SHOWN]), *more, "", said)
+    emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", said)
     for row in [row for row in rows if "error" in row][:5]:
         note(f"failed: {row['values']}: {row['error']}")
     if codes:
         raise Ended(Code(min(codes)), f"{codes.total()} rows failed; --retry solves them again.")
     if unconverged:
         raise Ended(Code.NOT_CONVERGED, f"{unconverged} rows did not converge.")
+
+
+def _shown(columns: list[str], cells: list[Any]) -> list[Any]:
+    """For people, without what rounding leaves of forces."""
+    forces = [name.startswith("forces.") and isinstance(cell, float) for name, cell in zip(columns, cells)]
+    largest = max((abs(cell) for cell, is_force in zip(cells, forces) if is_force), default=0.0)
+    return [above_rounding(cell, largest) if is_force else cell for cell, is_force in zip(cells, forces)]

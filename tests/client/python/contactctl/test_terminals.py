@@ -133,6 +133,12 @@ def test_lines_in_a_pipe_are_as_long_as_they_need_to_be(ctl):
     assert lines[0].split() == ["friction.mu", "forces.Fn", "forces.Fx", "forces.Fy", "forces.Mz", "approach", "pmax", "converged"]
 
 
+def test_numbers_stay_whole_on_a_narrow_terminal(ctl):
+    with Terminal(ctl, "solve", "contact.yaml", COLUMNS="30") as terminal:
+        assert terminal.ended() == 0
+        assert re.search(r"\d+ elements: \d+ in adhesion, \d+ in slip", ESCAPE.sub("", terminal.text))
+
+
 def test_a_terminal_without_utf_8_gets_ascii(ctl):
     said = ctl.alone("bench", "-n", 3, PYTHONIOENCODING="ascii", LC_ALL="C", PYTHONUTF8="0")
     assert said.code == 0
