@@ -9,6 +9,9 @@ from typing import Any
 
 import click
 
+from contactd import ContactSolution, PartialSolution
+from contactd.wheel_rail import WheelRailSolution
+
 from .files import write_text
 from .output import plain_json
 
@@ -42,44 +45,19 @@ def _need(module: str, what: str, package: str) -> None:
         raise click.UsageError(advice) from None
 
 
-def save(path: Path, asked: dict[str, Any], answer: dict[str, Any], draw: Callable[[Any], None]) -> None:
-    """`asked` and `answer` are those of the wire; `draw` fills a figure of matplotlib."""
+def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | PartialSolution | WheelRailSolution]) -> None:
+    """`answer` is that of the wire, and what `read` makes of it the solution that Python has."""
     if path.suffix == ".json":
         write_text(path, json.dumps(plain_json(answer), allow_nan=False) + "\n")
     elif path.suffix == ".h5":
-        _write_hdf5(path, asked, answer)
+        read().save(path)
     else:
         from matplotlib.figure import Figure
 
-        figure = Figure(layout="constrained")
-        draw(figure)
-        figure.savefig(path, dpi=150, bbox_inches="tight")
-
-
-def _write_hdf5(path: Path, asked: dict[str, Any], answer: dict[str, Any]) -> None:
-    """Objects are groups, arrays datasets, all else attributes; the request is JSON in the attribute `asked`."""
-    import h5py
-
-    part = Path(f"{path}.part")
-    try:
-        with h5py.File(part, "w") as file:
-            file.attrs["asked"] = json.dumps(plain_json(asked))
-            _fill(file, answer)
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
-
-
-def _fill(group: Any, members: dict[str, Any]) -> None:
-    for name, value in members.items():
-        if value is None:
-            continue
-        if isinstance(value, dict):
-            _fill(group.create_group(name), value)
-        elif isinstance(value, list) and value and isinstance(value[0], dict):
-            for index, member in enumerate(value):
-                _fill(group.create_group(f"{name}/{index}"), member)
-        elif hasattr(value, "shape"):
-            group.create_dataset(name, data=value)
+        solution = read()
+        if isinstance(solution, WheelRailSolution):
+            figure = solution.plot()
         else:
-            group.attrs[name] = json.dumps(value) if isinstance(value, list) else value
+            figure = Figure(figsize=(6.8, 5.4), layout="constrained")
+            solution.plot(figure.subplots())
+        figure.savefig(path, dpi=150, bbox_inches="tight")

@@ -8,13 +8,16 @@ from typing import Annotated, Any
 import click
 import typer
 
+from contactd import ContactSolution, Grid, PartialSolution
+from contactd.partial import read_solution
+from contactd.reading import read
+
 from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
 from ..files import read_object
 from ..output import above_rounding, emit, facts, number, warn
 from ..paths import changed
-from ..pictures import draw_contact
 from ..saving import ARRAYS, check_outputs, save
 
 __all__ = ["Fields", "Outputs", "Set", "add_to", "contact_rows", "wanted_fields"]
@@ -42,7 +45,7 @@ def solve(
     with connected() as client:
         answer = ask(client, "contact.solve", params, "solving")
     for path in outputs:
-        save(path, params, answer, lambda figure: draw_contact(figure, params["grid"], answer))
+        save(path, answer, lambda: _solution(params, answer))
     emit(setting().json, answer, facts(_title(params), contact_rows(answer)))
     warn(answer["warnings"])
     if not answer["converged"]:
@@ -60,6 +63,10 @@ def wanted_fields(params: dict[str, Any], fields: str | None, outputs: list[Path
         params["fields"] = []
     if any(path.suffix not in (".json", ".h5") for path in outputs):
         params.pop("fields", None)
+
+
+def _solution(params: dict[str, Any], answer: dict[str, Any]) -> ContactSolution | PartialSolution:
+    return read_solution(read(Grid, params["grid"], "grid"), params.get("fields"), answer)
 
 
 def _title(params: dict[str, Any]) -> str:

@@ -8,13 +8,14 @@ from typing import Annotated, Any
 import typer
 from rich.console import RenderableType
 
+from contactd.wheel_rail_solution import read_wheel_rail
+
 from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
 from ..files import read_object
 from ..output import emit, facts, listing, warn
 from ..paths import changed
-from ..pictures import draw_wheel_rail
 from ..saving import check_outputs, save
 from .solve import Fields, Outputs, Set, wanted_fields
 
@@ -50,7 +51,7 @@ def solve(
     with connected() as client:
         answer = ask(client, "wheelrail.solve", params, "solving")
     for path in outputs:
-        save(path, params, answer, lambda figure: draw_wheel_rail(figure, answer))
+        save(path, answer, lambda: read_wheel_rail(params.get("fields"), params.get("gap", False), answer))
     emit(setting().json, answer, *_shown(answer))
     warn([*answer["warnings"], *(text for patch in answer["patches"] for text in patch["solution"]["warnings"])])
     if not answer["converged"]:
