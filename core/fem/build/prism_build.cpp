@@ -1,0 +1,58 @@
+#include "prism_build.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include "contactd/fem/ic_builder.hpp"
+#include "geometry/section/section_geometry.hpp"
+#include "mesh_build.hpp"
+#include "section/section_outline.hpp"
+#include "section/spectrum_build.hpp"
+
+namespace contactd::fem {
+namespace {
+
+std::vector<std::string> warnings_of(const IcSpec& spec, const SpectrumErrors& errors) {
+    std::vector<std::string> result;
+    char text[240];
+    if (errors.total() > spec.accuracy) {
+        std::snprintf(text, sizeof text,
+                      "The stated error, %.2g, exceeds the accuracy asked for, %g, with the finest mesh that is tried.",
+                      errors.total(), spec.accuracy);
+        result.emplace_back(text);
+    }
+    if (const auto* rail = std::get_if<RailSection>(&spec.section->shape);
+        rail != nullptr && rail->support == RailSupport::foot)
+        result.emplace_back("The rail is held at its foot: its bending is in the table, which moves contacts on it.");
+    return result;
+}
+
+}  // namespace
+
+IcRecord build_prism(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes) {
+    const double start = MPI_Wtime();
+    const geometry::SectionGeometry section(*spec.section, spec.ny, spec.dy, "ics.section");
+    const SectionOutline outline = outline_of(section);
+    SpectrumBuild build = build_spectrum(comm, outline, spec.material.nu, spec.accuracy, observer, max_memory_bytes);
+    IcRecord record;
+    record.spec = spec;
+    IcEvidence& evidence = record.evidence;
+    evidence.source = name_of(IcSource::fem);
+    evidence.version = fem_version();
+    evidence.elements = build.triangles;
+    evidence.dofs = build.unknowns;
+    MPI_Comm_size(comm, &evidence.processes);
+    evidence.seconds = {build.mesh_seconds, build.setup_seconds, build.solve_seconds, 0};
+    evidence.solver = name_of(Solver::direct);
+    const SpectrumErrors& errors = build.errors;
+    evidence.section = {build.order,        static_cast<int>(build.spectrum.nodes.size()),
+                        errors.total(),     errors.mesh,
+                        errors.wavenumbers, errors.end,
+                        errors.reciprocity};
+    evidence.warnings = warnings_of(spec, errors);
+    record.tables = std::move(build.spectrum);
+    finish_evidence(evidence, start, comm);
+    return record;
+}
+
+}  // namespace contactd::fem

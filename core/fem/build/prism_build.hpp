@@ -1,0 +1,17 @@
+// The record of a prism: the transform of its coefficients.
+#pragma once
+
+#include <cstdint>
+
+#include <mpi.h>
+
+#include "contactd/ic_record.hpp"
+#include "contactd/observer.hpp"
+
+namespace contactd::fem {
+
+/// Collective; wavenumbers are spread over the processes. `spec` must be dimensionless. Throws as build_ic_table does,
+/// everything on all processes.
+IcRecord build_prism(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes);
+
+}  // namespace contactd::fem
