@@ -13,6 +13,7 @@ say() { printf 'wheel: %s\n' "$*" >&2; }
 
 # setuptools writes beside the sources, which stay as they are.
 cp -r "$repository/client/python" "$scratch/sources"
+rm -rf "$scratch/sources/build" # of an earlier one, which would be taken for the sources
 cp "$repository/LICENSE" "$scratch/sources/"
 python3 -m venv "$scratch/tools"
 mkdir -p "$folder"

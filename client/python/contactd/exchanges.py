@@ -157,13 +157,14 @@ class Exchanges:
         return events
 
     def _note(self, event: Event) -> None:
-        if event.is_of_connection:
-            self._is_connected = event.kind == zmq.EVENT_HANDSHAKE_SUCCEEDED
+        if event.kind == zmq.EVENT_HANDSHAKE_SUCCEEDED:
+            self._is_connected = True
             self._handshakes = Handshakes(self._endpoint, self._encrypted)
             self._stop_patience()
-            if not self._is_connected:
-                sent = [one for one in self._open.values() if one.is_sent]
-                self._end(sent, lambda one: went_away(self._endpoint, one.request.method))
+        elif event.is_of_connection:  # lost; also behind each handshake that failed
+            self._is_connected = False
+            sent = [one for one in self._open.values() if one.is_sent]
+            self._end(sent, lambda one: went_away(self._endpoint, one.request.method))
         elif (failure := self._handshakes.judge(event)) is not None:
             # A socket whose handshake was refused never connects again.
             self._end(self._open.values(), lambda one: copy(failure))

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import zmq.auth
 
 import contactd
 from contactd import (
@@ -30,6 +31,7 @@ from contactd import (
     ProtocolError,
     Session,
     TimeoutExpired,
+    Unauthenticated,
 )
 from contactd.calls.asking import asks
 from support import answers
@@ -383,3 +385,44 @@ def test_arrays_too_large_are_refused_before_they_are_sent(tmp_path):
 
     _, requests = run(lambda request: [request.result(answers.INFO)], act, tmp_path)
     assert [request.method for request in requests] == ["server.info"]
+
+
+def test_a_daemon_without_encryption_is_told_and_asked_again(tmp_path):
+    zmq.auth.create_certificates(tmp_path, "daemon")
+    _, own = zmq.auth.create_certificates(tmp_path, "alice")
+    os.chmod(own, 0o600)
+
+    async def act(endpoint):
+        async with AsyncClient(endpoint, server_key=tmp_path / "daemon.key", own_key=own, timeout=20) as client:
+            for _ in range(2):  # on a new socket, since one that was refused never connects again
+                outcomes = await asyncio.gather(client.health(), client.info(), return_exceptions=True)
+                assert [type(error) for error in outcomes] == [Unauthenticated] * 2, outcomes
+                assert all("the daemon does not use encryption" in str(error) for error in outcomes)
+
+    with FakeServer(tmp_path, serving) as server:
+        asyncio.run(act(server.endpoint))
+
+
+@pytest.mark.parametrize("endpoint", ["nonsense", "tcp://", "http://x:1"])
+def test_what_is_no_endpoint_is_named(endpoint):
+    async def act():
+        async with AsyncClient(endpoint) as client:
+            await client.health()
+
+    with pytest.raises(ConnectionFailed, match="is no endpoint one can connect to"):
+        asyncio.run(act())
+
+
+def test_a_call_that_is_cancelled_before_it_is_sent_leaves_no_trace(tmp_path):
+    async def act():
+        async with AsyncClient(f"ipc://{tmp_path}/fake", connect_timeout=20) as client:
+            tasks = [asyncio.create_task(call) for call in (client.health(), client.solve(PROBLEM))]
+            await asyncio.sleep(0)
+            for task in tasks:
+                task.cancel()
+            await asyncio.wait(tasks)
+            with FakeServer(tmp_path, serving) as server:
+                assert await client.health() == "serving"
+                return [request.method for request in server.requests]
+
+    assert asyncio.run(act()) == ["server.health"]
