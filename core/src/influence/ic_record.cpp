@@ -77,6 +77,12 @@ ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& req
 
 ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double) {
     require_columns(spectrum.columns, request);
+    constexpr std::size_t most_values = 50'000'000;  // of each of nine components: 3.6 GB
+    if (static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) >
+        most_values / static_cast<std::size_t>(request.ny))
+        throw InvalidArgument("grid.nx", "is " + std::to_string(request.nx) + ", with ny " +
+                                             std::to_string(request.ny) + "; nx ny^2 of a prism may be at most " +
+                                             std::to_string(most_values));
     return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G);
 }
 
