@@ -57,9 +57,7 @@ def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):
         ({}, "exactly one"),
         ({**EDGE, "disc": {"radius": 10, "core": 1}}, "exactly one"),
         ({"edge_block": {"width": 5, "height": 50}}, "ics.section"),
-        ({"edge_block": {"width": 100}}, "height"),
         ({"disc": {"radius": 10, "core": 0}}, "held"),
-        ({"cube": {}}, "cube"),
     ],
 )
 def test_a_section_that_is_none_is_refused(shared, section, says):
@@ -67,12 +65,6 @@ def test_a_section_that_is_none_is_refused(shared, section, says):
         shared.get_ic(STEEL, GRID, fem(section))
 
 
-def test_a_prism_takes_an_accuracy_and_a_section_and_no_mesh(shared):
-    with pytest.raises(InvalidArgument, match="section"):
-        shared.get_ic(STEEL, GRID, FemIcs(body="prism", accuracy=1e-2))
-    with pytest.raises(InvalidArgument, match="order"):
-        shared.get_ic(STEEL, GRID, FemIcs(body="prism", section=EDGE, order=3))
-    with pytest.raises(InvalidArgument, match="prism"):
-        shared.get_ic(STEEL, GRID, FemIcs(section=EDGE, accuracy=1e-2))
+def test_a_prism_is_not_exported(shared):
     with pytest.raises(InvalidArgument, match="prism"):
         shared.export_ic(STEEL, GRID, fem(EDGE))
