@@ -46,7 +46,7 @@ def test_contact_with_a_prism_is_refused_until_it_is_solved(shared):
 def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):
     table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
     flat = shared.get_ic(STEEL, GRID, AnalyticIcs())
-    assert table.origin == "closed_form"
+    assert table.origin in ("closed_form", "memory")
     assert table["zz"][3, 1] == pytest.approx(flat["zz"][2], rel=1e-10)
     assert table["xz"][3, 1] == pytest.approx(flat["xz"][2], rel=1e-10)
 
