@@ -104,6 +104,12 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_set_slip_of_surfaces(wheel, of_surfaces) bind(c)
             import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: of_surfaces
         end function
+        integer(c_int32_t) function contactd_wheel_set_mesh_search(wheel, mesh) bind(c)
+            import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: mesh
+        end function
+        integer(c_int32_t) function contactd_wheel_set_conformal(wheel, conformal) bind(c)
+            import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: conformal
+        end function
         integer(c_int32_t) function contactd_wheel_set_tolerance(wheel, solver, tolerance, max_iterations) bind(c)
             import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: solver
             real(c_double), value :: tolerance; integer(c_int32_t), value :: max_iterations
@@ -182,6 +188,10 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_get_grid(wheel, patch, nx, ny, dx, dy, x0, y0) bind(c)
             import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: patch
             integer(c_int32_t), intent(out) :: nx, ny; real(c_double), intent(out) :: dx, dy, x0, y0
+        end function
+        integer(c_int32_t) function contactd_wheel_get_rows(wheel, patch, y, z, angle, length) bind(c)
+            import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: patch
+            real(c_double), intent(out) :: y(*), z(*), angle(*); integer(c_int32_t), value :: length
         end function
         integer(c_int32_t) function contactd_wheel_get_creepages(wheel, patch, xi, eta, phi, velocity) bind(c)
             import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: patch

@@ -352,6 +352,11 @@ CONTACTD_API int32_t contactd_wheel_set_patch_rules(contactd_wheel* wheel, doubl
 CONTACTD_API int32_t contactd_wheel_set_bilinear(contactd_wheel* wheel, int32_t bilinear);
 /* 1: elements slip by the motion of both surfaces there, for conformal contact; 0: by creepages, as in a plane. */
 CONTACTD_API int32_t contactd_wheel_set_slip_of_surfaces(contactd_wheel* wheel, int32_t of_surfaces);
+/* 1: regions of overlap are found on a mesh seen from above, for rails that curve along the track, too; 0: by a locus.
+ */
+CONTACTD_API int32_t contactd_wheel_set_mesh_search(contactd_wheel* wheel, int32_t mesh);
+/* 1: contacts are curved across the track, half-way between wheel and rail; 0, as at first: they lie in planes. */
+CONTACTD_API int32_t contactd_wheel_set_conformal(contactd_wheel* wheel, int32_t conformal);
 /* `solver`: CONTACTD_NORMAL, _TANGENTIAL, _OUTER, or _FORCE, the search for z. */
 CONTACTD_API int32_t contactd_wheel_set_tolerance(contactd_wheel* wheel, int32_t solver, double tolerance,
                                                   int32_t max_iterations);
@@ -402,6 +407,10 @@ CONTACTD_API int32_t contactd_wheel_get_place(contactd_wheel* wheel, int32_t pat
 /* Elements, their size, and the corner of element (0, 0), in contact coordinates. */
 CONTACTD_API int32_t contactd_wheel_get_grid(contactd_wheel* wheel, int32_t patch, int32_t* nx, int32_t* ny, double* dx,
                                              double* dy, double* x0, double* y0);
+/* The rows of a curved contact, length = ny: their middles in track coordinates, and their inclinations;
+ * CONTACTD_NOT_FOUND of one that lies in a plane. */
+CONTACTD_API int32_t contactd_wheel_get_rows(contactd_wheel* wheel, int32_t patch, double* y, double* z, double* angle,
+                                             int32_t length);
 CONTACTD_API int32_t contactd_wheel_get_creepages(contactd_wheel* wheel, int32_t patch, double* xi, double* eta,
                                                   double* phi, double* velocity);
 /* Of curvature, > 0 where convex, infinite where straight. */

@@ -39,6 +39,8 @@ static int call_that_sets_wheel(const char* command) {
     CALL(wheel_set_patch_rules, w, number(0), number(1), number(2), number(3), number(4))
     CALL(wheel_set_bilinear, w, whole(0))
     CALL(wheel_set_slip_of_surfaces, w, whole(0))
+    CALL(wheel_set_mesh_search, w, whole(0))
+    CALL(wheel_set_conformal, w, whole(0))
     CALL(wheel_set_tolerance, w, whole(0), number(1), whole(2))
     CALL(wheel_set_position, w, number(0), number(1), number(2), number(3))
     CALL(wheel_set_x, w, number(0))
@@ -78,6 +80,18 @@ static mxArray* read_patch_array(contactd_wheel* w, int32_t patch, int32_t which
     return values;
 }
 
+/* ny x 3: y, z and inclination of the rows of a curved contact. */
+static mxArray* read_rows(contactd_wheel* w, int32_t patch) {
+    double dx, dy, x0, y0, *y;
+    int32_t nx, ny;
+    mxArray* values;
+    check(contactd_wheel_get_grid(w, patch, &nx, &ny, &dx, &dy, &x0, &y0));
+    values = mxCreateDoubleMatrix((mwSize)ny, 3, mxREAL);
+    y = mxGetPr(values);
+    check(contactd_wheel_get_rows(w, patch, y, y + ny, y + 2 * ny, ny));
+    return values;
+}
+
 static int call_that_reads_wheel(const char* command, int nlhs, mxArray* plhs[]) {
     contactd_wheel* w = (contactd_wheel*)(uintptr_t)handle;
     double numbers[6], *x = numbers;
@@ -112,6 +126,10 @@ static int call_that_reads_wheel(const char* command, int nlhs, mxArray* plhs[])
         x[0] = n[0];
         x[1] = n[1];
         put(x, 6, nlhs, plhs);
+        return 1;
+    }
+    if (!strcmp(command, "wheel_get_rows")) {
+        plhs[0] = read_rows(w, whole(0));
         return 1;
     }
     if (!strcmp(command, "wheel_get_array")) {

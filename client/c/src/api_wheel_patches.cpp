@@ -42,6 +42,23 @@ std::int32_t contactd_wheel_get_grid(contactd_wheel* wheel, std::int32_t patch, 
     });
 }
 
+std::int32_t contactd_wheel_get_rows(contactd_wheel* wheel, std::int32_t patch, double* y, double* z, double* angle,
+                                     std::int32_t length) {
+    return read(wheel, patch, [&](const WheelRailPatch& one) {
+        given(y, "y"), given(z, "z"), given(angle, "angle");
+        const std::vector<contactd::ContactRow>& rows = one.place.rows;
+        if (rows.empty()) throw nothing_of("rows: the contact lies in a plane");
+        if (length < 0 || static_cast<std::size_t>(length) != rows.size())
+            throw contactd::InvalidArgument(
+                "length", "is " + std::to_string(length) + "; the grid has " + std::to_string(rows.size()) + " rows");
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            y[row] = rows[row].y;
+            z[row] = rows[row].z;
+            angle[row] = rows[row].angle;
+        }
+    });
+}
+
 std::int32_t contactd_wheel_get_creepages(contactd_wheel* wheel, std::int32_t patch, double* xi, double* eta,
                                           double* phi, double* velocity) {
     return read(wheel, patch, [&](const WheelRailPatch& one) {

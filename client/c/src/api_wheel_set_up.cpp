@@ -239,6 +239,20 @@ std::int32_t contactd_wheel_set_slip_of_surfaces(contactd_wheel* wheel, std::int
     });
 }
 
+std::int32_t contactd_wheel_set_mesh_search(contactd_wheel* wheel, std::int32_t mesh) {
+    using contactd::ContactSearch;
+    return setup(wheel, [&](WheelRailSetup& changed) {
+        changed.patches.search = mesh != 0 ? ContactSearch::mesh : ContactSearch::locus;
+    });
+}
+
+std::int32_t contactd_wheel_set_conformal(contactd_wheel* wheel, std::int32_t conformal) {
+    using contactd::Conformal;
+    return setup(wheel, [&](WheelRailSetup& changed) {
+        changed.conformal = conformal != 0 ? Conformal::half_space : Conformal::off;
+    });
+}
+
 std::int32_t contactd_wheel_set_tolerance(contactd_wheel* wheel, std::int32_t solver, double tolerance,
                                           std::int32_t max_iterations) {
     return setup(wheel, [&](WheelRailSetup& changed) {

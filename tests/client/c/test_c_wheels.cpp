@@ -48,6 +48,12 @@ void read_patch(contactd_wheel* w, std::int32_t patch, Numbers& all) {
     }
     require_ok(contactd_wheel_get_division(w, patch, division.data(), size), w);
     all.insert(all.end(), division.begin(), division.end());
+    const auto ny = static_cast<std::size_t>(n[1]);
+    Numbers rows(3 * ny);
+    const std::int32_t curved =
+        contactd_wheel_get_rows(w, patch, rows.data(), rows.data() + ny, rows.data() + 2 * ny, n[1]);
+    if (curved != CONTACTD_NOT_FOUND) require_ok(curved, w);
+    all.insert(all.end(), rows.begin(), rows.end());
     require_ok(contactd_wheel_get_place(w, patch, x, x + 1, x + 2, x + 3), w);
     require_ok(contactd_wheel_get_pressure(w, patch, x + 4, x + 5), w);
     all.insert(all.end(), x, x + 6);
@@ -136,6 +142,12 @@ const std::vector<Case>& cases() {
              require_ok(contactd_wheel_set_arc(w, CONTACTD_RAIL, 200, 0, -30, 30), w);
              require_ok(contactd_wheel_add_slice(w, 500), w);
              require_ok(contactd_wheel_set_x(w, 100), w);
+         }},
+        {"a contact that is curved, found on a mesh",
+         [](contactd_wheel* w) {
+             set_rolling(w, 7.5);
+             require_ok(contactd_wheel_set_mesh_search(w, 1), w);
+             require_ok(contactd_wheel_set_conformal(w, 1), w);
          }},
         {"a roller, of points, under a rigid wheel",
          [](contactd_wheel* w) {
