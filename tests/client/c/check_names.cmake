@@ -5,7 +5,7 @@ list(TRANSFORM exported REPLACE "^ . " "")
 list(FILTER exported EXCLUDE REGEX "^CONTACTD_1$") # the version of the interface
 file(READ ${HEADER} text)
 string(REGEX MATCHALL "CONTACTD_API [a-z][^(]+\\(" declared "${text}")
-list(TRANSFORM declared REPLACE "^.*[ *](contactd_[A-Za-z_]+)\\($" "\\1")
+list(TRANSFORM declared REPLACE "^.*[ *](contactd_[A-Za-z0-9_]+)\\($" "\\1")
 list(SORT exported)
 list(SORT declared)
 list(LENGTH declared count)
