@@ -6,7 +6,7 @@ import pytest
 from contactd import ContactColumns, ContactProblem, Friction, Grid, InvalidArgument, Material, Paraboloid, Rolling
 
 STEEL = Material(G=82000, nu=0.28)
-GRID = Grid.centred(21, 15, 0.5, 0.5)
+GRID = Grid.centred(21, 15, 10.5, 7.5)
 X, Y = np.meshgrid((np.arange(21) - 10) * 0.5, (np.arange(15) - 7) * 0.5)
 GAP = X**2 / 100 + Y**2 / 80
 ROLLING = Friction(0.3, rolling=Rolling(xi=1e-3, eta=-5e-4, phi=1e-4))
@@ -44,7 +44,7 @@ def test_the_force_on_an_arc_is_along_its_approach(shared):
 
 def test_a_session_keeps_its_columns(shared):
     alone = shared.solve(**CONTACT, friction=ROLLING, columns=columns(0.05))
-    with shared.open_session(**CONTACT, friction=ROLLING, columns=columns(0.05)) as session:
+    with shared.session(**CONTACT, friction=ROLLING, columns=columns(0.05)) as session:
         step = session.step()
     assert step.resultant == alone.resultant
 
