@@ -7,6 +7,7 @@
 
 #include "contactd/error.hpp"
 #include "number_text.hpp"
+#include "refuse_below.hpp"
 
 namespace contactd {
 namespace {
@@ -16,8 +17,7 @@ constexpr double most_inclination = 0.2;
 
 void check_length(double value, const std::string& field) {
     if (!(value >= shortest && value <= longest))
-        throw InvalidArgument(field,
-                              "is " + number_text(value) + "; it must be a length between 1e-9 and 1e12 mm, in mm");
+        throw InvalidArgument(field, "is " + number_text(value) + "; it must be a length between 1e-9 and 1e12 mm");
 }
 
 void check_place(double value, const std::string& field) {
@@ -170,7 +170,11 @@ bool check(const Slab& slab, const std::string& field) {
 }
 
 bool check(const ProfileSection& section, const std::string& field) {
-    validate(section.profile);
+    try {
+        validate(section.profile);
+    } catch (const InvalidArgument& error) {
+        refuse_below(field + ".profile_section", error);
+    }
     check_length(section.depth, field + ".profile_section.depth");
     check_place(section.from, field + ".profile_section.from");
     return true;

@@ -64,6 +64,11 @@ TEST_CASE("Numbers of a section that contradict each other are refused", "[secti
     refuses(RailSection{0, RailSupport::cut, nan}, "section.rail_60e1.from is nan");
 }
 
+TEST_CASE("What is wrong with a profile is named below its section", "[section]") {
+    refuses(ProfileSection{{ProfileKind::rail, ArcProfile{0}}, 40, 0},
+            "section.profile_section.profile.arc.radius is 0");
+}
+
 TEST_CASE("Outlines are refused where their numbers stand", "[section]") {
     OutlineSection section = square();
     section.outside.start.z = nan;

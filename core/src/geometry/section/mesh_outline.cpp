@@ -72,8 +72,9 @@ class Division {
     }
 
     double edge_at(double s) const {
+        const double shortest = 1e-6 * curve_.length();  // at a cusp of a spline
         const OutlinePlace here = curve_.place(s);
-        return std::min(lengths_.at(here.at), sizes_.most_turn / std::max(std::abs(here.curvature), 1e-300));
+        return std::min(lengths_.at(here.at), std::max(sizes_.most_turn / std::abs(here.curvature), shortest));
     }
 
     // So that the integral of ds / edge is the same over all edges: first along steps that are small beside edges.

@@ -38,10 +38,18 @@ bool inside(const SectionPoint& point, const Polygon& polygon) {
 struct Chord {
     SectionPoint a, b;
     std::size_t curve, index;
-
-    double low() const { return std::min(a.z, b.z); }
-    double high() const { return std::max(a.z, b.z); }
 };
+
+using Coordinate = double SectionPoint::*;
+double low(const Chord& chord, Coordinate along) {
+    return std::min(chord.a.*along, chord.b.*along);
+}
+double high(const Chord& chord, Coordinate along) {
+    return std::max(chord.a.*along, chord.b.*along);
+}
+bool apart(const Chord& p, const Chord& q, Coordinate along) {
+    return high(p, along) < low(q, along) || high(q, along) < low(p, along);
+}
 
 double side(const SectionPoint& a, const SectionPoint& b, const SectionPoint& point) {
     return (b.y - a.y) * (point.z - a.z) - (b.z - a.z) * (point.y - a.y);
@@ -54,7 +62,7 @@ bool within(const SectionPoint& a, const SectionPoint& b, const SectionPoint& po
 
 // Where two chords cross or touch.
 std::optional<SectionPoint> common_point(const Chord& p, const Chord& q) {
-    if (std::max(p.a.y, p.b.y) < std::min(q.a.y, q.b.y) || std::max(q.a.y, q.b.y) < std::min(p.a.y, p.b.y)) return {};
+    if (apart(p, q, &SectionPoint::y) || apart(p, q, &SectionPoint::z)) return {};
     const double a = side(q.a, q.b, p.a), b = side(q.a, q.b, p.b), c = side(p.a, p.b, q.a), d = side(p.a, p.b, q.b);
     if ((a > 0) != (b > 0) && (c > 0) != (d > 0) && a != b) {
         const double t = a / (a - b);
@@ -79,12 +87,22 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
     for (std::size_t curve = 0; curve < polygons.size(); ++curve)
         for (std::size_t i = 0; i < polygons[curve].size(); ++i)
             chords.push_back({polygons[curve][i], polygons[curve][(i + 1) % polygons[curve].size()], curve, i});
-    std::sort(chords.begin(), chords.end(), [](const Chord& p, const Chord& q) { return p.low() < q.low(); });
+    // Along the axis where they overlap less.
+    const auto spread = [&](Coordinate along) {
+        double sum = 0;
+        for (const Chord& chord : chords) sum += high(chord, along) - low(chord, along);
+        const auto [first, last] = std::minmax_element(
+            chords.begin(), chords.end(), [&](const Chord& p, const Chord& q) { return p.a.*along < q.a.*along; });
+        return sum / (last->a.*along - first->a.*along);
+    };
+    const Coordinate along = spread(&SectionPoint::y) < spread(&SectionPoint::z) ? &SectionPoint::y : &SectionPoint::z;
+    std::sort(chords.begin(), chords.end(),
+              [&](const Chord& p, const Chord& q) { return low(p, along) < low(q, along); });
     for (std::size_t i = 0; i < chords.size(); ++i)
-        for (std::size_t k = i + 1; k < chords.size() && chords[k].low() <= chords[i].high(); ++k) {
+        for (std::size_t k = i + 1; k < chords.size() && low(chords[k], along) <= high(chords[i], along); ++k) {
             const Chord &p = chords[i], &q = chords[k];
-            const std::size_t apart = p.index > q.index ? p.index - q.index : q.index - p.index;
-            const bool neighbours = apart == 1 || apart + 1 == polygons[p.curve].size();
+            const std::size_t between = p.index > q.index ? p.index - q.index : q.index - p.index;
+            const bool neighbours = between == 1 || between + 1 == polygons[p.curve].size();
             if (p.curve == q.curve && neighbours) continue;
             if (const auto at = common_point(p, q)) {
                 if (p.curve == q.curve)

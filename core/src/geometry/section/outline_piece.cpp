@@ -9,8 +9,8 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double arc_step = 2 * std::numbers::pi / 180;  // between points of an arc
-constexpr int spline_steps = 8;                          // between neighbours among its points
+constexpr double turn_step = 2 * std::numbers::pi / 180;  // of the tangent from point to point
+constexpr int most_spline_steps = 8;                      // between neighbours among its points
 
 // So that two points are told apart at all.
 double least_length(const SectionPoint& a, const SectionPoint& b) {
@@ -87,15 +87,22 @@ OutlinePlace OutlinePiece::place(double s) const {
 std::vector<SectionPoint> OutlinePiece::points() const {
     int steps = 1;
     if (const auto* arc = std::get_if<Arc>(&shape_))
-        steps = 1 + static_cast<int>(length_ / (std::abs(arc->radius) * arc_step));
+        steps = 1 + static_cast<int>(length_ / (std::abs(arc->radius) * turn_step));
     std::vector<SectionPoint> result;
     if (const auto* curve = std::get_if<ProfileCurve>(&shape_)) {
         const auto& knots = curve->knots();
-        for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-            for (int step = 0; step < spline_steps; ++step) {
-                const ProfilePoint at = curve->at(knots[i] + step * (knots[i + 1] - knots[i]) / spline_steps);
+        for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+            // The curvature between two points of a spline lies between theirs.
+            const double width = knots[i + 1] - knots[i];
+            const double most =
+                std::max(std::abs(curve->curvature(knots[i])), std::abs(curve->curvature(knots[i + 1])));
+            const double turns = most * width / turn_step;
+            const int parts = turns < most_spline_steps ? 1 + static_cast<int>(turns) : most_spline_steps;
+            for (int part = 0; part < parts; ++part) {
+                const ProfilePoint at = curve->at(knots[i] + part * width / parts);
                 result.push_back({at.y, at.z});
             }
+        }
     } else {
         for (int step = 0; step < steps; ++step) result.push_back(place(step * length_ / steps).at);
     }

@@ -7,6 +7,7 @@
 #include "geometry/section/place_text.hpp"
 #include "geometry/section/ready_made.hpp"
 #include "types/number_text.hpp"
+#include "types/refuse_below.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -49,6 +50,14 @@ struct Surface {
     }
 };
 
+Profile profile_of(const ProfileSection& section, const std::string& field) {
+    try {
+        return make_profile(section.profile);
+    } catch (const InvalidArgument& error) {
+        refuse_below(field, error);
+    }
+}
+
 // Upright sides from the ends of the surface to a level cut.
 OutlineSection with_cut(Surface surface, double z, double from) {
     const SectionPoint begin = surface.start, end = std::get<SplineTo>(surface.parts.back().curve).through.back();
@@ -67,7 +76,7 @@ OutlineSection outline_of(const WheelRimSection& rim, double) {
 }
 
 OutlineSection outline_of(const ProfileSection& section, double, const std::string& field) {
-    const Profile profile = make_profile(section.profile);
+    const Profile profile = profile_of(section, field + ".profile_section");
     const bool wheel = profile.kind == ProfileKind::wheel;
     const auto& points = profile.curve.points();
     if (!(points.front().y < 0 && points.back().y > 0))

@@ -125,6 +125,9 @@ TEST_CASE("Profiles that do not fit their section are refused", "[section]") {
     refuses({ProfileSection{{ProfileKind::rail, ArcProfile{50, 0, -30, 30}}, 9, 0}}, "section.profile_section.depth",
             "is 9, where the profile reaches to (y, z) = (-30, -10)");
     refuses({ProfileSection{{ProfileKind::wheel, S1002{}}, 2, 0}}, "section.profile_section.depth", "is 2, where");
+    ProfilePoints crossing;
+    crossing.points = {{-20, 0}, {20, 0}, {20, -10}, {0, 10}, {-5, 20}};
+    refuses({ProfileSection{{ProfileKind::rail, crossing}, 40, 0}}, "section.profile_section.profile.points", "cross");
     refuses({ProfileSection{{ProfileKind::rail, ArcProfile{100, 0, 5, 40}}, 9, 0}}, "section.profile_section.profile",
             "reaches from y = ");
 }
