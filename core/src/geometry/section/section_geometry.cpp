@@ -150,15 +150,4 @@ std::vector<ColumnFrame> SectionGeometry::frames() const {
     return frames;
 }
 
-double SectionGeometry::extent() const {
-    double low_y = INFINITY, high_y = -INFINITY, low_z = INFINITY, high_z = -INFINITY;
-    for (const SectionPoint& point : curves_.front().points()) {
-        low_y = std::min(low_y, point.y);
-        high_y = std::max(high_y, point.y);
-        low_z = std::min(low_z, point.z);
-        high_z = std::max(high_z, point.z);
-    }
-    return std::max(high_y - low_y, high_z - low_z);
-}
-
 }  // namespace contactd::geometry

@@ -38,8 +38,6 @@ class SectionGeometry {
 
     /// At the midpoints of the columns.
     std::vector<ColumnFrame> frames() const;
-    /// The larger side of the rectangle around the body (mm).
-    double extent() const;
 
    private:
     std::vector<ClosedCurve> curves_;
