@@ -121,20 +121,10 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {
     return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
-namespace {
-
-ContactInfluence refuse_columns() {
-    throw InvalidArgument("ics.body", "is prism; contact with one is not solved yet, ic.get has its table");
-}
-
-}  // namespace
-
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower) {
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
-            if constexpr (std::is_same_v<Upper, ColumnTable> || std::is_same_v<Lower, ColumnTable>)
-                return refuse_columns();
-            else if constexpr (std::is_same_v<Upper, Lower>)
+            if constexpr (std::is_same_v<Upper, Lower>)
                 return influence_of(problem, std::move(above), std::move(below));
             else
                 return sum_of(influence_alone(problem, problem.bodies.upper, std::move(above), true),
