@@ -53,6 +53,11 @@ const Layers* Body::layered() const {
     return source != nullptr && source->layered ? &*source->layered : nullptr;
 }
 
+const Section* Body::section() const {
+    const Ics* source = computed();
+    return source != nullptr && source->section ? &*source->section : nullptr;
+}
+
 Body Body::of(const Layers& layers, LoadShape load_shape) {
     Ics source;
     source.body = BodyShape::layered;
@@ -63,6 +68,10 @@ Body Body::of(const Layers& layers, LoadShape load_shape) {
 
 bool Bodies::any_layered() const {
     return !pair && (upper.layered() != nullptr || lower.layered() != nullptr);
+}
+
+bool Bodies::any_prism() const {
+    return !pair && (upper.section() != nullptr || lower.section() != nullptr);
 }
 
 bool Bodies::any_given() const {

@@ -65,10 +65,10 @@ void check_gap(const ContactProblem& problem) {
     if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap)) {
         check_positive(axes->a, "gap.semi_axes.a");
         check_positive(axes->b, "gap.semi_axes.b");
-        if (problem.bodies.any_layered())
+        if (problem.bodies.any_layered() || problem.bodies.any_prism())
             throw InvalidArgument("gap.semi_axes",
-                                  "are those of a contact of half-spaces, and a body has layers; give a paraboloid or "
-                                  "an array");
+                                  "are those of a contact of half-spaces, and a body has layers or a section; give a "
+                                  "paraboloid or an array");
         if (problem.bodies.pair)
             throw InvalidArgument("gap.semi_axes",
                                   "needs the materials of the bodies, which a table in the request does not tell; give "
@@ -186,16 +186,17 @@ void check_line_contact(const ContactProblem& problem) {
         refuse_in_line_contact("friction.rolling.chi", number_text(rolling.chi), "it rolls along x: 0 or pi");
 }
 
-void check_layers(const ContactSetup& setup) {
-    if (setup.model == Model::full || !setup.bodies.any_layered()) return;
-    throw InvalidArgument("model", "is " + std::string(setup.model == Model::hertz ? "hertz" : "fastsim") +
-                                       "; closed forms know half-spaces only, and a body has layers: take model full");
+void check_closed_form(const ContactSetup& setup) {
+    if (setup.model == Model::full || !(setup.bodies.any_layered() || setup.bodies.any_prism())) return;
+    throw InvalidArgument(
+        "model", "is " + std::string(setup.model == Model::hertz ? "hertz" : "fastsim") +
+                     "; closed forms know half-spaces only, and a body has layers or a section: take model full");
 }
 
 void check(const ContactProblem& problem, bool complete) {
     validate(problem.grid, "grid");
     validate(problem.bodies, problem.grid);
-    check_layers(problem);
+    check_closed_form(problem);
     if (complete || (problem.approach && problem.Fn)) require_load(problem);
     const std::size_t size = problem.grid.size();
     check_load(problem);

@@ -115,6 +115,10 @@ void validate(const WheelRailSetup& setup) {
     check(setup.wheelset);
     // The grid is known at each contact only; bodies that need one are checked there.
     validate(setup.bodies, Grid::centred(2, 2, 1, 1));
+    if (setup.bodies.any_prism())
+        throw InvalidArgument("bodies",
+                              "have a section of their own, which contacts of wheels on rails do not lie on "
+                              "yet; take half-spaces, and conformal half_space where the contact is curved");
     if (setup.friction) check(*setup.friction);
     if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
         throw InvalidArgument("friction.along_profile",

@@ -48,6 +48,15 @@ def test_bodies_of_layers_are_asked_for_as_the_page_says(shared):
     assert names["rubber"].nu == 0.5
 
 
+def test_a_sphere_near_an_edge_is_solved_as_the_page_on_sections_says(shared):
+    found = re.search(r"```python\n(.*?)```", section("docs/sections.md", "Contact on curved columns"), re.DOTALL)
+    assert found
+    names: dict[str, Any] = {"client": shared}
+    exec(found[1], names)
+    assert names["solution"].converged
+    assert names["solution"].Fn == 5000
+
+
 def test_the_wire_form_of_a_body_of_layers_is_taken(shared):
     _, wire, *_ = indented(section("docs/layers.md", "How to ask"))
     lower = json.loads("{" + wire + "}")["lower"]

@@ -3,7 +3,17 @@
 import numpy as np
 import pytest
 
-from contactd import AnalyticIcs, FemIcs, Grid, InvalidArgument, Material, Paraboloid, save_table
+from contactd import (
+    AnalyticIcs,
+    ContactColumns,
+    FemIcs,
+    Grid,
+    InvalidArgument,
+    Material,
+    Paraboloid,
+    RigidBody,
+    save_table,
+)
 
 STEEL = Material(G=82000, nu=0.28)
 EDGE = {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}
@@ -36,11 +46,52 @@ def test_a_table_is_kept_by_the_daemon_alone(shared, tmp_path):
         save_table(tmp_path / "table.npz", table)
 
 
-def test_contact_with_a_prism_is_refused_until_it_is_solved(shared):
-    with pytest.raises(InvalidArgument, match="prism"):
-        shared.solve(
-            grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, ics=AnalyticIcs(body="prism", section=EDGE)
-        )
+@pytest.mark.parametrize(("distance", "change"), [(3, 0.003), (0.5, -0.22), (0, -0.45)])
+def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off(shared, distance, change):
+    grid = Grid(24, 40, 0.125, 0.125, -1.5, distance - 5)
+    edge = {"edge_block": {"width": 100, "height": 50}}
+
+    def solve(ics):
+        sphere = {"grid": grid, "upper": RigidBody(), "gap": Paraboloid(50, 50), "Fn": 5000}
+        return shared.solve(**sphere, lower=STEEL, lower_ics=ics)
+
+    block, half_space = solve(fem(edge)), solve(AnalyticIcs())
+    assert block.converged
+    assert block.Fn == pytest.approx(5000)
+    assert block.pmax / half_space.pmax - 1 == pytest.approx(change, abs=0.03)
+    assert block.approach > 1.03 * half_space.approach
+
+
+def test_a_curved_section_wants_to_know_its_columns(shared):
+    groove = {"groove": {"radius": 10, "depth": 10, "width": 120, "height": 70}}
+    ics = AnalyticIcs(body="prism", section=groove)
+    grid = Grid.centred(15, 21, 7.5, 10.5)
+    problem = {"grid": grid, "upper": RigidBody(), "lower": STEEL, "lower_ics": ics, "Fn": 1000}
+    frames = shared.get_ic(STEEL, grid, ics).frames
+    gap = np.abs(grid.x) ** 2 / 100 + np.zeros(grid.shape) + 0.02 * (1 - np.cos(frames[:, 2]))[:, None]
+    with pytest.raises(InvalidArgument, match=r"^columns: are missing.*curved|columns are missing.*curved"):
+        shared.solve(**problem, gap=gap)
+    solution = shared.solve(**problem, gap=gap, columns=ContactColumns(frames))
+    assert solution.converged
+    assert solution.resultant.Fz == pytest.approx(1000, rel=1e-6)
+    turned = frames * [1, 1, 1.01]
+    with pytest.raises(InvalidArgument, match=r"columns.frames\[\d+\]"):
+        shared.solve(**problem, gap=gap, columns=ContactColumns(turned))
+
+
+def test_what_only_half_spaces_have_is_refused_of_prisms(shared):
+    ics = AnalyticIcs(body="prism", section=EDGE)
+    with pytest.raises(InvalidArgument, match="a section: take model full"):
+        shared.solve(grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, lower_ics=ics, model="hertz")
+    with pytest.raises(InvalidArgument, match="have a section"):
+        shared.call(
+            "wheelrail.solve",
+            {
+                "setup": {"bodies": {"upper": {"G": 82000, "nu": 0.28, "ics": {"source": "analytic", "body": "prism", "section": EDGE}},
+                                     "lower": {"G": 82000, "nu": 0.28}}},
+                "state": {"Fz": 1e4},
+            },
+        )  # fmt: skip
 
 
 def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):

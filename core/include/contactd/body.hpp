@@ -23,6 +23,8 @@ struct Body {
     const Ics* computed() const;
     /// Of a body of layers, or null.
     const Layers* layered() const;
+    /// Of a prism, or null.
+    const Section* section() const;
     /// One of layers.
     static Body of(const Layers& layers, LoadShape load_shape = LoadShape::constant);
 
@@ -43,6 +45,8 @@ struct Bodies {
     bool any_given() const;
     /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
     bool any_layered() const;
+    /// Whether one of them is a prism, of which they say nothing either.
+    bool any_prism() const;
 
     bool operator==(const Bodies&) const = default;
 };

@@ -11,6 +11,7 @@
 #include "operators/shifted_operator.hpp"
 #include "operators/sum_operator.hpp"
 #include "operators/sum_step.hpp"
+#include "prism_columns.hpp"
 
 namespace contactd {
 namespace {
@@ -122,6 +123,7 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower) {
+    check_columns_of_prisms(problem);
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
             if constexpr (std::is_same_v<Upper, Lower>)

@@ -89,6 +89,10 @@ void check_is_half_space(const Ics& ics) {
         throw invalid_field("ics.body",
                             "is layered; the closed form of the stresses is that of the half-space, and stresses in "
                             "layers are not computed yet");
+    if (ics.body == BodyShape::prism)
+        throw invalid_field("ics.body",
+                            "is prism; the closed form of the stresses is that of the half-space, and says nothing of "
+                            "what lies below the surface of a section");
     if (ics.body != BodyShape::half_space)
         throw invalid_field("ics.body",
                             "is block; the closed form of the stresses is that of the half-space, which a block "

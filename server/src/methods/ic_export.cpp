@@ -78,8 +78,8 @@ void export_table(const CallPtr& call, const DaemonParts& parts) {
     work->format = wanted.format;
     work->specs.fill(wanted.spec);
     if (wanted.spec.section)
-        throw InvalidArgument("ics.body",
-                              "is prism; files hold tables of offsets along x and y, which it has none of: take ic.get");
+        throw InvalidArgument(
+            "ics.body", "is prism; files hold tables of offsets along x and y, which it has none of: take ic.get");
     if (wanted.lower) work->specs[1].material = *wanted.lower;
     engine::validate_body(work->specs[0], "material");
     engine::validate_body(work->specs[1], "lower");

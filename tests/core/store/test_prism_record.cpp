@@ -84,9 +84,11 @@ TEST_CASE("A prism's table has its units, and a row for each pair of columns") {
 }
 
 TEST_CASE("Numbers of a section say all of it, and others are refused") {
-    const Outline outline{{-5, 0}, {{LineTo{{5, 0}}, false}, {SplineTo{{{6, -1}, {5, -5}}}, true}, {ArcTo{{-5, 0}, 9}, true}}};
+    const Outline outline{{-5, 0},
+                          {{LineTo{{5, 0}}, false}, {SplineTo{{{6, -1}, {5, -5}}}, true}, {ArcTo{{-5, 0}, 9}, true}}};
     for (const Section& section :
-         {Section{OutlineSection{outline, {outline}, 1, 2, 0.3}, 2, 0.1, true}, Section{RailSection{0.025, RailSupport::foot, 2}},
+         {Section{OutlineSection{outline, {outline}, 1, 2, 0.3}, 2, 0.1, true},
+          Section{RailSection{0.025, RailSupport::foot, 2}},
           Section{ProfileSection{{ProfileKind::rail, ProfilePoints{{{1, 2}, {3, 4}}, 1000, true, false, 2}}, 60, 1}}})
         CHECK(section_from(numbers_of(section)) == section);
     std::vector<double> numbers = numbers_of(Section{Slab{1, 2}});
