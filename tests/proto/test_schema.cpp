@@ -193,9 +193,9 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/settings", "{\"norm\": {}}", "settings.norm", "known fields are normal, outer, tangential"},
             Case{"/settings", "{\"outer\": {\"max_iterations\": 0}}", "settings.outer.max_iterations", "at least 1"},
             Case{"/initial", "{\"pressure\": null}", "initial.pressure", "is null"},
-            Case{
-                "/ics/order", "2", "ics.order",
-                "does not go with source \"analytic\"; only source, body, load_shape, layers, base, line_contact do"}));
+            Case{"/ics/order", "2", "ics.order",
+                 "does not go with source \"analytic\"; only source, body, load_shape, layers, base, line_contact, "
+                 "section do"}));
 }
 
 TEST_CASE("A bad value of rolling is named with what would be right", "[schema]") {
