@@ -106,7 +106,7 @@ BAD_TABLES = [
     ("grid.nx", 0), ("grid.nx", -6), ("grid.ny", 0), ("grid.dx", 0), ("grid.dx", -0.8), ("grid.dy", 0),
     ("material.G", 0), ("material.G", -1),
     ("material.nu", -0.01), ("material.nu", 0.51), ("material.nu", 0.5), ("material.nu", 1),
-    ("ics.source", "measured"), ("ics.preset", "paper-test4"), ("ics.body", "prism"), ("ics.load_shape", "cubic"),
+    ("ics.source", "measured"), ("ics.preset", "paper-test4"), ("ics.body", "cone"), ("ics.load_shape", "cubic"),
     ("ics.mesh", "tetrahedra"), ("ics.far_boundary", "free"), ("ics.sampling", "cubic"), ("ics.diagonal", "up"),
     ("ics.solver", "lu"), ("ics.stop_test", "energy"), ("ics.any_nu", 1), ("ics.any_nu", "yes"),
     ("ics.max_dofs", 999), ("ics.max_dofs", 1e4), ("ics.t1_over_hs", -1), ("ics.t1_over_hs", 1e-4),

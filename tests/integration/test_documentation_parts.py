@@ -54,7 +54,7 @@ def test_a_sphere_near_an_edge_is_solved_as_the_page_on_sections_says(shared):
     names: dict[str, Any] = {"client": shared}
     exec(found[1], names)
     assert names["solution"].converged
-    assert names["solution"].Fn == 5000
+    assert abs(names["solution"].Fn - 5000) < 1e-6
 
 
 def test_the_wire_form_of_a_body_of_layers_is_taken(shared):

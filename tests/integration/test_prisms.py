@@ -46,9 +46,9 @@ def test_a_table_is_kept_by_the_daemon_alone(shared, tmp_path):
         save_table(tmp_path / "table.npz", table)
 
 
-@pytest.mark.parametrize(("distance", "change"), [(3, 0.003), (0.5, -0.22), (0, -0.45)])
-def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off(shared, distance, change):
-    grid = Grid(24, 40, 0.125, 0.125, -1.5, distance - 5)
+@pytest.mark.parametrize(("distance", "change", "more"), [(3, 0.003, 0.09), (0.5, -0.22, 0.43), (0, -0.45, 0.5)])
+def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off(shared, distance, change, more):
+    grid = Grid(12, 20, 0.25, 0.25, -1.5, distance - 5)  # beside a cut the largest pressure grows with finer elements
     edge = {"edge_block": {"width": 100, "height": 50}}
 
     def solve(ics):
@@ -59,7 +59,7 @@ def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off
     assert block.converged
     assert block.Fn == pytest.approx(5000)
     assert block.pmax / half_space.pmax - 1 == pytest.approx(change, abs=0.03)
-    assert block.approach > 1.03 * half_space.approach
+    assert block.approach / half_space.approach - 1 == pytest.approx(more, abs=0.02)
 
 
 def test_a_curved_section_wants_to_know_its_columns(shared):
@@ -83,15 +83,6 @@ def test_what_only_half_spaces_have_is_refused_of_prisms(shared):
     ics = AnalyticIcs(body="prism", section=EDGE)
     with pytest.raises(InvalidArgument, match="a section: take model full"):
         shared.solve(grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, lower_ics=ics, model="hertz")
-    with pytest.raises(InvalidArgument, match="have a section"):
-        shared.call(
-            "wheelrail.solve",
-            {
-                "setup": {"bodies": {"upper": {"G": 82000, "nu": 0.28, "ics": {"source": "analytic", "body": "prism", "section": EDGE}},
-                                     "lower": {"G": 82000, "nu": 0.28}}},
-                "state": {"Fz": 1e4},
-            },
-        )  # fmt: skip
 
 
 def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):

@@ -16,6 +16,14 @@ bool is_layered(const json& ics) {
     return ics.value("body", "") == name_of(BodyShape::layered);
 }
 
+// Coefficients mean nothing to quick models; but a section is what the body is.
+void refuse_prism(const json* ics) {
+    if (ics == nullptr || ics->value("body", "") != name_of(BodyShape::prism)) return;
+    throw invalid_field("model",
+                        "is a closed form; closed forms know half-spaces only, and a body has a section: take model "
+                        "full");
+}
+
 /// The source that stands for both bodies, or null where they have different ones, tables, or layers.
 const Ics* shared_source(const Bodies& bodies) {
     const Ics* upper = bodies.upper.computed();
@@ -58,7 +66,10 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
         return body;
     }
     body.material = decode_material(source);
-    if (setup.model != Model::full) return body;
+    if (setup.model != Model::full) {
+        refuse_prism(source.contains("ics") ? &source["ics"] : shorthand);
+        return body;
+    }
     if (source.contains("ics"))
         body.ics = decode_coefficients(source["ics"], frames, setup.grid, field + ".ics");
     else if (shorthand != nullptr)
