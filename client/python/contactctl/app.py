@@ -13,7 +13,7 @@ from contactd import __version__
 from .codes import Code
 from .commands import bench, completion, info, jobs, keys, session, solve, study, tables, watch, wheelrail
 from .common import Group
-from .interrupts import heed_sigterm
+from .interrupts import heeded_sigterm
 
 __all__ = ["app", "run"]
 
@@ -50,7 +50,11 @@ def contactctl(
 
 def run(arguments: Sequence[str] | None = None) -> int:
     """The exit code of the command that `arguments` name."""
-    heed_sigterm()
+    with heeded_sigterm():
+        return _run(arguments)
+
+
+def _run(arguments: Sequence[str] | None) -> int:
     command = typer.main.get_command(app)
     if (answered := completion.completed(command)) is not None:
         return answered

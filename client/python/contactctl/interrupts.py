@@ -9,14 +9,20 @@ from typing import Any
 
 from .codes import Terminated
 
-__all__ = ["heed_sigterm", "ignore_more", "uninterrupted"]
+__all__ = ["heeded_sigterm", "ignore_more", "uninterrupted"]
 
 _ENDING = (signal.SIGINT, signal.SIGTERM)
 
 
-def heed_sigterm() -> None:
-    """From now on SIGTERM interrupts the main thread as Ctrl-C does."""
-    signal.signal(signal.SIGTERM, _terminate)
+@contextmanager
+def heeded_sigterm() -> Iterator[None]:
+    """SIGTERM interrupts the main thread as Ctrl-C does; afterwards it does what it did before, unless it is ignored."""
+    before: Any = signal.signal(signal.SIGTERM, _terminate)
+    try:
+        yield
+    finally:
+        if signal.getsignal(signal.SIGTERM) is _terminate:
+            signal.signal(signal.SIGTERM, before)
 
 
 def _terminate(*_: Any) -> None:

@@ -174,3 +174,9 @@ def test_a_disk_that_is_full_is_1(ctl):
         ended = ctl.start("info", stdout=full)
         _, err = ended.communicate(timeout=30)
     assert (ended.returncode, err) == (1, "contactctl: No space left on device.\n")
+
+
+def test_a_command_in_a_program_leaves_its_signals_as_they_were(ctl):
+    before = signal.getsignal(signal.SIGTERM)
+    assert ctl("info").code == 0
+    assert signal.getsignal(signal.SIGTERM) is before
