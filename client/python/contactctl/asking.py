@@ -44,7 +44,7 @@ class OwnBuilds:
     def _cancel(self) -> None:
         try:
             deadline = time.monotonic() + _PATIENCE
-            while (mine := self._running()) and any(job.callers for job in mine) and time.monotonic() < deadline:
+            while self._may_change(mine := self._running()) and time.monotonic() < deadline:
                 time.sleep(0.05)
             for job in mine:
                 if job.callers:
@@ -55,8 +55,16 @@ class OwnBuilds:
         except ContactdError as error:
             note(f"contactctl: what was started cannot be cancelled: {error}")
 
+    def _may_change(self, mine: list[Job]) -> bool:
+        return any(job.callers for job in mine) or not (mine or self._seen)
+
     def _running(self) -> list[Job]:
-        return [job for job in self._client.jobs(timeout=_PATIENCE) if job.job in self._seen - self._others]
+        jobs = [job for job in self._client.jobs(timeout=_PATIENCE) if job.job.startswith("build-")]
+        new = [job for job in jobs if job.job not in self._others]
+        if self._seen:
+            return [job for job in new if job.job in self._seen]
+        # Interrupted before the daemon told its name: one that nobody waits for.
+        return [job for job in new if not job.callers]
 
 
 def ask(client: Client, method: str, params: dict[str, Any], what: str) -> dict[str, Any]:
