@@ -221,8 +221,9 @@ void Position::measure(PlaceWithGap& found, double z) const {
         const Grid before = place.grid;
         place.grid = grid;
         if (place.rows.empty()) continue;
-        more_below += static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
-        more_above += grid.ny - before.ny - static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
+        const int below = static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
+        more_below += below;
+        more_above += grid.ny - before.ny - below;
         bend(place, wheel, more_below, more_above);
         if (place.grid == before) break;  // there are no more rows
     }

@@ -2,32 +2,10 @@
 
 #include <utility>
 
+#include "coarser_with.hpp"
 #include "contactd/error.hpp"
 
 namespace contactd {
-
-/// Averages and interpolates as the coarser grid of the half-spaces does.
-class ColumnOperator::Coarser final : public CoarserGrid {
-   public:
-    Coarser(const CoarserGrid& grid, ColumnTable table, int nx)
-        : grid_(grid),
-          influence_(std::make_shared<const ColumnParts>(std::move(table), nx),
-                     {0, 0, nx, static_cast<int>(grid.influence().size()) / nx},
-                     {std::shared_ptr<void>(), &grid.influence()}) {}
-
-    const InfluenceOperator& influence() const override { return influence_; }
-    int along_x() const override { return grid_.along_x(); }
-    int along_y() const override { return grid_.along_y(); }
-    void average(std::span<const double> fine, std::span<double> coarse) const override { grid_.average(fine, coarse); }
-    void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
-        grid_.interpolate(coarse, fine);
-    }
-    void copy(std::span<const double> coarse, std::span<double> fine) const override { grid_.copy(coarse, fine); }
-
-   private:
-    const CoarserGrid& grid_;
-    const ColumnOperator influence_;
-};
 
 class ColumnOperator::Boxes final : public ElementBoxes {
    public:
@@ -98,8 +76,12 @@ const CoarserGrid* ColumnOperator::coarser() const {
         const CoarserGrid* grid = near_->coarser();
         if (grid == nullptr) return nullptr;
         ColumnTable table = parts_->coarse(box_, grid->along_x(), grid->along_y());
-        const int nx = table.nx;
-        return std::make_unique<const Coarser>(*grid, std::move(table), nx);
+        const int nx = table.nx, columns = table.columns;
+        const std::shared_ptr<const InfluenceOperator> near(std::shared_ptr<void>(),
+                                                            &grid->influence());  // near_ owns it
+        auto parts = std::make_shared<const ColumnParts>(std::move(table), nx);
+        return std::make_unique<const CoarserWith>(
+            *grid, std::make_unique<const ColumnOperator>(std::move(parts), ElementBox{0, 0, nx, columns}, near));
     };
     return coarser_.get(make).get();
 }

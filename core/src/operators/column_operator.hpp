@@ -37,7 +37,6 @@ class ColumnOperator final : public InfluenceOperator {
     const ElementBoxes* boxes() const override { return boxes_.get(); }
 
    private:
-    class Coarser;
     class Boxes;
     const std::shared_ptr<const ColumnParts> parts_;
     const ElementBox box_;

@@ -4,27 +4,11 @@
 #include <functional>
 #include <utility>
 
+#include "coarser_with.hpp"
+
 namespace contactd {
 
 using namespace sums;
-
-class SumOperator::Coarser final : public CoarserGrid {
-   public:
-    Coarser(const CoarserGrid& grid, OfBodies<InfluenceOperator> bodies) : grid_(grid), influence_(std::move(bodies)) {}
-
-    const InfluenceOperator& influence() const override { return influence_; }
-    int along_x() const override { return grid_.along_x(); }
-    int along_y() const override { return grid_.along_y(); }
-    void average(std::span<const double> fine, std::span<double> coarse) const override { grid_.average(fine, coarse); }
-    void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
-        grid_.interpolate(coarse, fine);
-    }
-    void copy(std::span<const double> coarse, std::span<double> fine) const override { grid_.copy(coarse, fine); }
-
-   private:
-    const CoarserGrid& grid_;
-    const SumOperator influence_;
-};
 
 class SumOperator::Boxes final : public ElementBoxes {
    public:
@@ -124,11 +108,12 @@ const CoarserGrid* SumOperator::coarser() const {
         const CoarserGrid* grid = first().body->coarser();
         const auto bodies = each<InfluenceOperator>(terms_, [&](const InfluenceOperator& body) {
             const CoarserGrid* coarser = body.coarser();
-            const bool same =
-                coarser != nullptr && coarser->along_x() == grid->along_x() && coarser->along_y() == grid->along_y();
+            const bool same = grid != nullptr && coarser != nullptr && coarser->along_x() == grid->along_x() &&
+                              coarser->along_y() == grid->along_y();
             return borrowed(same ? &coarser->influence() : nullptr);
         });
-        return none(bodies) ? nullptr : std::make_unique<const Coarser>(*grid, bodies);
+        return none(bodies) ? nullptr
+                            : std::make_unique<const CoarserWith>(*grid, std::make_unique<const SumOperator>(bodies));
     };
     return coarser_.get(make).get();
 }

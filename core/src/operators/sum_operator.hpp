@@ -40,7 +40,6 @@ class SumOperator final : public InfluenceOperator {
     const ElementBoxes* boxes() const override;
 
    private:
-    class Coarser;
     class Boxes;
     struct Term {
         std::shared_ptr<const InfluenceOperator> body;
