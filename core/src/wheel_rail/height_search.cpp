@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -12,31 +13,6 @@ namespace {
 /// The force to the power of Hertz's law, which is nearly straight in z.
 double straightened(double force) {
     return std::cbrt(force * force);
-}
-
-/// Regula falsi between bounds that close in (Illinois), of a rising function of z; nothing is asked of it but that.
-template <class Function>
-double rising_root(const Function& function, double low, double high, double at_low, double at_high) {
-    double z = 0.5 * (low + high);
-    int side = 0;
-    for (int iteration = 0; iteration < 60 && high - low > 1e-13 * (1 + std::abs(high)); ++iteration) {
-        z = at_high > at_low ? (low * at_high - high * at_low) / (at_high - at_low) : 0.5 * (low + high);
-        if (!(z > low && z < high)) z = 0.5 * (low + high);
-        const double here = function(z);
-        if (std::abs(here) <= 1e-10) break;
-        if (here < 0) {
-            low = z;
-            at_low = here;
-            if (side < 0) at_high *= 0.5;
-            side = -1;
-        } else {
-            high = z;
-            at_high = here;
-            if (side > 0) at_low *= 0.5;
-            side = 1;
-        }
-    }
-    return z;
 }
 
 /// By how much forces differ from their estimates: the logarithm of the ratio, a straight line through what is known.
@@ -75,37 +51,93 @@ class Search {
             if (found.evidence.converged) break;
             (force < task_.target ? low_ : high_) = z;
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
-            const double estimate = task_.estimate(z);
-            if (force > 0 && estimate > 0) correction_.learn(z, std::log(force / estimate));
+            const double expected = estimate(z);
+            if (force > 0 && expected > 0) correction_.learn(z, std::log(force / expected));
             const double last = z;
-            z = force > 0 && estimate > 0 ? next() : 0.5 * (low_ + high_);
+            z = force > 0 && expected > 0 ? next() : 0.5 * (low_ + high_);
             if (z == last) break;
         }
         return found;
     }
 
    private:
-    // Where the corrected estimate has the force that is wanted, within the bounds that the forces have given.
-    double next() const {
-        const double wanted = straightened(task_.target);
-        const auto excess = [&](double z) {
-            return straightened(task_.estimate(z) * std::exp(correction_.at(z))) / wanted - 1;
-        };
-        double low = low_, high = low_, step = 0.02, at_low = excess(low_), at_high = at_low;
-        if (at_low >= 0) return std::midpoint(low_, std::min(high_, low_ + step));
-        while (at_high < 0 && high < high_) {
-            low = high;
-            at_low = at_high;
-            high = std::min(high + step, high_);
-            at_high = excess(high);
-            step *= 2;
-        }
-        if (at_high < 0) return std::midpoint(low_, high_);
-        return rising_root(excess, low, high, at_low, at_high);
+    struct End {
+        double z, excess;
+    };
+
+    double estimate(double z) {
+        const auto [known, is_new] = estimates_.try_emplace(z, 0);
+        if (is_new) known->second = task_.estimate(z);
+        return known->second;
     }
 
+    /// Of the corrected estimate over the force that is wanted.
+    double excess(double z, double estimate) const {
+        return straightened(estimate * std::exp(correction_.at(z))) / straightened(task_.target) - 1;
+    }
+    double excess(double z) { return excess(z, estimate(z)); }
+
+    // Where the corrected estimate has the force that is wanted, within the bounds that the forces have given.
+    double next() {
+        End low{low_, excess(low_)};
+        if (low.excess >= 0) return std::midpoint(low_, std::min(high_, low_ + first_step));
+        std::optional<End> high;
+        for (auto known = estimates_.upper_bound(low_); !high && known != estimates_.end() && known->first <= high_;
+             ++known) {
+            const End here{known->first, excess(known->first, known->second)};
+            if (here.excess < 0)
+                low = here;
+            else
+                high = here;
+        }
+        while (!high) {
+            if (low.z >= high_) return std::midpoint(low_, high_);
+            const End further = beyond(low);
+            if (further.excess < 0)
+                low = further;
+            else
+                high = further;
+        }
+        return between(low, *high);
+    }
+
+    /// The excess is nearly straight from where it is -1: a little further than where that leads, since what lies
+    /// deeper costs the estimate more.
+    End beyond(const End& low) {
+        constexpr double generous = 1.1;
+        const double straight = low.excess > -1 ? -low.excess * (low.z - task_.touch) / (1 + low.excess) : first_step;
+        const double z = std::min(low.z + std::max(generous * straight, 0.1 * first_step), high_);
+        return {z, excess(z)};
+    }
+
+    /// Regula falsi between bounds that close in (Illinois); nothing is asked of the estimate but that it rises.
+    double between(End low, End high) {
+        const double settled = 0.01 * task_.settings.tolerance;
+        double z = std::midpoint(low.z, high.z);
+        int side = 0;
+        for (int iteration = 0; iteration < 60 && high.z - low.z > 1e-13 * (1 + std::abs(high.z)); ++iteration) {
+            z = high.excess > low.excess ? (low.z * high.excess - high.z * low.excess) / (high.excess - low.excess)
+                                         : std::midpoint(low.z, high.z);
+            if (!(z > low.z && z < high.z)) z = std::midpoint(low.z, high.z);
+            const End here{z, excess(z)};
+            if (std::abs(here.excess) <= settled) break;
+            if (here.excess < 0) {
+                low = here;
+                if (side < 0) high.excess *= 0.5;
+                side = -1;
+            } else {
+                high = here;
+                if (side > 0) low.excess *= 0.5;
+                side = 1;
+            }
+        }
+        return z;
+    }
+
+    static constexpr double first_step = 0.02;  // mm
     const HeightTask& task_;
     double low_, high_;
+    std::map<double, double> estimates_;  // those asked for, by z: from force to force they are the same
     Correction correction_;
 };
 

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <vector>
 
 #include "wheel_rail/height_search.hpp"
 
@@ -33,6 +35,20 @@ TEST_CASE("An estimate that is off by a factor, and a power, costs a few solves 
     CHECK(found.evidence.converged);
     CHECK(found.evidence.iterations <= 5);
     CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
+}
+
+TEST_CASE("An estimate is asked for once at each height, and seldom far below the one that is found") {
+    std::vector<double> asked;
+    const auto force = [](double z) { return power(z - 0.3, 1.6); };
+    const auto estimate = [&](double z) {
+        CHECK(std::count(asked.begin(), asked.end(), z) == 0);
+        asked.push_back(z);
+        return 0.8 * power(z - 0.3, 1.5);
+    };
+    const HeightFound found = find_height(task_of(estimate, force));
+    CHECK(found.evidence.converged);
+    CHECK(asked.size() <= 20);
+    CHECK(*std::max_element(asked.begin(), asked.end()) - 0.3 < 2 * (found.z - 0.3));
 }
 
 TEST_CASE("Patches that appear are in the estimate, or between bounds") {
