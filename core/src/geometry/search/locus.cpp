@@ -32,7 +32,7 @@ Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step)
     Start start{seen.low, wheel.visible().from, seen.from};
     for (std::size_t i = 0; i < count; i += span) look_at(i, start);
     if ((count - 1) % span != 0) look_at(count - 1, start);
-    done_.assign((count + span - 1) / span, false);
+    for (std::size_t begin = 0; begin < count; begin += span) least_.push_back(least_between(begin));
     if (least_gap_ < infinite) look_below(least_gap_);
 }
 
@@ -89,13 +89,16 @@ LocusRow Locus::crossing(std::size_t inside, std::size_t outside, double height)
 
 void Locus::look_below(double height) {
     const std::size_t span = rows_in_span(step_);
-    for (std::size_t k = 0; k < done_.size(); ++k) {
-        if (done_[k]) continue;
-        const std::size_t begin = k * span, end = std::min(begin + span, rows_.size() - 1);
-        if (std::min(rows_[begin].gap, rows_[end].gap) - dent(begin, end) > height) continue;
-        done_[k] = true;
-        look_between(begin);
+    for (std::size_t k = 0; k < least_.size(); ++k) {
+        if (least_[k] > height) continue;
+        least_[k] = infinite;
+        look_between(k * span);
     }
+}
+
+double Locus::least_between(std::size_t begin) const {
+    const std::size_t end = std::min(begin + rows_in_span(step_), rows_.size() - 1);
+    return std::min(rows_[begin].gap, rows_[end].gap) - dent(begin, end);
 }
 
 // A parabola through the ends of two spans dents each by an eighth of its second difference; this is safe by far, and

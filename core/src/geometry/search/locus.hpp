@@ -46,6 +46,7 @@ class Locus {
     bool look(LocusRow& row, Start& start) const;
     void look_at(std::size_t row, Start& start);
     double dent(std::size_t begin, std::size_t end) const;
+    double least_between(std::size_t begin) const;
     void look_between(std::size_t begin);
     Start start_at(std::size_t row) const { return {rows_[row].y, wheel_s_[row], rows_[row].rail_s}; }
 
@@ -54,7 +55,7 @@ class Locus {
     double step_, least_gap_;
     std::vector<LocusRow> rows_;
     std::vector<double> wheel_s_;  // of rows that have both
-    std::vector<bool> done_;       // spans of the first pass that have been looked at
+    std::vector<double> least_;    // gap that the spans of the first pass may have; infinite once they were looked at
 };
 
 }  // namespace contactd::geometry
