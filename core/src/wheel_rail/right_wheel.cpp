@@ -125,6 +125,16 @@ WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observ
     return patch;
 }
 
+double RightWheel::quick_force(double z, Observer& observer) const {
+    check_depth(z);
+    double force = 0;
+    for (PlaceWithGap& found : position_.places(z)) {
+        found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
+        force += solve(found, z, observer).forces.track.Fz;
+    }
+    return force;
+}
+
 HeightTask RightWheel::height_task(double Fz) {
     const double compliance = setup_.bodies.materials().normal_compliance();
     HeightTask task;
@@ -141,11 +151,14 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
     WheelRailSolution solution;
     HeightTask task = height_task(Fz);
+    const bool quick = setup_.model != Model::full;
     task.force = [&](double z) {
+        if (quick) return quick_force(z, observer);
         solution = at(z, observer);
         return solution.forces.track.Fz;
     };
     const HeightFound found = find_height(task);
+    if (quick) solution = at(found.z, observer);
     solution.force = found.evidence;
     if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;

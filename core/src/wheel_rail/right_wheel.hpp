@@ -37,6 +37,8 @@ class RightWheel {
     void check_depth(double z) const;
     WheelRailSolution at_height(Observer& observer);
     WheelRailPatch solve(geometry::PlaceWithGap& found, double z, Observer& observer) const;
+    /// Of a quick model, whose forces do not depend on elements, and cost less than what it tells of them.
+    double quick_force(double z, Observer& observer) const;
     HeightTask height_task(double Fz);
     WheelRailSolution under_force(double Fz, Observer& observer);
     WheelRailSolution pulling(double Fx, Observer& observer);
