@@ -1,0 +1,122 @@
+// Wheels on rails: S1002 on 60E1 at 1/40, running on the tread and on the flange, from position and motion to forces.
+// The plain solve is that of the same patch, its gap and creepages at hand; counter over_solve: time of the row over
+// it, measured in the same run.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "contactd/solve_contact.hpp"
+#include "contactd/solve_wheel_rail.hpp"
+#include "geometry/position.hpp"
+#include "wheel_rail/influence_keeper.hpp"
+#include "wheel_rail/patch_solver.hpp"
+
+namespace {
+
+using namespace contactd;
+
+constexpr double Fz = 80000;
+
+WheelRailSetup wheel_on_rail(Model model, double element) {
+    WheelRailSetup setup;
+    setup.model = model;
+    setup.dx = setup.dy = element;
+    if (model == Model::hertz) setup.friction.reset();  // its closed form has no spin, which wheels have
+    return setup;
+}
+
+WheelRailState rolling(double y) {
+    WheelRailState state;
+    state.position.y = y;
+    state.position.yaw = 2.4e-3 * y;
+    state.velocity.x = 30000;
+    state.velocity.pitch = -30000 / 460.0;
+    return state;
+}
+
+/// At the height that brings Fz, prescribed.
+WheelRailState at_height(const WheelRailContact& contact, double y) {
+    WheelRailState state = rolling(y);
+    state.Fz = Fz;
+    Observer observer;
+    state.position.z = contact.solve(state, observer).z;
+    state.Fz.reset();
+    return state;
+}
+
+double seconds_of(const std::function<void()>& work, std::int64_t repeats) {
+    const auto start = std::chrono::steady_clock::now();
+    for (std::int64_t repeat = 0; repeat < repeats; ++repeat) work();
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+    return duration.count() / static_cast<double>(repeats);
+}
+
+/// Half a millimetre to one where solves are quick: elements do not matter there but to the pictures.
+constexpr double coarse = 0.5;
+
+void search(benchmark::State& state) {
+    const WheelRailContact contact(wheel_on_rail(Model::full, 0.2));
+    const WheelRailState wheel = at_height(contact, static_cast<double>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(contact.locate(wheel));
+}
+
+void step(benchmark::State& state, Model model, bool by_force) {
+    const WheelRailContact contact(wheel_on_rail(model, coarse));
+    WheelRailState wheel = at_height(contact, static_cast<double>(state.range(0)));
+    if (by_force) wheel.Fz = Fz;
+    Observer observer;
+    for (auto _ : state) benchmark::DoNotOptimize(contact.solve(wheel, observer));
+}
+
+/// Elements so small that the patch has about 60 x 60 of them.
+void full(benchmark::State& state) {
+    const WheelRailSetup setup = wheel_on_rail(Model::full, state.range(0) == 0 ? 0.23 : 0.2);
+    const WheelRailContact contact(setup);
+    const WheelRailState wheel = at_height(contact, static_cast<double>(state.range(0)));
+    const geometry::Profiles profiles = geometry::make_profiles(setup);
+    const geometry::Position position(setup, profiles, wheel);
+    InfluenceKeeper keeper(setup.bodies);
+    std::vector<ContactProblem> problems;
+    std::vector<ContactInfluence> influences;
+    double elements = 0;
+    for (geometry::PlaceWithGap& found : position.places(wheel.position.z)) {
+        position.measure(found, wheel.position.z);
+        problems.push_back(problem_of(setup, found, position.rail(), &*setup.friction));
+        influences.push_back(keeper.of(problems.back()));
+        elements += static_cast<double>(found.place.grid.size());
+    }
+    Observer observer;
+    const auto plain = [&] {
+        for (std::size_t i = 0; i < problems.size(); ++i)
+            benchmark::DoNotOptimize(solve_contact(problems[i], influences[i], observer));
+    };
+    // In turns, so that both see the same machine.
+    double of_step = 0, of_plain = 0;
+    for (auto _ : state) {
+        of_step += seconds_of([&] { benchmark::DoNotOptimize(contact.solve(wheel, observer)); }, 1);
+        state.PauseTiming();
+        of_plain += seconds_of(plain, 1);
+        state.ResumeTiming();
+    }
+    state.counters["elements"] = elements;
+    state.counters["over_solve"] = of_step / of_plain;
+}
+
+// Lateral shift of the wheelset (mm): tread, and two contacts or the flange.
+void shifts(benchmark::internal::Benchmark* rows) {
+    rows->ArgName("y")->Arg(0)->Arg(4)->Arg(8)->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(search)->Apply(shifts);
+BENCHMARK_CAPTURE(step, hertz_at_z, Model::hertz, false)->Apply(shifts);
+BENCHMARK_CAPTURE(step, hertz_under_Fz, Model::hertz, true)->Apply(shifts);
+BENCHMARK_CAPTURE(step, fastsim_at_z, Model::fastsim, false)->Apply(shifts);
+BENCHMARK_CAPTURE(step, fastsim_under_Fz, Model::fastsim, true)->Apply(shifts);
+BENCHMARK(full)->Apply(shifts);
+
+}  // namespace
+
+BENCHMARK_MAIN();
