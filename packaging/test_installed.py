@@ -1,5 +1,5 @@
 """Uses an installed daemon, or what is installed to solve in process ("local"), through the installed client: closed form, and
-a table that the builder makes."""
+tables that the builder makes, one of them by its module for sections."""
 
 import sys
 
@@ -17,3 +17,7 @@ with place as client:
         assert solution.converged
         assert 8 < solution.forces.Fn < 10
         assert -3.6 < solution.forces.Fx < -2.8
+    edge = FemIcs(body="prism", section={"edge_block": {"width": 20, "height": 10}}, accuracy=1e-2)
+    table = client.get_ic(Material(G=200, nu=0.42), Grid(5, 4, 0.5, 0.5), edge)
+    print("section", f"stated error {table.evidence.section.error:.1e}")
+    assert table["zz"][3, 3, 0] > table["zz"][0, 0, 0] > 0

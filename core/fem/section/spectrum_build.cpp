@@ -129,7 +129,7 @@ class Builder {
 
     void require_room(const SectionModel& model) const {
         if (max_memory_bytes_ == 0) return;
-        constexpr double program = 60e6, of_matrices = 8;
+        constexpr double program = 110e6, of_matrices = 8;
         const double a_process = program + model.factor().entries() * 8 * 2 +
                                  1e3 * of_matrices * static_cast<double>(model.unknowns()),
                      bytes = a_process * processes_;

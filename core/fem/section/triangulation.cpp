@@ -1,91 +1,56 @@
 #include "triangulation.hpp"
 
-#include <gmsh.h>
-#include <algorithm>
-#include <numeric>
+#include <dlfcn.h>
+
+#include <array>
+#include <filesystem>
 #include <string>
-#include <unordered_map>
+#include <system_error>
 
 #include "contactd/error.hpp"
+#include "mesher.hpp"
 
 namespace contactd::fem {
 namespace {
 
-class Gmsh {
-   public:
-    Gmsh() {
-        gmsh::initialize(0, nullptr, false, false);
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("General.NumThreads", 1);
-        gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
-        gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-        gmsh::option::setNumber("Mesh.Algorithm", 6);  // frontal Delaunay: the most even triangles
-        gmsh::model::add("section");
-    }
-    ~Gmsh() { gmsh::finalize(); }
-    Gmsh(const Gmsh&) = delete;
-    Gmsh& operator=(const Gmsh&) = delete;
-};
+namespace fs = std::filesystem;
 
-void add_outline(const DividedOutline& outline) {
-    for (std::size_t i = 0; i < outline.vertices.size(); ++i)
-        gmsh::model::geo::addPoint(outline.vertices[i].y, outline.vertices[i].z, 0, 0, static_cast<int>(i) + 1);
-    std::vector<int> loops;
-    for (std::size_t loop = 0; loop + 1 < outline.loop_begin.size(); ++loop) {
-        std::vector<int> lines;
-        for (int edge = outline.loop_begin[loop]; edge < outline.loop_begin[loop + 1]; ++edge)
-            lines.push_back(gmsh::model::geo::addLine(outline.edges[edge].first + 1, outline.edges[edge].second + 1));
-        loops.push_back(gmsh::model::geo::addCurveLoop(lines));
-    }
-    gmsh::model::geo::addPlaneSurface(loops);
-    gmsh::model::geo::synchronize();
-    for (std::size_t line = 1; line <= outline.edges.size(); ++line)
-        gmsh::model::mesh::setTransfiniteCurve(static_cast<int>(line), 2);
+/// Beside the program where it was built, in the folder of libraries where it is installed.
+fs::path module_file() {
+    constexpr const char* name = "contactd-gmsh.so";
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path(),
+                   installed = (program / CONTACTD_MODULES / name).lexically_normal();
+    for (const fs::path& file : {program / name, installed})
+        if (fs::exists(file, error)) return file;
+    throw Error("Sections are meshed by the module " + installed.string() +
+                ", which is missing: install contactd whole, or put the module beside the program.");
 }
 
-Triangulation result_of(const DividedOutline& outline) {
-    Triangulation result{outline.vertices, {}};
-    std::vector<std::size_t> tags, triangles;
-    std::vector<double> places, parameters;
-    gmsh::model::mesh::getNodes(tags, places, parameters);
-    std::unordered_map<std::size_t, int> vertex;
-    std::vector<std::size_t> of_point;
-    std::vector<double> ignored;
-    for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
-        gmsh::model::mesh::getNodes(of_point, ignored, parameters, 0, static_cast<int>(i) + 1);
-        vertex[of_point.at(0)] = static_cast<int>(i);
+/// Open until the program ends: gmsh does not bear being unloaded.
+FillOutline* open_module() {
+    const fs::path file = module_file();
+    void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* function = module == nullptr ? nullptr : ::dlsym(module, "contactd_fill_outline");
+    if (function == nullptr) {
+        const char* problem = ::dlerror();
+        throw Error("The module that meshes sections cannot be used: " +
+                    std::string(problem == nullptr ? file.c_str() : problem));
     }
-    for (std::size_t node = 0; node < tags.size(); ++node)
-        if (vertex.try_emplace(tags[node], static_cast<int>(result.vertices.size())).second)
-            result.vertices.push_back({places[3 * node], places[3 * node + 1]});
-    gmsh::model::mesh::getElementsByType(2, tags, triangles);
-    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-        std::array<int, 3> corner{vertex.at(triangles[i]), vertex.at(triangles[i + 1]), vertex.at(triangles[i + 2])};
-        const PlanePoint &a = result.vertices[corner[0]], &b = result.vertices[corner[1]],
-                         &c = result.vertices[corner[2]];
-        if ((b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y) < 0) std::swap(corner[1], corner[2]);
-        result.triangles.push_back(corner);
-    }
-    return result;
+    return reinterpret_cast<FillOutline*>(function);
 }
 
 }  // namespace
 
 Triangulation triangulate(const DividedOutline& outline, const MeshDensity& density) {
-    const Gmsh library;
+    static FillOutline* const fill = open_module();
+    Triangulation result;
+    std::string problem;
     const SizeField size(outline, density);
-    try {
-        add_outline(outline);
-        gmsh::model::mesh::setSizeCallback([&](int, int, double y, double z, double, double) { return size({y, z}); });
-        gmsh::model::mesh::generate(2);
-        Triangulation result = result_of(outline);
-        if (result.triangles.empty()) throw InvalidArgument("ics.section", "could not be divided into triangles");
-        return result;
-    } catch (const InvalidArgument&) {
-        throw;
-    } catch (const std::exception& error) {  // gmsh throws its last message, or std::runtime_error with it
-        throw InvalidArgument("ics.section", std::string("could not be divided into triangles: ") + error.what());
-    }
+    if (!fill(outline, [&](const PlanePoint& at) { return size(at); }, result, problem))
+        throw InvalidArgument("ics.section", "could not be divided into triangles: " + problem);
+    if (result.triangles.empty()) throw InvalidArgument("ics.section", "could not be divided into triangles");
+    return result;
 }
 
 }  // namespace contactd::fem

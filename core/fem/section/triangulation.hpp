@@ -13,8 +13,8 @@ struct Triangulation {
     std::vector<std::array<int, 3>> triangles;  ///< vertices anticlockwise in (y, z)
 };
 
-/// No vertex is added to the outline. gmsh is initialised and finalised inside; not for use by several threads. Throws
-/// InvalidArgument ("ics.section") when the outline cannot be filled.
+/// No vertex is added to the outline. Not for use by several threads. Throws InvalidArgument ("ics.section") when the
+/// outline cannot be filled, Error when the module that has gmsh (mesher.hpp) is not there.
 Triangulation triangulate(const DividedOutline& outline, const MeshDensity& density);
 
 }  // namespace contactd::fem

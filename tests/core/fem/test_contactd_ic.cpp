@@ -28,9 +28,9 @@ const std::string quick = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx
 const std::string slow = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.8},)"
                          R"( "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}})";
 
-// Fifteen times as many unknowns.
-const std::string large = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.8},)"
-                          R"( "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280, "order": 5}})";
+const std::string section =
+    R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.5, "dy": 0.5}, "ics": {"source": "fem",)"
+    R"( "body": "prism", "accuracy": 1e-2, "section": {"edge_block": {"width": 20, "height": 10}}}})";
 
 std::string launcher(int processes) {
     return MPIRUN " --oversubscribe -np " + std::to_string(processes) + " ";
@@ -181,10 +181,10 @@ TEST_CASE("Who uses more memory than allowed is ended, and says so", "[contactd-
 
 TEST_CASE("What would take far more memory than allowed is not begun", "[contactd-ic]") {
     const Folder folder;
-    folder.write("spec.json", large);
+    folder.write("spec.json", slow);
     const std::string command = GENERATE(program, launcher(2) + program);
-    // Its libraries alone take half of that.
-    CHECK(folder.run(command + " spec.json --output table.h5 --max-memory 300000000") == 4);
+    // Two processes take 106 MB before they begin.
+    CHECK(folder.run(command + " spec.json --output table.h5 --max-memory 130000000") == 4);
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("field":"ics")") && ContainsSubstring("unknowns"));
 }
 
@@ -206,6 +206,20 @@ TEST_CASE("A long step is reported again and again with the time that is left", 
         reports += line.find(R"("stage":"factorisation")") != std::string::npos &&
                    line.find("seconds_left") != std::string::npos;
     CHECK(reports > 4);  // two load cases of some seconds each
+}
+
+TEST_CASE("Without the module that meshes sections only sections are missed, by a sentence", "[contactd-ic]") {
+    const Folder folder;
+    fs::copy_file(program, folder / "contactd-ic");
+    folder.write("spec.json", quick);
+    CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 0);
+    folder.write("spec.json", section);
+    CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 1);
+    CHECK_THAT(folder.last_line(), ContainsSubstring("contactd-gmsh.so, which is missing"));
+    CHECK(folder.run(program + " spec.json --output table.h5") == 0);
+    folder.write("contactd-gmsh.so", "no module");
+    CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 1);
+    CHECK_THAT(folder.last_line(), ContainsSubstring("cannot be used") && ContainsSubstring("contactd-gmsh.so"));
 }
 
 TEST_CASE("A command line that cannot be used is named", "[contactd-ic]") {
