@@ -11,10 +11,11 @@
 //
 // The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
 // line: {"stage", "fraction", "iteration", "residual", "seconds_left"}, at last {"done": true, "output", "evidence"} or
-// {"error": {"field", "message", "kind"}}; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every
-// process, four times a second. Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did
-// not converge; 4 when memory ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for
-// anything else. The file appears whole or not at all.
+// {"error": {"field", "message", "kind"}}, of kind invalid_argument when a field of the spec is at fault; with
+// --exit-with-stdin also {"heartbeat": rank, "processes"} from every process, four times a second. Exit status: 0; 2
+// for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when memory ran out; 128 + n
+// when signal n ended the build, 129 also when standard input ended; 1 for anything else. The file appears whole or not
+// at all.
 
 #include <unistd.h>
 
@@ -177,21 +178,24 @@ std::uint64_t usable_memory() {
 }
 
 int guarded_run(const Context& context) {
-    const auto everywhere = [&](const std::string& field, const char* message, int code) {
-        if (context.runtime.rank() == 0) context.lines.write_error(field, message);
+    const auto everywhere = [&](const std::string& field, const char* message, int code, const char* kind = "") {
+        if (context.runtime.rank() == 0) context.lines.write_error(field, message, kind);
         return code;
+    };
+    const auto refuse = [&](const std::string& field, const char* message) {
+        const bool of_command_line = field.empty() || field == "SPEC" || field.starts_with("--");
+        return everywhere(field, message, bad_input, of_command_line ? "" : "invalid_argument");
     };
     try {
         run(context);
         return success;
     } catch (const proto::StatusError& error) {
         const auto& violations = error.status().violations;
-        return everywhere(violations.empty() ? "" : violations.front().field, error.what(), bad_input);
+        return refuse(violations.empty() ? "" : violations.front().field, error.what());
     } catch (const InvalidArgument& error) {
-        return everywhere(error.field(), error.what(), bad_input);
+        return refuse(error.field(), error.what());
     } catch (const OutOfMemory& error) {
-        if (context.runtime.rank() == 0) context.lines.write_error(error.field(), error.what(), "out_of_memory");
-        return out_of_memory;
+        return everywhere(error.field(), error.what(), out_of_memory, "out_of_memory");
     } catch (const NotConverged& error) {
         return everywhere("", error.what(), not_converged);
     } catch (const StoreError& error) {

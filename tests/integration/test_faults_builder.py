@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from contactd import FailedPrecondition, FemIcs, Grid, InternalError, NotFound, ResourceExhausted
+from contactd import FailedPrecondition, FemIcs, Grid, InternalError, InvalidArgument, NotFound, ResourceExhausted
 from support.daemons import BIN, eventually
 from support.faults import LONG_FAULTS, script
 from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
@@ -67,6 +67,25 @@ def test_a_builder_that_never_says_a_word_is_ended(daemons):
     program = script(daemons.folder, "exec sleep 600")
     with daemons.start(builds={"program": str(program), "stall_seconds": 1}).client() as client:
         assert "made no progress for 1 s" in failure(client).message
+    program.unlink()
+
+
+def test_what_a_builder_refuses_is_the_clients_mistake_and_not_put_into_quarantine(daemons):
+    refusal = '{"error": {"field": "ics.section", "message": "ics.section curves too much", "kind": "invalid_argument"}}'
+    program = script(daemons.folder, f"echo '{refusal}'; exit 2")
+    with daemons.start(builds={"program": str(program)}).client() as client:
+        for _ in range(3):
+            error = failure(client, InvalidArgument)
+            assert error.message == "ics.section curves too much"
+            assert [(broken.field, broken.description) for broken in error.violations] == [("ics.section", "curves too much")]
+    program.unlink()
+
+
+def test_a_builder_that_misunderstands_the_daemon_is_no_mistake_of_the_client(daemons):
+    refusal = '{"error": {"field": "--output", "message": "--output is folder; it does not exist", "kind": ""}}'
+    program = script(daemons.folder, f"echo '{refusal}'; exit 2")
+    with daemons.start(builds={"program": str(program)}).client() as client:
+        assert "--output is folder" in failure(client).message
     program.unlink()
 
 

@@ -107,6 +107,25 @@ def test_a_section_that_is_none_is_refused(shared, section, says):
         shared.get_ic(STEEL, GRID, fem(section))
 
 
+@pytest.mark.parametrize(
+    ("corners", "says"),
+    [
+        ([(30, 0), (0, -20), (30, -20), (0, 0)], r"cross"),
+        ([(5, 0), (5, -20), (0, -20), (0, 0)], r"corner"),
+        ([(0, -20), (30, -20), (30, 0), (0, 0)], r"clockwise"),
+    ],
+)
+def test_an_outline_that_is_none_is_refused_with_the_place_however_often(shared, corners, says):
+    parts = [{"line": {"to": {"y": y, "z": z}}, "held": z == -20} for y, z in corners]
+    section = {"outline": {"outside": {"start": {"y": 0, "z": 0}, "parts": parts}}}
+    sphere = {"grid": GRID, "upper": RigidBody(), "gap": Paraboloid(50, 50), "Fn": 5000}
+    for _ in range(3):  # a table that was refused is not put into quarantine
+        with pytest.raises(InvalidArgument, match=says) as caught:
+            shared.solve(**sphere, lower=STEEL, lower_ics=fem(section))
+        assert "(y, z) = (" in caught.value.message
+        assert "ics.section" in caught.value.violations[0].field
+
+
 def test_a_prism_is_not_exported(shared):
     with pytest.raises(InvalidArgument, match="prism"):
         shared.export_ic(STEEL, GRID, fem(EDGE))

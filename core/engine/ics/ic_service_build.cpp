@@ -118,6 +118,8 @@ void IcService::build(const RequestPtr& request) {
         ++counters_.builds_cancelled;
         log_.info(std::format("{} cancelled", job.name));
         fail(request, cancelled_status());
+    } catch (const InvalidArgument& error) {  // known before anything was built, and as quickly the next time
+        fail_build(request, status_of(error));
     } catch (const BuilderUnusable& error) {
         fail_build(request, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
     } catch (const BuilderOutOfMemory& error) {

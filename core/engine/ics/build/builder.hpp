@@ -48,8 +48,8 @@ class BuilderOutOfMemory : public Error {
 
 /// Writes the table of `spec` to `output` and returns when the child has ended. The child lives no longer than this
 /// process: it watches its standard input. `on_tick` is called some times a second meanwhile. Throws Cancelled when the
-/// job was cancelled, BuilderOutOfMemory, BuilderUnusable, and Error with the builder's own words, or when it was
-/// silent or at work for too long; the child has then been ended.
+/// job was cancelled, InvalidArgument when the builder refuses the spec, BuilderOutOfMemory, BuilderUnusable, and Error
+/// with the builder's own words, or when it was silent or at work for too long; the child has then been ended.
 BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const std::filesystem::path& output,
                        const Job& job, const std::function<void(const JobProgress&)>& on_progress,
                        const std::function<void()>& on_tick);

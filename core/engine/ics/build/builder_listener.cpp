@@ -69,7 +69,7 @@ void BuilderListener::hear_line(std::string_view line) {
     heard_[0] = Clock::now();
     if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
         complaint_ = text(*error, "message");
-        out_of_memory_ = text(*error, "kind") == "out_of_memory";
+        kind_ = text(*error, "kind");
         field_ = text(*error, "field");
     }
     if (json.contains("table_bytes")) {

@@ -30,7 +30,8 @@ class BuilderListener {
     Clock::duration silence() const;
     /// The builder's own sentence when it gave one, else the end of what it wrote to standard error.
     std::string complaint() const;
-    bool ran_out_of_memory() const { return out_of_memory_; }
+    bool ran_out_of_memory() const { return kind_ == "out_of_memory"; }
+    bool refused() const { return kind_ == "invalid_argument"; }
     /// The part of the request that the builder complains of; empty when it named none.
     const std::string& field() const { return field_; }
     /// What the builder printed because it could not write it.
@@ -43,8 +44,7 @@ class BuilderListener {
 
     bool has_begun_;
     const OnProgress on_progress_;
-    std::string line_, words_, complaint_, field_;
-    bool out_of_memory_ = false;
+    std::string line_, words_, complaint_, field_, kind_;
     std::size_t awaited_ = 0;  ///< bytes of the table that are still to come
     BuiltTable table_;
     std::map<int, Clock::time_point> heard_{{0, Clock::now()}};  ///< by process
