@@ -58,6 +58,7 @@ TEST_CASE("Columns all round a solid cylinder meet the closed form with Bessel f
 }
 
 TEST_CASE("A disc under two opposed loads widens across as Michell says", "[section]") {
+    // What is left, -4.4e-4: 1.8e-4 of the core, which falls with its square, and the width of the loads.
     const int columns = 360;
     const SectionOutline outline = disc(columns, 0.005);
     const SectionMesh mesh = mesh_of(outline, 4, 2);
@@ -73,7 +74,7 @@ TEST_CASE("A disc under two opposed loads widens across as Michell says", "[sect
     for (const int load : {0, columns - 1, columns / 2 - 1, columns / 2})
         for (const int side : {columns / 4 - 1, columns / 4, 3 * columns / 4 - 1, 3 * columns / 4})
             widening -= nn(side, load) / 4;
-    CHECK_THAT(widening, WithinRel(0.238366, 1e-3));
+    CHECK_THAT(widening, WithinRel(0.238366, 5e-4));
 }
 
 TEST_CASE("What nothing holds is refused at wavenumber zero", "[section]") {

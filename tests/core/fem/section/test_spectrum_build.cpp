@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -105,7 +106,7 @@ TEST_CASE("Tables of sections meet the reference within the error they state", "
 }
 
 TEST_CASE("So do finer tables", "[section][slow]") {
-    check_cases(1e-3);
+    check_cases(GENERATE(1e-3, 1e-4));
 }
 
 TEST_CASE("A slab that is thick and wide is a half-space", "[section]") {

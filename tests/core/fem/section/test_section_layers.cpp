@@ -1,0 +1,54 @@
+// A slab by finite elements beside the exact coefficients of a bonded layer.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <cmath>
+
+#include "contactd/half_space.hpp"
+#include "influence/layered/layered_table.hpp"
+#include "section/spectrum_build.hpp"
+#include "section_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::fem;
+
+namespace {
+
+constexpr int columns = 8, offsets = 12;
+
+/// The largest difference of any coefficient of elements `dx` long to those of the layer, over zz of the half-space
+/// under an element as long as it is wide.
+double difference_to_layer(const ColumnSpectrum& spectrum, double thickness, double nu, double dx) {
+    const Layers layer{{{thickness, 1, nu}}, Material::rigid()};
+    const ColumnTable slab = column_table(spectrum, dx, offsets),
+                      exact = column_table_of(layered_table(layer, LoadShape::constant, offsets, columns, dx, 1));
+    double largest = 0;
+    REQUIRE(slab.values.size() == exact.values.size());
+    for (std::size_t i = 0; i < slab.values.size(); ++i)
+        largest = std::max(largest, std::abs(slab.values[i] - exact.values[i]));
+    return largest / half_space_coefficient(Axis::z, Axis::z, 0, 0, 1, 1, {.G = 1, .nu = nu});
+}
+
+void check_slabs(double accuracy) {
+    const double nu = GENERATE(0.28, 0.40, 0.49, 0.499), thickness = GENERATE(1.0, 5.0);
+    Observer observer;
+    const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, slab(100, thickness, columns), nu, accuracy, observer);
+    CAPTURE(accuracy, nu, thickness, build.order, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
+    CHECK(build.errors.total() <= accuracy);
+    for (const double dx : {0.5, 1.0, 2.0}) {
+        CAPTURE(dx);
+        CHECK(difference_to_layer(build.spectrum, thickness, nu, dx) <= build.errors.total());
+    }
+    // Elements of order 4 do not lock: those of a higher order were not needed.
+    if (accuracy == 1e-3) CHECK(build.order == 4);
+}
+
+}  // namespace
+
+TEST_CASE("Slabs of any Poisson's ratio up to 0.499 are exact layers within their stated error", "[section]") {
+    check_slabs(1e-2);
+}
+
+TEST_CASE("So are slabs to a thousandth and to a ten-thousandth", "[section][slow]") {
+    check_slabs(GENERATE(1e-3, 1e-4));
+}
