@@ -13,7 +13,7 @@ from contactd import __version__
 from .codes import Code
 from .commands import bench, completion, info, jobs, keys, session, solve, study, tables, watch, wheelrail
 from .common import Group
-from .interrupts import heeded_sigterm
+from .interrupts import heeded_signals
 
 __all__ = ["app", "run"]
 
@@ -50,7 +50,7 @@ def contactctl(
 
 def run(arguments: Sequence[str] | None = None) -> int:
     """The exit code of the command that `arguments` name."""
-    with heeded_sigterm():
+    with heeded_signals():
         return _run(arguments)
 
 

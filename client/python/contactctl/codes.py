@@ -16,7 +16,7 @@ from contactd import (
     Unavailable,
 )
 
-__all__ = ["Code", "Ended", "Terminated", "code_of"]
+__all__ = ["Code", "Ended", "HungUp", "Terminated", "code_of"]
 
 
 class Code(IntEnum):
@@ -31,6 +31,7 @@ class Code(IntEnum):
     CANCELLED = 6  #: somebody else cancelled the job
     TIMEOUT = 7  #: no answer within --timeout
     FAILED = 8  #: the daemon tried, and failed: a build, or a defect there
+    HUNG_UP = 129  #: SIGHUP
     INTERRUPTED = 130  #: Ctrl-C
     PIPE = 141  #: who read the output has gone
     TERMINATED = 143  #: SIGTERM
@@ -44,6 +45,10 @@ class Ended(Exception):
         self.code = code
 
 
+class HungUp(KeyboardInterrupt):
+    """SIGHUP: the terminal has gone. It interrupts as Ctrl-C does."""
+
+
 class Terminated(KeyboardInterrupt):
     """SIGTERM, which interrupts as Ctrl-C does."""
 
@@ -51,6 +56,7 @@ class Terminated(KeyboardInterrupt):
 def code_of(error: BaseException) -> Code:
     """The exit code that an error of the client has."""
     kinds: tuple[tuple[type[BaseException], Code], ...] = (
+        (HungUp, Code.HUNG_UP),
         (Terminated, Code.TERMINATED),
         (KeyboardInterrupt, Code.INTERRUPTED),
         (TimeoutExpired, Code.TIMEOUT),

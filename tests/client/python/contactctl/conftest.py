@@ -123,8 +123,9 @@ class Ctl:
 @pytest.fixture(autouse=True)
 def _interrupts() -> Iterator[None]:
     """Commands get Ctrl-C as at a terminal, also where the tests run in the background."""
-    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
     yield
     for number, handler in before.items():
         signal.signal(number, handler)

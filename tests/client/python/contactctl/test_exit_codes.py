@@ -120,7 +120,7 @@ def test_a_build_that_fails_is_8(daemons, own):
     assert refused(own("ic", "build", "long.json", "-e", small.endpoint), 8, "BUILD_OUT_OF_MEMORY")
 
 
-@pytest.mark.parametrize(("sent", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize(("sent", "code"), [(signal.SIGHUP, 129), (signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_who_interrupts_a_build_ends_it(own, sent, code):
     with own.start("ic", "build", "long.json") as building, Client(own.endpoint) as client:
         eventually(client.jobs)
@@ -176,7 +176,8 @@ def test_a_disk_that_is_full_is_1(ctl):
     assert (ended.returncode, err) == (1, "contactctl: No space left on device.\n")
 
 
-def test_a_command_in_a_program_leaves_its_signals_as_they_were(ctl):
-    before = signal.getsignal(signal.SIGTERM)
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_command_in_a_program_leaves_its_signals_as_they_were(ctl, number):
+    before = signal.getsignal(number)
     assert ctl("info").code == 0
-    assert signal.getsignal(signal.SIGTERM) is before
+    assert signal.getsignal(number) is before

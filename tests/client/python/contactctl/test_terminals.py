@@ -4,6 +4,7 @@ import os
 import pty
 import re
 import select
+import signal
 import subprocess
 import time
 
@@ -19,12 +20,12 @@ ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
 class Terminal:
     """A command whose standard input, output and error are a terminal of 100 columns."""
 
-    def __init__(self, ctl, *words, **environment):
+    def __init__(self, ctl, *words, before=lambda: None, **environment):
         self.master, slave = pty.openpty()
         self.text = ""
         self.process = subprocess.Popen(
             [*ctl.command, *map(str, words)], cwd=ctl.folder, env={**ctl.environment, **environment},
-            stdin=slave, stdout=slave, stderr=slave, preexec_fn=_take_terminal,
+            stdin=slave, stdout=slave, stderr=slave, preexec_fn=lambda: (_take_terminal(), before()),
         )  # fmt: skip
         os.close(slave)
 
@@ -84,6 +85,24 @@ def test_a_build_has_a_live_bar_that_goes_when_ctrl_c_ends_it(own):
         assert "is cancelled." in terminal.text
         assert "Traceback" not in terminal.text
         eventually(lambda: not client.jobs())
+
+def test_a_terminal_that_is_closed_ends_the_build(own):
+    with Client(own.endpoint) as client:
+        with Terminal(own, "ic", "build", "long.json") as terminal:
+            terminal.wait_for(r"[1-9]\d* %.*build-\d+: \w+")
+            os.dup2(os.open(os.devnull, os.O_RDWR), terminal.master)
+            assert terminal.process.wait(30 * SLOWER) == 129
+        eventually(lambda: not client.jobs())
+        assert client.info().counters["builds_finished"] == 0
+
+
+def test_who_shall_outlive_the_terminal_does(own):
+    with Terminal(own, "solve", "endless.json", before=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)) as terminal, Client(own.endpoint) as client:
+        eventually(client.jobs)
+        terminal.process.send_signal(signal.SIGHUP)
+        time.sleep(0.5)
+        assert terminal.process.poll() is None
+        assert client.jobs()
 
 
 def test_a_bar_is_on_standard_error_and_json_on_standard_output(own):
