@@ -46,25 +46,14 @@ from .errors import (
 )
 from .exchange import load_table, save_table
 from .friction import Friction, KineticFriction, Rolling, Shift
+from .gaps import Paraboloid, SemiAxes
+from .grid import Grid
+from .ics import AnalyticIcs, FemIcs, LineContact
 from .local import local
+from .materials import Layer, LayeredBody, Material, RigidBody
 from .partial import PartialSolution
 from .plain_values import from_dict, to_dict
-from .problem import (
-    AnalyticIcs,
-    ContactColumns,
-    ContactProblem,
-    Estimate,
-    FemIcs,
-    Grid,
-    Layer,
-    LayeredBody,
-    LineContact,
-    Material,
-    Paraboloid,
-    RigidBody,
-    SemiAxes,
-    SolverSettings,
-)
+from .problem import ContactColumns, ContactProblem, Estimate, SolverSettings
 from .saving import load, save
 from .session import SavedState, Session, SessionSummary
 from .solution import (

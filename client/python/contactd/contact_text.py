@@ -12,7 +12,7 @@ import numpy as np
 from .errors import TableFileError
 
 if TYPE_CHECKING:
-    from .problem import Array
+    from .grid import Array
 
 __all__ = ["format_text", "parse_text"]
 

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from .errors import ProtocolError, TableFileError
-from .problem import table_params
+from .ics import table_params
 from .reading import read
 from .saving import write_whole
 from .solution import IcEvidence, IcSpec, IcTable

@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 
 from .errors import ContactdError, TableFileError
-from .problem import AnalyticIcs, FemIcs, Grid, Layer, LayeredBody, Material, RigidBody
+from .grid import Grid
+from .ics import AnalyticIcs, FemIcs
+from .materials import Layer, LayeredBody, Material, RigidBody
 from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase
 
 __all__ = ["read_hdf5"]

@@ -6,8 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from .grid import Array, Grid
+from .ics import FemIcs, Ics
+from .materials import LayeredBody, Material
 from .plain_values import HasDict
-from .problem import Array, FemIcs, Grid, Ics, LayeredBody, Material
 from .showing import Rows, Shown, number
 
 if TYPE_CHECKING:

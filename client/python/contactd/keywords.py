@@ -12,19 +12,11 @@ from typing import TypedDict
 import numpy.typing as npt
 
 from .friction import Friction
-from .problem import (
-    ContactColumns,
-    Estimate,
-    Grid,
-    Ics,
-    LayeredBody,
-    Material,
-    Model,
-    Paraboloid,
-    RigidBody,
-    SemiAxes,
-    SolverSettings,
-)
+from .gaps import Paraboloid, SemiAxes
+from .grid import Grid
+from .ics import Ics
+from .materials import LayeredBody, Material, RigidBody
+from .problem import ContactColumns, Estimate, Model, SolverSettings
 from .solution import ContactSolution
 from .table_ics import TableIcs
 from .wheel_rail import Conformal, PatchRules, RigidSlipKind, Side, Track, WheelRailFriction, Wheelset, WheelSurface

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .problem import Grid
+from .grid import Grid
 from .solution import IcTable, Solution
 from .subsurface import SubsurfaceStress
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ProtocolError
-from .problem import Array, Grid
+from .grid import Array, Grid
 from .reading import read
 from .showing import with_inherited_attributes
 from .solution import ContactSolution, Solution

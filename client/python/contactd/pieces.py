@@ -9,7 +9,8 @@ import numpy as np
 
 from .calls.asking import Answering
 from .errors import ProtocolError
-from .problem import Array, Grid, Ics, table_shape
+from .grid import Array, Grid
+from .ics import Ics, table_shape
 from .solution import Limits
 
 __all__ = ["fetch_in_pieces"]

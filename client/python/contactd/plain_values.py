@@ -14,8 +14,9 @@ __all__ = ["HasDict", "from_dict", "to_dict"]
 
 #: Whose values can be made from dictionaries.
 _MODULES = (
-    "friction", "problem", "ic_table", "evidence", "service", "solution", "partial", "steps", "subsurface", "table_ics",
-    "wheel_rail", "wheel_rail_forces", "wheel_rail_places", "wheel_rail_profiles", "wheel_rail_solution",
+    "friction", "gaps", "grid", "ics", "materials", "problem", "ic_table", "evidence", "service", "solution", "partial",
+    "steps", "subsurface", "table_ics", "wheel_rail", "wheel_rail_forces", "wheel_rail_places",
+    "wheel_rail_profiles", "wheel_rail_solution",
 )  # fmt: skip
 
 

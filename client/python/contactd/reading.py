@@ -15,7 +15,8 @@ import numpy as np
 
 from .errors import ProtocolError
 from .friction import Motion, Rolling, Shift
-from .problem import AnalyticIcs, FemIcs, Ics, LayeredBody, Material, RigidBody
+from .ics import AnalyticIcs, FemIcs, Ics
+from .materials import LayeredBody, Material, RigidBody
 
 __all__ = ["read"]
 

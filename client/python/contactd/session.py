@@ -10,10 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy.typing as npt
 
 from .calls.asking import Answering, Asked, Waits, asks, insist
+from .checks import check_type
 from .errors import ContactdError, ProtocolError
 from .friction import Force, Friction, RollingKind
+from .gaps import Paraboloid, SemiAxes
+from .grid import Grid
 from .partial import Fields
-from .problem import Grid, Paraboloid, SemiAxes, check_field_types, check_type, opening_params
+from .problem import check_field_types
+from .problem_params import opening_params
 from .reading import read
 from .showing import Rows, Shown
 from .solution import IcUse, Progress

@@ -13,8 +13,8 @@ import numpy.typing as npt
 
 from .evidence import ContactEvidence, Discretisation, IcUse, SolverEvidence
 from .friction import Motion
+from .grid import Array, Grid
 from .ic_table import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
-from .problem import Array, Grid
 from .saving import Saved
 from .service import Job, Limits, Progress, QuarantinedIc, ServerInfo, StoredIc
 from .showing import Rows, Shown, with_inherited_attributes

@@ -13,8 +13,9 @@ import numpy.typing as npt
 
 from .errors import ContactdError
 from .friction import Force, Friction, RollingKind, coefficient_param, slip_param
+from .gaps import Paraboloid, SemiAxes, gap_params
+from .grid import Grid
 from .partial import Fields, PartialSolution, check_arrays, names_of, on_grid
-from .problem import Grid, Paraboloid, SemiAxes, gap_params
 from .reading import read
 from .showing import with_inherited_attributes
 

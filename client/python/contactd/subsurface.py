@@ -9,7 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import array_of, invalid, plain
-from .problem import Array, ContactProblem, Estimate, LayeredBody, RigidBody, check_type, ics_params, traction_params
+from .checks import check_type
+from .grid import Array
+from .ics import ics_params
+from .materials import LayeredBody, RigidBody
+from .problem import ContactProblem, Estimate
+from .problem_params import traction_params
 from .saving import Saved
 from .showing import Rows, Shown
 from .solution import ContactSolution

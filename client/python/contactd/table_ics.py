@@ -16,7 +16,8 @@ from .errors import TableFileError
 from .showing import Rows, Shown
 
 if TYPE_CHECKING:
-    from .problem import Array, LayeredBody, Material
+    from .grid import Array
+    from .materials import LayeredBody, Material
     from .solution import IcTable
 
 __all__ = ["TableIcs", "check_finite", "combined_modulus"]

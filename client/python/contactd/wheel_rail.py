@@ -26,7 +26,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from .friction import KineticFriction
-from .problem import Material, Model, RigidBody, SolverSettings
+from .materials import Material, RigidBody
+from .problem import Model, SolverSettings
 from .saving import Saved
 from .wheel_rail_forces import (
     WheelRailDerivatives,

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from .arrays import array_of, invalid, plain
-from .problem import Material, RigidBody, check_type
+from .checks import check_type
+from .materials import Material, RigidBody
 from .wheel_rail import (
     S1002,
     ArcProfile,

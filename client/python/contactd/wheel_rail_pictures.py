@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import invalid
-from .problem import Array
+from .grid import Array
 from .wheel_rail import RailDeviation, Side, WheelRailState, WheelsetPosition
 from .wheel_rail_solution import WheelRailPatch, WheelRailSolution
 from .wheelset_geometry import EquivalentConicity, PlacedProfiles, ProfilesOfSides, WheelsetContacts

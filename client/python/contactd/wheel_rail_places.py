@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .problem import Grid
+from .grid import Grid
 
 __all__ = [
     "ContactPlace",

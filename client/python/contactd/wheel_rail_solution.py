@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .errors import ProtocolError
+from .grid import Array
 from .partial import ALL_FIELDS, PartialSolution, check_arrays, on_grid
-from .problem import Array
 from .reading import read
 from .saving import Saved
 from .showing import Rows, Shown

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from .errors import ProtocolError
-from .problem import Array
+from .grid import Array
 from .reading import read
 
 __all__ = [

@@ -7,7 +7,7 @@ import pytest
 
 from contactd import ContactProblem, Estimate, Friction, Grid, InvalidArgument, Material, ProtocolError
 from contactd.arrays import Frames, array_of, decode, encode
-from contactd.problem import problem_params
+from contactd.problem_params import problem_params
 
 VALUES = np.arange(6.0).reshape(2, 3)
 

@@ -26,7 +26,8 @@ from contactd import (
     load_table,
     save_table,
 )
-from contactd.problem import problem_params, table_params
+from contactd.ics import table_params
+from contactd.problem_params import problem_params
 from contactd.solution import ComponentError, IcErrors, LoadCase
 from support.tables import DX, DY, NX, NY, ic_table, made_up
 

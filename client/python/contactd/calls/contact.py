@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy.typing as npt
 
-from .. import problem as asked
+from ..checks import check_type
 from ..errors import StatusError
 from ..outcomes import outcomes
 from ..partial import Fields, PartialSolution, names_of, read_solution
 from ..problem import ContactProblem, Estimate
+from ..problem_params import problem_params
 from ..reading import read
 from ..solution import ContactSolution
 from ..subsurface import StressBlock, SubsurfaceStress, subsurface_params
@@ -77,9 +78,9 @@ def solved(
         problem = ContactProblem(**problem_fields)
     elif problem_fields:
         raise TypeError(f"solve() takes a ContactProblem or its fields, not both: {', '.join(problem_fields)}")
-    asked.check_type("problem", problem, ContactProblem)
+    check_type("problem", problem, ContactProblem)
     names = None if fields is None else names_of(fields)
-    params = asked.problem_params(problem, names)
+    params = problem_params(problem, names)
     result = yield from caller.asked(
         "contact.solve", params, timeout=timeout, on_progress=on_progress, progress=progress
     )
@@ -99,9 +100,9 @@ def solved_many(
     if not problems:
         return []
     for index, problem in enumerate(problems):
-        asked.check_type(f"problems[{index}]", problem, ContactProblem)
+        check_type(f"problems[{index}]", problem, ContactProblem)
     names = None if fields is None else names_of(fields)
-    params = {"problems": [asked.problem_params(problem, names) for problem in problems]}
+    params = {"problems": [problem_params(problem, names) for problem in problems]}
     result = yield from caller.asked(
         "contact.solve_many", params, timeout=timeout, on_progress=on_progress, progress=progress
     )

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from ..checks import check_type
 from ..errors import ProtocolError, StatusError
 from ..friction import Friction
+from ..grid import Grid
 from ..many_steps import stepped_sessions
-from ..problem import ContactProblem, Grid, check_type
+from ..problem import ContactProblem
 from ..reading import read
 from ..session import AnySession, SessionSummary, opening
 from ..steps import StepInput, StepSolution

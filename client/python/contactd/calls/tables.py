@@ -6,11 +6,12 @@ from typing import Any, Literal
 
 import numpy as np
 
-from .. import problem as asked
 from ..arrays import plain
 from ..errors import InvalidArgument, ProtocolError
+from ..grid import Grid
+from ..ics import Ics, table_params, table_shape
+from ..materials import LayeredBody, Material
 from ..pieces import fetch_in_pieces
-from ..problem import Grid, Ics, LayeredBody, Material
 from ..reading import read
 from ..solution import IcTable, QuarantinedIc, StoredIc
 from .asking import Answering, asks
@@ -38,7 +39,7 @@ class TableCalls(Caller):
         A timeout ends the waiting, not the build. A table that is too large for one message comes in several, each with
         the same timeout.
         """
-        params = asked.table_params(material, grid, ics)
+        params = table_params(material, grid, ics)
 
         def ask(params: dict[str, Any]) -> Answering[dict[str, Any]]:
             return (
@@ -56,7 +57,7 @@ class TableCalls(Caller):
             result = yield from fetch_in_pieces(ask, params, grid, ics, limits)
         result["array"] = result.pop("table", None)
         table = read(IcTable, result)
-        check_shapes(table, ["array"], (3, 3, *asked.table_shape(grid, ics)))
+        check_shapes(table, ["array"], (3, 3, *table_shape(grid, ics)))
         return table
 
     @asks
@@ -75,7 +76,7 @@ class TableCalls(Caller):
         """The table of get_ic as the content of a file: "hdf5" (docs/ic-tables.md), or "contact", the text in which the
         CONTACT program takes the coefficients of a pair of bodies, of which `lower` is the second (None: as the first).
         """
-        params = {**asked.table_params(material, grid, ics), "format": format}
+        params = {**table_params(material, grid, ics), "format": format}
         if lower is not None:
             params["lower"] = plain(lower)
         result = yield from self.asked("ic.export", params, timeout=timeout, on_progress=on_progress, progress=progress)

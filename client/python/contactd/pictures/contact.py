@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..problem import Grid
+from ..grid import Grid
 from ..solution import Solution
 from .canvas import ADHESION, COLOURS, INK, axes_or_new, bare, edges, legend_below, map_over
 
