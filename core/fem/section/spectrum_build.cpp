@@ -32,9 +32,10 @@ constexpr double mesh_seconds = 2;
 constexpr double last_wavenumber = 6, farthest_wavenumber = 12;
 
 Level first_level(double accuracy, double nu) {
-    if (accuracy >= 5e-3) return nu > nearly_incompressible ? Level{4, 2, 13, 1e-2} : Level{3, 4, 13, 1e-2};
-    if (accuracy >= 5e-4) return {4, 4, 21, 1e-3};
-    return {5, 4, 25, 1e-4};
+    const bool stiff = nu > nearly_incompressible;  // against a change of volume, which takes finer elements
+    if (accuracy >= 5e-3) return stiff ? Level{4, 3, 13, 1e-2} : Level{3, 4, 13, 1e-2};
+    if (accuracy >= 5e-4) return {4, stiff ? 6 : 4, 21, 1e-3};
+    return {5, stiff ? 6 : 4, 25, 1e-4};
 }
 
 /// Offsets, as long as they are wide, at which errors of a table are looked for.
