@@ -16,7 +16,7 @@ namespace contactd::fem {
 /// Errors over zz of the half-space under an element of length ds along x.
 struct SpectrumErrors {
     double mesh = 0;         ///< half as much again as the difference to elements of the next order
-    double wavenumbers = 0;  ///< a twelfth of what every other wavenumber changes
+    double wavenumbers = 0;  ///< an eighth of what every other wavenumber changes
     double end = 0;          ///< what may lie beyond the last wavenumber
     double reciprocity = 0;  ///< before the transform was made symmetric, of a coefficient
     double total() const { return mesh + wavenumbers + end; }

@@ -17,7 +17,7 @@ namespace {
 constexpr int columns = 8, offsets = 12;
 
 /// The largest difference of any coefficient of elements `dx` long to those of the layer, over zz of the half-space
-/// under an element as long as it is wide.
+/// under such an element.
 double difference_to_layer(const ColumnSpectrum& spectrum, double thickness, double nu, double dx) {
     const Layers layer{{{thickness, 1, nu}}, Material::rigid()};
     const ColumnTable slab = column_table(spectrum, dx, offsets),
@@ -26,7 +26,7 @@ double difference_to_layer(const ColumnSpectrum& spectrum, double thickness, dou
     REQUIRE(slab.values.size() == exact.values.size());
     for (std::size_t i = 0; i < slab.values.size(); ++i)
         largest = std::max(largest, std::abs(slab.values[i] - exact.values[i]));
-    return largest / half_space_coefficient(Axis::z, Axis::z, 0, 0, 1, 1, {.G = 1, .nu = nu});
+    return largest / half_space_coefficient(Axis::z, Axis::z, 0, 0, dx, 1, {.G = 1, .nu = nu});
 }
 
 void check_slabs(double accuracy) {
