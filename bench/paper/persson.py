@@ -1,0 +1,126 @@
+"""A cylinder in a hole of nearly its own radius: pressures by finite elements against Persson's closed form, as a picture.
+
+    PYTHONPATH=client/python:bench python3 -m paper.persson --bin build/production/bin
+
+Both tables are built by contactd-ic; wavenumber zero of their transforms is plane strain, which the closed form is for.
+The contact is solved here, by nothing but linear equations: it checks the tables, not contactd's solvers, which
+tests/core/fem/section/test_conformal_cylinders.cpp holds to the same closed form.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import numpy.typing as npt
+
+from .drawing import BLUE, GREEN, INK, ORANGE, RED, finish, new_figure, save
+
+Array = npt.NDArray[np.float64]
+
+COLUMN = np.radians(1.5)  # lengths are over the width of a column
+RADIUS, COLUMNS, NU = 1 / COLUMN, 112, 0.28
+BODIES = {
+    "disc": {"radius": RADIUS, "core": 0.005 * RADIUS},
+    "plate_hole": {"radius": RADIUS, "plate_radius": 50 * RADIUS},
+}
+HALF_ANGLES = {30: BLUE, 45: GREEN, 60: ORANGE, 80: RED}  # degrees, of 20 columns or more
+
+
+def clearance(half_angle: float) -> float:
+    """E' (R2 - R1)/Q of identical cylinders under the force Q a length, E' = 2 G/(1 - nu)."""
+    b2 = np.tan(half_angle / 2) ** 2
+    return float((2 - np.log(1 + b2) - 2 * b2**2) / (np.pi * b2 * (1 + b2)))
+
+
+def pressure(half_angle: float, angle: Array) -> Array:
+    """p R/Q where they touch."""
+    b, y = np.tan(half_angle / 2), np.tan(angle / 2)
+    q, s = np.sqrt(1 + b**2), np.sqrt(np.maximum(b**2 - y**2, 0))
+    return np.asarray(2 * s / (np.pi * q * (1 + y**2)) + np.log((q + s) / (q - s)) / (2 * np.pi * b**2 * (1 + b**2)))
+
+
+def plane_strain(binaries: Path, folder: Path, shape: str) -> tuple[Array, Array]:
+    """Angles of the columns, and normal displacements for normal tractions, shape [column, loaded column], for G = 1."""
+    file = folder / f"{shape}.h5"
+    ics = {"source": "fem", "body": "prism", "accuracy": 1e-2, "section": {shape: BODIES[shape]}}
+    grid = {"nx": 1, "ny": COLUMNS, "dx": 1, "dy": 1}
+    spec = json.dumps({"material": {"G": 1, "nu": NU}, "grid": grid, "ics": ics})
+    command = [str(binaries / "contactd-ic"), "-", "--output", str(file)]
+    subprocess.run(command, input=spec.encode(), check=True, stdout=subprocess.DEVNULL)
+    with h5py.File(file) as table:
+        packed, angles = table["transform"][0], table["frames"][:, 2]
+    full = np.zeros((3 * COLUMNS, 3 * COLUMNS))
+    full[np.tril_indices(3 * COLUMNS)] = packed
+    full += np.tril(full, -1).T
+    return angles, full[2::3, 2::3]
+
+
+def solve(compliance: Array, cosines: Array, gap: Array) -> Array:
+    """Pressures of columns of width 1 under the force 1: they close h + A p = delta cos where they are positive."""
+    touching = np.ones(len(gap), dtype=bool)
+    while True:
+        inside = np.flatnonzero(touching)
+        count = len(inside)
+        matrix = np.zeros((count + 1, count + 1))
+        matrix[:count, :count] = compliance[np.ix_(inside, inside)]
+        matrix[:count, count] = -cosines[inside]
+        matrix[count, :count] = cosines[inside]
+        found = np.linalg.solve(matrix, np.append(-gap[inside], 1))
+        p = np.zeros(len(gap))
+        p[inside] = found[:count]
+        if (p >= 0).all():
+            return p
+        touching &= p > 0
+
+
+def half_angle_of(angles: Array, p: Array) -> float:
+    """Where the square of the pressure, linear at its end, falls to zero: from columns that are wholly in contact."""
+    last = int(np.flatnonzero(p > 0)[-1])
+    outer, inner = p[last - 1] ** 2, p[last - 3] ** 2
+    return float(abs(angles[last - 1] + outer * (angles[last - 1] - angles[last - 3]) / (inner - outer)))
+
+
+def draw(binaries: Path, picture: Path) -> dict[int, tuple[float, float]]:
+    """Writes the picture; of each half angle in degrees the errors of the largest pressure and of the angle itself."""
+    with tempfile.TemporaryDirectory() as folder:
+        (angles, hole), (_, disc) = (plane_strain(binaries, Path(folder), shape) for shape in ("plate_hole", "disc"))
+    compliance = hole + disc[::-1, ::-1]  # the disc's columns run the other way
+    figure, (axes,) = new_figure(1, 6.4, 4.2)
+    errors: dict[int, tuple[float, float]] = {}
+    fine: Any = np.radians(np.linspace(-90, 90, 1801))
+    for degrees, colour in HALF_ANGLES.items():
+        half_angle = np.radians(degrees)
+        gap = clearance(half_angle) * (1 - NU) / 2 * (1 - np.cos(angles))
+        p = solve(compliance, np.cos(angles), gap)
+        largest = pressure(half_angle, np.zeros(1))[0]
+        errors[degrees] = (p.max() * RADIUS / largest - 1, half_angle_of(angles, p) / half_angle - 1)
+        inside = np.abs(fine) <= half_angle
+        axes.plot(np.degrees(fine[inside]), pressure(half_angle, fine[inside]), color=colour, linewidth=1.4)
+        axes.plot(np.degrees(angles[p > 0]), p[p > 0] * RADIUS, "o", color=colour, markersize=3.2, label=f"{degrees}°")
+    axes.plot([], [], color=INK, linewidth=1.4, label="Persson")
+    axes.legend(title="half angle", frameon=False, fontsize=9)
+    axes.set_xlabel("angle from the bottom (degrees)")
+    axes.set_ylim(0, None)
+    finish(axes, "a cylinder in a hole, columns of 1.5 degrees", "pressure $p R/Q$")
+    save(figure, picture)
+    return errors
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--bin", type=Path, required=True, help="folder with contactd-ic")
+    parser.add_argument("--picture", type=Path, default=Path("docs/sections-persson.png"))
+    arguments = parser.parse_args()
+    for degrees, (of_pressure, of_angle) in draw(arguments.bin, arguments.picture).items():
+        print(f"{degrees:3} degrees: largest pressure {of_pressure:+.2e}, half angle {of_angle:+.2e}")
+
+
+if __name__ == "__main__":
+    main()
