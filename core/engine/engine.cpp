@@ -88,7 +88,9 @@ Engine::Engine(EngineSettings settings)
     : settings_(std::move(settings)),
       influences_(settings_.influence_budget_bytes),
       closed_forms_(settings_.tables.memory_budget_bytes),
-      wheels_on_rails_([this](const ContactProblem& problem) { return patch_influence(problem); }) {}
+      wheels_on_rails_([this](const ContactProblem& problem, const PatchColumns& columns, Observer& observer) {
+          return patch_influence(problem, columns, observer);
+      }) {}
 
 Engine::~Engine() = default;
 

@@ -73,7 +73,8 @@ class Engine {
     void count(const ContactSolution& solution);
     void count(const WheelRailSolution& solution);
     PreparedContacts::Contact wheel_on_rail(const WheelRailSetup& setup);
-    ContactInfluence patch_influence(const ContactProblem& problem);
+    ContactInfluence sections_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
+    ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
 
     const EngineSettings settings_;
     Counters counters_;

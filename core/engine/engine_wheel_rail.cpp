@@ -1,7 +1,9 @@
 // The engine's wheels on rails.
 #include <string>
 
+#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
+#include "contactd/patch_influence.hpp"
 #include "contactd/proto/status.hpp"
 #include "engine/engine.hpp"
 #include "engine/ics/problem_tables.hpp"
@@ -34,6 +36,17 @@ void check_half_spaces(const Bodies& bodies) {
     }
 }
 
+/// In the words of a request, before anything is built.
+void check_section(const IcSpec& spec, const std::string& name) {
+    try {
+        validate(spec);
+        column_frames(spec);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument("conformal",
+                              "is fem, and the " + name + " has no coefficients by its cross-section: " + error.what());
+    }
+}
+
 /// What `ask` throws, with the name that the field has among set-up and state.
 template <class Ask>
 auto with_names(const std::string& setup, const std::string& state, const Ask& ask) {
@@ -61,12 +74,31 @@ void check(const State& state, const std::string& name) {
 
 }  // namespace
 
-ContactInfluence Engine::patch_influence(const ContactProblem& problem) {
+/// The tables are those of contact.solve: from memory, from the store, or built now while the thread waits.
+ContactInfluence Engine::sections_influence(const ContactProblem& problem, const PatchColumns& columns,
+                                            Observer& observer) {
+    const auto table_of = [&](const std::optional<BodyColumns>& body, const char* name) {
+        if (!body) return IcAnswer{};
+        check_section(body->spec, name);
+        return fetch(body->spec, observer);
+    };
+    const auto key_of = [](const IcAnswer& answer, const std::optional<BodyColumns>& body) {
+        return body ? answer.key + " from " + std::to_string(body->first) : answer.key;
+    };
+    const IcAnswer rail = table_of(columns.rail, "rail"), wheel = table_of(columns.wheel, "wheel");
+    const std::string key = influence_key(problem, key_of(rail, columns.rail), key_of(wheel, columns.wheel));
+    return influences_.of(
+        key, [&] { return contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get()); });
+}
+
+ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchColumns& columns,
+                                         Observer& observer) {
     check_patch(problem.grid, settings_.most_patch_elements);
+    if (columns.of_sections()) return sections_influence(problem, columns, observer);
+    if (!columns.flat()) return contactd::patch_influence(problem, columns);
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);
     larger.grid.ny = rounded_up(problem.grid.ny);
-    Observer observer;
     return influence_of(problem, fetch(larger, observer), influences_);
 }
 

@@ -118,7 +118,7 @@ void validate(const WheelRailSetup& setup) {
     if (setup.bodies.any_prism())
         throw InvalidArgument("bodies",
                               "have a section of their own, which contacts of wheels on rails do not lie on "
-                              "yet; take half-spaces, and conformal half_space where the contact is curved");
+                              "yet; take materials, and conformal fem where their cross-sections matter");
     if (setup.friction) check(*setup.friction);
     if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
         throw InvalidArgument("friction.along_profile",
@@ -126,6 +126,10 @@ void validate(const WheelRailSetup& setup) {
     if (setup.conformal != Conformal::off && setup.model != Model::full)
         throw InvalidArgument("conformal",
                               "is not off, and the quick models know ellipses in a plane only; take model full");
+    if (setup.conformal == Conformal::fem && !setup.rail_slices.empty())
+        throw InvalidArgument("conformal",
+                              "is fem, and the rail has slices; coefficients by cross-sections are those of rails "
+                              "that are uniform along x: take rotated");
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
         throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
     for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})

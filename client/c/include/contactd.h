@@ -355,7 +355,9 @@ CONTACTD_API int32_t contactd_wheel_set_slip_of_surfaces(contactd_wheel* wheel, 
 /* 1: regions of overlap are found on a mesh seen from above, for rails that curve along the track, too; 0: by a locus.
  */
 CONTACTD_API int32_t contactd_wheel_set_mesh_search(contactd_wheel* wheel, int32_t mesh);
-/* 1: contacts are curved across the track, half-way between wheel and rail; 0, as at first: they lie in planes. */
+/* 0, as at first: contacts lie in planes. Otherwise they are curved across the track, half-way between wheel and rail,
+ * with the coefficients of half-spaces that lie flat (1) or turn from row to row (2), or of both cross-sections by
+ * finite elements (3); 4: as 2 where a plane would be left by more than 0.24 rad, else as 0. */
 CONTACTD_API int32_t contactd_wheel_set_conformal(contactd_wheel* wheel, int32_t conformal);
 /* `solver`: CONTACTD_NORMAL, _TANGENTIAL, _OUTER, or _FORCE, the search for z. */
 CONTACTD_API int32_t contactd_wheel_set_tolerance(contactd_wheel* wheel, int32_t solver, double tolerance,

@@ -1,4 +1,6 @@
 // contactd.h: the set-up of a wheel on its rail.
+#include <array>
+
 #include "contactd/read_profile.hpp"
 #include "edge.hpp"
 
@@ -248,8 +250,11 @@ std::int32_t contactd_wheel_set_mesh_search(contactd_wheel* wheel, std::int32_t 
 
 std::int32_t contactd_wheel_set_conformal(contactd_wheel* wheel, std::int32_t conformal) {
     using contactd::Conformal;
+    constexpr std::array kinds{Conformal::off, Conformal::half_space, Conformal::rotated, Conformal::fem,
+                               Conformal::automatic};
     return setup(wheel, [&](WheelRailSetup& changed) {
-        changed.conformal = conformal != 0 ? Conformal::half_space : Conformal::off;
+        const std::int32_t last = static_cast<std::int32_t>(kinds.size()) - 1;
+        changed.conformal = kinds.at(static_cast<std::size_t>(word(conformal, last, "conformal")));
     });
 }
 

@@ -107,7 +107,7 @@ __all__ = [
 Side = Literal["left", "right"]
 WheelSurface = Literal["exact", "bilinear"]
 RigidSlipKind = Literal["plane", "surfaces"]
-Conformal = Literal["off", "half_space"]
+Conformal = Literal["off", "half_space", "rotated", "fem", "auto"]
 
 
 @dataclass(frozen=True)
@@ -212,8 +212,10 @@ class WheelRailSetup(Saved):
         wheel_surface: "exact" (default), or "bilinear" between corners of a mesh as large as the elements.
         rigid_slip: By the creepages of the reference, as in a "plane" (default), or by the motion of both "surfaces" at
             each row of elements: for conformal contact, of model "full".
-        conformal: "off" (default): a contact lies in a plane; "half_space": it is curved across the track, half-way
-            between wheel and rail, with the coefficients of half-spaces; of model "full".
+        conformal: "off" (default): a contact lies in a plane. Otherwise it is curved across the track, half-way between
+            wheel and rail, with the coefficients of half-spaces, flat ("half_space") or turned from row to row
+            ("rotated"), or of both cross-sections by finite elements ("fem", whose tables are built when they are first
+            needed); "auto": rotated where a plane would be left by more than 0.24 rad, else off. Of model "full".
         normal: Stop test of NORM, for the pressures.
         tangential: Stop test for the tractions.
         outer: Stop test of the loop that bodies that differ and kinetic friction need.

@@ -7,21 +7,23 @@
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/patch_columns.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
 
 namespace contactd {
 
-/// Who makes the operators of a problem, of which only set-up and motion are of any meaning. Patches of one size ask
-/// again and again.
-using InfluenceSource = std::function<ContactInfluence(const ContactProblem&)>;
+/// Who makes the operators of a problem, of which only set-up and motion are of any meaning, on the columns of its
+/// patch. Patches of one size ask again and again. The observer hears of tables that are built, and ends that.
+using InfluenceSource = std::function<ContactInfluence(const ContactProblem&, const PatchColumns&, Observer&)>;
 
 /// One wheel on its rail: keeps the curves of the profiles and, where it makes them itself, the operators of the grids
 /// that occurred last. Safe to use from several threads at once; answers depend on the state alone.
 class WheelRailContact {
    public:
-    /// Half-spaces where no source is given; other bodies need one. Throws InvalidArgument naming the field.
+    /// Half-spaces where no source is given; other bodies, and conformal fem, need one. Throws InvalidArgument naming
+    /// the field.
     explicit WheelRailContact(WheelRailSetup setup, InfluenceSource source = nullptr);
 
     /// No contact is an answer, and so is one that has not converged, or has warnings. Throws InvalidArgument where the

@@ -80,9 +80,14 @@ enum class WheelSurfaceKind { exact, bilinear };
 enum class RigidSlipKind { plane, surfaces };
 
 /// Whether a contact is curved across the track as wheel and rail are, half-way between both: each row of elements has
-/// its own normal, by which gaps are measured, tractions turned and slip is that of the surfaces; with the influence
-/// coefficients of half-spaces.
-enum class Conformal { off, half_space };
+/// its own normal, by which gaps are measured, tractions turned and slip is that of the surfaces. With the influence
+/// coefficients of half-spaces, as if the rows lay flat; of half-spaces that turn from row to row; or of wheel and rail
+/// by their cross-sections, from finite elements. `automatic`: rotated where a contact in a plane would bend away from
+/// it by more than most_bend, else off.
+enum class Conformal { off, half_space, rotated, fem, automatic };
+
+/// Angle (rad) of the rail to the plane of a contact from where on distances along the one normal are wrong by 3 %.
+inline constexpr double most_bend = 0.2419;
 
 /// The coefficient of friction where the rail's surface is inclined by `angle` (rad, from the horizontal, negative on
 /// the gauge side); straight lines between, constant beyond.
@@ -121,7 +126,7 @@ struct WheelRailSetup {
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
     RigidSlipKind rigid_slip = RigidSlipKind::plane;  ///< surfaces: of model full only
     ContactSettings settings{};
-    Conformal conformal = Conformal::off;  ///< else of model full only
+    Conformal conformal = Conformal::off;  ///< else of model full only; fem: of a rail that is uniform along x
     SolverSettings force{1e-6, 40};        ///< of the search for a height that brings Fz: |F - Fz|/Fz, and solves
 
     bool operator==(const WheelRailSetup&) const = default;

@@ -62,7 +62,7 @@ std::vector<double> distances(const WheelRailSetup& setup, const WheelSurface& w
     const ContactReference& reference = place.reference;
     const bool curved = !place.rows.empty();
     const PlanePoints points =
-        curved ? PlanePoints(place.grid, CurvedRows{0, place.rows}.in_plane(reference)) : PlanePoints(place.grid);
+        curved ? PlanePoints(place.grid, CurvedRows{.rows = place.rows}.in_plane(reference)) : PlanePoints(place.grid);
     const std::vector<double> of_rail = rail_heights(rail, reference, points);
     std::vector<double> h = setup.wheel_surface == WheelSurfaceKind::exact
                                 ? wheel_heights(wheel, reference, points)
@@ -190,20 +190,23 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
     found.doubts = search_->doubts(z, group);
-    if (setup_.conformal != Conformal::off && bend(place, wheel, 0, 0)) found.doubts.bend = 0;
+    if (setup_.conformal != Conformal::off && bend(found, wheel, 0, 0)) found.doubts.bend = 0;
     return found;
 }
 
 /// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.
-bool Position::bend(ContactPlace& place, const WheelSurface& wheel, int more_below, int more_above) const {
+bool Position::bend(PlaceWithGap& found, const WheelSurface& wheel, int more_below, int more_above) const {
+    ContactPlace& place = found.place;
     Extent y = place.regions.front().y;
     for (const OverlapRegion& region : place.regions)
         y = {std::min(y.from, region.y.from), std::max(y.to, region.y.to)};
-    const auto [first, rows] = curved_rows(wheel, rail_, place.reference, y, setup_.dy, more_below, more_above);
-    if (rows.empty()) return false;
-    place.rows = rows;
-    place.grid.ny = static_cast<int>(rows.size());
-    place.grid.y0 = (first - 0.5) * setup_.dy;
+    CurvedRows curved = curved_rows(wheel, rail_, place.reference, y, setup_.dy, more_below, more_above);
+    if (curved.rows.empty()) return false;
+    place.rows = std::move(curved.rows);
+    place.grid.ny = static_cast<int>(place.rows.size());
+    place.grid.y0 = (curved.first - 0.5) * setup_.dy;
+    found.row_on_rail = curved.on_rail;
+    found.row_on_wheel = curved.on_wheel;
     return true;
 }
 
@@ -224,7 +227,7 @@ void Position::measure(PlaceWithGap& found, double z) const {
         const int below = static_cast<int>(std::lround((before.y0 - grid.y0) / grid.dy));
         more_below += below;
         more_above += grid.ny - before.ny - below;
-        bend(place, wheel, more_below, more_above);
+        bend(found, wheel, more_below, more_above);
         if (place.grid == before) break;  // there are no more rows
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);

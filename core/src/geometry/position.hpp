@@ -30,8 +30,9 @@ struct PlaceWithGap {
     ContactPlace place;
     std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
-    std::vector<RowSlip> row_slips;  ///< of rigid slip by surfaces only
-    RigidSlip slip_beside;           ///< of curved contacts: beside the creepages, of each element
+    double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
+    std::vector<RowSlip> row_slips;            ///< of rigid slip by surfaces only
+    RigidSlip slip_beside;                     ///< of curved contacts: beside the creepages, of each element
     OverlapDoubts doubts{};
 };
 
@@ -58,7 +59,7 @@ class Position {
    private:
     PlaceWithGap place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
-    bool bend(ContactPlace& place, const WheelSurface& wheel, int more_below, int more_above) const;
+    bool bend(PlaceWithGap& found, const WheelSurface& wheel, int more_below, int more_above) const;
 
     const WheelRailSetup& setup_;
     const WheelRailState& state_;

@@ -115,7 +115,7 @@ class Differences {
             ContactProblem problem = wheel_.problem_of(found);
             if (!problem.friction) return true;
             problem.derivatives = true;
-            const ContactSolution solution = wheel_.solve(std::move(problem), found.place, observer_);
+            const ContactSolution solution = wheel_.solve(std::move(problem), found, observer_);
             if (!solution.derivatives || !solution.derivatives->Fx) return false;
             for (const VelocityStep& step : velocity_steps(1e-4))
                 add_creepages(found.place, *solution.derivatives, step, derivatives.*step.derivative);

@@ -5,6 +5,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
+#include "contactd/patch_influence.hpp"
 
 namespace contactd {
 namespace {
@@ -33,7 +34,11 @@ InfluenceKeeper::InfluenceKeeper(Bodies bodies) : bodies_(std::move(bodies)) {
                               "are no half-spaces in closed form; for others give a source of their operators");
 }
 
-ContactInfluence InfluenceKeeper::of(const ContactProblem& problem) {
+ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchColumns& columns) {
+    if (columns.of_sections())
+        throw InvalidArgument("conformal",
+                              "is fem, whose tables take finite elements; give a source of operators that has them");
+    if (!columns.flat()) return patch_influence(problem, columns);
     const Grid& grid = problem.grid;
     const auto [step_x, step_y] = step_of(problem);
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, step_x, step_y};

@@ -8,6 +8,7 @@
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/patch_columns.hpp"
 
 namespace contactd {
 
@@ -18,7 +19,9 @@ class InfluenceKeeper {
     /// Throws InvalidArgument ("bodies") unless all bodies are half-spaces in closed form, or rigid.
     explicit InfluenceKeeper(Bodies bodies);
 
-    ContactInfluence of(const ContactProblem& problem);
+    /// Of columns that are not flat nothing is kept: they are others at the next position. Throws InvalidArgument
+    /// ("conformal") for columns of sections.
+    ContactInfluence of(const ContactProblem& problem, const PatchColumns& columns = {});
 
    private:
     using Key = std::tuple<int, int, double, double, double, double>;  // numbers and sizes of elements, the step

@@ -185,10 +185,10 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWith
     return problem;
 }
 
-ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchRules& rules,
-                            const InfluenceSource& influences, Observer& observer) {
+ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchColumns& columns,
+                            const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
     if (problem.model != Model::full) return solve_contact(problem, {}, observer);
-    const ContactInfluence influence = influences(problem);
+    const ContactInfluence influence = influences(problem, columns, observer);
     if (place.regions.size() > 1) blend(problem, place, rules, influence, observer);
     return solve_contact(problem, influence, observer);
 }

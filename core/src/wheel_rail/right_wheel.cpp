@@ -1,5 +1,6 @@
 #include "wheel_rail/right_wheel.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
@@ -11,6 +12,7 @@
 #include "wheel_rail/patch_solver.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/rising_search.hpp"
+#include "wheel_rail/section_columns.hpp"
 #include "wheel_rail/warnings.hpp"
 
 namespace contactd {
@@ -57,12 +59,12 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
 
 WheelRailGeometry RightWheel::locate() {
     WheelRailGeometry geometry;
-    geometry.z = state_.position.z;
     if (!touch()) {
+        geometry.z = state_.position.z;
         geometry.warnings.emplace_back(nothing_below);
         return geometry;
     }
-    if (state_.Fz) geometry.z = find_height(height_task(*state_.Fz)).z;
+    geometry.z = expected_height();
     geometry.clearance = position_.clearance(geometry.z);
     check_depth(geometry.z);
     for (const PlaceWithGap& found : position_.places(geometry.z)) {
@@ -70,6 +72,19 @@ WheelRailGeometry RightWheel::locate() {
         warn(geometry, warnings_of(found, setup_.side, false));
     }
     return geometry;
+}
+
+double RightWheel::expected_height() {
+    return state_.Fz ? find_height(height_task(*state_.Fz)).z : state_.position.z;
+}
+
+bool RightWheel::bends() {
+    if (!touch()) return false;
+    const double z = expected_height();
+    check_depth(z);
+    const auto places = position_.places(z);
+    return std::any_of(places.begin(), places.end(),
+                       [](const PlaceWithGap& found) { return found.doubts.bend > most_bend; });
 }
 
 std::optional<double> RightWheel::touch() const {
@@ -111,13 +126,14 @@ ContactProblem RightWheel::problem_of(const PlaceWithGap& found) const {
     return contactd::problem_of(setup_, found, position_.rail(), setup_.friction ? &*setup_.friction : nullptr);
 }
 
-ContactSolution RightWheel::solve(ContactProblem problem, const ContactPlace& place, Observer& observer) const {
-    return solve_place(std::move(problem), place, setup_.patches, influences_, observer);
+ContactSolution RightWheel::solve(ContactProblem problem, const PlaceWithGap& found, Observer& observer) const {
+    return solve_place(std::move(problem), found.place, columns_of(setup_, profiles_, found), setup_.patches,
+                       influences_, observer);
 }
 
 WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observer) const {
     WheelRailPatch patch;
-    patch.solution = solve(problem_of(found), found.place, observer);
+    patch.solution = solve(problem_of(found), found, observer);
     patch.place = found.place;
     patch.gap = std::move(found.gap);
     patch.forces = resultants(patch.place, patch.solution, setup_.model != Model::full, position_.rail().frame(),

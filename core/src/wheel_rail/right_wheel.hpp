@@ -20,6 +20,9 @@ class RightWheel {
     WheelRailSolution at(double z, Observer& observer);
     WheelRailGeometry locate();
     std::optional<double> touch() const;
+    /// Whether a contact bends away from its plane by more than most_bend, at position.z or where Hertz's theory
+    /// expects Fz.
+    bool bends();
 
     const WheelRailSetup& setup() const { return setup_; }
     const WheelRailState& state() const { return state_; }
@@ -31,10 +34,12 @@ class RightWheel {
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
     ContactProblem problem_of(const geometry::PlaceWithGap& found) const;
-    ContactSolution solve(ContactProblem problem, const ContactPlace& place, Observer& observer) const;
+    ContactSolution solve(ContactProblem problem, const geometry::PlaceWithGap& found, Observer& observer) const;
 
    private:
     void check_depth(double z) const;
+    /// Where Hertz's theory expects Fz, or position.z.
+    double expected_height();
     WheelRailSolution at_height(Observer& observer);
     WheelRailPatch solve(geometry::PlaceWithGap& found, double z, Observer& observer) const;
     /// Of a quick model, whose forces do not depend on elements, and cost less than what it tells of them.

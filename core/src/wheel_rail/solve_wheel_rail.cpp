@@ -13,8 +13,9 @@ namespace {
 
 InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) {
     if (source || setup.model != Model::full) return source;
-    return [keeper = std::make_shared<InfluenceKeeper>(setup.bodies)](const ContactProblem& problem) {
-        return keeper->of(problem);
+    return [keeper = std::make_shared<InfluenceKeeper>(setup.bodies)](const ContactProblem& problem,
+                                                                      const PatchColumns& columns, Observer&) {
+        return keeper->of(problem, columns);
     };
 }
 
@@ -24,14 +25,22 @@ struct WheelRailContact::Parts {
     WheelRailSetup setup;
     geometry::Profiles profiles;
     InfluenceSource influences;
+    std::optional<WheelRailSetup> plane{}, curved{};  // what setup may become where conformal is automatic
 
     /// What a right wheel answers, in a mirror where it is a left one.
     template <class Ask>
     auto of_right_wheel(const WheelRailState& state, const Ask& ask) const {
         validate(state);
-        if (setup.side == Side::right) return ask(RightWheel(setup, profiles, influences, state));
+        if (setup.side == Side::right) return ask(right_wheel(state));
         const WheelRailState right = mirrored(state);
-        return mirrored(ask(RightWheel(setup, profiles, influences, right)));
+        return mirrored(ask(right_wheel(right)));
+    }
+
+   private:
+    RightWheel right_wheel(const WheelRailState& state) const {
+        if (!plane) return {setup, profiles, influences, state};
+        const bool bends = RightWheel(*plane, profiles, influences, state).bends();
+        return {bends ? *curved : *plane, profiles, influences, state};
     }
 };
 
@@ -39,7 +48,13 @@ WheelRailContact::WheelRailContact(WheelRailSetup setup, InfluenceSource source)
     validate(setup);
     InfluenceSource influences = source_for(setup, std::move(source));
     geometry::Profiles profiles = geometry::make_profiles(setup);
-    parts_ = std::make_shared<const Parts>(Parts{std::move(setup), std::move(profiles), std::move(influences)});
+    auto parts = std::make_shared<Parts>(Parts{std::move(setup), std::move(profiles), std::move(influences)});
+    if (parts->setup.conformal == Conformal::automatic) {
+        parts->plane = parts->curved = parts->setup;
+        parts->plane->conformal = Conformal::off;
+        parts->curved->conformal = Conformal::rotated;
+    }
+    parts_ = std::move(parts);
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {

@@ -1,14 +1,11 @@
 #include "wheel_rail/warnings.hpp"
 
-#include <cmath>
-
 #include "types/number_text.hpp"
 
 namespace contactd {
 namespace {
 
-constexpr double largest_curvature = 0.05;    // of the rail along the track over the wheel's, from where on it matters
-constexpr double flattest_cosine = 1 / 1.03;  // where distances along the one normal begin to be wrong by 3 %
+constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, from where on it matters
 
 std::string name_of(const ContactReference& reference, Side side) {
     return "The contact at y = " + short_text(side == Side::left ? -reference.y : reference.y) + " mm";
@@ -19,10 +16,10 @@ std::string name_of(const ContactReference& reference, Side side) {
 std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction) {
     std::vector<std::string> warnings;
     const std::string name = name_of(found.place.reference, side);
-    if (found.doubts.bend > std::acos(flattest_cosine))
+    if (found.doubts.bend > most_bend)
         warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
                            short_text(found.doubts.bend) +
-                           " rad from the plane of the contact. Conformal half_space follows it.");
+                           " rad from the plane of the contact. Conformal rotated follows it, and auto chooses it.");
     if (found.doubts.at_end)
         warnings.push_back(name +
                            " reaches the end of a profile: what lies beyond is not known, and the contact is "

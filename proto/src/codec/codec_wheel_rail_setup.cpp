@@ -18,7 +18,11 @@ constexpr Words<ContactSearch, 2> searches{{{"locus", ContactSearch::locus}, {"m
 constexpr Words<WheelSurfaceKind, 2> wheel_surfaces{
     {{"exact", WheelSurfaceKind::exact}, {"bilinear", WheelSurfaceKind::bilinear}}};
 
-constexpr Words<Conformal, 2> conformals{{{"off", Conformal::off}, {"half_space", Conformal::half_space}}};
+constexpr Words<Conformal, 5> conformals{{{"off", Conformal::off},
+                                          {"half_space", Conformal::half_space},
+                                          {"rotated", Conformal::rotated},
+                                          {"fem", Conformal::fem},
+                                          {"auto", Conformal::automatic}}};
 constexpr Words<RigidSlipKind, 2> rigid_slips{{{"plane", RigidSlipKind::plane}, {"surfaces", RigidSlipKind::surfaces}}};
 constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
 

@@ -64,7 +64,8 @@ inline WheelRailSetup random_setup(Dice& dice, double dx) {
     if (setup.model == Model::full && dice.chance(0.2)) setup.rigid_slip = RigidSlipKind::surfaces;
     if (dice.chance(0.1)) slice(dice, setup);
     if (dice.chance(setup.rail_slices.empty() ? 0.1 : 0.5)) setup.patches.search = ContactSearch::mesh;
-    if (setup.model == Model::full && dice.chance(0.2)) setup.conformal = Conformal::half_space;
+    if (setup.model == Model::full && dice.chance(0.2))
+        setup.conformal = setup.friction ? Conformal::rotated : Conformal::half_space;
     return setup;
 }
 

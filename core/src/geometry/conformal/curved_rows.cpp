@@ -25,6 +25,8 @@ class RailSection {
         length_ = profile_.arc_length(profile_.end());
     }
 
+    double start() const { return start_; }
+
     /// At so much arc length from the reference; none beyond the profile.
     std::optional<SectionPoint> at(double from_reference) const {
         const double arc = start_ + from_reference;
@@ -47,6 +49,8 @@ class WheelSection {
         start_ = wheel.profile().arc_length(wheel.profile().s_at_y(inside.y - wheel.base_y()));
         length_ = wheel.profile().arc_length(wheel.profile().end());
     }
+
+    double start() const { return start_; }
 
     std::optional<SectionPoint> at(double from_reference) const {
         constexpr double step = 1e-3;  // mm, for the direction
@@ -129,6 +133,8 @@ CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const
     extend(
         1, more_above, [&](const ContactRow& at) { return at.y <= y.to; },
         [&](const ContactRow& at) { found.rows.push_back(at); });
+    found.on_rail = on_rail.start() + found.first * step;
+    found.on_wheel = on_wheel.start() + found.first * step;
     return found;
 }
 

@@ -14,6 +14,8 @@ namespace contactd::geometry {
 struct CurvedRows {
     int first = 0;
     std::vector<ContactRow> rows;
+    /// Arc lengths of the first row along both profiles, from their beginning (mm).
+    double on_rail = 0, on_wheel = 0;
 
     /// Where they are in the plane of the reference, across the track.
     std::vector<double> in_plane(const ContactReference& reference) const;

@@ -1,0 +1,15 @@
+// Operators of contacts between wheel and rail that are curved across the track.
+#pragma once
+
+#include "contactd/contact_influence.hpp"
+#include "contactd/ic_record.hpp"
+#include "contactd/patch_columns.hpp"
+
+namespace contactd {
+
+/// On columns that are not flat: of the tables of those sections that there are, or of half-spaces in closed form that
+/// turn from row to row. Throws InvalidArgument ("dy") for tables of too many numbers.
+ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns,
+                                 const IcRecord* rail = nullptr, const IcRecord* wheel = nullptr);
+
+}  // namespace contactd

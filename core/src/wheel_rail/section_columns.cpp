@@ -1,0 +1,100 @@
+#include "wheel_rail/section_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "types/number_text.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr double accuracy = 1e-2;  // of coefficients: pressures of conformal contact hardly feel the sections
+constexpr int block = 32;          // tables begin and end at multiples of so many columns
+constexpr int margin = 2;          // columns that a table has beside a patch
+
+/// A profile as the carrier of columns. Stations are multiples of dy along it, from its zero on; a column lies about
+/// each.
+class ColumnCarrier {
+   public:
+    ColumnCarrier(const ProfileSpec& profile, const ProfileCurve& curve, double ds)
+        : profile_(profile),
+          ds_(ds),
+          zero_(is_60e1() ? curve.arc_length(curve.end()) / 2 : curve.arc_length(curve.s_at_y(0))),
+          first_(static_cast<int>(std::ceil(-zero_ / ds + 0.5))),
+          last_(static_cast<int>(std::floor((curve.arc_length(curve.end()) - zero_) / ds - 0.5))) {
+        double lowest = 0;
+        for (const ProfilePoint& point : curve.points()) lowest = std::max(lowest, is_wheel() ? -point.z : point.z);
+        depth_ = lowest + (curve.points().back().y - curve.points().front().y) / 2;
+    }
+
+    /// Below `rows` rows, the first of which lies at this arc length from the beginning of the profile.
+    BodyColumns below(double first_row, int rows, const Material& material, const Grid& grid) const {
+        const int nearest = static_cast<int>(std::lround((first_row - zero_) / ds_));
+        const int begin = std::clamp(nearest, first_, std::max(first_, last_ + 1 - rows)), end = begin + rows;
+        if (std::abs(begin - nearest) > margin || end - 1 > last_)
+            throw InvalidArgument("conformal", "is fem, and the contact reaches the end of the profile of the " +
+                                                   std::string(is_wheel() ? "wheel" : "rail") +
+                                                   ", where its section has a corner: take rotated");
+        const int low = std::max(first_, floored(begin - margin)), high = std::min(last_ + 1, ceiled(end + margin));
+        BodyColumns columns;
+        static_cast<Ics&>(columns.spec) = ics(is_wheel() ? 0.5 - high : low - 0.5);
+        columns.spec.material = material;
+        columns.spec.dx = grid.dx;
+        columns.spec.dy = ds_;
+        columns.spec.nx = grid.nx;
+        columns.spec.ny = high - low;
+        columns.first = is_wheel() ? high - end : begin - low;
+        return columns;
+    }
+
+   private:
+    bool is_wheel() const { return profile_.kind == ProfileKind::wheel; }
+    bool is_60e1() const { return std::holds_alternative<Rail60E1>(profile_.shape); }
+    static int floored(int station) { return block * static_cast<int>(std::floor(station / double{block})); }
+    static int ceiled(int station) { return block * static_cast<int>(std::ceil(station / double{block})); }
+
+    /// `from` columns' widths from the zero, along the outline: of a wheel, towards its flange.
+    Ics ics(double from) const {
+        Ics ics;
+        ics.source = IcSource::fem;
+        ics.body = BodyShape::prism;
+        ics.accuracy = accuracy;
+        ics.section.emplace();
+        if (is_60e1())
+            ics.section->shape = RailSection{.from = from * ds_};
+        else if (std::holds_alternative<S1002>(profile_.shape))
+            ics.section->shape = WheelRimSection{.from = from * ds_};
+        else
+            ics.section->shape = ProfileSection{profile_, depth_, from * ds_};
+        return ics;
+    }
+
+    const ProfileSpec& profile_;
+    double ds_, zero_;
+    int first_, last_;  // stations whose columns lie on the profile
+    double depth_ = 0;  // of the cut: half as deep below the profile as that is wide
+};
+
+}  // namespace
+
+PatchColumns columns_of(const WheelRailSetup& setup, const geometry::Profiles& profiles,
+                        const geometry::PlaceWithGap& found) {
+    PatchColumns columns;
+    const bool rotated = setup.conformal == Conformal::rotated, fem = setup.conformal == Conformal::fem;
+    if (found.place.rows.empty() || !(rotated || fem)) return columns;
+    columns.frames = columns_of(found.place).frames;
+    if (rotated) return columns;
+    const Grid& grid = found.place.grid;
+    const auto& [rail, wheel, pair] = setup.bodies;
+    if (!rail.material.is_rigid())
+        columns.rail =
+            ColumnCarrier(setup.rail, profiles.rail, setup.dy).below(found.row_on_rail, grid.ny, rail.material, grid);
+    if (!wheel.material.is_rigid())
+        columns.wheel = ColumnCarrier(setup.wheel, profiles.wheel, setup.dy)
+                            .below(found.row_on_wheel, grid.ny, wheel.material, grid);
+    return columns;
+}
+
+}  // namespace contactd

@@ -1,0 +1,104 @@
+"""wheelrail.solve with coefficients that know how wheel and rail curve, and where their tables come from."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from contactd import Cancelled, InvalidArgument
+from contactd.wheel_rail import (
+    ConeProfile,
+    ProfilePoints,
+    Rail60E1,
+    Track,
+    WheelRailSetup,
+    WheelRailState,
+    WheelsetPosition,
+    WheelsetVelocity,
+)
+from support.daemons import eventually
+
+SETUP = WheelRailSetup(rail=Rail60E1(1 / 40), dx=0.8, dy=0.8)
+#: A rail with a kink of 67 degrees under the wheel.
+RIDGE = SETUP.replace(
+    wheel=ConeProfile(0, ends=(-40, 40)),
+    rail=ProfilePoints([(-30, 20), (0, 0), (30, 20)]),
+    track=Track(rail_origin=(750, 0)),
+)
+IN_THE_CORNER = WheelRailState(
+    position=WheelsetPosition(y=6.5), velocity=WheelsetVelocity(x=20e3, pitch=-20e3 / 460), Fz=80e3
+)
+
+
+def pmax(solution):
+    return max(patch.solution.pmax for patch in solution.patches)
+
+
+def test_sections_and_rotated_half_spaces_agree_in_a_gauge_corner(shared):
+    heard = []
+    rotated = shared.wheel_rail(SETUP.replace(conformal="rotated"), IN_THE_CORNER)
+    fem = shared.wheel_rail(SETUP.replace(conformal="fem"), IN_THE_CORNER, timeout=300, on_progress=heard.append)
+    assert rotated.converged
+    assert fem.converged
+    for solution in (rotated, fem):
+        assert solution.forces.track.Fz == pytest.approx(80e3, rel=1e-5)
+        assert solution.warnings == ()
+    assert pmax(fem) == pytest.approx(pmax(rotated), rel=0.03)
+    assert fem.forces.track.Fx == pytest.approx(rotated.forces.track.Fx, abs=0.03 * 0.3 * 80e3)
+    assert any("mesh" in progress.stage or progress.fraction > 0 for progress in heard)
+
+
+def test_tables_of_sections_are_built_once_for_neighbouring_positions_and_both_sides(shared):
+    setup = SETUP.replace(conformal="fem")
+    first = shared.wheel_rail(setup, IN_THE_CORNER, fields=[], timeout=300)
+    built = shared.info().counters["builds_started"]
+    again = shared.wheel_rail(setup, IN_THE_CORNER, fields=[])
+    assert again.z == first.z
+    left = dataclasses.replace(IN_THE_CORNER, position=WheelsetPosition(y=-6.5))
+    mirrored = shared.wheel_rail(setup.replace(side="left"), left, fields=[])
+    assert mirrored.forces.track.Fy == -first.forces.track.Fy
+    shared.wheel_rail(setup, dataclasses.replace(IN_THE_CORNER, position=WheelsetPosition(y=6.52)), fields=[])
+    assert shared.info().counters["builds_started"] == built
+
+
+def test_automatic_contacts_are_rotated_in_the_corner_and_planes_on_the_tread(shared):
+    setup = SETUP.replace(conformal="auto")
+    corner = shared.wheel_rail(setup, IN_THE_CORNER, fields=[])
+    assert corner.z == shared.wheel_rail(SETUP.replace(conformal="rotated"), IN_THE_CORNER, fields=[]).z
+    tread = shared.wheel_rail(setup, dataclasses.replace(IN_THE_CORNER, position=WheelsetPosition()), fields=[])
+    assert tread.patches[0].place.rows == ()
+
+
+def test_who_gives_up_cancels_the_build_that_he_waits_for(daemon, client, background):
+    fine = SETUP.replace(conformal="fem", dx=0.25, dy=0.25)
+    asked = background(client.wheel_rail, fine, IN_THE_CORNER, timeout=300)
+    eventually(daemon.builders)
+    (solve,) = (job for job in client.jobs() if job.kind == "solve")
+    client.cancel_job(solve.job)
+    with pytest.raises(Cancelled):
+        asked.result()
+    eventually(lambda: not daemon.builders(), "the builder is still there")
+    assert client.info().counters["builds_cancelled"] == 1
+
+
+@pytest.mark.parametrize(
+    ("setup", "sentence"),
+    [
+        (
+            SETUP.replace(
+                conformal="fem", track=Track(rail_origin=(750, 0)), rail_slices=[(0, Rail60E1()), (1000, Rail60E1(1 / 20))]
+            ),
+            "setup.conformal is fem, and the rail has slices",
+        ),
+        (SETUP.replace(conformal="fem", model="hertz"), "setup.conformal is not off"),
+        (
+            RIDGE.replace(conformal="fem"),
+            "setup.conformal is fem, and the rail has no coefficients by its cross-section",
+        ),
+    ],
+)
+def test_what_has_no_section_is_refused_by_a_sentence(shared, setup, sentence):
+    with pytest.raises(InvalidArgument) as failure:
+        shared.wheel_rail(setup, dataclasses.replace(IN_THE_CORNER, position=WheelsetPosition()), timeout=100)
+    assert sentence in str(failure.value)
