@@ -123,6 +123,20 @@ def test_the_demo_of_profiles_agrees_with_closed_forms_and_draws_pictures(folder
     assert left_in(folder) == ["sub"]
 
 
+@pytest.mark.timeout(300)
+def test_the_demo_of_cross_sections_agrees_with_a_prototype_and_draws_a_picture(folder):
+    demo = start(folder, "conformal", "--bin", BIN, "--output", folder / "sub" / "picture.png")
+    output, errors = demo.communicate(timeout=280)
+    assert demo.returncode == 0, output + errors
+    assert errors == ""
+    assert "FAIL" not in output
+    assert output.count("pass") == 8
+    picture = folder / "sub" / "picture.png"
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    picture.unlink()
+    assert left_in(folder) == ["sub"]
+
+
 def test_a_demo_that_there_is_not_is_refused(folder):
     demo = start(folder, "railway")
     _, errors = demo.communicate(timeout=50)

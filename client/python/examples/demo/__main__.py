@@ -1,7 +1,8 @@
 """contactd shows what it does: a finite-element table, the cache, and the Cattaneo problem beside its closed form; or a
-wheelset across the track beside a published benchmark; or profiles, their contacts and conicity.
+wheelset across the track beside a published benchmark; or profiles, their contacts and conicity; or what cross-sections
+change where contacts bend, and near edges.
 
-Run: python3 client/python/examples/demo [cattaneo | wheelrail | profiles] --bin build/production/bin [--output PICTURE]
+Run: python3 client/python/examples/demo [cattaneo | wheelrail | profiles | conformal] --bin build/production/bin [--output PICTURE]
 
 Starts a daemon in a temporary folder and stops it again. Ends with 0 when the numbers have the paper's accuracy, 1 when
 one has not, 2 when the daemon failed.
@@ -18,6 +19,7 @@ from pathlib import Path
 
 from checks import Check, cattaneo_checks, table_checks
 from closed_form import Sphere
+from conformal import show_conformal
 from conicity import show_profiles
 from picture import draw
 from terminal import ProgressBar, rows, say, section, styled, table, verdict
@@ -182,12 +184,14 @@ def run(options: argparse.Namespace) -> int:
                 checks, question = show_wheelset(client, options.output), "Is it as the benchmark has it?"
             elif options.what == "profiles":
                 checks, question = show_profiles(client, options.output), "Is it as closed forms have it?"
+            elif options.what == "conformal":
+                checks, question = show_conformal(client, options.output), "Is it as the prototype had it?"
             else:
                 checks = [*show_steel_table(client), *show_cattaneo(client, options.output)]
                 question = "Is it as accurate as the paper?"
         status = daemon.stop()
     checks.append((status == 0, f"{'daemon, exit status':34} {status:9}, after SIGTERM"))
-    section(4 if options.what == "cattaneo" else 3, question)
+    section(4 if options.what in ("cattaneo", "conformal") else 3, question)
     for passed, text in checks:
         verdict(passed, text)
     failed = sum(not passed for passed, _ in checks)
@@ -204,7 +208,7 @@ def run(options: argparse.Namespace) -> int:
 def main() -> int:
     parser = argparse.ArgumentParser(prog="demo", description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument(
-        "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles"], default="cattaneo", help="what to show (cattaneo)"
+        "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles", "conformal"], default="cattaneo", help="what to show (cattaneo)"
     )
     parser.add_argument(
         "--bin", type=Path, default=Path("build/production/bin"), help="folder with contactd, contactd-ic"
