@@ -13,6 +13,9 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_solve(wheel) bind(c)
             import; type(c_ptr), value :: wheel
         end function
+        integer(c_int32_t) function contactd_wheel_solve_wheelset(right, left) bind(c)
+            import; type(c_ptr), value :: right, left
+        end function
         integer(c_int32_t) function contactd_wheel_cancel(wheel) bind(c)
             import; type(c_ptr), value :: wheel
         end function
@@ -149,6 +152,9 @@ module contactd_wheel_calls
         end function
         integer(c_int32_t) function contactd_wheel_get_motion(wheel, z, pitch) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), intent(out) :: z, pitch
+        end function
+        integer(c_int32_t) function contactd_wheel_get_roll(wheel, roll) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), intent(out) :: roll
         end function
         integer(c_int32_t) function contactd_wheel_get_clearance(wheel, clearance) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), intent(out) :: clearance

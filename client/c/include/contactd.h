@@ -89,8 +89,8 @@ enum { CONTACTD_BY_X = 0, CONTACTD_BY_Y = 1, CONTACTD_BY_TURN = 2, CONTACTD_BY_L
 enum { CONTACTD_LEFT = 0, CONTACTD_RIGHT = 1 };
 enum { CONTACTD_WHEEL = 0, CONTACTD_RAIL = 1 };
 enum { CONTACTD_IN_TRACK = 0, CONTACTD_IN_RAIL = 1, CONTACTD_IN_WHEELSET = 2 };
-enum { CONTACTD_PITCH = 4 }; /* the search for a pitch rate */
-enum { CONTACTD_GAP = 6 };   /* undeformed distances */
+enum { CONTACTD_PITCH = 4, CONTACTD_ROLL = 5 }; /* the searches for a pitch rate, and for the roll of a wheelset */
+enum { CONTACTD_GAP = 6 };                      /* undeformed distances */
 /* Inputs of their derivatives: parts of the position, and of the velocity. */
 enum {
     CONTACTD_BY_POSITION_Y = 0,
@@ -298,6 +298,12 @@ CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
 /* No contact is an answer: no patches. So is what has not converged: contactd_wheel_get_converged. A solve that fails
  * leaves the results of the one before. */
 CONTACTD_API int32_t contactd_wheel_solve(contactd_wheel* wheel);
+/* Both wheels of a wheelset that is free to roll, at the height and the roll at which each presses on its rail as its
+ * contactd_wheel_set_Fz says. Position, velocity and pitch rate of a roller are said of both alike, but z and roll,
+ * where the right wheel's tell where to start; no longitudinal force and no derivatives. Each wheel then has its
+ * results, which converged when both wheels and the search for the roll did. The timeout and the failures are those of
+ * the right wheel; either is cancelled for both. */
+CONTACTD_API int32_t contactd_wheel_solve_wheelset(contactd_wheel* right, contactd_wheel* left);
 /* From any thread: the solve that runs ends with CONTACTD_CANCELLED soon. Does nothing when none runs. */
 CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
 /* Of a solve, instead of the connection's (s). */
@@ -385,6 +391,7 @@ CONTACTD_API int32_t contactd_wheel_want_derivatives(contactd_wheel* wheel, int3
 
 /* Results of the last solve. Height and pitch rate of the wheelset, as prescribed or found. */
 CONTACTD_API int32_t contactd_wheel_get_motion(contactd_wheel* wheel, double* z, double* pitch);
+CONTACTD_API int32_t contactd_wheel_get_roll(contactd_wheel* wheel, double* roll); /* the same of the roll */
 /* Least vertical distance of wheel and rail, < 0 where they overlap; CONTACTD_NOT_FOUND where they are not above each
  * other. */
 CONTACTD_API int32_t contactd_wheel_get_clearance(contactd_wheel* wheel, double* clearance);
@@ -395,8 +402,8 @@ CONTACTD_API int32_t contactd_wheel_get_forces(contactd_wheel* wheel, int32_t co
  * none: not wanted, no contact, not converged. */
 CONTACTD_API int32_t contactd_wheel_get_derivative(contactd_wheel* wheel, int32_t by, double* forces);
 CONTACTD_API int32_t contactd_wheel_get_converged(contactd_wheel* wheel, int32_t* converged);
-/* Of a search, CONTACTD_FORCE or _PITCH: solves, what was left, whether that is enough; CONTACTD_NOT_FOUND: it did not
- * run. */
+/* Of a search, CONTACTD_FORCE, _PITCH or _ROLL: solves, what was left (of a roll mm between the heights of the wheels),
+ * whether that is enough; CONTACTD_NOT_FOUND: it did not run. */
 CONTACTD_API int32_t contactd_wheel_get_evidence(contactd_wheel* wheel, int32_t solver, int32_t* iterations,
                                                  double* residual, int32_t* converged);
 CONTACTD_API int32_t contactd_wheel_get_warnings(contactd_wheel* wheel, int32_t* count);

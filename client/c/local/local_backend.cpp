@@ -132,14 +132,27 @@ class LocalWheel final : public OpenWheel {
         WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
             return engine_->solve(input.setup, input.state, observer);
         });
-        for (WheelRailPatch& patch : solution.patches) {
-            keep_wanted(input.fields, patch.solution);
-            if (!input.gap) patch.gap.clear();
-        }
+        keep_wanted(input, solution);
+        return solution;
+    }
+    WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
+        WheelsetSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
+            return engine_->solve(input.setup, input.state, observer);
+        });
+        keep_wanted(input, solution.right);
+        keep_wanted(input, solution.left);
         return solution;
     }
 
    private:
+    template <class Input>
+    static void keep_wanted(const Input& input, WheelRailSolution& solution) {
+        for (WheelRailPatch& patch : solution.patches) {
+            c::keep_wanted(input.fields, patch.solution);
+            if (!input.gap) patch.gap.clear();
+        }
+    }
+
     const std::shared_ptr<Engine> engine_;
     const std::chrono::milliseconds timeout_;
 };

@@ -68,6 +68,7 @@ static const struct {
     {"in_rail", CONTACTD_IN_RAIL},
     {"in_wheelset", CONTACTD_IN_WHEELSET},
     {"pitch", CONTACTD_PITCH},
+    {"roll", CONTACTD_ROLL},
     {"gap", CONTACTD_GAP},
     {"by_position_y", CONTACTD_BY_POSITION_Y},
     {"by_position_z", CONTACTD_BY_POSITION_Z},
@@ -146,6 +147,12 @@ static int32_t length(int k, int with) {
     return (int32_t)count;
 }
 
+static uint64_t handle_in(const mxArray* value, int place) {
+    if (!mxIsUint64(value) || mxGetNumberOfElements(value) != 1)
+        mexErrMsgIdAndTxt("contactd:arguments", "Argument %d must be what 'open' or 'new' returned.", place);
+    return *(const uint64_t*)mxGetData(value);
+}
+
 static mxArray* made_handle(const void* made) {
     mxArray* value = mxCreateNumericMatrix(1, 1, mxUINT64_CLASS, mxREAL);
     *(uint64_t*)mxGetData(value) = (uint64_t)(uintptr_t)made;
@@ -182,9 +189,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = made_handle(connection);
         return;
     }
-    if (!mxIsUint64(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
-        mexErrMsgIdAndTxt("contactd:arguments", "Argument 2 must be what 'open' or 'new' returned.");
-    handle = *(const uint64_t*)mxGetData(prhs[1]);
+    handle = handle_in(prhs[1], 2);
     if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_that_reads(command, nlhs, plhs) &&
         !call_that_sets_wheel(command) && !call_that_reads_wheel(command, nlhs, plhs))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);

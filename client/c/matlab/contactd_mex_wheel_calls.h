@@ -14,6 +14,7 @@ static int call_that_sets_wheel(const char* command) {
     char path[longest_text];
     CALL(wheel_free, w)
     CALL(wheel_solve, w)
+    CALL(wheel_solve_wheelset, w, (contactd_wheel*)(uintptr_t)handle_in(argument(0), 3))
     CALL(wheel_cancel, w)
     CALL(wheel_set_timeout, w, number(0))
     CALL(wheel_set_side, w, whole(0))
@@ -99,6 +100,7 @@ static int call_that_reads_wheel(const char* command, int nlhs, mxArray* plhs[])
     char text[longest_text];
     int k;
     DOUBLES(wheel_get_motion, 2, w, x, x + 1)
+    DOUBLES(wheel_get_roll, 1, w, x)
     DOUBLES(wheel_get_clearance, 1, w, x)
     FORCES(wheel_get_forces, w, whole(0), x)
     FORCES(wheel_get_derivative, w, whole(0), x)

@@ -68,19 +68,20 @@ std::int32_t contactd_wheel_get_derivative(contactd_wheel* wheel, std::int32_t b
 }
 
 std::int32_t contactd_wheel_get_converged(contactd_wheel* wheel, std::int32_t* converged) {
-    return read(wheel, [&](const WheelRailSolution& solution) {
-        *given(converged, "converged") = solution.converged() ? 1 : 0;
-    });
+    return with(wheel, [&](Wheel& asked) { *given(converged, "converged") = asked.converged() ? 1 : 0; });
 }
 
 std::int32_t contactd_wheel_get_evidence(contactd_wheel* wheel, std::int32_t solver, std::int32_t* iterations,
                                          double* residual, std::int32_t* converged) {
-    return read(wheel, [&](const WheelRailSolution& solution) {
+    return with(wheel, [&](Wheel& asked) {
         given(iterations, "iterations"), given(residual, "residual"), given(converged, "converged");
-        if (word(solver, CONTACTD_PITCH, "solver") < CONTACTD_FORCE)
-            throw contactd::InvalidArgument(
-                "solver", "is " + std::to_string(solver) + "; it must be CONTACTD_FORCE or CONTACTD_PITCH");
-        const std::optional<SolverEvidence>& search = solver == CONTACTD_FORCE ? solution.force : solution.pitch_search;
+        if (word(solver, CONTACTD_ROLL, "solver") < CONTACTD_FORCE)
+            throw contactd::InvalidArgument("solver", "is " + std::to_string(solver) +
+                                                          "; it must be CONTACTD_FORCE, "
+                                                          "CONTACTD_PITCH or CONTACTD_ROLL");
+        const std::array<const std::optional<SolverEvidence>*, 3> searches{
+            &asked.solution().force, &asked.solution().pitch_search, &asked.roll_search()};
+        const std::optional<SolverEvidence>& search = *searches[static_cast<std::size_t>(solver - CONTACTD_FORCE)];
         if (!search) throw nothing_of("evidence of this search: it did not run");
         *iterations = search->iterations;
         *residual = search->residual;

@@ -54,12 +54,21 @@ struct WheelInput {
     bool gap = false;
 };
 
+/// What both wheels of a wheelset are asked.
+struct WheelsetInput {
+    WheelsetSetup setup;
+    WheelsetState state;
+    SolutionFields fields;
+    bool gap = false;
+};
+
 /// Where wheels on rails are solved. One thread at a time; nothing is carried from one call to the next.
 class OpenWheel {
    public:
     virtual ~OpenWheel() = default;
     /// Arrays are empty unless they are asked for. Throws as OpenContact, naming "setup.track.gauge", ...
     virtual WheelRailSolution solve(const WheelInput& input, const Control& control) = 0;
+    virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 
 /// Any number of threads at a time.

@@ -60,6 +60,9 @@ class RemoteWheel final : public OpenWheel {
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
         return client_.wheel_rail(input.setup, input.state, options_of(control), input.fields, input.gap);
     }
+    WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
+        return client_.wheelset(input.setup, input.state, options_of(control), input.fields, input.gap);
+    }
 
    private:
     client::Client client_;

@@ -15,11 +15,15 @@ StatusError not_brought() {
 
 void Wheel::solve() {
     if (!open_) open_ = backend_->open_wheel(settings_);
-    Result result{{}, said.fields, said.gap};
+    Result result{{}, said.fields, said.gap, said.state.position.roll};
     result.solution = controlled([&](Control& control) {
         control.timeout = timeout;
         return open_->solve(said, control);
     });
+    take(std::move(result));
+}
+
+void Wheel::take(Result result) {
     result_ = std::move(result);
     if (!log_) return;
     for (const std::string& warning : result_->solution.warnings) log_(CONTACTD_LOG_WARNING, warning);

@@ -19,9 +19,17 @@ class Wheel : public Called {
     std::optional<std::chrono::milliseconds> timeout;
 
     void solve();
+    /// Both wheels of a wheelset, for each of which it is this thread's turn. Throws InvalidArgument where what was
+    /// said of them does not go together.
+    static void solve_wheelset(Wheel& right, Wheel& left);
 
     /// Of the last solve. Throws StatusError (NO_RESULT) when there is none.
     const WheelRailSolution& solution() const;
+    /// Of the wheelset, as prescribed or found (rad).
+    double roll() const { return result().roll; }
+    /// Where the roll was found.
+    const std::optional<SolverEvidence>& roll_search() const { return result().roll_search; }
+    bool converged() const { return solution().converged() && (!roll_search() || roll_search()->converged); }
     /// One of its patches, from 0. Throws InvalidArgument ("patch") when there is none of this number.
     const WheelRailPatch& patch(std::int32_t number) const;
     /// Throws StatusError (NO_RESULT) when the last solve was not asked for the array.
@@ -33,8 +41,12 @@ class Wheel : public Called {
         WheelRailSolution solution;
         SolutionFields fields;
         bool gap = false;
+        double roll = 0;
+        std::optional<SolverEvidence> roll_search{};
     };
     const Result& result() const;
+    /// As the last one; tells its warnings.
+    void take(Result result);
 
     std::unique_ptr<OpenWheel> open_;
     std::optional<Result> result_;

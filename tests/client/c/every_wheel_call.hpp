@@ -22,6 +22,7 @@ inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
     return {
         {"contactd_wheel_free", [](W w) { return contactd_wheel_free(w); }},
         {"contactd_wheel_solve", [](W w) { return contactd_wheel_solve(w); }},
+        {"contactd_wheel_solve_wheelset", [](W w) { return contactd_wheel_solve_wheelset(w, w); }},
         {"contactd_wheel_cancel", [](W w) { return contactd_wheel_cancel(w); }},
         {"contactd_wheel_set_timeout", [](W w) { return contactd_wheel_set_timeout(w, 0.1); }},
         {"contactd_wheel_set_side", [](W w) { return contactd_wheel_set_side(w, 1); }},
@@ -67,6 +68,7 @@ inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
         {"contactd_wheel_want", [](W w) { return contactd_wheel_want(w, CONTACTD_PRESSURE, 1); }},
         {"contactd_wheel_want_derivatives", [](W w) { return contactd_wheel_want_derivatives(w, 1); }},
         {"contactd_wheel_get_motion", [&a](W w) { return contactd_wheel_get_motion(w, a.out, a.out + 1); }},
+        {"contactd_wheel_get_roll", [&a](W w) { return contactd_wheel_get_roll(w, a.out); }},
         {"contactd_wheel_get_clearance", [&a](W w) { return contactd_wheel_get_clearance(w, a.out); }},
         {"contactd_wheel_get_forces", [&a](W w) { return contactd_wheel_get_forces(w, CONTACTD_IN_RAIL, a.out); }},
         {"contactd_wheel_get_derivative",

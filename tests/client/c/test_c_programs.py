@@ -189,6 +189,25 @@ def test_the_sweep_in_c_is_that_in_python_and_in_process(shared_daemon):
 
 @needs("octave-cli")
 @pytest.mark.timeout(120)
+def test_octave_solves_a_wheelset(shared_daemon):
+    ended = octave(
+        f"c = contactd('open', '{shared_daemon.endpoint}'); w = {{}};"
+        "for side = {'left', 'right'}, w{end + 1} = contactd('wheel_new', c); contactd('wheel_set_side', w{end}, side{1});"
+        "contactd('wheel_set_elements', w{end}, 1, 1, 0); contactd('wheel_set_Fz', w{end}, 1e4);"
+        "contactd('wheel_set_velocity', w{end}, 2000, 0, 0, 0, 0, -2000 / 460); end;"
+        "contactd('wheel_solve_wheelset', w{2}, w{1});"
+        "for k = 1:2, F = contactd('wheel_get_forces', w{k}, 'in_track');"
+        "printf('%.12g %.12g\\n', F(3), contactd('wheel_get_roll', w{k})); end;"
+        "contactd('wheel_get_evidence', w{1}, 'roll'); contactd('wheel_solve_wheelset', w{1}, 7);"
+    )
+    assert "Argument 3 must be what" in ended.stderr
+    left, right = ([float(number) for number in line.split()] for line in ended.stdout.splitlines())
+    assert left == pytest.approx([1e4, 0], abs=1e-1)
+    assert left[1] == right[1]
+
+
+@needs("octave-cli")
+@pytest.mark.timeout(120)
 def test_octave_solves_a_wheel_on_its_rail(shared_daemon):
     ended = octave(
         f"c = contactd('open', '{shared_daemon.endpoint}'); w = contactd('wheel_new', c);"

@@ -28,7 +28,7 @@ std::set<std::string> declared_calls() {
     std::stringstream text;
     text << file.rdbuf();
     const std::string header = text.str();
-    const std::regex declaration(R"((contactd_\w+)\(contactd_wheel\* wheel)");
+    const std::regex declaration(R"((contactd_\w+)\(contactd_wheel\* (?:wheel|right))");
     std::set<std::string> names;
     for (std::sregex_iterator at(header.begin(), header.end(), declaration), end; at != end; ++at)
         names.insert((*at)[1]);
