@@ -41,6 +41,9 @@ CASES = {
     "a-rigid-body-and-tents": f"{SPHERE}; rigid upper; half_space lower bilinear; start; step",
     "a-table-of-the-pair": f"{SPHERE}; table pair 12 12 0.2 0.2 0.0009765625; start; step",
     "a-table-of-a-body": f"{SPHERE}; table upper 12 12 0.2 0.2 0.0009765625; {SHIFT}; start; step",
+    "a-rubber-layer": f"{SPHERE}; layers upper constant 0 0 0.5 20 0.5; start; step",
+    "coatings-that-shift": f"{SPHERE}; layers both bilinear 200 0.42 0.05 800 0.3 0.2 100 0.45; {SHIFT}; start; step; step",
+    "a-layer-that-rolls": f"{WHEEL}; layers lower constant 82000 0.28 0.5 40000 0.3; {CREEP}; start; step",
     "a-line": f"{LINE}; line_contact 20; start; step",
     "a-line-that-rolls": f"{LINE}; line_contact 20; mu 0.3; rolling steady 0.001 0 0; start; step",
     # shifts
@@ -124,6 +127,8 @@ CASES = {
     "a-table-that-is-too-small": f"{SPHERE}; table pair 1 1 0.2 0.2 0.001; start",
     "a-table-of-other-elements": f"{SPHERE}; table pair 12 12 0.3 0.2 0.001; start",
     "finite-elements-that-cannot-be": f"{SPHERE}; material upper 200 0.5; fem upper 0.01; start",
+    "a-layer-without-thickness": f"{SPHERE}; layers upper constant 200 0.42 0 100 0.3; start",
+    "a-layer-that-grows-when-pressed": f"{SPHERE}; layers lower constant 0 0 0.1 100 0.3 0.1 100 0.6; start",
     "a-line-on-an-area": f"{SPHERE}; line_contact 10; start",
     "a-quick-model-with-a-gap-of-its-own": f"{SPHERE}; model hertz; gap 0.001; start; step",
     "a-quick-model-that-is-transient": f"{WHEEL}; model fastsim; mu 0.3; rolling transient 0.001 0 0; start; step",

@@ -101,6 +101,18 @@ static int32_t with(double* x, double* y, double* z) {
     return code;
 }
 
+/* "body shape base_G base_nu", and "thickness G nu" of each layer. */
+static int32_t layers(int32_t shape) {
+    double thickness[most_words], G[most_words], nu[most_words];
+    int32_t layer = 0;
+    for (; 5 + 3 * layer < count; ++layer) {
+        thickness[layer] = number(5 + 3 * layer);
+        G[layer] = number(6 + 3 * layer);
+        nu[layer] = number(7 + 3 * layer);
+    }
+    return contactd_set_layers(contact, body(1), shape, thickness, G, nu, layer, number(3), number(4));
+}
+
 static int32_t set_up(void) {
     const char* shapes[] = {"constant", "bilinear", NULL};
     const char* models[] = {"full", "hertz", "fastsim", NULL};
@@ -113,6 +125,7 @@ static int32_t set_up(void) {
     if (is("material")) return contactd_set_material(contact, body(1), number(2), number(3));
     if (is("rigid")) return contactd_set_rigid(contact, body(1));
     if (is("half_space")) return contactd_set_half_space(contact, body(1), word(2, shapes));
+    if (is("layers")) return layers(word(2, shapes));
     if (is("fem")) return contactd_set_fem(contact, body(1), CONTACTD_HALF_SPACE, CONTACTD_CONSTANT, number(2), 0);
     if (is("table")) return with(table(whole(2), whole(3), number(6)), NULL, NULL);
     if (is("line_contact")) return contactd_set_line_contact(contact, number(1));

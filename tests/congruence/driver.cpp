@@ -1,7 +1,6 @@
 // The cases of cases.py, in a file, through the C++ client; telling.py says what stands in a line.
 //
 //     congruence-cpp ipc:///run/contactd.sock cases.txt
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -14,16 +13,12 @@
 #include "contactd/client/session.hpp"
 #include "contactd/error.hpp"
 #include "teller.hpp"
+#include "words.hpp"
 
 namespace {
 
 using namespace contactd;
-using Words = std::vector<std::string>;
 using Numbers = std::vector<double>;
-
-double number(const std::string& word) {
-    return std::stod(word);
-}
 
 /// One contact: what was said of it, and its session.
 class Case {
@@ -90,18 +85,6 @@ Numbers Case::bowl(double scale) const {
     return made;
 }
 
-/// xx, yy and zz that fall by four with each offset, and nothing else.
-GivenIcs table(const Words& words) {
-    const int nx = std::stoi(words[2]), ny = std::stoi(words[3]);
-    GivenIcs given{IcTable(nx, ny), number(words[4]), number(words[5])};
-    for (int axis = 0; axis < 3; ++axis)
-        for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x)
-                given.table(static_cast<Axis>(axis), static_cast<Axis>(axis), x, y) =
-                    std::ldexp(number(words[6]), -2 * (x + y));
-    return given;
-}
-
 void Case::say(const Words& w) {
     ContactSetup& setup = spec_.setup;
     if (w[0] == "grid")
@@ -116,6 +99,8 @@ void Case::say(const Words& w) {
             ics.load_shape = w[2] == "bilinear" ? LoadShape::bilinear : LoadShape::constant;
             body.ics = ics;
         });
+    else if (w[0] == "layers")
+        each_body(w[1], [&](Body& body) { body = layered(w); });
     else if (w[0] == "fem")
         each_body(w[1], [&](Body& body) {
             Ics ics;

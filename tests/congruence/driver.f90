@@ -122,6 +122,8 @@ contains
         case ("rigid"); code = contactd_set_rigid(contact, body(1))
         case ("half_space")
             code = contactd_set_half_space(contact, body(1), place_of(2, [character(8) :: "constant", "bilinear"]))
+        case ("layers")
+            code = layers(place_of(2, [character(8) :: "constant", "bilinear"]))
         case ("fem")
             code = contactd_set_fem(contact, body(1), contactd_half_space, contactd_constant, number(2), 0d0)
         case ("table")
@@ -138,6 +140,20 @@ contains
         case ("previous"); code = contactd_set_previous(contact, ramp(1), ramp(5), ramp(9), nx * ny)
         case default; code = -1
         end select
+    end function
+
+    ! "body shape base_G base_nu", and "thickness G nu" of each layer.
+    integer(c_int32_t) function layers(shape) result(code)
+        integer(c_int32_t), intent(in) :: shape
+        real(c_double) :: thickness(20), G(20), nu(20)
+        integer(c_int32_t) :: many, i
+        many = (words - 5) / 3
+        do i = 1, many
+            thickness(i) = number(2 + 3 * i)
+            G(i) = number(3 + 3 * i)
+            nu(i) = number(4 + 3 * i)
+        end do
+        code = contactd_set_layers(contact, body(1), shape, thickness, G, nu, many, number(3), number(4))
     end function
 
     integer(c_int32_t) function load() result(code)

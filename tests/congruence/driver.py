@@ -21,6 +21,8 @@ from contactd import (
     Friction,
     Grid,
     KineticFriction,
+    Layer,
+    LayeredBody,
     LineContact,
     Material,
     Paraboloid,
@@ -90,6 +92,12 @@ class Case:
         self._body(body, RigidBody())
 
     def half_space(self, body: str, load_shape: Any) -> None:
+        self._body(body, AnalyticIcs(load_shape=load_shape), "_ics")
+
+    def layers(self, body: str, load_shape: Any, base_G: str, base_nu: str, *layers: str) -> None:
+        base = Material(G=float(base_G), nu=float(base_nu)) if float(base_G) else RigidBody()
+        made = [Layer(*map(float, layers[i : i + 3])) for i in range(0, len(layers), 3)]
+        self._body(body, LayeredBody(made, base))
         self._body(body, AnalyticIcs(load_shape=load_shape), "_ics")
 
     def fem(self, body: str, accuracy: str) -> None:
