@@ -75,7 +75,8 @@ class BoundaryElements {
         if (!problem.friction) return;
         const FrictionLaw& friction = *problem.friction;
         step_.emplace(problem, influence);
-        for (std::size_t i = 0; i < n_; ++i) static_mu_.push_back(friction.mu_of(i));
+        static_mu_.resize(n_);
+        for (std::size_t i = 0; i < n_; ++i) static_mu_[i] = friction.mu_of(i);
         bound_ = bound_of(static_mu_);
         if (friction.kinetic) slip_law_.emplace(*friction.kinetic, static_mu_);
     }
@@ -214,8 +215,9 @@ class BoundaryElements {
         constexpr double on_bound = 1e-9;
         auto& [x, y] = now_.tangential;
         for (std::size_t i = 0; i < n_; ++i) {
+            if (!(bound_[i] > 0)) continue;
             const double size = std::hypot(x[i], y[i]);
-            if (!(bound_[i] > 0 && size >= bound_[i] * (1 - on_bound))) continue;
+            if (!(size >= bound_[i] * (1 - on_bound))) continue;
             x[i] *= bound[i] / size;
             y[i] *= bound[i] / size;
         }
