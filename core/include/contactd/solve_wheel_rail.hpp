@@ -8,6 +8,7 @@
 #include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/patch_columns.hpp"
+#include "contactd/wheel_rail_estimates.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "contactd/wheel_rail_state.hpp"
@@ -30,6 +31,10 @@ class WheelRailContact {
     /// state makes no sense ("position.z" where the wheel stands far inside the rail), and Cancelled.
     WheelRailSolution solve(const WheelRailState& state, Observer& observer) const;
 
+    /// The same within the tolerances, from where a step before has ended; the solves of a search for a force start
+    /// from each other. `estimates` become those for the next step, and mean nothing where this throws.
+    WheelRailSolution solve(const WheelRailState& state, WheelRailEstimates& estimates, Observer& observer) const;
+
     /// The search for contacts alone: at position.z or, where Fz is given, where Hertz's theory expects that force.
     /// Throws as solve.
     WheelRailGeometry locate(const WheelRailState& state) const;
@@ -37,10 +42,15 @@ class WheelRailContact {
     /// position.z at which wheel and rail begin to touch (mm); nothing where they are not above each other.
     std::optional<double> touch(const WheelRailState& state) const;
 
+    /// The same wheel on the same rail with another friction; shares what is kept. Throws InvalidArgument
+    /// ("friction.mu", ...).
+    WheelRailContact with_friction(const WheelRailFriction& friction) const;
+
     const WheelRailSetup& setup() const;
 
    private:
     struct Parts;
+    explicit WheelRailContact(std::shared_ptr<const Parts> parts);
     std::shared_ptr<const Parts> parts_;
 };
 

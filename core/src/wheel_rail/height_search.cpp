@@ -18,35 +18,32 @@ double straightened(double force) {
 /// By how much forces differ from their estimates: the logarithm of the ratio, a straight line through what is known.
 class Correction {
    public:
+    explicit Correction(HeightCorrection expected) : line_(expected) {}
+
     void learn(double z, double logarithm) {
-        before_ = now_;
-        now_ = Known{z, logarithm};
+        if (z_ && z != *z_) line_.slope = (logarithm - line_.logarithm) / (z - *z_);
+        line_.logarithm = logarithm;
+        z_ = z;
     }
-    double at(double z) const {
-        if (!now_) return 0;
-        const double apart = before_ ? now_->z - before_->z : 0;
-        if (apart == 0) return now_->logarithm;
-        const double slope = (now_->logarithm - before_->logarithm) / apart;
-        return now_->logarithm + std::clamp(slope * (z - now_->z), -1.0, 1.0);
-    }
+    double at(double z) const { return line_.logarithm + (z_ ? std::clamp(line_.slope * (z - *z_), -1.0, 1.0) : 0); }
+    HeightCorrection line_at(double z) const { return {at(z), line_.slope}; }
 
    private:
-    struct Known {
-        double z, logarithm;
-    };
-    std::optional<Known> before_, now_;
+    HeightCorrection line_;
+    std::optional<double> z_;  // where its logarithm is
 };
 
 class Search {
    public:
-    explicit Search(const HeightTask& task) : task_(task), low_(task.touch), high_(task.deepest) {}
+    explicit Search(const HeightTask& task)
+        : task_(task), low_(task.touch), high_(task.deepest), correction_(task.correction) {}
 
     HeightFound run() {
         HeightFound found{task_.touch, {0, std::numeric_limits<double>::infinity(), false, 0}};
         double z = next();
         for (int solve = 1; solve <= task_.settings.max_iterations; ++solve) {
             const double force = task_.force(z);
-            found = {z, {solve, std::abs(force - task_.target) / task_.target, false, 0}};
+            found = {z, {solve, std::abs(force - task_.target) / task_.target, false, 0}, correction_.line_at(z)};
             found.evidence.converged = found.evidence.residual <= task_.settings.tolerance;
             if (found.evidence.converged) break;
             (force < task_.target ? low_ : high_) = z;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "contactd/contact.hpp"
+#include "contactd/wheel_rail_estimates.hpp"
 
 namespace contactd {
 
@@ -14,11 +15,13 @@ struct HeightTask {
     double deepest = 0;                               ///< largest z that makes sense (mm)
     double target = 0;                                ///< (N), > 0
     SolverSettings settings;
+    HeightCorrection correction{};  ///< as an earlier search has found it
 };
 
 struct HeightFound {
     double z = 0;  ///< where the force was computed last
     SolverEvidence evidence;
+    HeightCorrection correction{};
 };
 
 HeightFound find_height(const HeightTask& task);

@@ -9,6 +9,7 @@
 #include "contactd/error.hpp"
 #include "types/number_text.hpp"
 #include "wheel_rail/differentiate.hpp"
+#include "wheel_rail/estimates.hpp"
 #include "wheel_rail/patch_solver.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/rising_search.hpp"
@@ -119,6 +120,7 @@ WheelRailSolution RightWheel::at(double z, Observer& observer) {
         warn(solution, warnings_of(found, setup_.side, setup_.friction.has_value()));
         warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
     }
+    if (estimates_) estimates_->patches = estimates_of(solution);
     return solution;
 }
 
@@ -133,7 +135,9 @@ ContactSolution RightWheel::solve(ContactProblem problem, const PlaceWithGap& fo
 
 WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observer) const {
     WheelRailPatch patch;
-    patch.solution = solve(problem_of(found), found, observer);
+    ContactProblem problem = problem_of(found);
+    if (estimates_) problem.initial = estimate_for(found.place, estimates_->patches);
+    patch.solution = solve(std::move(problem), found, observer);
     patch.place = found.place;
     patch.gap = std::move(found.gap);
     patch.forces = resultants(patch.place, patch.solution, setup_.model != Model::full, position_.rail().frame(),
@@ -173,7 +177,9 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
         solution = at(z, observer);
         return solution.forces.track.Fz;
     };
+    if (estimates_) task.correction = estimates_->height;
     const HeightFound found = find_height(task);
+    if (estimates_) estimates_->height = found.correction;
     if (quick) solution = at(found.z, observer);
     solution.force = found.evidence;
     if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));

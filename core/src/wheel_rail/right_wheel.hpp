@@ -30,6 +30,9 @@ class RightWheel {
     RightWheel again(const WheelRailSetup& setup, const WheelRailState& state) const {
         return {setup, profiles_, influences_, state};
     }
+    /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
+    /// next step do. Without it each solve starts from nothing.
+    void start_from(WheelRailEstimates& estimates) { estimates_ = &estimates; }
     /// Positions do not depend on it.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
@@ -53,6 +56,7 @@ class RightWheel {
     const InfluenceSource& influences_;
     WheelRailState state_;  // its pitch rate may be searched for
     geometry::Position position_;
+    WheelRailEstimates* estimates_ = nullptr;
 };
 
 }  // namespace contactd

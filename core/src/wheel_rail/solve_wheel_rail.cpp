@@ -22,8 +22,16 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
 }  // namespace
 
 struct WheelRailContact::Parts {
+    Parts(WheelRailSetup given, std::shared_ptr<const geometry::Profiles> curves, InfluenceSource source)
+        : setup(std::move(given)), profiles(std::move(curves)), influences(std::move(source)) {
+        if (setup.conformal != Conformal::automatic) return;
+        plane = curved = setup;
+        plane->conformal = Conformal::off;
+        curved->conformal = Conformal::rotated;
+    }
+
     WheelRailSetup setup;
-    geometry::Profiles profiles;
+    std::shared_ptr<const geometry::Profiles> profiles;
     InfluenceSource influences;
     std::optional<WheelRailSetup> plane{}, curved{};  // what setup may become where conformal is automatic
 
@@ -38,27 +46,38 @@ struct WheelRailContact::Parts {
 
    private:
     RightWheel right_wheel(const WheelRailState& state) const {
-        if (!plane) return {setup, profiles, influences, state};
-        const bool bends = RightWheel(*plane, profiles, influences, state).bends();
-        return {bends ? *curved : *plane, profiles, influences, state};
+        if (!plane) return {setup, *profiles, influences, state};
+        const bool bends = RightWheel(*plane, *profiles, influences, state).bends();
+        return {bends ? *curved : *plane, *profiles, influences, state};
     }
 };
 
 WheelRailContact::WheelRailContact(WheelRailSetup setup, InfluenceSource source) {
     validate(setup);
     InfluenceSource influences = source_for(setup, std::move(source));
-    geometry::Profiles profiles = geometry::make_profiles(setup);
-    auto parts = std::make_shared<Parts>(Parts{std::move(setup), std::move(profiles), std::move(influences)});
-    if (parts->setup.conformal == Conformal::automatic) {
-        parts->plane = parts->curved = parts->setup;
-        parts->plane->conformal = Conformal::off;
-        parts->curved->conformal = Conformal::rotated;
-    }
-    parts_ = std::move(parts);
+    auto profiles = std::make_shared<const geometry::Profiles>(geometry::make_profiles(setup));
+    parts_ = std::make_shared<const Parts>(std::move(setup), std::move(profiles), std::move(influences));
+}
+
+WheelRailContact::WheelRailContact(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+
+WheelRailContact WheelRailContact::with_friction(const WheelRailFriction& friction) const {
+    WheelRailSetup setup = parts_->setup;
+    setup.friction = friction;
+    validate(setup);
+    return WheelRailContact(std::make_shared<const Parts>(std::move(setup), parts_->profiles, parts_->influences));
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {
     return parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); });
+}
+
+WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRailEstimates& estimates,
+                                          Observer& observer) const {
+    return parts_->of_right_wheel(state, [&](RightWheel&& wheel) {
+        wheel.start_from(estimates);
+        return wheel.solve(observer);
+    });
 }
 
 WheelRailGeometry WheelRailContact::locate(const WheelRailState& state) const {

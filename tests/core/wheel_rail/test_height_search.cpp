@@ -73,3 +73,29 @@ TEST_CASE("A force that never comes is an answer that has not converged") {
     const HeightFound found = find_height(task_of(none, none));
     CHECK_FALSE(found.evidence.converged);
 }
+
+TEST_CASE("A search that knows how far the estimate is off needs no other solve") {
+    const auto force = [](double z) { return power(z - 0.3, 1.6); };
+    HeightTask task = task_of([](double z) { return 0.8 * power(z - 0.3, 1.5); }, force);
+    const HeightFound first = find_height(task);
+    REQUIRE(first.evidence.iterations > 1);
+    task.correction = first.correction;
+    task.settings.tolerance = 1e-6;
+    CHECK(find_height(task).evidence.iterations == 1);
+    task.target = 5.5e4;
+    const HeightFound next = find_height(task);
+    CHECK(next.evidence.converged);
+    CHECK(next.evidence.iterations <= 3);
+    CHECK_THAT(force(next.z), WithinRel(5.5e4, 1e-6));
+}
+
+TEST_CASE("A correction that is wrong costs solves, and no more") {
+    const auto force = [](double z) { return power(z - 0.3, 1.5); };
+    for (const HeightCorrection wrong : {HeightCorrection{3, 0}, HeightCorrection{-3, 50}, HeightCorrection{0, -1e6}}) {
+        HeightTask task = task_of(force, force);
+        task.correction = wrong;
+        const HeightFound found = find_height(task);
+        CHECK(found.evidence.converged);
+        CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
+    }
+}
