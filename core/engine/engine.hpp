@@ -18,6 +18,7 @@
 #include "engine/operation/counters.hpp"
 #include "engine/operation/log.hpp"
 #include "engine/steps/contact_steps.hpp"
+#include "engine/steps/wheel_rail_steps.hpp"
 #include "engine/wheel_rail/prepared_contacts.hpp"
 
 namespace contactd::engine {
@@ -52,6 +53,11 @@ class Engine {
     /// Both wheels, and the roll at which each has its force. Throws the same, naming "setup.", "left." (where that has
     /// a set-up of its own), and "state.left_rail.y", ...
     WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer);
+    /// The steps of a wheel on its rail. Throws the same.
+    std::unique_ptr<WheelRailSteps> open(const WheelRailSessionSpec& spec);
+    /// One of them; see WheelRailSteps::solve. Throws the same, naming "friction.mu", too.
+    WheelRailSolution solve(WheelRailSteps& steps, const StepState& before, const WheelRailStepInput& input,
+                            StepState& after, Observer& observer);
     /// The search for contacts alone. Throws the same, naming "states[i].position.z".
     std::vector<WheelRailGeometry> locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
                                           Observer& observer);

@@ -124,6 +124,22 @@ WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& 
     return solution;
 }
 
+std::unique_ptr<WheelRailSteps> Engine::open(const WheelRailSessionSpec& spec) {
+    return with_names("setup.", "state.", [&] {
+        return std::make_unique<WheelRailSteps>(wheel_on_rail(spec.setup), spec.accept_unconverged);
+    });
+}
+
+WheelRailSolution Engine::solve(WheelRailSteps& steps, const StepState& before, const WheelRailStepInput& input,
+                                StepState& after, Observer& observer) {
+    check(input.state, "state.");
+    const WheelRailContact& contact = steps.contact_with(input.friction);
+    WheelRailSolution solution =
+        with_names("setup.", "state.", [&] { return steps.solve(contact, before, input.state, after, observer); });
+    count(solution);
+    return solution;
+}
+
 PreparedContacts::Contact Engine::wheel_on_rail(const WheelRailSetup& setup) {
     check_half_spaces(setup.bodies);
     return wheels_on_rails_.of(setup);

@@ -39,6 +39,7 @@ SAME = [
     ("contact.solve.result", "evidence/ics", "IcUses", ""),
     ("session.step.result", "", "", "StepSolution"),
     ("session.step.result", "evidence", "ContactEvidence", "ContactEvidence"),
+    ("session.step.params", "wheelrail", "WheelRailStepInput", "WheelRailStepInput"),
     ("session.info.result", "", "SessionInfo", ""),
     ("session.list.result", "sessions", "SessionSummary", "SessionSummary"),
     ("contact.subsurface.params", "block", "StressBlock", "StressBlock"),
@@ -157,7 +158,7 @@ def fields_of_class(name: str) -> set[str]:
 
 @pytest.mark.parametrize(("schema", "place", "struct", "kind"), SAME)
 def test_a_field_has_one_name(schema: str, place: str, struct: str, kind: str) -> None:
-    wire = names_on_the_wire(schema, place)
+    wire = names_on_the_wire(schema, place) - {"wheelrail"}  # the result of wheelrail.solve, which has a line of its own
     if struct:
         assert wire <= set().union(*map(fields_of_struct, struct.split()))
     if kind:

@@ -169,3 +169,42 @@ def test_steps_sent_without_awaiting_answers_run_in_their_order(peer):
 def test_a_session_that_is_none_tells_nothing(peer):
     reply = peer.ask("session.info", {"session": "0" * 32})
     assert (reply.code, reply.reason) == (NOT_FOUND, "SESSION_UNKNOWN")
+
+
+# --- wheels on rails --------------------------------------------------------------------------------------------------
+
+WHEEL = {"wheelrail": {"setup": {"side": "left", "dx": 1, "dy": 1, "friction": {"mu": 0.3}}}}
+ROLLING = {"velocity": {"x": 2000, "pitch": -4.3}, "Fz": 10000}
+
+
+@pytest.fixture
+def wheel(peer):
+    name = peer.ask("session.open", WHEEL).result["session"]
+    yield name
+    peer.ask("session.close", {"session": name})
+
+
+def test_a_wheel_is_stepped_by_its_state(peer, wheel):
+    told = {"state": {**ROLLING, "position": {"y": 1}}, "friction": {"mu": 0.2}, "gap": True}
+    first = step(peer, wheel, 1, wheelrail=told, fields=["pressure"])
+    assert (first.code, first.result["step"], len(first.frames)) == (OK, 1, 2 * len(first.result["wheelrail"]["patches"]))
+    alone = peer.ask("wheelrail.solve", {**WHEEL["wheelrail"], "state": ROLLING, "fields": []}).result
+    second = step(peer, wheel, 2, wheelrail={"state": ROLLING})
+    assert second.frames == []
+    assert second.result["wheelrail"]["forces"]["track"]["Fy"] == pytest.approx(alone["forces"]["track"]["Fy"], abs=0.05)
+
+
+def test_a_wheels_session_is_told_by_its_side(peer, wheel):
+    step(peer, wheel, 1, wheelrail={"state": ROLLING})
+    info = peer.ask("session.info", {"session": wheel}).result
+    assert (info["side"], info["step"]) == ("left", 1)
+    assert "grid" not in info
+    assert peer.ask("session.list").result["sessions"][-1]["elements"] > 0
+
+
+def test_wheels_and_contacts_step_in_one_message(peer, wheel, session):
+    told = {"session": wheel, "step": 1, "wheelrail": {"state": ROLLING}}
+    steps = [told, {"session": session, "step": 1}, {"session": session, "step": 2, "wheelrail": {"state": {}}}]
+    answers = peer.ask("session.step_many", {"steps": steps}).result["steps"]
+    assert [answer["status"]["code"] for answer in answers] == [OK, OK, INVALID_ARGUMENT]
+    assert answers[2]["status"]["details"]["violations"][0]["field"] == "wheelrail"

@@ -29,6 +29,24 @@ void check_open(const Request& request) {
                   "what is left out stays so");
 }
 
+void check_wheel_open(const Request& request) {
+    const WheelRailSessionSpec spec = decode_wheel_rail_session_spec(request.params, request.frames);
+    validate(spec.setup);
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const nlohmann::json again = encode_session_spec(spec, arrays);
+    fuzz::require(violations_of("session.open.params", again).empty(), "what was read can be written as a request");
+    fuzz::require(decode_wheel_rail_session_spec(again, arrays.take_frames()).setup == spec.setup,
+                  "a set-up arrives as it was");
+}
+
+void check_wheel_step(const Request& request) {
+    const WheelRailStepInput input = decode_wheel_rail_step(request.params);
+    validate(input.state);
+    const nlohmann::json again = encode_step("0", 1, input);
+    fuzz::require(violations_of("session.step.params", again).empty(), "what was read can be written as a step");
+    fuzz::require(decode_wheel_rail_step(again).state == input.state, "a state arrives as it was");
+}
+
 /// A step is laid over sessions that differ in what it may leave out.
 std::vector<ContactProblem> sessions() {
     ContactProblem shift;
@@ -79,8 +97,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!request.method.starts_with("session.")) return 0;
         check_params(request.method, request.params);
         check_frames_used(request.params, request.frames);
-        if (request.method == "session.open") check_open(request);
-        if (request.method == "session.step") check_step(request);
+        const bool wheel = is_of_wheel_rail(request.params);
+        if (request.method == "session.open") wheel ? check_wheel_open(request) : check_open(request);
+        if (request.method == "session.step") wheel ? check_wheel_step(request) : check_step(request);
     } catch (const StatusError& error) {
         fuzz::require(!error.status().ok() && !error.status().reason.empty(), "a refusal has a code and a reason");
     } catch (const InvalidArgument& error) {

@@ -235,6 +235,8 @@ REQUESTS = [
     ("contact.solve_many", {"problems": [SESSION]}),
     ("request.cancel", {"id": "1"}),
     ("session.open", SESSION),
+    ("session.open", {"wheelrail": {"setup": WHEEL}}),
+    ("session.step", {"session": "0" * 32, "step": 1, "fields": ["pressure"], "wheelrail": {"state": {}}}),
     ("session.step", {"session": "0" * 32, "step": 1, "fields": ["pressure"], "friction": SESSION["friction"]}),
     ("session.step_many", {"steps": [{"session": "0" * 32, "step": 1, "friction": SESSION["friction"]}]}),
     ("wheelrail.solve", {"setup": WHEEL, "state": {}, "fields": ["pressure"]}),

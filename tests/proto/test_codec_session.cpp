@@ -271,3 +271,65 @@ TEST_CASE("A step with a number that is not finite is refused by its field") {
     CHECK(refused([&](StepInput& input) { input.friction = FrictionLaw{{nan}, {}}; }) == "friction.mu");
     CHECK(refused([&](StepInput& input) { input.motion = Rolling{.xi = nan}; }) == "friction.rolling.xi");
 }
+
+TEST_CASE("A session of a wheel on its rail arrives as it was sent") {
+    WheelRailSessionSpec sent;
+    sent.setup.side = Side::left;
+    sent.setup.wheel.shape = ProfilePoints{{{-20, 1}, {0, 0}, {20, -1}}};
+    sent.lease_seconds = 7;
+    sent.accept_unconverged = true;
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = json::parse(dump(encode_session_spec(sent, arrays)));
+    CHECK(violations_of("session.open.params", params).empty());
+    CHECK(is_of_wheel_rail(params));
+    const WheelRailSessionSpec arrived = decode_wheel_rail_session_spec(params, arrays.take_frames());
+    CHECK(arrived.setup == sent.setup);
+    CHECK(arrived.lease_seconds == 7);
+    CHECK(arrived.accept_unconverged);
+}
+
+TEST_CASE("A step of a wheel on its rail arrives as it was sent, and so does its answer") {
+    WheelRailStepInput sent;
+    sent.state.position.y = 3;
+    sent.state.Fz = 5;
+    sent.friction = WheelRailFriction{{{-1, 0.1}, {0, 0.3}}, true, {}};
+    sent.again = sent.gap = true;
+    sent.fields = {SolutionField::pressure};
+    const json params = json::parse(dump(encode_step("s", 4, sent)));
+    CHECK(violations_of("session.step.params", params).empty());
+    const WheelRailStepInput arrived = decode_wheel_rail_step(params);
+    CHECK(arrived.state == sent.state);
+    CHECK(arrived.friction == sent.friction);
+    CHECK(arrived.fields == sent.fields);
+    CHECK((arrived.again && arrived.gap));
+
+    WheelRailSolution solution;
+    solution.z = 0.5;
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json result = json::parse(dump(encode_step_reply(4, solution, PatchFields{{}, false}, arrays)));
+    CHECK(violations_of("session.step.result", result).empty());
+    const WheelRailStepReply reply = decode_wheel_rail_step_reply(result, {});
+    CHECK(reply.step == 4);
+    CHECK(reply.solution.z == 0.5);
+}
+
+TEST_CASE("Openings and steps are of a contact or of a wheel on its rail, and not of both") {
+    const json grid{{"nx", 1}, {"ny", 1}, {"dx", 1}, {"dy", 1}};
+    CHECK_FALSE(violations_of("session.open.params", {{"wheelrail", json::object()}, {"grid", grid}}).empty());
+    CHECK_FALSE(violations_of("session.open.params", json::object()).empty());
+    const json wheel{{"state", json::object()}};
+    CHECK(violations_of("session.step.params", {{"session", "s"}, {"step", 1}, {"wheelrail", wheel}}).empty());
+    CHECK_FALSE(
+        violations_of("session.step.params", {{"session", "s"}, {"step", 1}, {"wheelrail", wheel}, {"Fn", 1}}).empty());
+    CHECK_FALSE(violations_of("session.step.result", {{"step", 1}}).empty());
+    CHECK_FALSE(violations_of("session.info.result",
+                              {{"step", 1}, {"lease_seconds", 1}, {"states", 0}, {"bytes", 0}, {"ics", json::object()}})
+                    .empty());
+}
+
+TEST_CASE("What a wheel on its rail refuses is named below its member") {
+    const Status status = below_wheel_rail(invalid_field("setup.dx", "is 0; it must be more").status());
+    CHECK(status.message == "wheelrail.setup.dx is 0; it must be more.");
+    CHECK(status.violations.at(0).field == "wheelrail.setup.dx");
+    CHECK(below_wheel_rail({StatusCode::aborted, "It failed.", "X", {}, 0}).message == "It failed.");
+}

@@ -86,6 +86,9 @@ class Client::Impl {
     Connection connection_;
 };
 
+/// Throws ProtocolError where pressures were asked for and did not come.
+void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields);
+
 /// An array of the answer that does not fit is the daemon's fault, not the caller's.
 template <class Decode>
 auto decoded(const Decode& decode) {

@@ -31,15 +31,15 @@ const json& part_of(const json& result, const char* name) {
     return result[name];
 }
 
-/// What is there has the size of its grid; read_array has seen to that.
+}  // namespace
+
+// What is there has the size of its grid; read_array has seen to that.
 void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields) {
     if (std::find(fields.begin(), fields.end(), SolutionField::pressure) == fields.end()) return;
     for (const WheelRailPatch& patch : solution.patches)
         if (patch.solution.pressure.empty())
             throw ProtocolError("The daemon's answer lacks the pressures of a patch, which were asked for.");
 }
-
-}  // namespace
 
 WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,
                                      const CallOptions& options, const SolutionFields& fields, bool gap) {

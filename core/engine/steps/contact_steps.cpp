@@ -1,32 +1,18 @@
 #include "engine/steps/contact_steps.hpp"
 
-#include <format>
-#include <string>
 #include <utility>
 
 #include "contactd/solve_contact.hpp"
-#include "contactd/status.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "engine/steps/not_converged.hpp"
 
 namespace contactd::engine {
 namespace {
 
-/// Names the solvers that missed their tolerance.
 StatusError not_converged(const ContactEvidence& evidence) {
-    std::string solvers;
-    const auto add = [&](const char* name, const std::optional<SolverEvidence>& solver) {
-        if (!solver || solver->converged) return;
-        solvers += std::format("{}{} after {} iterations at the residual {}", solvers.empty() ? "" : ", ", name,
-                               solver->iterations, solver->residual);
-    };
-    add("normal", evidence.normal);
-    add("tangential", evidence.tangential);
-    add("outer", evidence.outer);
-    add("force", evidence.force);
-    return {StatusCode::aborted, reason::not_converged,
-            "The step did not converge (" + solvers +
-                "), and the session stays where it was: take a smaller step, or open the session with other settings "
-                "or with accept_unconverged."};
+    MissedTolerances missed;
+    missed.add(evidence);
+    return missed.error();
 }
 
 }  // namespace
@@ -60,7 +46,8 @@ ContactSolution ContactSteps::solve(const StepState& before, const Statement& st
 StepState ContactSteps::after(const StepState& before, ContactSolution&& solution) {
     return {before.step + 1,
             {std::move(solution.pressure), std::move(solution.traction_x), std::move(solution.traction_y)},
-            solution.motion};
+            solution.motion,
+            {}};
 }
 
 void ContactSteps::fit_influence(InfluenceCache& cache) {

@@ -8,6 +8,7 @@
 
 #include "contactd/observer.hpp"
 #include "contactd/session.hpp"
+#include "contactd/wheel_rail_estimates.hpp"
 #include "engine/ics/cache/influence_cache.hpp"
 #include "engine/ics/ic_pair.hpp"
 
@@ -16,8 +17,9 @@ namespace contactd::engine {
 /// Where a simulation is: all that a step leaves to the next one. Whoever holds a state has saved it.
 struct StepState {
     long long step = 0;
-    SurfaceState tractions;
-    std::optional<Motion> motion;
+    SurfaceState tractions{};
+    std::optional<Motion> motion{};
+    WheelRailEstimates wheel_rail{};  ///< of the steps of a wheel on its rail, which leave nothing else
 };
 
 /// Solves steps from a state; which state that is, its user knows. For one call at a time.

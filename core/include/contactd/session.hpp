@@ -10,6 +10,9 @@
 #include "contactd/contact.hpp"
 #include "contactd/ic_reply.hpp"
 #include "contactd/status.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+#include "contactd/wheel_rail_solution.hpp"
+#include "contactd/wheel_rail_state.hpp"
 
 namespace contactd {
 
@@ -21,6 +24,13 @@ struct SessionSpec {
     ContactLoad load{};
     std::optional<double> lease_seconds{};
     bool accept_unconverged = false;  ///< whether steps count that missed a tolerance
+};
+
+/// What a session of a wheel on its rail is opened with.
+struct WheelRailSessionSpec {
+    WheelRailSetup setup{};
+    std::optional<double> lease_seconds{};
+    bool accept_unconverged = false;  ///< as in SessionSpec; of the searches for forces, too
 };
 
 /// An open session.
@@ -35,10 +45,11 @@ struct SessionReply {
 struct SessionInfo {
     long long step = 0;  ///< number of the last one
     double lease_seconds = 0;
-    std::size_t states = 0;  ///< saved ones
-    std::size_t bytes = 0;   ///< with those
-    Grid grid;
-    std::optional<MotionKind> motion{};  ///< none without friction
+    std::size_t states = 0;              ///< saved ones
+    std::size_t bytes = 0;               ///< with those
+    std::optional<Grid> grid{};          ///< of a contact
+    std::optional<MotionKind> motion{};  ///< of a contact; none without friction
+    std::optional<Side> side{};          ///< of a wheel on its rail
     IcUses ics{};
 };
 
@@ -61,7 +72,22 @@ struct StepReply {
     ContactSolution solution;  ///< its arrays are empty unless they were asked for
 };
 
+/// What a step of a wheel on its rail says, whole: nothing of the state is as it was.
+struct WheelRailStepInput {
+    WheelRailState state{};
+    std::optional<WheelRailFriction> friction{};  ///< for this step, where it is not as the session was opened
+    bool again = false;                           ///< as in StepInput
+    SolutionFields fields{};                      ///< wanted back of each patch
+    bool gap = false;                             ///< whether that is, too
+};
+
+struct WheelRailStepReply {
+    long long step = 0;
+    WheelRailSolution solution;  ///< arrays of its patches are empty unless they were asked for
+};
+
 /// Of many steps each has its solution, or says why there is none.
 using StepOrStatus = std::variant<StepReply, Status>;
+using AnyStepOrStatus = std::variant<StepReply, WheelRailStepReply, Status>;
 
 }  // namespace contactd

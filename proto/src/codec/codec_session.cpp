@@ -7,6 +7,7 @@
 
 #include "codec_parts.hpp"
 #include "contactd/proto/status.hpp"
+#include "side_words.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -72,8 +73,13 @@ SessionReply decode_session_reply(const json& result) {
 }
 
 json encode_session_info(const SessionInfo& info) {
-    json result{{"step", info.step},   {"lease_seconds", info.lease_seconds}, {"states", info.states},
-                {"bytes", info.bytes}, {"grid", encode_grid(info.grid)},      {"ics", encode_uses(info.ics)}};
+    json result{{"step", info.step},
+                {"lease_seconds", info.lease_seconds},
+                {"states", info.states},
+                {"bytes", info.bytes},
+                {"ics", encode_uses(info.ics)}};
+    if (info.grid) result["grid"] = encode_grid(*info.grid);
+    if (info.side) result["side"] = word_for(side_words, *info.side);
     if (info.motion) result["motion"] = word_for(motions, *info.motion);
     return result;
 }
@@ -84,7 +90,8 @@ SessionInfo decode_session_info(const json& result) {
     info.lease_seconds = result["lease_seconds"].get<double>();
     info.states = result["states"].get<std::size_t>();
     info.bytes = result["bytes"].get<std::size_t>();
-    info.grid = decode_grid(result["grid"]);
+    if (result.contains("grid")) info.grid = decode_grid(result["grid"]);
+    if (result.contains("side")) info.side = meaning_of(result["side"], side_words);
     info.ics = decode_uses(result["ics"]);
     if (result.contains("motion")) info.motion = meaning_of(result["motion"], motions);
     return info;

@@ -8,23 +8,34 @@ namespace contactd::proto {
 
 using nlohmann::json;
 
+json encode_step(const StepAsked& asked, ArrayWriter& arrays) {
+    if (const auto* wheel = std::get_if<const WheelRailStepInput*>(&asked.input))
+        return encode_step(asked.session, asked.step, **wheel);
+    return encode_step(asked.session, asked.step, *std::get<const StepInput*>(asked.input), *asked.grid, arrays);
+}
+
+AnyStepOrStatus decode_step_reply(const json& result, const std::vector<std::string>& frames, const StepAsked& asked) {
+    if (std::holds_alternative<const WheelRailStepInput*>(asked.input))
+        return decode_wheel_rail_step_reply(result, frames);
+    return decode_step_reply(result, frames, *asked.grid);
+}
+
 json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays) {
     json list = json::array();
-    for (const auto& [session, step, input, grid] : steps)
-        list.push_back(encode_step(session, step, input, grid, arrays));
+    for (const StepAsked& asked : steps) list.push_back(encode_step(asked, arrays));
     return {{"steps", std::move(list)}};
 }
 
-std::vector<StepOrStatus> decode_step_replies(const json& result, const std::vector<std::string>& frames,
-                                              std::span<const Grid> grids) {
+std::vector<AnyStepOrStatus> decode_step_replies(const json& result, const std::vector<std::string>& frames,
+                                                 std::span<const StepAsked> asked) {
     const json& steps = result["steps"];
-    if (steps.size() != grids.size())
+    if (steps.size() != asked.size())
         throw StatusError(StatusCode::unknown, reason::unexpected, "The reply answers another number of steps.");
-    std::vector<StepOrStatus> replies;
-    for (std::size_t i = 0; i < grids.size(); ++i) {
+    std::vector<AnyStepOrStatus> replies;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
         Status status = status_from_json(steps[i]["status"]);
         if (status.ok())
-            replies.emplace_back(decode_step_reply(steps[i]["result"], frames, grids[i]));
+            replies.push_back(decode_step_reply(steps[i]["result"], frames, asked[i]));
         else
             replies.emplace_back(std::move(status));
     }

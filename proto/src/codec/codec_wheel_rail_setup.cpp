@@ -7,13 +7,13 @@
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "named_numbers.hpp"
+#include "side_words.hpp"
 
 namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
 
-constexpr Words<Side, 2> sides{{{"left", Side::left}, {"right", Side::right}}};
 constexpr Words<ContactSearch, 2> searches{{{"locus", ContactSearch::locus}, {"mesh", ContactSearch::mesh}}};
 constexpr Words<WheelSurfaceKind, 2> wheel_surfaces{
     {{"exact", WheelSurfaceKind::exact}, {"bilinear", WheelSurfaceKind::bilinear}}};
@@ -149,7 +149,7 @@ std::vector<RailSlice> decode_slices(const json& source, const std::string& name
 
 json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     json result = encode_numbers(numbers_of_elements(setup));
-    result["side"] = word_for(sides, setup.side);
+    result["side"] = word_for(side_words, setup.side);
     result["wheel"] = encode_profile(setup.wheel, arrays);
     result["rail"] = encode_profile(setup.rail, arrays);
     if (!setup.rail_slices.empty()) result["rail_slices"] = encode_slices(setup.rail_slices, arrays);
@@ -176,7 +176,7 @@ WheelRailSetup decode_setup(const json& params, const std::string& name, const s
     const json& source = params[name];
     const auto has = [&](const char* field) { return source.contains(field); };
     decode_numbers(source, numbers_of_elements(setup));
-    if (has("side")) setup.side = meaning_of(source["side"], sides);
+    if (has("side")) setup.side = meaning_of(source["side"], side_words);
     if (has("wheel")) setup.wheel = decode_profile(source["wheel"], ProfileKind::wheel, frames, name + ".wheel");
     if (has("rail")) setup.rail = decode_profile(source["rail"], ProfileKind::rail, frames, name + ".rail");
     if (has("rail_slices")) setup.rail_slices = decode_slices(source["rail_slices"], name + ".rail_slices", frames);
@@ -217,6 +217,18 @@ void add_fields(const PatchFields& fields, json& params) {
 }
 
 }  // namespace
+
+json encode_wheel_rail_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
+    return encode_setup(setup, arrays);
+}
+
+json encode_wheel_rail_friction(const WheelRailFriction& friction) {
+    return encode_friction(friction);
+}
+
+WheelRailFriction decode_wheel_rail_friction(const json& friction) {
+    return decode_friction(friction);
+}
 
 json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state, const PatchFields& fields,
                                ArrayWriter& arrays) {

@@ -8,6 +8,7 @@
 
 #include "contactd/contact.hpp"
 #include "contactd/proto/message.hpp"
+#include "solves/small_solve.hpp"
 
 namespace contactd::server {
 
@@ -15,12 +16,6 @@ namespace contactd::server {
 void check_grid_limit(const nlohmann::json& params, std::size_t most);
 /// The same of the grids of all problems together.
 void check_grid_limits(const nlohmann::json& problems, std::size_t most);
-
-/// Whether a solve by a quick model on that many elements takes about as long as waking a thread: FASTSIM needs 40 us
-/// for 625. With forces given it takes some times as long, which the I/O thread can bear when nobody else asks.
-inline bool is_small_solve(Model model, std::size_t elements) {
-    return model != Model::full && elements <= 1000;
-}
 
 /// The arrays of a solution that are sent.
 struct ArrayAnswer {

@@ -7,6 +7,7 @@
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 #include "session_step_many.hpp"
+#include "sessions/below_wheel_rail.hpp"
 
 namespace contactd::server {
 
@@ -30,13 +31,31 @@ void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<do
     reply.bytes = session_bytes(spec.setup);
     reply.ics = engine::uses_of(spec.setup, ics);
     SessionTable& sessions = parts.sessions;
-    reply.session = sessions.add(std::make_shared<Session>(parts.engine.open(std::move(spec), ics), lease));
+    reply.session =
+        sessions.add(std::make_shared<Session>(simulation_of(parts.engine.open(std::move(spec), ics)), lease));
     // Nobody knows the name of a session whose opening came too late.
     if (!call->succeed(proto::encode_session_reply(reply))) sessions.remove(reply.session);
 }
 
+/// Half-spaces in closed form: nothing is waited for.
+void open_wheel_rail(const CallPtr& call, const DaemonParts& parts) {
+    const proto::Request& request = call->request;
+    const WheelRailSessionSpec spec =
+        below_wheel_rail([&] { return proto::decode_wheel_rail_session_spec(request.params, request.frames); });
+    proto::check_frames_used(request.params, request.frames);
+    const auto lease = parts.sessions.lease(spec.lease_seconds);
+    SessionReply reply;
+    reply.lease_seconds = lease.count();
+    reply.bytes = session_bytes(spec.setup);
+    parts.sessions.check_room(reply.bytes);
+    auto steps = below_wheel_rail([&] { return parts.engine.open(spec); });
+    reply.session = parts.sessions.add(std::make_shared<Session>(simulation_of(std::move(steps)), lease));
+    if (!call->succeed(proto::encode_session_reply(reply))) parts.sessions.remove(reply.session);
+}
+
 /// Answers when the session is ready: a build is awaited, and reported, as by contact.solve.
 void open(const CallPtr& call, const DaemonParts& parts) {
+    if (proto::is_of_wheel_rail(call->request.params)) return open_wheel_rail(call, parts);
     check_grid_limit(call->request.params, parts.config.max_grid_elements);
     SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);
@@ -77,7 +96,7 @@ bool is_small_step(const CallPtr& call, const DaemonParts& parts) {
     const auto name = params.find("session");
     if (name == params.end() || !name->is_string()) return false;
     const SessionPtr session = parts.sessions.find_open(name->get_ref<const std::string&>());
-    return session && is_small_solve(session->opened().model, session->opened().grid.size());
+    return session && session->simulation().is_small();
 }
 
 SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
@@ -87,29 +106,24 @@ SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
 
 void info(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
-    const ContactProblem& problem = session->opened();
-    SessionInfo told;
-    told.step = session->state()->contact->step;
+    SessionInfo told = session->simulation().common();
+    told.step = session->step_number();
     told.lease_seconds = session->lease.count();
     told.states = session->states();
     told.bytes = session->bytes();
-    told.grid = problem.grid;
-    if (problem.friction)
-        told.motion = std::holds_alternative<Rolling>(problem.motion) ? MotionKind::rolling : MotionKind::shift;
-    told.ics = engine::uses_of(problem, session->ics());
     call->succeed(proto::encode_session_info(told));
 }
 
 void save(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
-    const long long step = session->state()->contact->step;
+    const long long step = session->step_number();
     call->succeed({{"state", parts.sessions.save(*session)}, {"step", step}});
 }
 
 void restore(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
     SessionStatePtr state = session->saved(state_in(call));
-    const long long step = state->contact->step;
+    const long long step = state->last->step;
     session->set_state(std::move(state));
     call->succeed({{"step", step}});
 }
@@ -121,7 +135,7 @@ void forget(const CallPtr& call, const DaemonParts& parts) {
 
 void close(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = parts.sessions.remove(name_in(call));
-    call->succeed({{"step", session->state()->contact->step}});
+    call->succeed({{"step", session->step_number()}});
 }
 
 void list(const CallPtr& call, const DaemonParts& parts) {
@@ -131,10 +145,10 @@ void list(const CallPtr& call, const DaemonParts& parts) {
         sessions.push_back({{"age_seconds", std::chrono::duration<double>(now - session->created).count()},
                             {"idle_seconds", session->idle(now).count()},
                             {"lease_seconds", session->lease.count()},
-                            {"step", session->state()->contact->step},
+                            {"step", session->step_number()},
                             {"states", session->states()},
                             {"bytes", session->bytes()},
-                            {"elements", session->opened().grid.size()}});
+                            {"elements", session->elements()}});
     call->succeed({{"sessions", std::move(sessions)}, {"bytes", parts.sessions.bytes()}});
 }
 

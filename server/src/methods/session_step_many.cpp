@@ -36,7 +36,7 @@ void check_limits(const Batch& batch) {
     std::vector<ArrayAnswer> answers;
     for (std::size_t i = 0; i < batch.sessions.size(); ++i)
         if (batch.sessions[i])
-            answers.push_back({proto::decode_fields(batch.params(i), {}), batch.sessions[i]->opened().grid.size()});
+            answers.push_back({proto::decode_fields(batch.params(i), {}), batch.sessions[i]->elements()});
     check_answer_fits(answers, request.arrays, batch.parts.config.limits);
 }
 

@@ -4,19 +4,12 @@
 #include <iterator>
 #include <utility>
 
-#include "contactd/contact_influence.hpp"
-
 namespace contactd::server {
 
 using proto::StatusCode;
 using proto::StatusError;
 
 namespace {
-
-// Beside the operators: gap, friction and tractions of the problem, as opened and as solved, and the state with what
-// was before it.
-constexpr std::size_t bytes_per_element_problem = 300, bytes_per_element_state = 152, bytes_beside = 8192;
-constexpr std::size_t bytes_per_element_table = 2 * 9 * sizeof(double);
 
 StatusError state_unknown() {
     return {StatusCode::not_found, proto::reason::state_unknown,
@@ -25,23 +18,16 @@ StatusError state_unknown() {
 
 }  // namespace
 
-std::size_t session_bytes(const ContactSetup& setup) {
-    std::size_t per_element = bytes_per_element_problem + bytes_per_element_state;
-    if (setup.bodies.any_given()) per_element += bytes_per_element_table;
-    const std::size_t operators = setup.model == Model::full ? influence_bytes(setup.grid.size()) : 0;
-    return bytes_beside + setup.grid.size() * per_element + operators;
-}
-
 StatusError session_unknown() {
     return {StatusCode::not_found, proto::reason::session_unknown,
             "There is no such session: it was closed, or never opened here."};
 }
 
-Session::Session(std::unique_ptr<engine::ContactSteps> steps, std::chrono::duration<double> lease_time)
+Session::Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease_time)
     : lease(lease_time),
-      steps_(std::move(steps)),
+      simulation_(std::move(simulation)),
       state_(std::make_shared<const SessionState>(
-          SessionState{std::make_shared<const engine::StepState>(steps_->start()), nullptr, {}})) {}
+          SessionState{std::make_shared<const engine::StepState>(simulation_->start()), nullptr, {}})) {}
 
 // --- turns -----------------------------------------------------------------------------------------------------------
 
@@ -165,11 +151,14 @@ std::chrono::duration<double> Session::idle(Clock::time_point now) const {
 }
 
 std::size_t Session::bytes() const {
-    return session_bytes(opened()) + states() * state_bytes();
+    const std::scoped_lock lock(mutex_);
+    std::size_t sum = simulation_->bytes();
+    for (const auto& [name, state] : states_) sum += simulation_->state_bytes(*state->last);
+    return sum;
 }
 
 std::size_t Session::state_bytes() const {
-    return bytes_beside + opened().grid.size() * bytes_per_element_state;
+    return simulation_->state_bytes(*state()->last);
 }
 
 }  // namespace contactd::server

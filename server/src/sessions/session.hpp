@@ -11,45 +11,26 @@
 #include <string>
 #include <vector>
 
-#include "contactd/proto/session.hpp"
-#include "engine/engine.hpp"
-#include "jobs/job_reports.hpp"
+#include "simulation.hpp"
 
 namespace contactd::server {
 
-/// The answer to a step, kept to be sent again.
-struct StepAnswer {
-    std::size_t request = 0;  ///< hash of what was asked
-    nlohmann::json result;
-    std::vector<std::string> frames;
-};
-
 /// Where a session is: all that a step leaves to the next one. Never changed, so that saving a state is holding it.
 struct SessionState {
-    std::shared_ptr<const engine::StepState> contact;
+    std::shared_ptr<const engine::StepState> last;
     std::shared_ptr<const engine::StepState> before;  ///< where the last step started; null when there was none
     StepAnswer answer;
 };
 using SessionStatePtr = std::shared_ptr<const SessionState>;
 
-/// A step that a request asks for.
-struct StepRequest {
-    const nlohmann::json& params;  ///< of session.step, which have passed their schema
-    const CallPtr& call;           ///< has the frames that they refer to
-    const std::shared_ptr<Job>& job;
-    std::function<void(const JobProgress&)> report;
-    std::function<void()> check_rest;             ///< of the request, once the step's own fields have been read
-    std::function<bool(const StepAnswer&)> send;  ///< false when nobody wants the answer any more
-};
-
 class Session : public std::enable_shared_from_this<Session> {
    public:
     using Clock = std::chrono::steady_clock;
 
-    Session(std::unique_ptr<engine::ContactSteps> steps, std::chrono::duration<double> lease);
+    Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease);
 
-    /// What all steps have in common, and what holds for those that do not say it.
-    const ContactProblem& opened() const { return steps_->opened; }
+    /// Of what the steps are; const, because steps are taken in turns only.
+    const Simulation& simulation() const { return *simulation_; }
     const std::chrono::duration<double> lease;
     const Clock::time_point created = Clock::now();
 
@@ -66,8 +47,9 @@ class Session : public std::enable_shared_from_this<Session> {
     /// whatever fails leaves it as it was. Throws what failed.
     void step(const StepRequest& request, engine::Engine& engine);
 
-    const engine::IcAnswers& ics() const { return steps_->ics(); }
     SessionStatePtr state() const;
+    long long step_number() const { return state()->last->step; }  ///< of the last step
+    std::size_t elements() const { return simulation_->elements(*state()->last); }
     /// In a turn.
     void set_state(SessionStatePtr state);
 
@@ -88,7 +70,7 @@ class Session : public std::enable_shared_from_this<Session> {
     std::chrono::duration<double> idle(Clock::time_point now) const;
 
     std::size_t bytes() const;        ///< what it takes in memory, about, with its states
-    std::size_t state_bytes() const;  ///< of each state
+    std::size_t state_bytes() const;  ///< of the state where it is
 
    private:
     struct Waiting {
@@ -101,8 +83,8 @@ class Session : public std::enable_shared_from_this<Session> {
     void solve_step(const std::shared_ptr<const engine::StepState>& before, std::size_t hash,
                     const StepRequest& request, engine::Engine& engine);
 
-    const std::unique_ptr<engine::ContactSteps> steps_;  // used in turns only
-    mutable std::mutex mutex_;                           // guards what follows
+    const std::unique_ptr<Simulation> simulation_;
+    mutable std::mutex mutex_;  // guards what follows
     SessionStatePtr state_;
     std::map<std::string, SessionStatePtr> states_;
     long long serial_ = 0;
@@ -112,9 +94,6 @@ class Session : public std::enable_shared_from_this<Session> {
     bool closed_ = false;
     Clock::time_point last_used_ = Clock::now();
 };
-
-/// What a session of `setup` will take in memory, about.
-std::size_t session_bytes(const ContactSetup& setup);
 
 /// NOT_FOUND: the session has ended, or never was.
 proto::StatusError session_unknown();

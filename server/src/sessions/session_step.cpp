@@ -60,15 +60,15 @@ void Session::step(const StepRequest& request, engine::Engine& engine) {
         const std::scoped_lock lock(mutex_);
         job_.reset();
     });
-    const SessionStatePtr now = state();
-    const long long last = now->contact->step, number = request.params["step"].get<long long>();
+    const SessionStatePtr here = state();
+    const long long last = here->last->step, number = request.params["step"].get<long long>();
     const std::size_t hash = hash_of(request.params, request.call->request.frames);
-    if (number == last + 1) return solve_step(now->contact, hash, request, engine);
-    if (number != last || !now->before) throw out_of_order(number, last);
-    if (hash == now->answer.request)
-        request.send(now->answer);
+    if (number == last + 1) return solve_step(here->last, hash, request, engine);
+    if (number != last || !here->before) throw out_of_order(number, last);
+    if (hash == here->answer.request)
+        request.send(here->answer);
     else if (request.params.value("again", false))
-        solve_step(now->before, hash, request, engine);
+        solve_step(here->before, hash, request, engine);
     else
         throw differs(last);
 }
@@ -76,25 +76,17 @@ void Session::step(const StepRequest& request, engine::Engine& engine) {
 void Session::solve_step(const std::shared_ptr<const engine::StepState>& before, std::size_t hash,
                          const StepRequest& request, engine::Engine& engine) {
     const proto::Request& message = request.call->request;
-    const auto statement = [&](const std::optional<Motion>& last, ContactProblem& problem) {
-        proto::apply_step(request.params, message.frames, last, problem);
-        if (request.check_rest) request.check_rest();
-    };
     JobObserver observer(request.call, request.job,
                          [&](const Progress& progress) { request.report(to_job_progress(progress)); });
     request.call->outlive_client();  // who reconnects asks for the step again, and finds it done
     request.job->set_running();
     observer.throw_if_cancelled();
-    ContactSolution solution = engine.solve(*steps_, *before, statement, observer);
+    proto::ArrayWriter arrays(message.arrays);
+    Simulation::Solved solved = simulation_->solve(*before, request, arrays, observer, engine);
 
     auto after = std::make_shared<SessionState>();
-    proto::ArrayWriter arrays(message.arrays);
-    after->answer.request = hash;
-    after->answer.result = proto::encode_step_reply(before->step + 1, solution, opened().grid,
-                                                    proto::decode_fields(request.params, {}), arrays);
-    after->answer.frames = arrays.take_frames();
-    after->contact =
-        std::make_shared<const engine::StepState>(engine::ContactSteps::after(*before, std::move(solution)));
+    after->answer = {hash, std::move(solved.result), arrays.take_frames()};
+    after->last = std::make_shared<const engine::StepState>(std::move(solved.after));
     after->before = before;
     // First, since whoever has the answer may ask at once how far the session is.
     const SessionStatePtr last = state();

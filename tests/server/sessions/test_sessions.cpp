@@ -18,7 +18,8 @@ SessionPtr session(std::chrono::duration<double> lease = 300s) {
     spec.setup.grid = Grid{4, 4, 1, 1, 0, 0};
     spec.setup.bodies = {{1, 0}, {1, 0}};
     return std::make_shared<Session>(
-        std::make_unique<engine::ContactSteps>(std::move(spec), engine::IcAnswers{}, ContactInfluence{}), lease);
+        simulation_of(std::make_unique<engine::ContactSteps>(std::move(spec), engine::IcAnswers{}, ContactInfluence{})),
+        lease);
 }
 
 std::string reason_of(const std::function<void()>& act) {
@@ -32,7 +33,7 @@ std::string reason_of(const std::function<void()>& act) {
 
 SessionStatePtr state_at(long long step) {
     auto state = std::make_shared<SessionState>();
-    state->contact = std::make_shared<const engine::StepState>(engine::StepState{step, {}, {}});
+    state->last = std::make_shared<const engine::StepState>(engine::StepState{.step = step});
     return state;
 }
 
@@ -127,8 +128,8 @@ TEST_CASE("A saved state stays what it was and can be forgotten") {
     one->set_state(state_at(6));
 
     CHECK(start != later);
-    CHECK(one->saved(start)->contact->step == 0);
-    CHECK(one->saved(later)->contact->step == 5);
+    CHECK(one->saved(start)->last->step == 0);
+    CHECK(one->saved(later)->last->step == 5);
     CHECK(one->forget(start) == 1);
     CHECK(reason_of([&] { one->saved(start); }) == "STATE_UNKNOWN");
     CHECK(reason_of([&] { one->forget(start); }) == "STATE_UNKNOWN");

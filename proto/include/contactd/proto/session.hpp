@@ -4,12 +4,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "contactd/proto/message.hpp"
 #include "contactd/proto/status.hpp"
+#include "contactd/proto/wheel_rail.hpp"
 #include "contactd/session.hpp"
 
 namespace contactd::proto {
@@ -37,20 +39,42 @@ nlohmann::json encode_step(const std::string& session, long long step, const Ste
 void apply_step(const nlohmann::json& params, const std::vector<std::string>& frames, const std::optional<Motion>& last,
                 ContactProblem& problem);
 
-/// Of several steps, by the schema of session.step_many.
+/// A step, or one of several by the schema of session.step_many.
 struct StepAsked {
     std::string session;
     long long step = 0;
-    const StepInput& input;
-    const Grid& grid;
+    std::variant<const StepInput*, const WheelRailStepInput*> input;
+    std::optional<Grid> grid{};  ///< of a contact
 };
+nlohmann::json encode_step(const StepAsked& asked, ArrayWriter& arrays);
 nlohmann::json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays);
 
-std::vector<StepOrStatus> decode_step_replies(const nlohmann::json& result, const std::vector<std::string>& frames,
-                                              std::span<const Grid> grids);
+/// The answer to a step that was solved.
+AnyStepOrStatus decode_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames,
+                                  const StepAsked& asked);
+std::vector<AnyStepOrStatus> decode_step_replies(const nlohmann::json& result, const std::vector<std::string>& frames,
+                                                 std::span<const StepAsked> asked);
 
 nlohmann::json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid,
                                  const SolutionFields& fields, ArrayWriter& arrays);
 StepReply decode_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames, const Grid& grid);
+
+// --- of wheels on rails ----------------------------------------------------------------------------------------------
+/// Params of session.open and session.step, and results of steps, where they are of a wheel on its rail.
+bool is_of_wheel_rail(const nlohmann::json& message);
+/// With the fields that it names as those of wheelrail.solve where such messages have them: "wheelrail.setup.dx".
+Status below_wheel_rail(Status status);
+
+nlohmann::json encode_session_spec(const WheelRailSessionSpec& spec, ArrayWriter& arrays);
+/// `params` has passed its schema. Throws as decode_wheel_rail_setup.
+WheelRailSessionSpec decode_wheel_rail_session_spec(const nlohmann::json& params,
+                                                    const std::vector<std::string>& frames);
+
+nlohmann::json encode_step(const std::string& session, long long step, const WheelRailStepInput& input);
+WheelRailStepInput decode_wheel_rail_step(const nlohmann::json& params);
+
+nlohmann::json encode_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
+                                 ArrayWriter& arrays);
+WheelRailStepReply decode_wheel_rail_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
 
 }  // namespace contactd::proto

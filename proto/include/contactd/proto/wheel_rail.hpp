@@ -26,10 +26,13 @@ struct PatchFields {
 /// Bodies are told by their materials, as half-spaces. Throws InvalidArgument ("setup.bodies") for others.
 nlohmann::json encode_wheel_rail_request(const WheelRailSetup& setup, const WheelRailState& state,
                                          const PatchFields& fields, ArrayWriter& arrays);
+nlohmann::json encode_wheel_rail_setup(const WheelRailSetup& setup, ArrayWriter& arrays);
 /// `setup` of params that have passed their schema; defaults where there is none. Throws StatusError naming the field
 /// for points that are too many, before anything of their size is allocated, and for arrays that do not fit; the rest
 /// is checked by contactd::validate and make_profile.
 WheelRailSetup decode_wheel_rail_setup(const nlohmann::json& params, const std::vector<std::string>& frames);
+nlohmann::json encode_wheel_rail_friction(const WheelRailFriction& friction);
+WheelRailFriction decode_wheel_rail_friction(const nlohmann::json& friction);
 nlohmann::json encode_wheel_rail_state(const WheelRailState& state);
 WheelRailState decode_wheel_rail_state(const nlohmann::json& state);
 nlohmann::json encode_wheelset_state(const WheelsetState& state);

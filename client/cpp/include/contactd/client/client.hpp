@@ -160,7 +160,7 @@ class Client {
     void cancel_job(const std::string& job, const CallOptions& options = {});
 
    private:
-    friend class Session;
+    friend class AnySession;
     class Impl;
     std::unique_ptr<Impl> impl_;
 };

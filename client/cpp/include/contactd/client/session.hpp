@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "contactd/client/client.hpp"
@@ -27,42 +28,37 @@ struct SavedState {
 };
 
 class Session;
+class WheelRailSession;
 
 /// A step of one of several sessions.
 struct SessionStep {
     Session& session;
     StepInput input;
 };
+struct WheelRailSessionStep {
+    WheelRailSession& session;
+    WheelRailStepInput input;
+};
+using AnySessionStep = std::variant<SessionStep, WheelRailSessionStep>;
 
 /// Solves the next step of each session, all of one client, in one message and on all workers of the daemon: the
 /// contacts of a vehicle. The answers have the order of the steps; one that fails leaves its session as it was and does
 /// not fail the others. With `input.again` all are tried anew, those that failed too. Throws what Session::step does,
 /// and InvalidArgument when sessions are of several clients, or one stands twice.
 std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options = {});
+/// The same of contacts and wheels on rails side by side.
+std::vector<AnyStepOrStatus> step_many(std::span<const AnySessionStep> steps, const CallOptions& options = {});
 
+/// What sessions of contacts and of wheels on rails have in common.
+///
 /// Belongs to the thread of its client, and to the process that opened or joined it: elsewhere, and while another of
 /// its calls runs, a call throws ConcurrencyError. Steps are numbered here: one whose answer does not come
 /// (TimeoutError, ConnectionError) is asked for once more under its number, which the daemon answers without solving
 /// twice. A step that fails leaves the session as it was. Every call throws what Client's do.
-class Session {
+class AnySession {
    public:
-    /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
-    /// InvalidArgument too, for a problem that cannot be solved as stated.
-    Session(Client& client, const SessionSpec& spec, const CallOptions& options = {});
-    /// Opens a session of a problem that says all: gap, load and friction hold for the steps that name none.
-    Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
-    /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
-    /// take turns, and must tell each other: the number of a step that the other one has taken is refused (StatusError,
-    /// FAILED_PRECONDITION) or, asked for in the same words, answered as the other one was. Throws StatusError
-    /// (NOT_FOUND) when it has ended.
-    static Session join(Client& client, const std::string& name, const CallOptions& options = {});
-    /// Ends the session; should the daemon be out of reach, its lease does.
-    ~Session();
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-
-    /// Solves the next step. Arrays of the solution are empty unless `input.fields` names them.
-    StepReply step(const StepInput& input, const CallOptions& options = {});
+    AnySession(const AnySession&) = delete;
+    AnySession& operator=(const AnySession&) = delete;
 
     /// Keeps where the session is.
     SavedState save(const CallOptions& options = {});
@@ -80,13 +76,58 @@ class Session {
     long long step_number() const;  ///< of the last step, 0 before the first
     double lease_seconds() const;   ///< it ends when unused for that long
     std::size_t bytes() const;      ///< of the daemon's memory, when it was opened or joined
-    const IcUses& ics() const;      ///< where the influence coefficients came from
+
+   protected:
+    class Impl;
+    explicit AnySession(std::unique_ptr<Impl> impl);
+    /// Ends the session; should the daemon be out of reach, its lease does.
+    ~AnySession();
+    Impl& impl() const { return *impl_; }
 
    private:
     friend std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options);
-    class Impl;
-    explicit Session(std::unique_ptr<Impl> impl);
+    friend std::vector<AnyStepOrStatus> step_many(std::span<const AnySessionStep> steps, const CallOptions& options);
     std::unique_ptr<Impl> impl_;
+};
+
+/// The session of a contact.
+class Session : public AnySession {
+   public:
+    /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
+    /// InvalidArgument too, for a problem that cannot be solved as stated.
+    Session(Client& client, const SessionSpec& spec, const CallOptions& options = {});
+    /// Opens a session of a problem that says all: gap, load and friction hold for the steps that name none.
+    Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
+    /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
+    /// take turns, and must tell each other: the number of a step that the other one has taken is refused (StatusError,
+    /// FAILED_PRECONDITION) or, asked for in the same words, answered as the other one was. Throws StatusError
+    /// (NOT_FOUND) when it has ended, and InvalidArgument ("name") when it is of another kind.
+    static Session join(Client& client, const std::string& name, const CallOptions& options = {});
+
+    /// Solves the next step. Arrays of the solution are empty unless `input.fields` names them.
+    StepReply step(const StepInput& input, const CallOptions& options = {});
+
+    const IcUses& ics() const;  ///< where the influence coefficients came from
+
+   private:
+    explicit Session(std::unique_ptr<Impl> impl);
+};
+
+/// The session of a wheel on its rail: its profiles are sent and read once, and its operators are kept. Steady rolling
+/// knows no history: a step answers what Client::wheel_rail does, within the tolerances, and starts its searches and
+/// solvers from the step before.
+class WheelRailSession : public AnySession {
+   public:
+    /// Opens a session. `client` outlives it. Throws InvalidArgument too, naming "wheelrail.setup.track.gauge", ...
+    WheelRailSession(Client& client, const WheelRailSessionSpec& spec, const CallOptions& options = {});
+    /// As Session::join.
+    static WheelRailSession join(Client& client, const std::string& name, const CallOptions& options = {});
+
+    /// Solves the next step. Throws InvalidArgument naming "wheelrail.state.position.roll", ...
+    WheelRailStepReply step(const WheelRailStepInput& input, const CallOptions& options = {});
+
+   private:
+    explicit WheelRailSession(std::unique_ptr<Impl> impl);
 };
 
 }  // namespace contactd::client

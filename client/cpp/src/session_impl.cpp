@@ -1,0 +1,146 @@
+#include "session_impl.hpp"
+
+#include <unistd.h>
+
+#include "contactd/error.hpp"
+#include "one_at_a_time.hpp"
+
+namespace contactd::client {
+namespace {
+
+constexpr const char* in_use =
+    "A call of this session runs, in another thread or in whose on_progress this is; a session takes one step at a "
+    "time, in order. Open a session, and a client, for each thread.";
+
+/// Validates a set-up or a state, with the name that its field has in the request.
+template <class Part>
+void validate_as(const std::string& name, const Part& part) {
+    try {
+        validate(part);
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(name + error.field(), std::string(error.what()).substr(error.field().size() + 1));
+    }
+}
+
+}  // namespace
+
+AnySession::Impl::Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step)
+    : client_(client), grid_(grid), told_(std::move(told)), step_(step), process_(::getpid()) {}
+
+std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const SessionSpec& spec,
+                                                           const CallOptions& options) {
+    validate_opening({spec.setup, spec.load});
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_session_spec(spec, arrays);
+    const Reply reply =
+        client.impl_->call("session.open", std::move(params), arrays.take_frames(), options, wait_of(spec.setup));
+    return std::make_unique<Impl>(client, spec.setup.grid, proto::decode_session_reply(reply.result), 0);
+}
+
+std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const WheelRailSessionSpec& spec,
+                                                           const CallOptions& options) {
+    validate_as("wheelrail.setup.", spec.setup);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_session_spec(spec, arrays);
+    const Reply reply = client.impl_->call("session.open", std::move(params), arrays.take_frames(), options);
+    return std::make_unique<Impl>(client, std::nullopt, proto::decode_session_reply(reply.result), 0);
+}
+
+std::unique_ptr<AnySession::Impl> AnySession::Impl::joined(Client& client, const std::string& name, Kind kind,
+                                                           const CallOptions& options) {
+    const json result = client.impl_->quick("session.info", options, {{"session", name}});
+    SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
+    if (info.grid.has_value() != (kind == Kind::contact))
+        throw InvalidArgument("name", info.grid ? "is that of the session of a contact; join it by Session::join"
+                                                : "is that of the session of a wheel on its rail; join it by "
+                                                  "WheelRailSession::join");
+    SessionReply told{name, info.lease_seconds, info.bytes, std::move(info.ics)};
+    return std::make_unique<Impl>(client, info.grid, std::move(told), info.step);
+}
+
+bool AnySession::Impl::has_to_end() const {
+    return open_ && process_ == ::getpid();
+}
+
+void AnySession::Impl::leave() {
+    check_process();
+    open_ = false;
+}
+
+void AnySession::Impl::check_process() const {
+    if (process_ == ::getpid()) return;
+    throw ConcurrencyError("This session belongs to process " + std::to_string(process_) + ", from which process " +
+                           std::to_string(::getpid()) +
+                           " was forked; open one of your own, or take it over by join(client, name).");
+}
+
+json AnySession::Impl::ask(const char* method, const CallOptions& options, json more) {
+    check_process();
+    const OneAtATime turn(user_, in_use);
+    more["session"] = told_.session;
+    return client_.impl_->quick(method, options, std::move(more));
+}
+
+long long AnySession::Impl::number_of(bool again) {
+    if (!again || asked_ == 0) asked_ = step_ + 1;
+    return asked_;
+}
+
+proto::StepAsked AnySession::Impl::asked(const Step& step) {
+    if (const auto* wheel = std::get_if<const WheelRailStepInput*>(&step.input))
+        validate_as("wheelrail.state.", (*wheel)->state);
+    const bool again = std::visit([](const auto* input) { return input->again; }, step.input);
+    return {told_.session, number_of(again), step.input, grid_};
+}
+
+void AnySession::Impl::note(const proto::StepAsked& asked, const AnyStepOrStatus& answer) {
+    if (const auto* step = std::get_if<StepReply>(&answer)) step_ = step->step;
+    if (const auto* step = std::get_if<WheelRailStepReply>(&answer)) {
+        check_pressures(step->solution, std::get<const WheelRailStepInput*>(asked.input)->fields);
+        step_ = step->step;
+    }
+}
+
+AnyStepOrStatus AnySession::Impl::step(std::variant<const StepInput*, const WheelRailStepInput*> input,
+                                       const CallOptions& options) {
+    check_process();
+    const OneAtATime turn(user_, in_use);
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    const proto::StepAsked step = asked({*this, input});
+    const json params = proto::encode_step(step, arrays);
+    const std::vector<std::string> frames = arrays.take_frames();
+    const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options); });
+    AnyStepOrStatus answer = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, step); });
+    note(step, answer);
+    return answer;
+}
+
+std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> steps, const CallOptions& options) {
+    Client& client = steps.front().session.client_;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const std::string field = "steps[" + std::to_string(i) + "].session";
+        if (&steps[i].session.client_ != &client)
+            throw InvalidArgument(field, "is of another client than steps[0].session; all must be of one");
+        for (std::size_t k = 0; k < i; ++k)
+            if (steps[k].session.told_.session == steps[i].session.told_.session)
+                throw InvalidArgument(field,
+                                      "is that of steps[" + std::to_string(k) + "]; each takes one step at a time");
+    }
+    std::vector<std::unique_ptr<const OneAtATime>> turns;
+    for (const Step& step : steps) {
+        step.session.check_process();
+        turns.push_back(std::make_unique<const OneAtATime>(step.session.user_, in_use));
+    }
+    std::vector<proto::StepAsked> all;
+    for (const Step& step : steps) all.push_back(step.session.asked(step));
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
+    const json params = proto::encode_steps(all, arrays);
+    const std::vector<std::string> frames = arrays.take_frames();
+    const Reply reply = insist([&] { return client.impl_->call("session.step_many", params, frames, options); });
+    std::vector<AnyStepOrStatus> answers =
+        decoded([&] { return proto::decode_step_replies(reply.result, reply.frames, all); });
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i].session.note(all[i], answers[i]);
+    return answers;
+}
+
+}  // namespace contactd::client

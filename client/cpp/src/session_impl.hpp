@@ -1,0 +1,77 @@
+// What sessions are made of.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client_impl.hpp"
+#include "contactd/client/session.hpp"
+#include "contactd/proto/session.hpp"
+
+namespace contactd::client {
+
+class AnySession::Impl {
+   public:
+    /// `grid` is that of a contact.
+    Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step);
+
+    static std::unique_ptr<Impl> opened(Client& client, const SessionSpec& spec, const CallOptions& options);
+    static std::unique_ptr<Impl> opened(Client& client, const WheelRailSessionSpec& spec, const CallOptions& options);
+    enum class Kind { contact, wheel_rail };
+    static std::unique_ptr<Impl> joined(Client& client, const std::string& name, Kind kind, const CallOptions& options);
+
+    bool has_to_end() const;
+    /// Ends it no more.
+    void leave();
+
+    json ask(const char* method, const CallOptions& options, json more = json::object());
+
+    /// A step of the session's kind. Throws StatusError where it has failed.
+    AnyStepOrStatus step(std::variant<const StepInput*, const WheelRailStepInput*> input, const CallOptions& options);
+    struct Step {
+        Impl& session;
+        std::variant<const StepInput*, const WheelRailStepInput*> input;
+    };
+    /// Of one client, at least one.
+    static std::vector<AnyStepOrStatus> step_many(std::span<const Step> steps, const CallOptions& options);
+    void go_to(long long step) { step_ = asked_ = step; }
+
+    const SessionReply& told() const { return told_; }
+    long long step_number() const { return step_; }
+
+   private:
+    proto::StepAsked asked(const Step& step);
+    /// The number of what is asked for.
+    long long number_of(bool again);
+    void check_process() const;
+    /// The session has gone where the answer to what was asked says.
+    void note(const proto::StepAsked& asked, const AnyStepOrStatus& answer);
+
+    Client& client_;
+    const std::optional<Grid> grid_;
+    const SessionReply told_;
+    long long step_;
+    long long asked_ = step_;  // the number that was asked for last
+    bool open_ = true;
+    const int process_;
+    std::atomic<int> user_ = 0;
+};
+
+/// Once more when no answer came; the daemon knows a request that it has answered.
+template <class Ask>
+auto insist(const Ask& ask) {
+    try {
+        return ask();
+    } catch (const TimeoutError&) {
+        return ask();
+    } catch (const ConnectionError&) {
+        return ask();
+    }
+}
+
+}  // namespace contactd::client

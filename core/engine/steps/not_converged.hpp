@@ -1,0 +1,24 @@
+// Why a step does not count.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "contactd/contact.hpp"
+#include "contactd/status.hpp"
+
+namespace contactd::engine {
+
+/// The solvers that missed their tolerance.
+class MissedTolerances {
+   public:
+    void add(const char* name, const std::optional<SolverEvidence>& solver);
+    void add(const ContactEvidence& evidence);
+    /// ABORTED, NOT_CONVERGED.
+    StatusError error() const;
+
+   private:
+    std::string solvers_;
+};
+
+}  // namespace contactd::engine

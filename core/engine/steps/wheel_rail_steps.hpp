@@ -1,0 +1,32 @@
+// The numbered steps of one wheel on its rail.
+#pragma once
+
+#include "contactd/observer.hpp"
+#include "contactd/session.hpp"
+#include "engine/steps/contact_steps.hpp"
+#include "engine/wheel_rail/prepared_contacts.hpp"
+
+namespace contactd::engine {
+
+/// Steady rolling knows no history: the step before only tells where searches and solvers start. For one call at a
+/// time.
+class WheelRailSteps {
+   public:
+    WheelRailSteps(PreparedContacts::Contact contact, bool accept_unconverged);
+
+    const WheelRailSetup& setup() const { return opened_->setup(); }
+
+    /// As opened, or with the friction that a step names. Throws InvalidArgument ("friction.mu", ...).
+    const WheelRailContact& contact_with(const std::optional<WheelRailFriction>& friction);
+    /// The step of such a contact after `before`, and what it leaves to the next one in `after`. Throws as
+    /// WheelRailContact::solve, and StatusError (NOT_CONVERGED) unless such steps count.
+    WheelRailSolution solve(const WheelRailContact& contact, const StepState& before, const WheelRailState& state,
+                            StepState& after, Observer& observer) const;
+
+   private:
+    const PreparedContacts::Contact opened_;
+    const bool accept_unconverged_;
+    std::optional<WheelRailContact> other_friction_{};  // of the last step that named one
+};
+
+}  // namespace contactd::engine

@@ -1,0 +1,72 @@
+// session.open, session.step and their replies, of wheels on rails: the fields of wheelrail.solve below `wheelrail`.
+#include <utility>
+
+#include "codec_parts.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/object.hpp"
+#include "contactd/proto/session.hpp"
+#include "contactd/proto/status.hpp"
+
+namespace contactd::proto {
+
+using nlohmann::json;
+
+bool is_of_wheel_rail(const json& message) {
+    return message.contains("wheelrail");
+}
+
+Status below_wheel_rail(Status status) {
+    for (Violation& violation : status.violations) {
+        const std::string name = "wheelrail." + violation.field;
+        if (status.message.starts_with(violation.field)) status.message.replace(0, violation.field.size(), name);
+        violation.field = name;
+    }
+    return status;
+}
+
+json encode_session_spec(const WheelRailSessionSpec& spec, ArrayWriter& arrays) {
+    json params = object({{"wheelrail", object({{"setup", encode_wheel_rail_setup(spec.setup, arrays)}})}});
+    if (spec.lease_seconds) params["lease_seconds"] = finite_field(*spec.lease_seconds, "lease_seconds");
+    params["accept_unconverged"] = spec.accept_unconverged;
+    return params;
+}
+
+WheelRailSessionSpec decode_wheel_rail_session_spec(const json& params, const std::vector<std::string>& frames) {
+    WheelRailSessionSpec spec;
+    spec.setup = decode_wheel_rail_setup(params["wheelrail"], frames);
+    if (params.contains("lease_seconds")) spec.lease_seconds = params["lease_seconds"].get<double>();
+    spec.accept_unconverged = params.value("accept_unconverged", false);
+    return spec;
+}
+
+json encode_step(const std::string& session, long long step, const WheelRailStepInput& input) {
+    json said = object({{"state", encode_wheel_rail_state(input.state)}});
+    if (input.friction) said["friction"] = encode_wheel_rail_friction(*input.friction);
+    if (input.gap) said["gap"] = true;
+    json params = object({{"session", session}, {"step", step}, {"wheelrail", std::move(said)}});
+    if (input.again) params["again"] = true;
+    if (!input.fields.empty()) params["fields"] = encode_fields(input.fields);
+    return params;
+}
+
+WheelRailStepInput decode_wheel_rail_step(const json& params) {
+    const json& said = params["wheelrail"];
+    WheelRailStepInput input;
+    input.state = decode_wheel_rail_state(said["state"]);
+    if (said.contains("friction")) input.friction = decode_wheel_rail_friction(said["friction"]);
+    input.again = params.value("again", false);
+    input.fields = decode_fields(params, {});
+    input.gap = said.value("gap", false);
+    return input;
+}
+
+json encode_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
+                       ArrayWriter& arrays) {
+    return object({{"step", step}, {"wheelrail", encode_wheel_rail_solution(solution, fields, arrays)}});
+}
+
+WheelRailStepReply decode_wheel_rail_step_reply(const json& result, const std::vector<std::string>& frames) {
+    return {result["step"].get<long long>(), decode_wheel_rail_solution(result["wheelrail"], frames)};
+}
+
+}  // namespace contactd::proto

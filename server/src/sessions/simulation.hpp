@@ -1,0 +1,66 @@
+// What a session steps through: a contact, or a wheel on its rail.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contactd/proto/session.hpp"
+#include "engine/engine.hpp"
+#include "jobs/job_reports.hpp"
+
+namespace contactd::server {
+
+/// The answer to a step, kept to be sent again.
+struct StepAnswer {
+    std::size_t request = 0;  ///< hash of what was asked
+    nlohmann::json result;
+    std::vector<std::string> frames;
+};
+
+/// A step that a request asks for.
+struct StepRequest {
+    const nlohmann::json& params;  ///< of session.step, which have passed their schema
+    const CallPtr& call;           ///< has the frames that they refer to
+    const std::shared_ptr<Job>& job;
+    std::function<void(const JobProgress&)> report;
+    std::function<void()> check_rest;             ///< of the request, once the step's own fields have been read
+    std::function<bool(const StepAnswer&)> send;  ///< false when nobody wants the answer any more
+};
+
+/// Used in the turns of its session only, but for what is const.
+class Simulation {
+   public:
+    virtual ~Simulation() = default;
+
+    /// All that a step leaves to the next one; here what the first one starts from.
+    virtual engine::StepState start() const = 0;
+
+    struct Solved {
+        nlohmann::json result;
+        engine::StepState after;
+    };
+    /// The step after `before`. Throws what the engine does, and StatusError for a step of the other kind.
+    virtual Solved solve(const engine::StepState& before, const StepRequest& request, proto::ArrayWriter& arrays,
+                         Observer& observer, engine::Engine& engine) = 0;
+
+    /// What all steps have in common: what session.info tells of it, and no more.
+    virtual SessionInfo common() const = 0;
+    /// Of the patches that the step before `state` was solved on.
+    virtual std::size_t elements(const engine::StepState& state) const = 0;
+    /// Whether a step takes about as long as waking a thread.
+    virtual bool is_small() const = 0;
+    virtual std::size_t bytes() const = 0;  ///< of memory, about, with the state where it is when it starts
+    virtual std::size_t state_bytes(const engine::StepState& state) const = 0;  ///< of each state
+};
+
+/// What a session of `setup` will take in memory, about.
+std::size_t session_bytes(const ContactSetup& setup);
+std::size_t session_bytes(const WheelRailSetup& setup);
+
+std::unique_ptr<Simulation> simulation_of(std::unique_ptr<engine::ContactSteps> steps);
+std::unique_ptr<Simulation> simulation_of(std::unique_ptr<engine::WheelRailSteps> steps);
+
+}  // namespace contactd::server

@@ -1,0 +1,74 @@
+// Sessions of a wheel on its rail.
+#include <utility>
+
+#include "below_wheel_rail.hpp"
+#include "contactd/proto/codec.hpp"
+#include "simulation.hpp"
+
+namespace contactd::server {
+namespace {
+
+// Of a point of a profile as it was said, and as curves hold it; of an element of a patch, in a state with its answer
+// and with what was before it.
+constexpr std::size_t bytes_per_point = 400, bytes_per_element_state = 152, bytes_beside = 65536;
+constexpr std::size_t points_of_formulae = 2000;  // of what is generated
+
+std::size_t points_of(const ProfileSpec& profile) {
+    const auto* given = std::get_if<ProfilePoints>(&profile.shape);
+    return given ? given->points.size() : points_of_formulae;
+}
+
+class WheelRailSimulation final : public Simulation {
+   public:
+    explicit WheelRailSimulation(std::unique_ptr<engine::WheelRailSteps> steps) : steps_(std::move(steps)) {}
+
+    engine::StepState start() const override { return {}; }
+
+    Solved solve(const engine::StepState& before, const StepRequest& request, proto::ArrayWriter& arrays,
+                 Observer& observer, engine::Engine& engine) override {
+        if (!proto::is_of_wheel_rail(request.params))
+            throw proto::invalid_field("wheelrail", "is missing; every step of a wheel on its rail brings it");
+        if (request.check_rest) request.check_rest();
+        const WheelRailStepInput input = proto::decode_wheel_rail_step(request.params);
+        Solved solved;
+        const WheelRailSolution solution =
+            below_wheel_rail([&] { return engine.solve(*steps_, before, input, solved.after, observer); });
+        solved.result = proto::encode_step_reply(before.step + 1, solution, {input.fields, input.gap}, arrays);
+        return solved;
+    }
+
+    SessionInfo common() const override {
+        SessionInfo info;
+        info.side = steps_->setup().side;
+        return info;
+    }
+    std::size_t elements(const engine::StepState& state) const override {
+        std::size_t sum = 0;
+        for (const WheelRailEstimates::Patch& patch : state.wheel_rail.patches) sum += patch.grid.size();
+        return sum;
+    }
+    // Searches for contacts and for heights take some times as long.
+    bool is_small() const override { return false; }
+    std::size_t bytes() const override { return session_bytes(steps_->setup()); }
+    std::size_t state_bytes(const engine::StepState& state) const override {
+        return bytes_beside + elements(state) * bytes_per_element_state;
+    }
+
+   private:
+    const std::unique_ptr<engine::WheelRailSteps> steps_;
+};
+
+}  // namespace
+
+std::size_t session_bytes(const WheelRailSetup& setup) {
+    std::size_t points = points_of(setup.wheel);
+    if (setup.rail_slices.empty()) points += points_of(setup.rail);
+    for (const RailSlice& slice : setup.rail_slices) points += points_of(slice.profile);
+    return bytes_beside + points * bytes_per_point;
+}
+
+std::unique_ptr<Simulation> simulation_of(std::unique_ptr<engine::WheelRailSteps> steps) {
+    return std::make_unique<WheelRailSimulation>(std::move(steps));
+}
+
+}  // namespace contactd::server
