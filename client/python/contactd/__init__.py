@@ -72,15 +72,18 @@ from .solution import (
 from .steps import StepInput, StepSolution
 from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
+from .wheel_rail_session import WheelRailSession
+from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
-    from .aio import AsyncClient, AsyncSession
+    from .aio import AsyncClient, AsyncSession, AsyncWheelRailSession
 
 __all__ = [
     "Aborted",
     "AnalyticIcs",
     "AsyncClient",
     "AsyncSession",
+    "AsyncWheelRailSession",
     "Cancelled",
     "Client",
     "ConnectionFailed",
@@ -140,6 +143,9 @@ __all__ = [
     "Unavailable",
     "Unimplemented",
     "Violation",
+    "WheelRailSession",
+    "WheelRailStepInput",
+    "WheelRailStepSolution",
     "__version__",
     "combined_modulus",
     "from_dict",
@@ -154,7 +160,7 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     """What takes asyncio along is imported when it is first wanted."""
-    if name in ("AsyncClient", "AsyncSession"):
+    if name in ("AsyncClient", "AsyncSession", "AsyncWheelRailSession"):
         from . import aio
 
         return getattr(aio, name)

@@ -8,41 +8,37 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, overload
 
+from .any_session import AnySession
 from .calls import Awaits, ContactCalls, ServerCalls, SessionCalls, TableCalls, WheelRailCalls, solved, solved_many
 from .calls.asking import Asked, Pause
 from .calls.caller import Caller, ProgressCallback
 from .errors import ConnectionFailed, ContactdError, StatusError
 from .exchanges import Exchanges
+from .many_steps import stepped_sessions
 from .messages import Reply, Request
 from .partial import Fields, PartialSolution
 from .problem import ContactProblem
-from .session import AnySession
+from .session import AnyContactSession
 from .solution import ContactSolution, StoredIc
+from .steps import StepInput, StepSolution
+from .wheel_rail_session import AnyWheelRailSession
+from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
-    from typing_extensions import Unpack
+    from typing_extensions import Self, Unpack
 
     from .keywords import ProblemFields
 
-__all__ = ["AsyncClient", "AsyncSession"]
+__all__ = ["AsyncClient", "AsyncSession", "AsyncWheelRailSession"]
 
 
-class AsyncSession(AnySession, Awaits):
-    """The Session of an AsyncClient: the same steps, which are awaited.
-
-    ::
-
-        async with await client.session(grid=grid, upper=steel, gap=gap, Fn=1e4) as session:
-            solution = await session.step(Fn=2e4)
-
-    Steps have an order: one that is asked for while another one runs raises ContactdError. Tasks of one loop may take
-    turns.
-    """
+class SessionThatAwaits(AnySession, Awaits):
+    """A session whose calls are awaited, and which ends with its ``async with`` block."""
 
     async def _carry_out(self, asked: Asked) -> Any:
         return await self._client._carry_out(asked)  # type: ignore[attr-defined]
 
-    async def __aenter__(self) -> AsyncSession:
+    async def __aenter__(self) -> Self:
         return self
 
     async def __aexit__(
@@ -54,7 +50,24 @@ class AsyncSession(AnySession, Awaits):
             pass  # the parent's to end, gone already, or out of reach: then its lease ends it
 
 
-class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[AsyncSession], Awaits):
+class AsyncSession(AnyContactSession, SessionThatAwaits):
+    """The Session of an AsyncClient: the same steps, which are awaited.
+
+    ::
+
+        async with await client.session(grid=grid, upper=steel, gap=gap, Fn=1e4) as session:
+            solution = await session.step(Fn=2e4)
+
+    Steps have an order: one that is asked for while another one runs raises ContactdError. Tasks of one loop may take
+    turns.
+    """
+
+
+class AsyncWheelRailSession(AnyWheelRailSession, SessionThatAwaits):
+    """The WheelRailSession of an AsyncClient: the same steps, which are awaited."""
+
+
+class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[AsyncSession, AsyncWheelRailSession], Awaits):
     """A Client whose calls are coroutines: same names, same arguments, same answers and exceptions.
 
     ::
@@ -71,6 +84,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
     """
 
     _session_kind = AsyncSession
+    _wheel_rail_session_kind = AsyncWheelRailSession
 
     def __init__(
         self,
@@ -208,6 +222,25 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
     ) -> list[Any]:
         """As Client.solve_many."""
         return await self._run(solved_many(self, problems, fields, timeout, on_progress, progress))
+
+    @overload
+    async def step_many(
+        self, steps: Iterable[tuple[AsyncSession, StepInput]], *, timeout: float | None = None
+    ) -> list[StepSolution | StatusError]: ...
+    @overload
+    async def step_many(
+        self, steps: Iterable[tuple[AsyncWheelRailSession, WheelRailStepInput]], *, timeout: float | None = None
+    ) -> list[WheelRailStepSolution | StatusError]: ...
+    @overload
+    async def step_many(
+        self,
+        steps: Iterable[tuple[AsyncSession, StepInput] | tuple[AsyncWheelRailSession, WheelRailStepInput]],
+        *,
+        timeout: float | None = None,
+    ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
+    async def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
+        """As Client.step_many."""
+        return await self._run(stepped_sessions(self, steps, timeout))
 
     async def _carry_out(self, asked: Asked) -> Reply | None:
         if isinstance(asked, Pause):

@@ -13,12 +13,16 @@ from .calls.asking import Asked, Pause
 from .calls.caller import Caller, ProgressCallback
 from .connections import Connections, Lender
 from .errors import StatusError, TimeoutExpired, Unauthenticated
+from .many_steps import stepped_sessions
 from .messages import Reply, Request
 from .partial import Fields, PartialSolution
 from .problem import ContactProblem
 from .session import Session
 from .solution import ContactSolution, StoredIc
+from .steps import StepInput, StepSolution
 from .waiting import spin_of
+from .wheel_rail_session import WheelRailSession
+from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -28,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["Client"]
 
 
-class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[Session], Waits):
+class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits):
     """Speaks with the daemon at `endpoint`, such as ``tcp://127.0.0.1:5555`` or ``ipc:///run/contactd.socket``.
 
     Connects with the first call. Safe to share between threads: every call has a socket of its own for as long as it
@@ -53,6 +57,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
     """
 
     _session_kind = Session
+    _wheel_rail_session_kind = WheelRailSession
 
     def __init__(
         self,
@@ -200,6 +205,42 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         several problems share (a gap, TableIcs) is sent once.
         """
         return self._run(solved_many(self, problems, fields, timeout, on_progress, progress))
+
+    @overload
+    def step_many(
+        self, steps: Iterable[tuple[Session, StepInput]], *, timeout: float | None = None
+    ) -> list[StepSolution | StatusError]: ...
+    @overload
+    def step_many(
+        self, steps: Iterable[tuple[WheelRailSession, WheelRailStepInput]], *, timeout: float | None = None
+    ) -> list[WheelRailStepSolution | StatusError]: ...
+    @overload
+    def step_many(
+        self,
+        steps: Iterable[tuple[Session, StepInput] | tuple[WheelRailSession, WheelRailStepInput]],
+        *,
+        timeout: float | None = None,
+    ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
+    def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
+        """Takes the next step of 1 to 1000 sessions of this client in one message, on all workers of the daemon: of all
+        contacts of a vehicle. Each is told as the session and the keywords of its step::
+
+            answers = client.step_many([(left, {"Fn": 51e3, "xi": 1e-3}), (right, {"Fn": 49e3, "xi": -1e-3})])
+            answers = client.step_many([(wheel, {"state": state}) for wheel, state in zip(wheels, states)])
+
+        The answers are in the order of the steps. Where a step fails, its answer is the exception that Session.step would
+        have raised; its session stays where it was, and the others take their steps all the same. With ``"again": True``
+        in each, all are tried anew, those that failed, too. An array that several steps share (a gap) is sent once.
+
+        Raises InvalidArgument for the whole, before any session has moved, when a step has a field that the schema does
+        not allow, which it names like ``steps[3].friction.mu``, and when a session stands twice or is of another client;
+        ContactdError while another call of one of the sessions runs.
+
+        Steps whose answer does not come are asked for again under their numbers, as often as all of the sessions'
+        `retries` allow. When the whole fails (a timeout, Ctrl-C), some have taken their steps and others have not: the
+        same steps asked for again go on from there, and so do others with ``"again": True``.
+        """
+        return self._run(stepped_sessions(self, steps, timeout))
 
     def _carry_out(self, asked: Asked) -> Reply | None:
         if isinstance(asked, Pause):

@@ -7,12 +7,10 @@ from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from .any_session import AnySession
 from .arrays import invalid
 from .calls.asking import Answering, insist
-from .errors import StatusError
 from .outcomes import outcomes
-from .session import AnySession
-from .steps import StepInput, StepSolution
 
 if TYPE_CHECKING:
     from .calls.caller import Caller
@@ -21,8 +19,8 @@ __all__ = ["stepped_sessions"]
 
 
 def stepped_sessions(
-    client: Caller, pairs: Iterable[tuple[AnySession, StepInput]], timeout: float | None
-) -> Answering[list[StepSolution | StatusError]]:
+    client: Caller, pairs: Iterable[tuple[AnySession, Mapping[str, Any]]], timeout: float | None
+) -> Answering[list[Any]]:
     """The steps of Client.step_many."""
     pairs = list(pairs)
     if not pairs:
@@ -39,18 +37,19 @@ def stepped_sessions(
             return client.asked("session.step_many", {"steps": params}, timeout=timeout)
 
         result = yield from insist(ask, min(session.retries for session, _ in pairs))
-        readers = [partial(own.read, asked.get("fields", ())) for asked, (own, _) in zip(params, steps)]
+        readers = [partial(own.read, asked) for asked, (own, _) in zip(params, steps)]
         return outcomes("session.step_many", result, "steps", readers)
 
 
-def _check(client: Caller, pairs: list[tuple[AnySession, StepInput]]) -> None:
+def _check(client: Caller, pairs: list[tuple[AnySession, Mapping[str, Any]]]) -> None:
     first: dict[str, int] = {}
     for i, pair in enumerate(pairs):
         if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], AnySession) and isinstance(pair[1], Mapping)):
             raise TypeError(f'steps[{i}] must be a session and what its step says, such as (session, {{"Fn": 9e3}})')
         session, step = pair
-        if unknown := step.keys() - StepInput.__annotations__.keys():
-            raise TypeError(f"steps[{i}] says {', '.join(sorted(unknown))}, which Session.step does not know for one of many")
+        if unknown := step.keys() - session._steps.words:
+            kind = type(session).__name__
+            raise TypeError(f"steps[{i}] says {', '.join(sorted(unknown))}, which {kind}.step does not know for one of many")
         if session._client is not client:
             raise invalid(f"steps[{i}].session", "is of another client; it must be of the one that is asked")
         if (other := first.setdefault(session.name, i)) != i:

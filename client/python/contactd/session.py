@@ -1,17 +1,15 @@
-"""Sessions: the steps of a simulation, each of which starts where the one before ended (docs/sessions.md)."""
+"""Sessions of a contact: the steps of a simulation, each of which starts where the one before ended (docs/sessions.md)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
-from .calls.asking import Answering, Asked, Waits, asks, insist
-from .checks import check_type
-from .errors import ContactdError, ProtocolError
+from .any_session import AnySession, ProgressCallback, SavedState, SessionThatWaits, lease_params, told_number
+from .calls.asking import Answering, asks
+from .errors import ProtocolError
 from .friction import Force, Friction, RollingKind
 from .gaps import Paraboloid, SemiAxes
 from .grid import Grid
@@ -19,29 +17,14 @@ from .partial import Fields
 from .problem import check_field_types
 from .problem_params import opening_params
 from .reading import read
-from .showing import Rows, Shown
-from .solution import IcUse, Progress
-from .steps import StepInput, Steps, StepSolution
+from .showing import Rows
+from .solution import IcUse
+from .steps import ContactSteps, StepInput, StepSolution
 
 if TYPE_CHECKING:
     from .calls.caller import Caller
 
-__all__ = ["AnySession", "SavedState", "Session", "SessionSummary", "StepSolution", "opening"]
-
-ProgressCallback = Callable[[Progress], None]
-
-
-@dataclass(frozen=True)
-class SavedState:
-    """What save() returns and restore() takes.
-
-    Attributes:
-        name: What the daemon calls it.
-        step: Number of the last step when it was saved.
-    """
-
-    name: str
-    step: int
+__all__ = ["AnyContactSession", "SavedState", "Session", "SessionSummary", "StepSolution", "opening"]
 
 
 @dataclass(frozen=True)
@@ -55,7 +38,7 @@ class SessionSummary:
         step: Number of its last step.
         states: Saved states.
         bytes: What it takes of the daemon's memory, saved states included.
-        elements: Elements of its grid.
+        elements: Elements of its grid; of a wheel on its rail those of all patches of its last step.
     """
 
     age_seconds: float
@@ -73,60 +56,27 @@ def opening(fields: dict[str, Any], lease: float | None, accept_unconverged: boo
     check_field_types(given)
     if given.keys() >= {"approach", "Fn"}:
         raise TypeError("session() takes either approach or Fn")
-    params = opening_params(given)
-    if lease is not None:
-        params["lease_seconds"] = lease
-    if accept_unconverged:
-        params["accept_unconverged"] = True
-    return params
+    return opening_params(given) | lease_params(lease, accept_unconverged)
 
 
-class AnySession(Shown):
-    """The steps of a session, whether they are waited for (Session) or awaited (AsyncSession)."""
+class AnyContactSession(AnySession):
+    """The session of a contact."""
+
+    _steps: ContactSteps
 
     def __init__(self, client: Caller, name: str, told: dict[str, Any], grid: Grid, rolls: bool) -> None:
-        try:
-            self.lease_seconds = float(told["lease_seconds"])
-            self.bytes = int(told["bytes"])
-            step = int(told["step"])
-            ics = told["ics"].items()
-        except (KeyError, TypeError, ValueError, AttributeError):
-            raise ProtocolError("The answer to session.open or session.info lacks its session.") from None
-        self.ics = {body: read(IcUse, use, f"result.ics.{body}") for body, use in ics}
-        self.retries = 1
-        self._client = client
-        self._steps = Steps(name, grid, rolls, step)
-
-    @property
-    def name(self) -> str:
-        """The key to the session, for Client.join_session: who has it can take steps, and end it."""
-        return self._steps.session
+        super().__init__(client, ContactSteps(name, grid, rolls, told_number(told, "step", int)), told)
+        if not isinstance(ics := told.get("ics"), dict):
+            raise ProtocolError("The answer to session.open or session.info lacks its session.")
+        self.ics = {body: read(IcUse, use, f"result.ics.{body}") for body, use in ics.items()}
 
     @property
     def grid(self) -> Grid:
         """The potential contact area."""
         return self._steps.grid
 
-    @property
-    def step_number(self) -> int:
-        """Number of the last step, 0 before the first."""
-        return self._steps.number
-
-    def __reduce__(self) -> Any:
-        raise TypeError("a Session cannot be pickled; hand on session.name, and join it by client.join_session(name)")
-
-    def _title(self) -> str:
-        return f"Session {self.name[:6]}... of {self._client.endpoint}"  # no more of the key
-
-    def _rows(self) -> Rows:
-        grid = f"{self.grid.nx} x {self.grid.ny} elements of {self.grid.dx:g} x {self.grid.dy:g}"
-        return [("last step", self.step_number), ("grid", grid), ("lease", f"{self.lease_seconds:g} s")]
-
-    @asks
-    def close(self, *, timeout: float | None = None) -> Answering[None]:
-        """Ends the session in the daemon. Raises NotFound when it has ended already."""
-        self._steps.check_process()
-        yield from self._client.asked("session.close", {"session": self.name}, timeout=timeout)
+    def _common(self) -> Rows:
+        return [("grid", f"{self.grid.nx} x {self.grid.ny} elements of {self.grid.dx:g} x {self.grid.dy:g}")]
 
     @asks
     def step(
@@ -176,50 +126,11 @@ class AnySession(Shown):
             "xi": xi, "eta": eta, "phi": phi, "chi": chi, "dq": dq, "spin_offset": spin_offset, "kind": kind,
             "steps": steps, "velocity": velocity, "derivatives": derivatives, "fields": fields, "again": again,
         }  # fmt: skip
-        with self._steps.alone():
-            params = self._steps.params(self._steps.number_of(step), step)
-            result = yield from self._insist("session.step", params, timeout, on_progress, progress)
-            return self._steps.read(params.get("fields", ()), result)
-
-    @asks
-    def save(self, *, timeout: float | None = None) -> Answering[SavedState]:
-        """Keeps where the session is, for restore()."""
-        with self._steps.alone():
-            result = yield from self._client.asked("session.save", {"session": self.name}, timeout=timeout)
-        return SavedState(str(result["state"]), int(result["step"]))
-
-    @asks
-    def restore(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
-        """Takes the session to a saved state, which stays: as often as wanted."""
-        check_type("state", state, SavedState)
-        with self._steps.alone():
-            result = yield from self._insist("session.restore", {"session": self.name, "state": state.name}, timeout)
-            self._steps.go_to(int(result["step"]))
-
-    @asks
-    def forget(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
-        """Frees a saved state."""
-        check_type("state", state, SavedState)
-        self._steps.check_process()
-        yield from self._client.asked("session.forget", {"session": self.name, "state": state.name}, timeout=timeout)
-
-    def _insist(
-        self,
-        method: str,
-        params: dict[str, Any],
-        timeout: float | None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-    ) -> Answering[dict[str, Any]]:
-        """Asks again when no answer came: the daemon tells a request that it has answered by its number."""
-
-        def ask() -> Answering[dict[str, Any]]:
-            return self._client.asked(method, params, timeout=timeout, on_progress=on_progress, progress=progress)
-
-        return insist(ask, self.retries)
+        solution: StepSolution = yield from self._step(step, timeout, on_progress, progress)
+        return solution
 
 
-class Session(AnySession, Waits):
+class Session(AnyContactSession, SessionThatWaits):
     """The steps of a simulation, of which each starts where the one before ended.
 
     ::
@@ -247,17 +158,3 @@ class Session(AnySession, Waits):
         ics: Where the influence coefficients came from, as in ContactEvidence.
         retries: How often a step or a restore whose answer does not come is asked for again.
     """
-
-    def _carry_out(self, asked: Asked) -> Any:
-        return self._client._carry_out(asked)  # type: ignore[attr-defined]
-
-    def __enter__(self) -> Session:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
-    ) -> None:
-        try:
-            self.close()
-        except ContactdError:
-            pass  # the parent's to end, gone already, or out of reach: then its lease ends it

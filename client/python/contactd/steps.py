@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Iterable, Iterator
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, TypedDict
@@ -19,7 +20,7 @@ from .partial import Fields, PartialSolution, check_arrays, names_of, on_grid
 from .reading import read
 from .showing import with_inherited_attributes
 
-__all__ = ["StepInput", "StepSolution", "Steps"]
+__all__ = ["ContactSteps", "StepInput", "StepSolution", "Steps"]
 
 _ROLLING = ("xi", "eta", "phi", "chi", "dq", "spin_offset", "kind", "steps", "velocity")
 _SHIFT = ("rigid_shift", "rotation", "duration")
@@ -68,19 +69,18 @@ class StepSolution(PartialSolution):
         return f"StepSolution {self.step}"
 
 
-class Steps:
+class Steps(ABC):
     """The steps of one session, which have an order: numbers them, and lets one thread of one process take them.
 
     Attributes:
         session: Its name.
-        grid: The potential contact area.
         number: That of the last step, 0 before the first.
     """
 
-    def __init__(self, session: str, grid: Grid, rolls: bool, number: int) -> None:
+    words: frozenset[str]  #: what a step may say
+
+    def __init__(self, session: str, number: int) -> None:
         self.session = session
-        self.grid = grid
-        self._rolls = rolls
         self._process = os.getpid()
         self._in_use = threading.Lock()
         self.go_to(number)
@@ -111,32 +111,58 @@ class Steps:
         finally:
             self._in_use.release()
 
-    def number_of(self, step: StepInput) -> int:
+    def number_of(self, step: Mapping[str, Any]) -> int:
         """The number to ask for: the next one, or with `again` the one asked for last, whatever came of it."""
         if not step.get("again") or self._asked == 0:
             self._asked = self.number + 1
         return self._asked
 
-    def params(self, number: int, step: StepInput) -> dict[str, Any]:
+    def params(self, number: int, step: Mapping[str, Any]) -> dict[str, Any]:
         """The parameters of session.step. Raises TypeError or InvalidArgument for what has no form on the wire."""
         params: dict[str, Any] = {"session": self.session, "step": number}
         if step.get("again"):
             params["again"] = True
-        params |= {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
+        params |= self._said(step)
+        if names := names_of(step.get("fields", ())):
+            params["fields"] = names
+        return params
+
+    @abstractmethod
+    def _said(self, step: Any) -> dict[str, Any]:
+        """What the step says beside its number and the arrays that it wants."""
+
+    @abstractmethod
+    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> Any:
+        """The answer to the step with the parameters `asked`, with which the session has moved on."""
+
+
+class ContactSteps(Steps):
+    """The steps of a contact.
+
+    Attributes:
+        grid: The potential contact area.
+    """
+
+    words = frozenset(StepInput.__annotations__)
+
+    def __init__(self, session: str, grid: Grid, rolls: bool, number: int) -> None:
+        super().__init__(session, number)
+        self.grid = grid
+        self._rolls = rolls
+
+    def _said(self, step: StepInput) -> dict[str, Any]:
+        params: dict[str, Any] = {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
         if (gap := step.get("gap")) is not None:
             params["gap"] = gap_params(gap)
         if friction := self._friction(step):
             params["friction"] = friction
         if (derivatives := step.get("derivatives")) is not None:
             params["derivatives"] = derivatives
-        if names := names_of(step.get("fields", ())):
-            params["fields"] = names
         return params
 
-    def read(self, names: Iterable[str], result: Any, path: str = "result") -> StepSolution:
-        """The answer to a step that was asked for the arrays `names`, with which the session has moved on."""
+    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> StepSolution:
         solution = read(StepSolution, result, path)
-        check_arrays(solution, names, self.grid)
+        check_arrays(solution, asked.get("fields", ()), self.grid)
         self.number = solution.step
         return on_grid(solution, self.grid)
 

@@ -23,7 +23,7 @@ from .wheel_rail import (
     WheelsetState,
 )
 
-__all__ = ["profile_params", "setup_params", "state_params", "wheelset_state_params"]
+__all__ = ["friction_params", "profile_params", "setup_params", "state_params", "wheelset_state_params"]
 
 
 def profile_params(profile: Profile, field: str) -> dict[str, Any]:
@@ -60,7 +60,7 @@ def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:
     if setup.track is not None:
         params["track"] = _track_params(setup.track)
     if setup.friction is not None:
-        params["friction"] = _friction_params(setup.friction)
+        params["friction"] = friction_params(setup.friction)
     if bodies := {name: _body_params(given[name]) for name in ("upper", "lower") if name in given}:
         params["bodies"] = {"upper": plain(Material(G=82000, nu=0.28)), **bodies}
     if settings := {name: plain(given[name]) for name in ("normal", "tangential", "outer") if name in given}:
@@ -89,7 +89,8 @@ def _track_params(track: Track) -> dict[str, Any]:
     return given
 
 
-def _friction_params(friction: WheelRailFriction) -> dict[str, Any]:
+def friction_params(friction: WheelRailFriction) -> dict[str, Any]:
+    """`friction` of a set-up, or of a step."""
     given = plain(friction)
     if np.ndim(friction.mu) > 0:
         given["mu"] = [{"angle": angle, "mu": mu} for angle, mu in friction.mu]  # type: ignore[union-attr]

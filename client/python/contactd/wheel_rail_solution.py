@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from .errors import ProtocolError
 from .grid import Array
@@ -20,7 +20,10 @@ from .wheel_rail_places import ContactPlace
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["WheelRailPatch", "WheelRailSolution", "WheelsetSolution", "read_wheel_rail", "read_wheelset"]
+__all__ = ["WheelRailPatch", "WheelRailSolution", "WheelsetSolution", "read_wheel_rail", "read_wheel_rail_as", "read_wheelset"]
+
+
+S = TypeVar("S", bound="WheelRailSolution")
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +128,14 @@ class WheelsetSolution(Saved, Shown):
 
 def read_wheel_rail(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelRailSolution:
     """The answer to a request for the arrays `names`, None: all, and, where `gap` says so, the undeformed distances."""
-    return _checked(read(WheelRailSolution, result), names, gap)
+    return read_wheel_rail_as(WheelRailSolution, names, gap, result)
+
+
+def read_wheel_rail_as(
+    kind: type[S], names: Iterable[str] | None, gap: bool, result: dict[str, Any], path: str = "result"
+) -> S:
+    """The same as a class that holds more."""
+    return _checked(read(kind, result, path), names, gap)
 
 
 def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelsetSolution:
@@ -136,7 +146,7 @@ def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]
     return solution
 
 
-def _checked(solution: WheelRailSolution, names: Iterable[str] | None, gap: bool) -> WheelRailSolution:
+def _checked(solution: S, names: Iterable[str] | None, gap: bool) -> S:
     wanted = list(ALL_FIELDS if names is None else names)
     for index, patch in enumerate(solution.patches):
         check_arrays(patch.solution, wanted, patch.place.grid)

@@ -18,6 +18,7 @@ from contactd import (
     Session,
     StepInput,
     TimeoutExpired,
+    WheelRailStepInput,
 )
 from support.fake_server import FakeServer
 from support.sessions import NAME, STEP, opened
@@ -58,8 +59,13 @@ def test_a_step_of_many_says_what_a_single_one_does():
 
 
 def test_a_step_can_say_what_the_schema_knows():
-    known = set(SCHEMA["properties"]) - {"session", "step"}
+    known = set(SCHEMA["properties"]) - {"session", "step", "wheelrail"}
     assert known <= StepInput.__annotations__.keys()
+
+
+def test_a_step_of_a_wheel_can_say_what_the_schema_knows():
+    known = {*SCHEMA["properties"]["wheelrail"]["properties"], "fields", "again"}
+    assert known == set(WheelRailStepInput.__annotations__)
 
 
 def test_steps_count_on_from_the_last_one_that_was_solved(session):

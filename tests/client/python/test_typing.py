@@ -17,7 +17,7 @@ CALLS = """
 from typing import assert_type
 import numpy as np, numpy.typing as npt
 from contactd import *
-from contactd.wheel_rail import WheelRailSetup
+from contactd.wheel_rail import WheelRailSetup, WheelRailState
 Floats = npt.NDArray[np.float64]
 def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(client.solve(problem), ContactSolution)
@@ -49,6 +49,16 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     client.step_many([(session, {"Fm": 1})])  # type: ignore[typeddict-unknown-key]
     client.step_many([(session, {"Fn": "much"})])  # type: ignore[typeddict-item]
     session.step(fields=["pressures"])  # type: ignore[list-item]
+
+def wheels(client: Client, session: Session, wheel: WheelRailSession, state: WheelRailState) -> None:
+    assert_type(client.wheel_rail_session(WheelRailSetup()), WheelRailSession)
+    assert_type(wheel.step(state, fields="pressure"), WheelRailStepSolution)
+    both: list[tuple[Session, StepInput] | tuple[WheelRailSession, WheelRailStepInput]]
+    both = [(session, StepInput(Fn=1)), (wheel, WheelRailStepInput(state=state))]
+    assert_type(client.step_many([(wheel, {"state": state})]), list[WheelRailStepSolution | StatusError])
+    assert_type(client.step_many(both), list[StepSolution | WheelRailStepSolution | StatusError])
+    wheel.step(Fn=1)  # type: ignore[call-arg]
+    wheel.step(3)  # type: ignore[arg-type]
 
 async def awaited(client: AsyncClient, problem: ContactProblem) -> None:
     assert_type(await client.solve(problem), ContactSolution)

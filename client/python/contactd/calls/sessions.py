@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from ..arrays import invalid
 from ..checks import check_type
-from ..errors import ProtocolError, StatusError
+from ..errors import ProtocolError
 from ..friction import Friction
 from ..grid import Grid
-from ..many_steps import stepped_sessions
 from ..problem import ContactProblem
 from ..reading import read
-from ..session import AnySession, SessionSummary, opening
-from ..steps import StepInput, StepSolution
+from ..session import AnyContactSession, SessionSummary, opening
+from ..wheel_rail import WheelRailSetup
+from ..wheel_rail_session import AnyWheelRailSession, wheel_rail_opening
 from .asking import Answering, asks
 from .caller import Caller, ProgressCallback
 
@@ -24,13 +24,15 @@ if TYPE_CHECKING:
 
 __all__ = ["SessionCalls"]
 
-S = TypeVar("S", bound=AnySession)
+S = TypeVar("S", bound=AnyContactSession)
+W = TypeVar("W", bound=AnyWheelRailSession)
 
 
-class SessionCalls(Caller, Generic[S]):
+class SessionCalls(Caller, Generic[S, W]):
     """The methods session.* of the daemon, which give sessions that wait, or await, as their client."""
 
     _session_kind: type[S]
+    _wheel_rail_session_kind: type[W]
 
     @asks
     def session(
@@ -59,8 +61,7 @@ class SessionCalls(Caller, Generic[S]):
         told = yield from self.asked(
             "session.open", params, timeout=timeout, on_progress=on_progress, progress=progress
         )
-        if not isinstance(name := told.get("session"), str):
-            raise ProtocolError("The answer to session.open lacks its session.")
+        name = _name_in(told)
         friction: Friction | None = said.get("friction")
         rolls = friction is not None and friction.rolling is not None
         return self._session_kind(self, name, told, said["grid"], rolls)
@@ -74,31 +75,35 @@ class SessionCalls(Caller, Generic[S]):
         other one was.
         """
         told = yield from self.asked("session.info", {"session": name}, timeout=timeout)
+        if "side" in told:
+            raise invalid("name", "is that of the session of a wheel on its rail; take join_wheel_rail_session")
         grid = read(Grid, told.get("grid"), "result.grid")
         return self._session_kind(self, name, told, grid, told.get("motion") == "rolling")
 
     @asks
-    def step_many(
-        self, steps: Iterable[tuple[S, StepInput]], *, timeout: float | None = None
-    ) -> Answering[list[StepSolution | StatusError]]:
-        """Takes the next step of 1 to 1000 sessions of this client in one message, on all workers of the daemon: of all
-        contacts of a vehicle. Each is told as the session and the keywords of its step::
+    def wheel_rail_session(
+        self,
+        setup: WheelRailSetup,
+        *,
+        lease: float | None = None,
+        accept_unconverged: bool = False,
+        timeout: float | None = None,
+    ) -> Answering[W]:
+        """Opens a WheelRailSession, which says more: the steps of a wheel on its rail, whose set-up is sent once.
 
-            answers = client.step_many([(left, {"Fn": 51e3, "xi": 1e-3}), (right, {"Fn": 49e3, "xi": -1e-3})])
-
-        The answers are in the order of the steps. Where a step fails, its answer is the exception that Session.step would
-        have raised; its session stays where it was, and the others take their steps all the same. With ``"again": True``
-        in each, all are tried anew, those that failed, too. An array that several steps share (a gap) is sent once.
-
-        Raises InvalidArgument for the whole, before any session has moved, when a step has a field that the schema does
-        not allow, which it names like ``steps[3].friction.mu``, and when a session stands twice or is of another client;
-        ContactdError while another call of one of the sessions runs.
-
-        Steps whose answer does not come are asked for again under their numbers, as often as all of the sessions'
-        `retries` allow. When the whole fails (a timeout, Ctrl-C), some have taken their steps and others have not: the
-        same steps asked for again go on from there, and so do others with ``"again": True``.
+        Raises InvalidArgument naming ``wheelrail.setup.track.gauge``, ...
         """
-        return (yield from stepped_sessions(self, steps, timeout))
+        params = wheel_rail_opening(setup, lease, accept_unconverged)
+        told = yield from self.asked("session.open", params, timeout=timeout)
+        return self._wheel_rail_session_kind(self, _name_in(told), told, setup.side or "right")
+
+    @asks
+    def join_wheel_rail_session(self, name: str, *, timeout: float | None = None) -> Answering[W]:
+        """As join_session, of a wheel on its rail."""
+        told = yield from self.asked("session.info", {"session": name}, timeout=timeout)
+        if (side := told.get("side")) not in ("left", "right"):
+            raise invalid("name", "is that of the session of a contact; take join_session")
+        return self._wheel_rail_session_kind(self, name, told, side)
 
     @asks
     def sessions(self, *, timeout: float | None = None) -> Answering[tuple[SessionSummary, ...]]:
@@ -107,3 +112,9 @@ class SessionCalls(Caller, Generic[S]):
         if not isinstance(sessions, list):
             raise ProtocolError("The answer to session.list lacks its sessions.")
         return tuple(read(SessionSummary, session, f"result.sessions[{i}]") for i, session in enumerate(sessions))
+
+
+def _name_in(told: dict[str, Any]) -> str:
+    if not isinstance(name := told.get("session"), str):
+        raise ProtocolError("The answer to session.open lacks its session.")
+    return name
