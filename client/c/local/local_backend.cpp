@@ -10,6 +10,7 @@
 #include "engine/engine.hpp"
 #include "engine/environment.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "kept_wheel.hpp"
 
 namespace contactd::c {
 namespace {
@@ -129,9 +130,16 @@ class LocalWheel final : public OpenWheel {
         : engine_(std::move(engine)), timeout_(timeout) {}
 
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
+        if (!steps_ || !serves(steps_->setup(), input.setup)) {
+            steps_ = engine_->open(WheelRailSessionSpec{input.setup, {}, true});
+            here_ = {};
+        }
+        const WheelRailStepInput said = step_of(steps_->setup(), input);
+        StepState after;
         WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
-            return engine_->solve(input.setup, input.state, observer);
+            return engine_->solve(*steps_, here_, said, after, observer);
         });
+        here_ = std::move(after);
         keep_wanted(input, solution);
         return solution;
     }
@@ -155,6 +163,8 @@ class LocalWheel final : public OpenWheel {
 
     const std::shared_ptr<Engine> engine_;
     const std::chrono::milliseconds timeout_;
+    std::unique_ptr<engine::WheelRailSteps> steps_;
+    StepState here_;
 };
 
 class LocalBackend final : public Backend {

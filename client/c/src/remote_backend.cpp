@@ -1,9 +1,13 @@
 // Contacts that a daemon keeps, as sessions. Each has a connection of its own, so that threads with a contact each do
 // not wait for one another.
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "backend.hpp"
 #include "contactd/client/session.hpp"
+#include "contactd/error.hpp"
+#include "kept_wheel.hpp"
 
 namespace contactd::c {
 namespace {
@@ -53,19 +57,59 @@ class RemoteContact final : public OpenContact {
     client::Session session_;
 };
 
+/// What `ask` gives; fields are called as the setters call them, with which nobody opened a session.
+template <class Ask>
+auto named_as_set(const Ask& ask) {
+    constexpr std::string_view prefix = "wheelrail.";
+    const auto without = [&](std::string text) { return text.starts_with(prefix) ? text.substr(prefix.size()) : text; };
+    try {
+        return ask();
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(without(error.field()), std::string(error.what()).substr(error.field().size() + 1));
+    } catch (const StatusError& error) {
+        Status status = error.status();
+        status.message = without(status.message);
+        for (Violation& violation : status.violations) violation.field = without(violation.field);
+        throw StatusError(std::move(status));
+    }
+}
+
 class RemoteWheel final : public OpenWheel {
    public:
     RemoteWheel(const std::string& endpoint, const Settings& settings) : client_(endpoint, options_of(settings)) {}
 
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
-        return client_.wheel_rail(input.setup, input.state, options_of(control), input.fields, input.gap);
+        if (session_ && !serves(opened_, input.setup)) session_.reset();
+        const bool was_open = session_.has_value();
+        try {
+            return named_as_set([&] { return step(input, control); });
+        } catch (const StatusError& error) {
+            if (!was_open || error.status().code != StatusCode::not_found) throw;
+        }
+        session_.reset();  // its lease has ended, or its daemon
+        return named_as_set([&] { return step(input, control); });
     }
     WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) override {
         return client_.wheelset(input.setup, input.state, options_of(control), input.fields, input.gap);
     }
 
    private:
-    client::Client client_;
+    WheelRailSolution step(const WheelInput& input, const Control& control) {
+        if (!session_) {
+            session_.emplace(client_, WheelRailSessionSpec{input.setup, {}, true}, options_of(control));
+            opened_ = input.setup;
+        }
+        WheelRailStepInput said = step_of(opened_, input);
+        said.again = std::exchange(unanswered_, true);
+        WheelRailSolution solution = session_->step(said, options_of(control)).solution;
+        unanswered_ = false;
+        return solution;
+    }
+
+    client::Client client_;  // outlives the session
+    std::optional<client::WheelRailSession> session_;
+    WheelRailSetup opened_;    // with which it was
+    bool unanswered_ = false;  // the last step, which the daemon may have taken
 };
 
 class RemoteBackend final : public Backend {

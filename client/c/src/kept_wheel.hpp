@@ -1,0 +1,14 @@
+// Wheels whose set-up stays from solve to solve, so that only where they are has to be said.
+#pragma once
+
+#include "backend.hpp"
+
+namespace contactd::c {
+
+/// Whether steps of a wheel that was opened with `opened` can say what is asked; they can name another friction.
+bool serves(const WheelRailSetup& opened, const WheelRailSetup& wanted);
+
+/// What a step says of it. Throws InvalidArgument ("setup.friction.mu", ...).
+WheelRailStepInput step_of(const WheelRailSetup& opened, const WheelInput& wanted);
+
+}  // namespace contactd::c
