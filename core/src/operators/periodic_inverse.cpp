@@ -38,28 +38,22 @@ double least_eigenvalue(const Block& m) {
 
 class PeriodicInverses::Inverse final : public StepInverse {
    public:
-    Inverse(std::shared_ptr<const PaddedFft> fft, Symbols symbols)
+    Inverse(std::shared_ptr<const PaddedFft> fft, TangentialSymbols symbols)
         : fft_(std::move(fft)), symbols_(std::move(symbols)) {}
 
     void tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                     std::span<double> zy) const override {
-        fft_->apply(PaddedFft::ComplexPairSymbols{symbols_.xx, symbols_.xy, symbols_.yx, symbols_.yy}, rx, ry, zx, zy);
+        fft_->apply(symbols_.pair(), rx, ry, zx, zy);
     }
 
    private:
     const std::shared_ptr<const PaddedFft> fft_;
-    const Symbols symbols_;
+    const TangentialSymbols symbols_;
 };
 
 PeriodicInverses::PeriodicInverses(const ShiftedTable& table)
-    : fft_(std::make_shared<const PaddedFft>(table.nx, table.ny, periodic_size(table.nx), periodic_size(table.ny))) {
-    using enum Axis;
-    const auto symbol = [&](Axis i, Axis j) {
-        return fft_->symbol(
-            PaddedFft::SignedKernel{&table.values[table.index(i, j, 1 - table.nx, 1 - table.ny)], table.nx, table.ny});
-    };
-    symbols_ = {symbol(x, x), symbol(x, y), symbol(y, x), symbol(y, y)};
-}
+    : fft_(std::make_shared<const PaddedFft>(table.nx, table.ny, periodic_size(table.nx), periodic_size(table.ny))),
+      symbols_(TangentialSymbols::of(*fft_, table)) {}
 
 std::shared_ptr<const StepInverse> PeriodicInverses::get(double added) const {
     const std::scoped_lock lock(mutex_);
@@ -70,18 +64,19 @@ std::shared_ptr<const StepInverse> PeriodicInverses::get(double added) const {
     return kept_.back().second;
 }
 
-PeriodicInverses::Symbols PeriodicInverses::inverted(double added) const {
+TangentialSymbols PeriodicInverses::inverted(double added) const {
     const double factor = fft_->norm_factor(), diagonal = factor * added, least = least_part * diagonal;
-    Symbols result = symbols_;
+    TangentialSymbols result = symbols_;
     for (std::size_t i = 0; i < symbols_.xx.real.size(); ++i) {
-        Block m{at(symbols_.xx, i) + diagonal, at(symbols_.xy, i), at(symbols_.yx, i), at(symbols_.yy, i) + diagonal};
+        Block m{at(symbols_.xx, i) + diagonal, at(symbols_.xy, i), at(symbols_.of_yx(), i),
+                at(symbols_.yy, i) + diagonal};
         const double missing = std::max(least - least_eigenvalue(m), 0.0);
         m.xx += missing;
         m.yy += missing;
         const Complex scale = factor * factor / (m.xx * m.yy - m.xy * m.yx);
         store(scale * m.yy, result.xx, i);
         store(-scale * m.xy, result.xy, i);
-        store(-scale * m.yx, result.yx, i);
+        if (!result.yx.real.empty()) store(-scale * m.yx, result.yx, i);
         store(scale * m.xx, result.yy, i);
     }
     return result;

@@ -9,6 +9,7 @@
 #include "contactd/step_operator.hpp"
 #include "influence/shifted_table.hpp"
 #include "padded_fft.hpp"
+#include "tangential_symbols.hpp"
 
 namespace contactd {
 
@@ -20,16 +21,13 @@ class PeriodicInverses {
     std::shared_ptr<const StepInverse> get(double added) const;
 
    private:
-    struct Symbols {
-        PaddedFft::ComplexSymbol xx, xy, yx, yy;
-    };
     class Inverse;
 
-    Symbols inverted(double added) const;
+    TangentialSymbols inverted(double added) const;
 
     static constexpr std::size_t most_kept = 4;
     std::shared_ptr<const PaddedFft> fft_;
-    Symbols symbols_;  // of the table
+    const TangentialSymbols symbols_;  // of the table
     mutable std::mutex mutex_;
     mutable std::deque<std::pair<double, std::shared_ptr<const StepInverse>>> kept_;  // the oldest first
 };

@@ -11,6 +11,7 @@
 #include "padded_fft.hpp"
 #include "padded_size.hpp"
 #include "periodic_inverse.hpp"
+#include "tangential_symbols.hpp"
 
 namespace contactd {
 namespace {
@@ -36,13 +37,10 @@ struct ShiftedOperator::Impl {
     const bool coupled;
     Coarsening coarsening;
 
-    struct Tangential {
-        PaddedFft::ComplexSymbol xx, xy, yx, yy;
-    };
     struct Coupling {
         PaddedFft::ComplexSymbol xz, yz;
     };
-    Lazy<Tangential> tangential;
+    Lazy<TangentialSymbols> tangential;
     Lazy<Coupling> coupling;
     Lazy<std::unique_ptr<ShiftedOperator>> coarse;
     Lazy<std::unique_ptr<PeriodicInverses>> inverses;
@@ -73,9 +71,9 @@ std::size_t ShiftedOperator::size() const {
 void ShiftedOperator::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                  std::span<double> uy) const {
     Impl& impl = *impl_;
-    const auto& symbols = impl.tangential.get(
-        [&] { return Impl::Tangential{impl.symbol(x, x), impl.symbol(x, y), impl.symbol(y, x), impl.symbol(y, y)}; });
-    impl.product.apply(PaddedFft::ComplexPairSymbols{symbols.xx, symbols.xy, symbols.yx, symbols.yy}, px, py, ux, uy);
+    const TangentialSymbols& symbols =
+        impl.tangential.get([&] { return TangentialSymbols::of(impl.product, impl.table); });
+    impl.product.apply(symbols.pair(), px, py, ux, uy);
 }
 
 bool ShiftedOperator::coupled() const {
