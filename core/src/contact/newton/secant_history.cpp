@@ -1,6 +1,7 @@
 #include "secant_history.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "contact/support/traction_loops.hpp"
@@ -10,12 +11,19 @@ namespace {
 
 constexpr double dependent = 1e-12;  // squared distance from the others, relative, at which a step adds nothing
 
+// Rounded up to one of eight sizes for each power of two: a contact area that changes by a few elements finds the
+// memory of the last one.
+std::size_t rounded_up(std::size_t size) {
+    const std::size_t part = std::max<std::size_t>(std::bit_floor(size) / 8, 1);
+    return (size + part - 1) / part * part;
+}
+
 }  // namespace
 
 SecantHistory::SecantHistory(std::size_t m, std::size_t capacity)
     : m_(m),
       capacity_(capacity + 1),
-      values_(std::make_unique_for_overwrite<double[]>(capacity_ * parts * 2 * m)),
+      values_(std::make_unique_for_overwrite<double[]>(rounded_up(capacity_ * parts * 2 * m))),
       rigid_(capacity_),
       forces_(capacity_),
       products_(capacity_ * capacity_),
