@@ -213,6 +213,7 @@ class BoundaryElements {
     // Tractions that were at their bound stay there, so that the estimate knows where there was slip.
     void keep_at_bound(const Values& bound) {
         constexpr double on_bound = 1e-9;
+        if (bound == bound_) return;
         auto& [x, y] = now_.tangential;
         for (std::size_t i = 0; i < n_; ++i) {
             if (!(bound_[i] > 0)) continue;

@@ -3,6 +3,8 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include <cmath>
+
 #include "contact/friction_solver.hpp"
 #include "contact/newton/friction_newton.hpp"
 #include "rolling_cases.hpp"
@@ -58,6 +60,38 @@ TEST_CASE("Newton's method gives the tractions of conjugate gradients to shifts"
         CHECK_THAT(newton.traction_x[i], WithinAbs(gradients.traction_x[i], 1e-5 * 3));
         CHECK_THAT(newton.traction_y[i], WithinAbs(gradients.traction_y[i], 1e-5 * 3));
     }
+}
+
+// Where the steps made so far are enough, the last tractions and their slip are combinations that took no product.
+TEST_CASE("the slip that a solve ends with is that of its tractions to the tolerance", "[newton]") {
+    const SmallRolling problem;
+    const bool rolls = GENERATE(true, false);
+    Observer observer;
+    Field last(problem.grid.size());
+    int without_product = 0;
+    for (int step = 0; step < 20; ++step) {
+        const Field rigid = problem.rigid((rolls ? 1 : 30) * (1 + 0.05 * step));
+        FrictionSolver solver(problem.bodies_of(rolls));
+        const FrictionSolution found = solver.solve(task_of(problem.bound, rigid, last), observer);
+        REQUIRE(found.evidence.converged);
+        last = tractions_of(found);
+        Field u(problem.grid.size());
+        if (rolls)
+            problem.change.tangential(last.x, last.y, u.x, u.y);
+        else
+            problem.influence.tangential(last.x, last.y, u.x, u.y);
+        double squares = 0, of_rigid = 0;
+        for (std::size_t i = 0; i < u.x.size(); ++i) {
+            if (!(problem.bound[i] > 0)) continue;
+            squares += std::pow(rigid.x[i] + u.x[i] - found.slip_x[i], 2);
+            squares += std::pow(rigid.y[i] + u.y[i] - found.slip_y[i], 2);
+            of_rigid += rigid.x[i] * rigid.x[i] + rigid.y[i] * rigid.y[i];
+        }
+        const double off = std::sqrt(squares / of_rigid);
+        CHECK(off <= 1e-6);
+        without_product += off > 1e-12;
+    }
+    CHECK(without_product > 0);
 }
 
 TEST_CASE("what solves have learnt saves iterations where bounds go on to change as they did", "[newton]") {

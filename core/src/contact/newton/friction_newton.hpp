@@ -43,6 +43,8 @@ class FrictionNewton {
     double force_residual() const;
 
    private:
+    static constexpr double on_bound = 1e-9;  // relative distance from the bound that counts as being on it
+
     double size(std::size_t e) const;
     void take_bounds();
     void begin();
@@ -58,17 +60,26 @@ class FrictionNewton {
 
     // From here on the rigid slip changes, too.
     void join_forces();
-    // Tangents, turning stiffness and residual at the present tractions.
+    // Tangents, turning stiffness, residual and violation at the present tractions.
     void linearise();
     // What the Jacobian makes of the steps made so far; of all of them when the division or the tangents have changed.
     void linearise_history();
     bool division_stands(double tolerance) const;
-    // Root mean square violation of the law over that of w.
-    double violation() const;
-    // The next step, into step_ and rigid_step_.
+    // Of the law, and of the forces where they have a say.
+    double residual() const;
+    // The next step, into step_ and rigid_step_: the best combination of the steps made so far, which leaves rest_ and
+    // rest_missing_ of the residual, and one of the preconditioner.
     void find_step();
+    void combine_steps();
+    void complete_step();
     // Tractions after the step, brought to their bounds; the division and the slip with them.
     void take_step(double tolerance);
+    // After combine_steps(): whether the combination alone is expected to meet the tolerance. Its slip is known without
+    // a product.
+    bool combination_is_enough(double tolerance) const;
+    void take_combination(double tolerance);
+    void move();
+    void count_changes();
     bool made_progress();
 
     Compliance& compliance_;
@@ -82,10 +93,13 @@ class FrictionNewton {
     Linearisation law_;
     SolverEvidence evidence_;
     Field p_, s_, slip_of_, r_, rest_, step_, z_;  // s is the slip of slip_of
+    Field last_s_;                                 // before the last step
     Pair rigid_ = Pair::Zero(), rigid_step_ = Pair::Zero();
     std::vector<char> before_;  // the division before the last step
     std::vector<double> inverse_g_;
     Pair missing_ = Pair::Zero();             // of the forces
+    Pair rest_missing_ = Pair::Zero();        // weighted as below
+    double violation_ = 0;                    // of the law, root mean square over that of w
     double rms_w_ = 0;                        // root mean square of w, with its uniform part
     double squared_bound_ = 0, largest_ = 0;  // sums of g^2 and g
     double force_weight_ = 0;                 // makes errors of the forces weigh as those of the law

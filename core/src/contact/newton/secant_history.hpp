@@ -48,6 +48,8 @@ class SecantHistory {
     // r -> r - sum c_j image_j and forces -> forces - sum c_j forces_j of least length together; d = sum c_j step_j.
     // Returns sum c_j rigid_j.
     Pair minimise(Field& r, Pair& forces, Field& d);
+    // slip -> slip + sum c_j response_j with the c_j of the last minimise(): what d does, without a product.
+    void add_responses(Field& slip) const { add(response_part, 1, slip); }
 
    private:
     enum Part : std::size_t { step_part, response_part, image_part, parts };

@@ -238,16 +238,25 @@ void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, con
 }
 
 CONTACTD_WIDE
-void take_differences(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips,
-                      MutableVectors before_p, MutableVectors before_s) {
+void end_slip(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) {
         const bool pushed_back = s.x[e] * p.x[e] + s.y[e] * p.y[e] > push * g[e];
         slips[e] = pushed_back ? 0 : slips[e];
-        before_p.x[e] = p.x[e] - before_p.x[e];
-        before_p.y[e] = p.y[e] - before_p.y[e];
-        before_s.x[e] = s.x[e] - before_s.x[e];
-        before_s.y[e] = s.y[e] - before_s.y[e];
+    }
+}
+
+CONTACTD_WIDE
+void take_differences(std::size_t m, Vectors p, Vectors s, Vectors before_p, Vectors before_s, double push,
+                      const double* g, char* slips, MutableVectors change, MutableVectors response) {
+#pragma omp simd
+    for (std::size_t e = 0; e < m; ++e) {
+        const bool pushed_back = s.x[e] * p.x[e] + s.y[e] * p.y[e] > push * g[e];
+        slips[e] = pushed_back ? 0 : slips[e];
+        change.x[e] = p.x[e] - before_p.x[e];
+        change.y[e] = p.y[e] - before_p.y[e];
+        response.x[e] = s.x[e] - before_s.x[e];
+        response.y[e] = s.y[e] - before_s.y[e];
     }
 }
 

@@ -98,9 +98,11 @@ struct LevelPassages {
 void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, const double* stiffness, double* first,
                   double* second, double* local);
 
-/// After a step to p and s: slip ends where s . p > push g, and the tractions and slips of before become what the step
-/// changed of them.
-void take_differences(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips,
-                      MutableVectors before_p, MutableVectors before_s);
+/// Slip ends where s . p > push g.
+void end_slip(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips);
+
+/// The same after a step, and what it has changed of the tractions and slips before.
+void take_differences(std::size_t m, Vectors p, Vectors s, Vectors before_p, Vectors before_s, double push,
+                      const double* g, char* slips, MutableVectors change, MutableVectors response);
 
 }  // namespace contactd

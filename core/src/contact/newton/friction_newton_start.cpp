@@ -1,0 +1,109 @@
+// Where FrictionNewton starts: an estimate, or its own solution of a problem that is near.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "friction_newton.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr double far_moved = 1e-2;  // relative change by moves to the bounds that asks for the slip anew
+constexpr double start_self = 8;    // times the self-influence: turns slip into traction for the division
+
+}  // namespace
+
+void FrictionNewton::take_bounds() {
+    squared_bound_ = dot(g_, g_);
+    largest_ = std::accumulate(g_.begin(), g_.end(), 0.0);
+    for (std::size_t e = 0; e < m_; ++e) inverse_g_[e] = 1 / g_[e];
+}
+
+void FrictionNewton::start(const Field& estimate, const Pair& rigid) {
+    take_bounds();
+    contact_.gather(estimate.x, p_.x);
+    contact_.gather(estimate.y, p_.y);
+    rigid_ = rigid;
+    take_rigid_slip();
+    if (rms_w_ == 0) p_ = Field(m_);  // nothing drives them
+    for (std::size_t e = 0; e < m_; ++e)
+        if (size(e) > g_[e]) let_slip(e);
+    history_.clear();
+    is_stale_ = true;
+    joined_ = false;
+    begin();
+}
+
+void FrictionNewton::go_on(const std::optional<ForcesGiven>& forces) {
+    take_bounds();
+    if (border_) border_->ask_for(*forces);
+    take_rigid_slip();
+    for (std::size_t e = 0; e < m_; ++e)
+        if (law_.slips[e] || size(e) > g_[e]) let_slip(e);
+    evidence_ = {};
+    first_ = 0;
+    begin();
+}
+
+void FrictionNewton::begin() {
+    before_ = law_.slips;
+    std::fill(law_.slips.begin(), law_.slips.end(), false);
+    slip_of_ = p_;
+    changed_ = find_division();
+    if (changed_ > 0 && compliance_.is_far_reaching() && moved() > far_moved) {
+        update_slip();
+        slip_of_ = p_;
+    }
+    best_ = std::numeric_limits<double>::infinity();
+    without_progress_ = 0;
+    is_stale_ = is_stale_ || before_ != law_.slips;
+    if (border_) missing_ = border_->missing(p_);
+    linearise();
+}
+
+// Of the tractions since the slip was found, relative.
+double FrictionNewton::moved() const {
+    double change = 0;
+    for (std::size_t e = 0; e < m_; ++e)
+        change += std::pow(p_.x[e] - slip_of_.x[e], 2) + std::pow(p_.y[e] - slip_of_.y[e], 2);
+    return std::sqrt(change / inner(p_, p_));
+}
+
+// As in TangCg: finds slip also when the bound has grown a little since the estimate. The slip remains that of the
+// estimate, which the first step makes good.
+std::size_t FrictionNewton::find_division() {
+    update_slip();
+    if (!any(p_)) return 0;
+    std::size_t moved = 0;
+    for (std::size_t e = 0; e < m_; ++e) {
+        const double stiffness = start_self * compliance_.self()[e];
+        const double x = p_.x[e] - s_.x[e] / stiffness, y = p_.y[e] - s_.y[e] / stiffness;
+        if (!(std::sqrt(x * x + y * y) > g_[e] * (1 - on_bound))) continue;
+        if (x * p_.x[e] + y * p_.y[e] <= 0) {
+            oppose_slip(e);
+            ++moved;
+            continue;
+        }
+        moved += size(e) < g_[e] * (1 - on_bound);
+        let_slip(e);
+    }
+    return moved;
+}
+
+// An element that has just come into contact has no traction, and that of others may point along the slip.
+void FrictionNewton::oppose_slip(std::size_t e) {
+    p_.x[e] = -s_.x[e];
+    p_.y[e] = -s_.y[e];
+    let_slip(e);
+}
+
+void FrictionNewton::let_slip(std::size_t e) {
+    const double length = size(e);
+    law_.slips[e] = length > 0;
+    if (!law_.slips[e]) return;
+    p_.x[e] *= g_[e] / length;
+    p_.y[e] *= g_[e] / length;
+}
+
+}  // namespace contactd
