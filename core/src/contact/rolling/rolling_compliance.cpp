@@ -82,7 +82,10 @@ void RollingCompliance::precondition_by_halves(const Field& r, Field& z, Residua
     const bool sweep_first = iteration % 2 == 1;
     if (both || !sweep_first) {
         divide_by_influence(r, z);
-        sweep_.solve(z, z);
+        if (uses_levels_)
+            sweep_.solve_adhesion(z, z);
+        else
+            sweep_.solve(z, z);
         if (!both) return;
     }
     Field& swept = both ? swept_ : z;

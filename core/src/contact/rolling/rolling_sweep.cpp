@@ -78,14 +78,31 @@ void RollingSweep::linearise(const Linearisation& linearisation) {
     linearisation_ = &linearisation;
     shifted_reciprocal(m_, linearisation.turning.data(), diagonal_stiffness_.data(), stiffness_.data(),
                        inverse_diagonal_.data());
+    to_adhesion_ = m_;
+    while (to_adhesion_ > 0 && linearisation.slips[order_[to_adhesion_ - 1]]) --to_adhesion_;
 }
 
 void RollingSweep::solve(const Field& r, Field& z) const {
+    sweep(m_, r);
+    std::copy(z_.x.begin(), z_.x.end() - 1, z.x.begin());
+    std::copy(z_.y.begin(), z_.y.end() - 1, z.y.begin());
+}
+
+void RollingSweep::solve_adhesion(const Field& r, Field& z) const {
+    sweep(to_adhesion_, r);
+    for (std::size_t k = 0; k < to_adhesion_; ++k) {
+        z.x[order_[k]] = z_.x[order_[k]];
+        z.y[order_[k]] = z_.y[order_[k]];
+    }
+}
+
+void RollingSweep::sweep(std::size_t count, const Field& r) const {
     const Linearisation& l = *linearisation_;
     const Link* link = ahead_.data();
-    for (const std::size_t e : order_) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t e = order_[k];
         double x = r.x[e], y = r.y[e];
-        for (std::size_t k = 0; k < links_; ++k, ++link) {
+        for (std::size_t j = 0; j < links_; ++j, ++link) {
             x += link->weight * z_.x[link->element];
             y += link->weight * z_.y[link->element];
         }
@@ -95,8 +112,6 @@ void RollingSweep::solve(const Field& r, Field& z) const {
         z_.x[e] = x * inverse_diagonal_[e];
         z_.y[e] = y * inverse_diagonal_[e];
     }
-    std::copy(z_.x.begin(), z_.x.end() - 1, z.x.begin());
-    std::copy(z_.y.begin(), z_.y.end() - 1, z.y.begin());
 }
 
 }  // namespace contactd

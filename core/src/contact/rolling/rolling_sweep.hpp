@@ -20,6 +20,8 @@ class RollingSweep {
     void linearise(const Linearisation& linearisation);
     // z and r may be the same.
     void solve(const Field& r, Field& z) const;
+    // The same for those who look at adhesion only: elements behind the last one that adheres keep what z is there.
+    void solve_adhesion(const Field& r, Field& z) const;
     double diagonal() const { return diagonal_; }  // of T
 
    private:
@@ -28,11 +30,14 @@ class RollingSweep {
         double weight;
     };
 
+    void sweep(std::size_t count, const Field& r) const;  // into z_, the first of the order
+
     std::size_t m_;
     double diagonal_ = 1;
     std::vector<std::size_t> order_;
-    std::size_t links_ = 0;    // per element
-    std::vector<Link> ahead_;  // shape [m, links_], in the order of the sweep
+    std::size_t to_adhesion_ = 0;  // of the order, up to the last element that adheres
+    std::size_t links_ = 0;        // per element
+    std::vector<Link> ahead_;      // shape [m, links_], in the order of the sweep
     const Linearisation* linearisation_ = nullptr;
     std::vector<double> stiffness_, diagonal_stiffness_;  // the latter times the diagonal of T
     std::vector<double> inverse_diagonal_;
