@@ -1,7 +1,9 @@
 // What the daemon adds to a solve: the time of a request less that of the same solve in this process, beside a bare
 // ZeroMQ echo of the same frames. All of them in turns, so that a busy machine disturbs them alike.
 //
-//     bench_service ROUNDS ENDPOINT...     prints one JSON object; bench/service.py starts the daemons
+//     bench_service ROUNDS SPIN ENDPOINT...     prints one JSON object; bench/service.py starts the daemons
+//
+// SPIN: how long the client looks for an answer before it sleeps (us), as the daemons do.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -135,8 +137,10 @@ json summary(std::vector<double> values) {
 }
 
 /// One endpoint: request, echo and health, in turns with the solve in this process.
-json measure(const std::string& endpoint, const ContactProblem& problem, int rounds) {
-    client::Client client(endpoint);
+json measure(const std::string& endpoint, std::chrono::microseconds spin, const ContactProblem& problem, int rounds) {
+    client::ClientOptions options;
+    options.spin = spin;
+    client::Client client(endpoint, options);
     const ContactInfluence influence = influence_of(problem);
     Observer observer;
     const SolveReply first = client.solve(problem);
@@ -144,7 +148,7 @@ json measure(const std::string& endpoint, const ContactProblem& problem, int rou
     const std::string echo_endpoint = endpoint.starts_with("ipc") ? "ipc://*" : "tcp://127.0.0.1:*";
     Echo echo(echo_endpoint, sizes.request, sizes.reply);
 
-    std::vector<double> local, request, bare, health, overhead, slower;
+    std::vector<double> local, request, bare, health, overhead, slower, over_echo;
     double difference = 0;
     for (int n = 0; n < rounds; ++n) {
         ContactSolution here, there;
@@ -155,17 +159,20 @@ json measure(const std::string& endpoint, const ContactProblem& problem, int rou
         bare.push_back(milliseconds([&] { echo.ask(); }));
         health.push_back(milliseconds([&] { (void)client.health(); }));
         overhead.push_back(request.back() - local.back());
+        over_echo.push_back(overhead.back() / bare.back());
     }
     if (difference > 1e-9) throw Error("The daemon's forces differ by " + std::to_string(difference) + ".");
     std::size_t bytes = 0;
     for (const auto& frame : sizes.reply) bytes += frame.size();
     return {{"endpoint", endpoint.substr(0, 3)},
+            {"spin", spin.count()},
             {"n", problem.grid.nx},
             {"friction", problem.friction.has_value()},
             {"rounds", rounds},
             {"solve", summary(local)},
             {"request", summary(request)},
             {"overhead", summary(overhead)},
+            {"over_echo", summary(over_echo)},
             {"slower", summary(slower)},
             {"echo", summary(bare)},
             {"health", summary(health)},
@@ -176,16 +183,17 @@ json measure(const std::string& endpoint, const ContactProblem& problem, int rou
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) {
-        std::cerr << "bench_service ROUNDS ENDPOINT...\n";
+    if (argc < 4) {
+        std::cerr << "bench_service ROUNDS SPIN ENDPOINT...\n";
         return 2;
     }
     json rows = json::array();
     try {
-        for (int n = 2; n < argc; ++n)
+        const std::chrono::microseconds spin(std::atoi(argv[2]));
+        for (int n = 3; n < argc; ++n)
             for (const int size : {10, 25})
                 for (const bool friction : {false, true})
-                    rows.push_back(measure(argv[n], cattaneo(size, friction), std::atoi(argv[1])));
+                    rows.push_back(measure(argv[n], spin, cattaneo(size, friction), std::atoi(argv[1])));
     } catch (const std::exception& error) {
         std::cerr << "bench_service: " << error.what() << "\n";
         return 1;

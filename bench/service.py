@@ -29,6 +29,8 @@ from session_steps import motion, problem
 
 #: One and two workers are measured in turns, so that what else the machine does disturbs both alike.
 ROUNDS = 7
+#: How long daemon and client look for messages before they sleep (us): latency is measured with each.
+SPINS = (0, 2000)
 
 
 def message(slot: int, method: str, params: dict[str, Any]) -> bytes:
@@ -146,28 +148,35 @@ def throughput(binaries: Path, kind: type[Solves] | type[Steps], n: int, seconds
     }  # fmt: skip
 
 
-def latency(binaries: Path, rounds: int) -> list[dict[str, Any]]:
+def latency(binaries: Path, rounds: int, spin: int) -> list[dict[str, Any]]:
+    """Of one request at a time, for which one worker is enough. `spin`: of daemon and client (us)."""
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         endpoints = []
         for name, endpoint in (("tcp", "tcp://127.0.0.1:*"), ("ipc", None)):
-            config: dict[str, Any] = {"workers": 2} | ({"endpoint": endpoint} if endpoint else {})
+            config: dict[str, Any] = {"workers": 1, "spin_microseconds": spin} | ({"endpoint": endpoint} if endpoint else {})
             daemon = LocalDaemon(binaries / "contactd", folder=Path(folder) / name, config=config)
             endpoints.append(stack.enter_context(daemon).endpoint)
-        ran = subprocess.run([str(binaries / "bench_service"), str(rounds), *endpoints], check=True, stdout=subprocess.PIPE)
-    return json.loads(ran.stdout)
+        command = [str(binaries / "bench_service"), str(rounds), str(spin), *endpoints]
+        ran = subprocess.run(command, check=True, stdout=subprocess.PIPE)
+    rows: list[dict[str, Any]] = json.loads(ran.stdout)
+    return rows
 
 
 def report(binaries: Path, quick: bool, json_file: Path | None) -> None:
-    rows = latency(binaries, 200 if quick else 2000)
-    print(f"{'latency (ms, medians)':36} {'solve':>8} {'request':>8} {'overhead':>9} {'least':>7} {'echo':>7} {'health':>7}")
+    rows = [row for spin in SPINS for row in latency(binaries, 200 if quick else 2000, spin)]
+    print(f"{'latency (ms, medians)':36} {'solve':>8} {'request':>8} {'overhead':>9} {'least':>7} {'echo':>7} {'health':>7} {'/echo':>7}")
     for row in rows:
         name = f"{row['endpoint']}, {row['n']} x {row['n']}, {'shift' if row['friction'] else 'normal'}"
+        name += ", spinning" if row["spin"] else ""
         least = row["request"]["min"] - row["solve"]["min"]
         print(
             f"{name:36} {row['solve']['median']:8.3f} {row['request']['median']:8.3f} {row['overhead']['median']:9.3f} "
-            f"{least:7.3f} {row['echo']['median']:7.3f} {row['health']['median']:7.3f}"
+            f"{least:7.3f} {row['echo']['median']:7.3f} {row['health']['median']:7.3f} {row['over_echo']['median']:7.2f}"
         )
-    print("overhead: median of request - solve; least: fastest request - fastest solve; echo: the same frames, bare ZeroMQ")
+    print(
+        "overhead: median of request - solve; least: fastest request - fastest solve; echo: the same frames, bare ZeroMQ;\n"
+        "/echo: median of overhead / echo"
+    )
     seconds = 0.5 if quick else 2.0
     rates = [throughput(binaries, kind, n, seconds) for kind, n in ((Steps, 25), (Solves, 25), (Solves, 160))]
     print(f"\n{'throughput':36} {'1 worker':>9} {'2 workers':>10} {'best/best':>10} {'median':>7} {'processors':>11}")
