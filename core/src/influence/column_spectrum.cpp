@@ -34,13 +34,17 @@ Block half_space(const KernelIntegrals& k, double nu, bool transform) {
 }
 
 /// The load turned from column J, and the displacement to column I, by half the angle each.
-Block turned(const Block& flat, double angle) {
-    const double c = std::cos(angle / 2), s = std::sin(angle / 2);
-    Block to_i, from_j;
-    to_i << 1, 0, 0, 0, c, -s, 0, s, c;
-    from_j << 1, 0, 0, 0, c, s, 0, -s, c;
-    return to_i * flat * from_j.transpose();
-}
+class Turn {
+   public:
+    explicit Turn(double angle) {
+        const double c = std::cos(angle / 2), s = std::sin(angle / 2);
+        half_ << 1, 0, 0, 0, c, -s, 0, s, c;
+    }
+    Block operator()(const Block& flat) const { return half_ * flat * half_; }
+
+   private:
+    Block half_;
+};
 
 /// At offsets of either sign across the section: the kernels x y and y are odd there.
 KernelIntegrals across(KernelIntegrals k, int l) {
@@ -106,7 +110,7 @@ class TableMaker {
         for (int I = 0; I < columns_; ++I)
             for (int J = 0; J < columns_; ++J) {
                 const KernelIntegrals kernels = across(reference[static_cast<std::size_t>(std::abs(I - J))], I - J);
-                const Block block = turned(half_space(kernels, spectrum_.nu, true), angle(I, J));
+                const Block block = Turn(angle(I, J))(half_space(kernels, spectrum_.nu, true));
                 for (int i = 0; i < 3; ++i)
                     for (int j = 0; j < 3; ++j)
                         visit(I, J, i, j, spectrum_.values[spectrum_.index(node, 3 * I + i, 3 * J + j)] - block(i, j));
@@ -136,23 +140,31 @@ class TableMaker {
     }
 
     void add_half_space(ColumnTable& table) const {
-        for (int l = 0; l < columns_; ++l)
+        std::vector<Block> ahead(static_cast<std::size_t>(nx_)), behind(ahead.size());
+        for (int l = 0; l < columns_; ++l) {
             for (int k = 0; k < nx_; ++k) {
                 const double x = k * dx_ + shift_;
                 KernelIntegrals kernels = constant_load_integrals(x, l, dx_, 1);
                 const KernelIntegrals change = screening(spectrum_.xi0, x, l, dx_);
                 kernels = {kernels.xx + change.xx, kernels.yy + change.yy, kernels.xy + change.xy, kernels.x + change.x,
                            kernels.y + change.y};
-                for (int J = 0; J + l < columns_; ++J) {
-                    add(table, J + l, J, k, half_space(kernels, spectrum_.nu, false));
-                    if (l > 0) add(table, J, J + l, k, half_space(across(kernels, -l), spectrum_.nu, false));
-                }
+                ahead[static_cast<std::size_t>(k)] = half_space(kernels, spectrum_.nu, false);
+                behind[static_cast<std::size_t>(k)] = half_space(across(kernels, -l), spectrum_.nu, false);
             }
+            for (int J = 0; J + l < columns_; ++J) {
+                add(table, J + l, J, ahead);
+                if (l > 0) add(table, J, J + l, behind);
+            }
+        }
     }
-    void add(ColumnTable& table, int I, int J, int k, const Block& flat) const {
-        const Block block = turned(flat, angle(I, J));
-        for (const Axis i : axes)
-            for (const Axis j : axes) table(i, j, I, J, k) += block(static_cast<int>(i), static_cast<int>(j));
+    void add(ColumnTable& table, int I, int J, const std::vector<Block>& flat) const {
+        const Turn turn(angle(I, J));
+        for (std::size_t k = 0; k < flat.size(); ++k) {
+            const Block block = turn(flat[k]);
+            for (const Axis i : axes)
+                for (const Axis j : axes)
+                    table(i, j, I, J, static_cast<int>(k)) += block(static_cast<int>(i), static_cast<int>(j));
+        }
     }
 
     const ColumnSpectrum& spectrum_;

@@ -105,9 +105,15 @@ WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, dou
             };
             even_values.col(q) = spline(even_curvatures);
             odd_values.col(q) = spline(odd_curvatures);
+            // The wave is turned on from offset to offset: cosines of all would take most of the time of a table.
+            const double turn_cosine = std::cos(xi * dx), turn_sine = std::sin(xi * dx);
+            double cosine = std::cos(xi * shift), sine = std::sin(xi * shift);
             for (int k = 0; k < nx; ++k) {
-                cosines(q, k) = std::cos(xi * (k * dx + shift));
-                sines(q, k) = std::sin(xi * (k * dx + shift));
+                cosines(q, k) = cosine;
+                sines(q, k) = sine;
+                const double next = cosine * turn_cosine - sine * turn_sine;
+                sine = sine * turn_cosine + cosine * turn_sine;
+                cosine = next;
             }
         }
         even.noalias() += even_values.leftCols(used) * cosines.topRows(used);
