@@ -146,6 +146,7 @@ TEST_CASE("Of a wheel, words that are none are refused", "[c]") {
         CHECK(contactd_wheel_set_rigid(w, bad) == CONTACTD_INVALID_ARGUMENT);
         CHECK(contactd_wheel_set_model(w, bad) == CONTACTD_INVALID_ARGUMENT);
         CHECK(contactd_wheel_set_kinetic(w, bad, 0.1, 1) == CONTACTD_INVALID_ARGUMENT);
+        CHECK(contactd_wheel_set_conformal(w, bad) == CONTACTD_INVALID_ARGUMENT);
         CHECK(contactd_wheel_set_tolerance(w, bad, 1e-6, 9) == CONTACTD_INVALID_ARGUMENT);
         CHECK(contactd_wheel_want(w, bad, 1) == CONTACTD_INVALID_ARGUMENT);
         CHECK(field() == "array");

@@ -149,6 +149,11 @@ const std::vector<Case>& cases() {
              require_ok(contactd_wheel_set_mesh_search(w, 1), w);
              require_ok(contactd_wheel_set_conformal(w, 1), w);
          }},
+        {"a contact that turns from row to row",
+         [](contactd_wheel* w) {
+             set_rolling(w, 6.5);
+             require_ok(contactd_wheel_set_conformal(w, 2), w);
+         }},
         {"a roller, of points, under a rigid wheel",
          [](contactd_wheel* w) {
              Numbers y, z;
