@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "geometry/section/ready_made.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -35,8 +36,7 @@ class ColumnCarrier {
         const int begin = std::clamp(nearest, first_, std::max(first_, last_ + 1 - rows)), end = begin + rows;
         if (std::abs(begin - nearest) > margin || end - 1 > last_)
             throw InvalidArgument("conformal", "is fem, and the contact reaches the end of the profile of the " +
-                                                   std::string(is_wheel() ? "wheel" : "rail") +
-                                                   ", where its section has a corner: take rotated");
+                                                   name() + ", where its section has a corner: take rotated");
         const int low = std::max(first_, floored(begin - margin)), high = std::min(last_ + 1, ceiled(end + margin));
         BodyColumns columns;
         static_cast<Ics&>(columns.spec) = ics(is_wheel() ? 0.5 - high : low - 0.5);
@@ -51,6 +51,7 @@ class ColumnCarrier {
 
    private:
     bool is_wheel() const { return profile_.kind == ProfileKind::wheel; }
+    std::string name() const { return is_wheel() ? "wheel" : "rail"; }
     bool is_60e1() const { return std::holds_alternative<Rail60E1>(profile_.shape); }
     static int floored(int station) { return block * static_cast<int>(std::floor(station / double{block})); }
     static int ceiled(int station) { return block * static_cast<int>(std::ceil(station / double{block})); }
@@ -67,8 +68,17 @@ class ColumnCarrier {
         else if (std::holds_alternative<S1002>(profile_.shape))
             ics.section->shape = WheelRimSection{.from = from * ds_};
         else
-            ics.section->shape = ProfileSection{profile_, depth_, from * ds_};
+            ics.section->shape = outline({profile_, depth_, from * ds_});
         return ics;
+    }
+    /// As every client could state it.
+    OutlineSection outline(const ProfileSection& section) const {
+        try {
+            return geometry::outline_of(section, 0, "section");
+        } catch (const InvalidArgument& error) {
+            throw InvalidArgument("conformal", "is fem, and the " + name() +
+                                                   " has no coefficients by its cross-section: " + error.what());
+        }
     }
 
     const ProfileSpec& profile_;

@@ -189,8 +189,11 @@ TEST_CASE("Rows of a wheel's contact are columns, on which contact is the same")
 }
 
 TEST_CASE("Columns of sections turn as the rows do that lie on them") {
-    const double y = GENERATE(0.0, 5.5, 6.5);
-    const Asked asked = asked_by(in_the_corner(Conformal::fem), loaded(y, 60000));
+    const double y = GENERATE(0.0, 5.5, 6.5, 0.5);
+    const bool throat = y == 0.5;  // of profiles that have no section of their own
+    const Asked asked =
+        asked_by(throat ? throat_on_rail(Conformal::fem) : in_the_corner(Conformal::fem), loaded(y, 60000));
+    CHECK(std::holds_alternative<OutlineSection>(asked.columns.rail->spec.section->shape) == throat);
     REQUIRE(asked.columns.rail);
     REQUIRE(asked.columns.wheel);
     const auto& rows = asked.columns.frames;
