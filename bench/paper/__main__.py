@@ -1,7 +1,9 @@
-"""Regenerates docs/paper: the figures of one of the paper's sections, their numbers, and a page that compares.
+"""Regenerates docs/paper: the figures of one of the paper's sections, or of bodies by their cross-section, their
+numbers, and a page that compares.
 
     ./dev paper fem [--only fig5,fig8] [--fresh]
     ./dev paper contact [--only fig9] [--fresh]
+    ./dev paper sections [--only edges] [--fresh]
 
 Results are kept in build/paper/<section>.jsonl as soon as they are there: a run that was interrupted, or repeated, goes
 on from them. The page is written from the CSV files when all of them are there.
@@ -23,9 +25,10 @@ from .fem.section import SECTION as FEM
 from .outputs import write_page, write_part
 from .run import compute
 from .section import ComputationFailed, Section
+from .sections.section import SECTION as SECTIONS_OF_BODIES
 from .store import ResultStore, StoreInUse
 
-SECTIONS = {section.name: section for section in (FEM, CONTACT)}
+SECTIONS = {section.name: section for section in (FEM, CONTACT, SECTIONS_OF_BODIES)}
 
 
 def say(line: str) -> None:
@@ -45,8 +48,8 @@ def parts_of(section: Section, text: str | None) -> list[str]:
 
 def arguments_of(words: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="./dev paper", description=(__doc__ or "").splitlines()[0])
-    meanings = " and ".join(f"{section.name} is section {section.number}" for section in SECTIONS.values())
-    parser.add_argument("section", choices=list(SECTIONS), metavar="SECTION", help=f"of the paper: {meanings}")
+    meanings = " and ".join(f"{s.name} is section {s.number}" for s in SECTIONS.values() if s.number is not None)
+    parser.add_argument("section", choices=list(SECTIONS), metavar="SECTION", help=f"of the paper: {meanings}; sections is about docs/sections.md")
     parser.add_argument("--bin", type=Path, required=True, help="folder with contactd and contactd-ic")
     parser.add_argument("--output", type=Path, default=Path("docs/paper"), help="default: docs/paper")
     parser.add_argument("--store", type=Path, default=Path("build/paper"), help="finished computations; build/paper")

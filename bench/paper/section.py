@@ -51,7 +51,7 @@ class Section:
     """Parts are named after their CSV files; the page is <name>.md, and finished computations are in <name>.jsonl."""
 
     name: str
-    number: int  #: of the paper's section
+    number: int | None  #: of the paper's section; none of what goes beyond it
     parts: Mapping[str, Callable[[], Sequence[Any]]]  #: cases of each, in the order of computation
     columns: Sequence[str]
     row: Callable[[Any, Result], Row]  #: of a case and its result, which is no failure

@@ -36,4 +36,4 @@ def test_sections_do_not_write_each_others_files():
 def test_every_section_has_a_page_to_fill(name):
     text = Path(paper.__file__).with_name(f"{name}.md.in").read_text()
     assert "{{version}}" in text
-    assert re.search(r"\[\[(agrees|differs) \w+\]\]", text)
+    assert re.search(r"\[\[(agrees|differs|yes|no) \w+\]\]", text)

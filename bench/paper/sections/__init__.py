@@ -1,0 +1,1 @@
+"""What bodies by their cross-section change: the numbers and figures of docs/sections.md."""

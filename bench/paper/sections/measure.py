@@ -1,0 +1,91 @@
+"""One computation, by a daemon of our own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from contactd import AnalyticIcs, Client, FemIcs, Grid, LocalDaemon, Material, Paraboloid, RigidBody
+from contactd.wheel_rail import Rail60E1, WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
+
+from ..section import Measure
+from .cases import FINEST, Spec
+
+STEEL = Material(G=82000, nu=0.28)
+SIZE = 0.5  # of columns and elements of a table (mm)
+OFFSETS = 40  # of the tables that are compared
+TIMEOUT = 3600.0  # s; a table is built on the way
+BLOCK = {"edge_block": {"width": 100, "height": 50}}
+SPEED, RADIUS, FZ = 20e3, 460.0, 80e3
+
+
+@contextmanager
+def solver(programs: Path) -> Iterator[Measure]:
+    """A daemon for as long as the `with` block; its tables go with it."""
+    with LocalDaemon(programs / "contactd", config={"workers": 1}) as daemon:
+        with daemon.client(timeout=TIMEOUT) as client:
+            yield Solver(client).measure
+
+
+class Solver:
+    """Answers requests with a daemon, one after the other."""
+
+    def __init__(self, client: Client) -> None:
+        self._client = client
+        self._finest: dict[str, Any] = {}
+
+    def measure(self, spec: Spec) -> dict[str, Any]:
+        """What the figures show. A solve that did not converge: {"failure": text}."""
+        return {"edge": self._edge, "throat": self._throat, "table": self._table}[spec["kind"]](spec)
+
+    def _edge(self, spec: Spec) -> dict[str, Any]:
+        ics = FemIcs(body="prism", section=BLOCK, accuracy=1e-2) if spec["body"] == "block" else AnalyticIcs()
+        solution = self._client.solve(
+            grid=Grid(20, 24, 0.25, 0.25, -2.5, spec["distance"] - 6),
+            upper=RigidBody(),
+            lower=STEEL,
+            lower_ics=ics,
+            gap=Paraboloid(50, 50),
+            Fn=5000,
+        )
+        if not solution.converged:
+            return {"failure": "The contact did not converge."}
+        return {"pmax": solution.pmax, "approach": solution.approach}
+
+    def _throat(self, spec: Spec) -> dict[str, Any]:
+        setup = WheelRailSetup(rail=Rail60E1(1 / 40), dx=0.4, dy=0.4, conformal=spec["conformal"])
+        rolling = WheelsetVelocity(x=SPEED, pitch=-SPEED / RADIUS)
+        state = WheelRailState(position=WheelsetPosition(y=spec["y"]), velocity=rolling, Fz=FZ)
+        solution = self._client.wheel_rail(setup, state, fields=[])
+        if not solution.converged:
+            return {"failure": "The contact did not converge."}
+        patch = max(solution.patches, key=lambda patch: patch.solution.pmax)
+        track = solution.forces.track
+        return {"pmax": patch.solution.pmax, "approach": patch.place.approach, "Fx": track.Fx, "Fy": track.Fy}
+
+    def _table(self, spec: Spec) -> dict[str, Any]:
+        """Found: the largest difference of nn, xx and ss to the finest accuracy, over zz of the half-space on itself."""
+        name = str(spec["section"])
+        if name not in self._finest:
+            self._finest[name] = self._built(spec, FINEST)
+        finest = self._finest[name]
+        table = self._built(spec, spec["accuracy"])
+        scale = self._client.get_ic(STEEL, Grid.centred(1, 1, SIZE, SIZE), AnalyticIcs())["zz"][0, 0]
+        found = max(float(np.abs(table[ij] - finest[ij]).max()) for ij in ("zz", "xx", "yy")) / float(scale)
+        assert table.evidence.section is not None
+        assert finest.evidence.section is not None
+        return {
+            "stated": table.evidence.section.error,
+            "found": found,
+            "finest": finest.evidence.section.error,
+            "seconds": table.evidence.seconds["total"],
+        }
+
+    def _built(self, spec: Spec, accuracy: float) -> Any:
+        columns = spec["columns"]
+        grid = Grid.centred(OFFSETS, columns, OFFSETS * SIZE, columns * SIZE)
+        return self._client.get_ic(STEEL, grid, FemIcs(body="prism", section=spec["section"], accuracy=accuracy))
