@@ -28,6 +28,7 @@ PROGRAMS = [
     "bench_core",
     "bench_rolling",
     "bench_contact",
+    "bench_columns",
     "bench_quick",
     "bench_wheel_rail",
     "bench_embedding",
@@ -65,6 +66,8 @@ def ratio(row: dict[str, Any], by_name: dict[str, dict[str, Any]]) -> tuple[floa
     """The row's time over its baseline's, and the baseline in words."""
     if "over_solve" in row:  # measured by the row itself, in turns
         return row["over_solve"], "plain solves of its patches"
+    if "ratio" in row:  # measured by the row itself, in turns
+        return row["ratio"], "half-spaces"
     for pattern, baseline, words in BASELINES:
         if match := re.fullmatch(pattern, row["name"]):
             if "A_p" in row:  # measured by the row itself, right beside the solves

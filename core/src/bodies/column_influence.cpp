@@ -57,6 +57,20 @@ IcTable half_space(const ContactProblem& problem, const Body& body, int nx) {
     return half_space_table(spec);
 }
 
+/// By what products may change a coefficient, over zz of half-spaces under an element: a thousandth of the error that
+/// the tables of prisms have anyway. Nothing where tables were given, which may be exact.
+double negligible(const Bodies& bodies) {
+    constexpr double of_error = 1e-3, of_turned_half_spaces = 1e-3;
+    double error = 0;
+    for (const Body* body : {&bodies.upper, &bodies.lower}) {
+        if (body->section() == nullptr) continue;
+        const Ics& ics = *body->computed();
+        const double own = ics.source == IcSource::fem && ics.accuracy > 0 ? ics.accuracy : of_turned_half_spaces;
+        error = error == 0 ? own : std::min(error, own);
+    }
+    return of_error * error;
+}
+
 ColumnTable extended(const ColumnTable& table, const IcTable& near) {
     ColumnTable result(near.nx, table.columns);
     const int last = table.nx - 1;
@@ -110,7 +124,7 @@ void complete(ColumnTable& table) {
 }
 
 /// A(k) less the mean of A' = A(k + step) at both signs of k, by parity, and half of what these differ by.
-ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx) {
+ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx, double left_out) {
     ColumnTable natural(nx, table.columns), opposite(nx, table.columns);
     for (const Axis i : {Axis::x, Axis::y})
         for (const Axis j : {Axis::x, Axis::y, Axis::z}) {
@@ -125,8 +139,8 @@ ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx) {
         }
     complete(natural);
     complete(opposite);
-    return {std::make_shared<const ColumnParts>(std::move(natural), nx),
-            std::make_shared<const ColumnParts>(std::move(opposite), nx, OffsetParity::opposite)};
+    return {std::make_shared<const ColumnParts>(std::move(natural), nx, OffsetParity::natural, left_out),
+            std::make_shared<const ColumnParts>(std::move(opposite), nx, OffsetParity::opposite, left_out)};
 }
 
 }  // namespace
@@ -142,7 +156,8 @@ ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pai
     const IcTable near =
         pair_of(half_space(problem, problem.bodies.upper, offsets), half_space(problem, problem.bodies.lower, offsets));
     if (pair.nx < offsets) pair = extended(pair, near);
-    const auto parts = std::make_shared<const ColumnParts>(std::move(pair), grid.nx);
+    const double left_out = negligible(problem.bodies) * near(Axis::z, Axis::z, 0, 0);
+    const auto parts = std::make_shared<const ColumnParts>(std::move(pair), grid.nx, OffsetParity::natural, left_out);
     ContactInfluence influence;
     influence.here = std::make_shared<const ColumnOperator>(
         parts, parts->extent(), std::make_shared<const ConvolutionOperator>(near, grid.nx, grid.ny));
@@ -154,8 +169,9 @@ ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pai
         influence.change = std::make_shared<const ColumnStep>(parts, parts->extent(), step.whole, std::move(near_step));
     else
         influence.change = std::make_shared<const ColumnStep>(
-            change_of(parts->table(), Shifted(parts->table(), near, near_ahead, step), grid.nx), parts->extent(),
-            parts->coupled(), std::move(near_step));
+            change_of(parts->table(), Shifted(parts->table(), near, near_ahead, step), grid.nx,
+                      left_out * std::min(1.0, std::abs(x) / grid.dx)),
+            parts->extent(), parts->coupled(), std::move(near_step));
     return influence;
 }
 

@@ -5,25 +5,39 @@
 #include <mutex>
 
 #include "padded_fft_plans.hpp"
+#include "spectral_products.hpp"
 
 namespace contactd {
+namespace {
 
-ColumnFft::Row::Row(int period)
-    : values(static_cast<std::size_t>(period)),
-      stride((values.size() / 2 + Waves::lanes) / Waves::lanes * Waves::lanes),
-      parts(2 * stride) {}
+constexpr std::size_t lanes = Waves::lanes;
+
+double* parts(std::vector<Complex>& values) {
+    return reinterpret_cast<double*>(values.data());
+}
+
+std::size_t groups_of(int period) {
+    return (static_cast<std::size_t>(period) / 2 + lanes) / lanes;
+}
+
+}  // namespace
+
+ColumnPair::ColumnPair(int period)
+    : a(static_cast<std::size_t>(period)),
+      b(a.size()),
+      both_(a.size()),
+      transformed_(a.size()),
+      of_a_(groups_of(period) * lanes),
+      of_b_(of_a_.size()) {}
 
 struct ColumnFft::Plans {
-    int period;
-    Plan forward, inverse;  // of a row, real and imaginary parts apart
+    Plan forward, inverse;
 
-    explicit Plans(int period_) : period(period_) {
-        const fftw_iodim size{period, 1, 1};
-        Row row(period);
-        double *values = row.values.data(), *re = row.re(), *im = row.im();
+    explicit Plans(int period) {
+        std::vector<Complex> from(static_cast<std::size_t>(period)), to(from);
         constexpr unsigned flags = FFTW_ESTIMATE | FFTW_UNALIGNED;
-        forward.reset(fftw_plan_guru_split_dft_r2c(1, &size, 0, nullptr, values, re, im, flags));
-        inverse.reset(fftw_plan_guru_split_dft_c2r(1, &size, 0, nullptr, re, im, values, flags));
+        forward.reset(fftw_plan_dft_1d(period, raw(from.data()), raw(to.data()), FFTW_FORWARD, flags));
+        inverse.reset(fftw_plan_dft_1d(period, raw(from.data()), raw(to.data()), FFTW_BACKWARD, flags));
     }
 
     /// Made once and shared. Plans are only ever destroyed here, under the lock.
@@ -45,60 +59,86 @@ ColumnFft::ColumnFft(int nx, int period) : nx_(nx), period_(period), plans_(Plan
 ColumnFft::~ColumnFft() = default;
 
 std::size_t ColumnFft::groups() const {
-    return (static_cast<std::size_t>(period_) / 2 + Waves::lanes) / Waves::lanes;
+    return groups_of(period_);
 }
 
-void ColumnFft::forward(std::span<const double> field, WavePhase phase, Waves& waves, std::size_t first) const {
-    const auto nx = static_cast<std::size_t>(nx_);
-    const std::size_t step = waves.entries * Waves::lanes;
-    const bool turned = phase == WavePhase::along_x;
-    const double sign = turned ? -1 : 1;
-    Row row(period_);
-    for (std::size_t column = 0; column * nx < field.size(); ++column) {
-        const double* values = field.data() + column * nx;
-        if (std::all_of(values, values + nx, [](double value) { return value == 0; })) {
-            std::fill(row.parts.begin(), row.parts.end(), 0.0);
-        } else {
-            std::copy_n(values, nx, row.values.begin());
-            fftw_execute_split_dft_r2c(plans_->forward.get(), row.values.data(), row.re(), row.im());
+void ColumnFft::forward(const double* a, const double* b, WavePhase phase, Waves& waves, std::size_t first,
+                        ColumnPair& work) const {
+    const auto nx = static_cast<std::size_t>(nx_), period = static_cast<std::size_t>(period_);
+    const auto is_zero = [nx](const double* values) {
+        return values == nullptr || std::all_of(values, values + nx, [](double value) { return value == 0; });
+    };
+    const std::size_t group = waves.entries * lanes;
+    double *re = &waves.re[first * lanes], *im = &waves.im[first * lanes];
+    if (is_zero(a) && is_zero(b)) {
+        for (std::size_t at = 0; at < work.of_a_.size(); at += lanes, re += group, im += group) {
+            std::fill_n(re, 2 * lanes, 0.0);
+            std::fill_n(im, 2 * lanes, 0.0);
         }
-        const double *re = turned ? row.im() : row.re(), *im = turned ? row.re() : row.im();
-        double* to_re = &waves.re[(first + column) * Waves::lanes];
-        double* to_im = &waves.im[(first + column) * Waves::lanes];
-        for (std::size_t at = 0, to = 0; at < row.stride; at += Waves::lanes, to += step)
-            for (std::size_t lane = 0; lane < Waves::lanes; ++lane) {
-                to_re[to + lane] = re[at + lane];
-                to_im[to + lane] = sign * im[at + lane];
-            }
+        return;
     }
-}
-
-void ColumnFft::inverse(const Waves& waves, std::size_t entry, WavePhase phase, Row& row) const {
-    const std::size_t step = waves.entries * Waves::lanes;
-    const double* from_re = &waves.re[entry * Waves::lanes];
-    const double* from_im = &waves.im[entry * Waves::lanes];
-    const bool turned = phase == WavePhase::along_x;
-    const double sign = turned ? -1 : 1;
-    double *re = turned ? row.im() : row.re(), *im = turned ? row.re() : row.im();
-    for (std::size_t at = 0, from = 0; at < row.stride; at += Waves::lanes, from += step)
-        for (std::size_t lane = 0; lane < Waves::lanes; ++lane) {
-            re[at + lane] = from_re[from + lane];
-            im[at + lane] = sign * from_im[from + lane];
+    if (b == nullptr) {
+        std::fill_n(work.b.begin(), nx, 0.0);
+        b = work.b.data();
+    }
+    interleave(nx, a, b, parts(work.both_));
+    std::fill(work.both_.begin() + nx_, work.both_.end(), Complex());
+    fftw_execute_dft(plans_->forward.get(), raw(work.both_.data()), raw(work.transformed_.data()));
+    split_transforms(period, parts(work.transformed_), parts(work.of_a_), parts(work.of_b_));
+    const double *of_a = parts(work.of_a_), *of_b = parts(work.of_b_);
+    const std::size_t real = phase == WavePhase::along_x ? 1 : 0;
+    const double sign = phase == WavePhase::along_x ? -1 : 1;
+    for (std::size_t at = 0; at < work.of_a_.size(); at += lanes, re += group, im += group)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const std::size_t k = 2 * (at + lane);
+            re[lane] = of_a[k + real];
+            im[lane] = sign * of_a[k + 1 - real];
+            re[lanes + lane] = of_b[k];
+            im[lanes + lane] = of_b[k + 1];
         }
-    fftw_execute_split_dft_c2r(plans_->inverse.get(), row.re(), row.im(), row.values.data());
 }
 
-void ColumnFft::symbol(std::span<const double> kernel, bool even, std::span<double> transform) const {
-    Row row(period_);
-    const std::size_t period = row.values.size();
+void ColumnFft::inverse(const Waves& waves, std::size_t first, WavePhase phase, ColumnPair& work) const {
+    const std::size_t group = waves.entries * lanes;
+    const double *re = &waves.re[first * lanes], *im = &waves.im[first * lanes];
+    double *of_a = parts(work.of_a_), *of_b = parts(work.of_b_);
+    const std::size_t real = phase == WavePhase::along_x ? 1 : 0;
+    const double sign = phase == WavePhase::along_x ? -1 : 1;
+    for (std::size_t at = 0; at < work.of_a_.size(); at += lanes, re += group, im += group)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const std::size_t k = 2 * (at + lane);
+            of_a[k + real] = re[lane];
+            of_a[k + 1 - real] = sign * im[lane];
+            of_b[k] = re[lanes + lane];
+            of_b[k + 1] = im[lanes + lane];
+        }
+    const auto period = static_cast<std::size_t>(period_);
+    join_transforms(period, of_a, of_b, parts(work.transformed_));
+    fftw_execute_dft(plans_->inverse.get(), raw(work.transformed_.data()), raw(work.both_.data()));
+    deinterleave(period, parts(work.both_), work.a.data(), work.b.data());
+    // What is nothing must not have the other's rounding errors.
+    const auto is_zero = [](const std::vector<Complex>& of) {
+        return std::all_of(of.begin(), of.end(), [](const Complex& value) { return value == 0.0; });
+    };
+    if (is_zero(work.of_a_)) std::fill(work.a.begin(), work.a.end(), 0.0);
+    if (is_zero(work.of_b_)) std::fill(work.b.begin(), work.b.end(), 0.0);
+}
+
+void ColumnFft::symbol(std::span<const double> kernel, bool even, const PeriodicJoint& joint,
+                       std::span<double> transform, ColumnPair& work) const {
+    const auto period = static_cast<std::size_t>(period_);
     const double factor = 1.0 / period_, sign = even ? 1 : -1;
+    std::fill(work.a.begin(), work.a.end(), 0.0);
     for (std::size_t k = 0; k < kernel.size(); ++k) {
-        row.values[k] = factor * kernel[k];
-        if (k > 0) row.values[period - k] = sign * row.values[k];
+        work.a[k] = factor * kernel[k];
+        if (k > 0) work.a[period - k] = sign * work.a[k];
     }
-    fftw_execute_split_dft_r2c(plans_->forward.get(), row.values.data(), row.re(), row.im());
-    const double* part = even ? row.re() : row.im();
-    for (std::size_t at = 0; at < transform.size(); ++at) transform[at] = sign * part[at];
+    joint.fill(work.a, even);
+    std::copy(work.a.begin(), work.a.end(), work.both_.begin());
+    fftw_execute_dft(plans_->forward.get(), raw(work.both_.data()), raw(work.transformed_.data()));
+    std::fill(transform.begin(), transform.end(), 0.0);
+    for (std::size_t at = 0; at <= period / 2; ++at)
+        transform[at] = even ? work.transformed_[at].real() : -work.transformed_[at].imag();
 }
 
 }  // namespace contactd

@@ -1,10 +1,13 @@
-// Real FFTs along x of columns of elements, padded with zeros, and the order in which products take wavenumbers.
+// FFTs along x of columns of elements, padded with zeros, and the order in which products take wavenumbers.
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
+
+#include "periodic_joint.hpp"
 
 namespace contactd {
 
@@ -22,6 +25,20 @@ struct Waves {
 /// times -i, both have real ones, and reciprocity makes of them a symmetric matrix.
 enum class WavePhase { plain, along_x };
 
+/// Two columns before and after, transformed at once as the real and the imaginary part of one.
+class ColumnPair {
+   public:
+    explicit ColumnPair(int period);
+
+    std::vector<double> a, b;  ///< after the inverse: values of the whole period
+
+   private:
+    friend class ColumnFft;
+    using Complex = std::complex<double>;
+    std::vector<Complex> both_, transformed_;  // [period]
+    std::vector<Complex> of_a_, of_b_;         // wavenumbers, zero beyond the last one
+};
+
 class ColumnFft {
    public:
     /// Of columns of nx elements, as if periodic with the length `period` >= nx.
@@ -32,36 +49,19 @@ class ColumnFft {
 
     /// Of wavenumbers, by fours.
     std::size_t groups() const;
-    /// `field` of shape [columns, nx] into the entries from `first` on.
-    void forward(std::span<const double> field, WavePhase phase, Waves& waves, std::size_t first) const;
-    /// And back: calls take(column, values), values of the whole period.
-    template <class Take>
-    void inverse(const Waves& waves, std::size_t first, std::size_t columns, WavePhase phase, const Take& take) const {
-        Row row(period_);
-        for (std::size_t column = 0; column < columns; ++column) {
-            inverse(waves, first + column, phase, row);
-            take(column, row.values.data());
-        }
-    }
+    /// Two columns of nx elements into the entry `first`, `phase` being that of `a`, and the next one, which is plain.
+    /// Null stands for zeros.
+    void forward(const double* a, const double* b, WavePhase phase, Waves& waves, std::size_t first,
+                 ColumnPair& work) const;
+    /// And back: into `work`.
+    void inverse(const Waves& waves, std::size_t first, WavePhase phase, ColumnPair& work) const;
     /// Of a kernel at the offsets 0..n-1, even or odd, n <= (period + 1)/2: what products with it multiply by, with the
     /// factor of the inverse transform. Lanes beyond the last wavenumber are zero. `transform` has 4 groups() values.
-    void symbol(std::span<const double> kernel, bool even, std::span<double> transform) const;
+    void symbol(std::span<const double> kernel, bool even, const PeriodicJoint& joint, std::span<double> transform,
+                ColumnPair& work) const;
 
    private:
     struct Plans;
-    /// A column before and after, its parts apart as far as those that the plans were made with. Lanes beyond the last
-    /// wavenumber are zero.
-    struct Row {
-        explicit Row(int period);
-        double* re() { return parts.data(); }
-        double* im() { return parts.data() + stride; }
-
-        std::vector<double> values;
-        std::size_t stride;
-        std::vector<double> parts;
-    };
-    void inverse(const Waves& waves, std::size_t entry, WavePhase phase, Row& row) const;
-
     int nx_, period_;
     std::shared_ptr<const Plans> plans_;
 };

@@ -4,6 +4,7 @@
 
 #include "coarser_with.hpp"
 #include "contactd/error.hpp"
+#include "kept_boxes.hpp"
 
 namespace contactd {
 
@@ -17,11 +18,14 @@ class ColumnOperator::Boxes final : public ElementBoxes {
     }
     std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override {
         const ElementBox there{0, whole_.box_.first_y + box.first_y, box.nx, box.ny};
-        return std::make_shared<const ColumnOperator>(whole_.parts_, there, whole_.near_->boxes()->influence(box));
+        return kept_.get(there, [&] {
+            return std::make_shared<const ColumnOperator>(whole_.parts_, there, whole_.near_->boxes()->influence(box));
+        });
     }
 
    private:
     const ColumnOperator& whole_;
+    mutable KeptBoxes<InfluenceOperator> kept_;
 };
 
 ColumnOperator::ColumnOperator(std::shared_ptr<const ColumnParts> parts, const ElementBox& box,
@@ -79,7 +83,8 @@ const CoarserGrid* ColumnOperator::coarser() const {
         const int nx = table.nx, columns = table.columns;
         const std::shared_ptr<const InfluenceOperator> near(std::shared_ptr<void>(),
                                                             &grid->influence());  // near_ owns it
-        auto parts = std::make_shared<const ColumnParts>(std::move(table), nx);
+        auto parts =
+            std::make_shared<const ColumnParts>(std::move(table), nx, OffsetParity::natural, parts_->left_out());
         return std::make_unique<const CoarserWith>(
             *grid, std::make_unique<const ColumnOperator>(std::move(parts), ElementBox{0, 0, nx, columns}, near));
     };

@@ -25,8 +25,8 @@ bool couples(const ColumnTable& table) {
 
 }  // namespace
 
-ColumnParts::ColumnParts(ColumnTable table, int nx, OffsetParity parity)
-    : nx_(nx), parity_(parity), coupled_(couples(table)) {
+ColumnParts::ColumnParts(ColumnTable table, int nx, OffsetParity parity, double left_out)
+    : nx_(nx), parity_(parity), coupled_(couples(table)), left_out_(left_out) {
     if (table.nx < nx)
         throw InvalidArgument("grid", "needs offsets up to " + std::to_string(nx) + " along x; the table holds " +
                                           std::to_string(table.nx));
@@ -35,12 +35,9 @@ ColumnParts::ColumnParts(ColumnTable table, int nx, OffsetParity parity)
 
 std::shared_ptr<const ColumnProducts> ColumnParts::on(const ElementBox& box) const {
     const ElementBox part{0, box.first_y, box.nx, box.ny};
-    const std::scoped_lock lock(mutex_);
-    for (const Kept& kept : kept_)
-        if (kept.box == part) return kept.products;
-    if (kept_.size() == most_kept) kept_.pop_front();
-    kept_.push_back({part, std::make_shared<const ColumnProducts>(table_, part, table_->nx - nx_, parity_)});
-    return kept_.back().products;
+    return kept_.get(part, [&] {
+        return std::make_shared<const ColumnProducts>(table_, part, table_->nx - nx_, parity_, left_out_);
+    });
 }
 
 std::size_t ColumnParts::bytes_of(int nx, int columns) {
@@ -57,26 +54,34 @@ ColumnTable ColumnParts::coarse(const ElementBox& box, int along_x, int along_y)
     const auto number = [](int n, int factor) { return (n + factor - 1) / factor; };
     ColumnTable result(number(box.nx, along_x), number(box.ny, along_y));
     // A pair of columns of which one lies beyond the last: both moved back by that much.
-    const auto value = [&](Axis i, Axis j, int I, int J, int k) {
+    const auto values_of = [&](Axis i, Axis j, int I, int J) {
         const int beyond = std::max({I - (box.ny - 1), J - (box.ny - 1), 0});
-        return table_->at(i, j, box.first_y + std::max(I - beyond, 0), box.first_y + std::max(J - beyond, 0), k);
+        const int at = box.first_y + std::max(I - beyond, 0), from = box.first_y + std::max(J - beyond, 0);
+        return &table_->values[table_->index(i, j, at, from, 0)];
+    };
+    const int last = table_->nx - 1;
+    const auto fill = [&](Axis i, Axis j, int I, int J) {
+        const double sign = parity(i, j).along_x;
+        double* mean = &result(i, j, I, J, 0);
+        for (int a = 0; a < along_y; ++a)
+            for (int b = 0; b < along_y; ++b) {
+                const double* values = values_of(i, j, I * along_y + a, J * along_y + b);
+                for (int k = 1 - along_x; k < along_x; ++k) {
+                    const double weight = static_cast<double>(along_x - std::abs(k)) / along_x / along_y;
+                    for (int K = 0; K < result.nx; ++K) {
+                        const int offset = std::min(K * along_x + k, last);
+                        mean[K] += weight * (offset < 0 ? sign * values[-offset] : values[offset]);
+                    }
+                }
+            }
     };
     const auto components = coupled_ ? std::vector{x, y, z} : std::vector{x, y};
-    const auto fill = [&](Axis i, Axis j) {
-        for (int I = 0; I < result.columns; ++I)
-            for (int J = 0; J < result.columns; ++J)
-                for (int a = 0; a < along_y; ++a)
-                    for (int b = 0; b < along_y; ++b)
-                        for (int K = 0; K < result.nx; ++K)
-                            for (int k = 1 - along_x; k < along_x; ++k) {
-                                const double weight = static_cast<double>(along_x - std::abs(k)) / along_x / along_y;
-                                const int offset = std::min(K * along_x + k, table_->nx - 1);
-                                result(i, j, I, J, K) += weight * value(i, j, I * along_y + a, J * along_y + b, offset);
-                            }
-    };
-    for (const Axis i : components)
-        for (const Axis j : components) fill(i, j);
-    if (!coupled_) fill(z, z);
+    for (int I = 0; I < result.columns; ++I)
+        for (int J = 0; J < result.columns; ++J) {
+            for (const Axis i : components)
+                for (const Axis j : components) fill(i, j, I, J);
+            if (!coupled_) fill(z, z, I, J);
+        }
     return result;
 }
 

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <memory>
-#include <mutex>
 
 #include "column_products.hpp"
+#include "kept_boxes.hpp"
 
 namespace contactd {
 
@@ -14,13 +13,14 @@ namespace contactd {
 class ColumnParts {
    public:
     /// Of a grid of nx elements along each column. Products read up to table.nx - nx elements ahead. Throws
-    /// InvalidArgument where the table has fewer offsets than nx.
-    ColumnParts(ColumnTable table, int nx, OffsetParity parity = OffsetParity::natural);
+    /// InvalidArgument where the table has fewer offsets than nx. `left_out`: as of ColumnProducts.
+    ColumnParts(ColumnTable table, int nx, OffsetParity parity = OffsetParity::natural, double left_out = 0);
 
     const ColumnTable& table() const { return *table_; }
     ElementBox extent() const { return {0, 0, nx_, table_->columns}; }
     /// A[i,z] and A[z,i] of the tangential i beyond coupling_tolerance.
     bool coupled() const { return coupled_; }
+    double left_out() const { return left_out_; }
     /// Where the box lies along x does not matter. Those of the last few boxes are kept.
     std::shared_ptr<const ColumnProducts> on(const ElementBox& box) const;
     /// About what all takes in memory: table, symbols, and those of some boxes.
@@ -32,18 +32,12 @@ class ColumnParts {
     ColumnTable coarse(const ElementBox& box, int along_x, int along_y) const;
 
    private:
-    struct Kept {
-        ElementBox box;
-        std::shared_ptr<const ColumnProducts> products;
-    };
-    static constexpr std::size_t most_kept = 8;
-
     std::shared_ptr<const ColumnTable> table_;
     int nx_;
     OffsetParity parity_;
     bool coupled_;
-    mutable std::mutex mutex_;
-    mutable std::deque<Kept> kept_;  // the oldest first
+    double left_out_;
+    mutable KeptBoxes<ColumnProducts> kept_;
 };
 
 }  // namespace contactd

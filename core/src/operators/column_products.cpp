@@ -22,17 +22,46 @@ constexpr auto add = [](std::span<double> u, const double* values) {
     for (std::size_t k = 0; k < u.size(); ++k) u[k] += values[k];
 };
 
+int period_of(int offsets, double left_out) {
+    if (left_out <= 0) return smooth_size(2 * offsets - 1);
+    return smooth_size(static_cast<int>(PeriodicJoint::least_period(static_cast<std::size_t>(offsets))));
+}
+
+PeriodicJoint joint_of(int offsets, int period) {
+    return {static_cast<std::size_t>(offsets), static_cast<std::size_t>(period)};
+}
+
 }  // namespace
 
 ColumnProducts::ColumnProducts(std::shared_ptr<const ColumnTable> table, const ElementBox& box, int reach,
-                               OffsetParity parity)
+                               OffsetParity parity, double left_out)
     : table_(std::move(table)),
       box_(box),
       parity_(parity),
+      left_out_(left_out),
       offsets_(box.nx + reach),
-      period_(smooth_size(2 * offsets_ - 1)),
+      period_(period_of(offsets_, left_out)),
       columns_(static_cast<std::size_t>(box.ny)),
+      joint_(left_out > 0 ? joint_of(offsets_, period_) : PeriodicJoint()),
       fft_(box.nx, period_) {}
+
+ColumnProducts::~ColumnProducts() = default;
+
+struct ColumnProducts::Workspace {
+    Waves normal_in, normal_out, tangential_in, tangential_out;
+    ColumnPair pair;
+
+    Workspace(std::size_t groups, std::size_t columns, int period)
+        : normal_in(groups, columns + columns % 2),
+          normal_out(normal_in),
+          tangential_in(groups, 2 * columns),
+          tangential_out(tangential_in),
+          pair(period) {}
+};
+
+Workspaces<ColumnProducts::Workspace>::Lease ColumnProducts::workspace() const {
+    return idle_.take([this] { return std::make_unique<Workspace>(fft_.groups(), columns_, period_); });
+}
 
 // Calls set(I, J, transform) of all pairs of columns of the box, where i = j of those with J <= I.
 template <class Set>
@@ -40,13 +69,14 @@ void ColumnProducts::for_pairs(Axis i, Axis j, const Set& set) const {
     const double sign = parity(i, j).along_x;
     const bool even = (sign > 0) == (parity_ == OffsetParity::natural);
     std::vector<double> kernel(static_cast<std::size_t>(offsets_)), transform(fft_.groups() * Waves::lanes);
+    ColumnPair work(period_);
     for (std::size_t I = 0; I < columns_; ++I)
         for (std::size_t J = 0; J < (i == j ? I + 1 : columns_); ++J) {
             const int at = box_.first_y + static_cast<int>(I), from = box_.first_y + static_cast<int>(J);
             const double* here = &table_->values[table_->index(i, j, at, from, 0)];
             const double* there = &table_->values[table_->index(j, i, from, at, 0)];
             for (std::size_t k = 0; k < kernel.size(); ++k) kernel[k] = 0.5 * (here[k] + sign * there[k]);
-            fft_.symbol(kernel, even, transform);
+            fft_.symbol(kernel, even, joint_, transform, work);
             set(I, J, std::span<const double>(transform));
         }
 }
@@ -56,56 +86,55 @@ void ColumnProducts::for_pairs(Axis i, Axis j, const Set& set) const {
 SymmetricSymbol ColumnProducts::normal_symbol() const {
     SymmetricSymbol symbol(fft_.groups(), columns_ + columns_ % 2);
     for_pairs(z, z, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(I, J, transform); });
+    symbol.trim(left_out_);
     return symbol;
 }
 
+// Entries of x and y are those of a column in turns, so that what is left out lies far from the diagonal.
 SymmetricSymbol ColumnProducts::tangential_symbol() const {
     SymmetricSymbol symbol(fft_.groups(), 2 * columns_);
-    for_pairs(x, x, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(I, J, transform); });
-    for_pairs(y, y,
-              [&](std::size_t I, std::size_t J, auto transform) { symbol.set(columns_ + I, columns_ + J, transform); });
+    for_pairs(x, x, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(2 * I, 2 * J, transform); });
+    for_pairs(y, y, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(2 * I + 1, 2 * J + 1, transform); });
     for_pairs(y, x, [&](std::size_t I, std::size_t J, auto transform) {
-        symbol.set(columns_ + I, J, times(natural() ? 1 : -1, transform));
+        symbol.set(2 * I + 1, 2 * J, times(natural() ? 1 : -1, transform));
     });
+    symbol.trim(left_out_);
     return symbol;
 }
 
 RectangularSymbol ColumnProducts::coupling_symbol() const {
     RectangularSymbol symbol(fft_.groups(), 2 * columns_, columns_ + columns_ % 2);
     for_pairs(x, z, [&](std::size_t I, std::size_t J, auto transform) {
-        symbol.set(I, J, times(natural() ? -1 : 1, transform));
+        symbol.set(2 * I, J, times(natural() ? -1 : 1, transform));
     });
-    for_pairs(y, z, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(columns_ + I, J, transform); });
+    for_pairs(y, z, [&](std::size_t I, std::size_t J, auto transform) { symbol.set(2 * I + 1, J, transform); });
+    symbol.trim(left_out_);
     return symbol;
 }
 
-Waves ColumnProducts::normal_waves(std::span<const double> pz) const {
-    Waves in(fft_.groups(), columns_ + columns_ % 2);
-    fft_.forward(pz, WavePhase::plain, in, 0);
-    return in;
+void ColumnProducts::normal_waves(std::span<const double> pz, Workspace& work) const {
+    const auto nx = static_cast<std::size_t>(box_.nx);
+    for (std::size_t I = 0; I < columns_; I += 2)
+        fft_.forward(&pz[I * nx], I + 1 < columns_ ? &pz[(I + 1) * nx] : nullptr, WavePhase::plain, work.normal_in, I,
+                     work.pair);
 }
 
-Waves ColumnProducts::in_waves(std::span<const double> px, std::span<const double> py) const {
-    Waves in(fft_.groups(), 2 * columns_);
-    fft_.forward(px, WavePhase::along_x, in, 0);
-    fft_.forward(py, WavePhase::plain, in, columns_);
-    return in;
+void ColumnProducts::in_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const {
+    const auto nx = static_cast<std::size_t>(box_.nx);
+    for (std::size_t I = 0; I < columns_; ++I)
+        fft_.forward(&px[I * nx], &py[I * nx], WavePhase::along_x, work.tangential_in, 2 * I, work.pair);
 }
 
-Waves ColumnProducts::tangential_waves(std::span<const double> px, std::span<const double> py) const {
-    const Waves in = in_waves(px, py);
-    Waves out(fft_.groups(), in.entries);
-    tangential_.get([this] { return tangential_symbol(); }).multiply(in, out);
-    turn_back(out);
-    return out;
+void ColumnProducts::tangential_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const {
+    in_waves(px, py, work);
+    tangential_.get([this] { return tangential_symbol(); }).multiply(work.tangential_in, work.tangential_out);
+    turn_back(work.tangential_out);
 }
 
-Waves ColumnProducts::coupled_waves(std::span<const double> pz) const {
-    const Waves in = normal_waves(pz);
-    Waves out(fft_.groups(), 2 * columns_);
-    coupling_.get([this] { return coupling_symbol(); }).multiply(in, out);
-    turn_back(out);
-    return out;
+void ColumnProducts::coupled_waves(std::span<const double> pz, Workspace& work) const {
+    normal_waves(pz, work);
+    coupling_.get([this] { return coupling_symbol(); }).multiply(work.normal_in, work.tangential_out);
+    turn_back(work.tangential_out);
 }
 
 void ColumnProducts::turn_back(Waves& waves) const {
@@ -114,20 +143,25 @@ void ColumnProducts::turn_back(Waves& waves) const {
     for (double& value : waves.im) value = -value;
 }
 
-// Calls take(to, values) of each column: the elements' displacements, and those of the whole period.
-template <class Take>
-void ColumnProducts::read(const Waves& waves, std::size_t first, WavePhase phase, std::span<double> u,
-                          const Take& take) const {
+void ColumnProducts::read_normal(Workspace& work, std::span<double> u) const {
     const auto nx = static_cast<std::size_t>(box_.nx);
-    fft_.inverse(waves, first, columns_, phase,
-                 [&](std::size_t column, const double* values) { take(u.subspan(column * nx, nx), values); });
+    for (std::size_t I = 0; I < columns_; I += 2) {
+        fft_.inverse(work.normal_out, I, WavePhase::plain, work.pair);
+        copy(u.subspan(I * nx, nx), work.pair.a.data());
+        if (I + 1 < columns_) copy(u.subspan((I + 1) * nx, nx), work.pair.b.data());
+    }
 }
 
+// Calls take(to, values) of each column: the elements' displacements, and those of the whole period.
 template <class Take>
-void ColumnProducts::read_tangential(const Waves& waves, std::span<double> ux, std::span<double> uy,
+void ColumnProducts::read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy,
                                      const Take& take) const {
-    read(waves, 0, WavePhase::along_x, ux, take);
-    read(waves, columns_, WavePhase::plain, uy, take);
+    const auto nx = static_cast<std::size_t>(box_.nx);
+    for (std::size_t I = 0; I < columns_; ++I) {
+        fft_.inverse(work.tangential_out, 2 * I, WavePhase::along_x, work.pair);
+        take(ux.subspan(I * nx, nx), work.pair.a.data());
+        take(uy.subspan(I * nx, nx), work.pair.b.data());
+    }
 }
 
 auto ColumnProducts::difference_to(int ahead) const {
@@ -139,48 +173,60 @@ auto ColumnProducts::difference_to(int ahead) const {
 }
 
 void ColumnProducts::normal(std::span<const double> pz, std::span<double> uz) const {
-    const Waves in = normal_waves(pz);
-    Waves out(fft_.groups(), in.entries);
-    normal_.get([this] { return normal_symbol(); }).multiply(in, out);
-    read(out, 0, WavePhase::plain, uz, copy);
+    const auto work = workspace();
+    normal_waves(pz, *work);
+    normal_.get([this] { return normal_symbol(); }).multiply((*work).normal_in, (*work).normal_out);
+    read_normal(*work, uz);
 }
 
 void ColumnProducts::normal_of_tangential(std::span<const double> px, std::span<const double> py,
                                           std::span<double> uz) const {
-    const Waves in = in_waves(px, py);
-    Waves out(fft_.groups(), columns_ + columns_ % 2);
-    coupling_.get([this] { return coupling_symbol(); }).multiply_transposed(in, out);
-    read(out, 0, WavePhase::plain, uz, copy);
+    const auto work = workspace();
+    in_waves(px, py, *work);
+    coupling_.get([this] { return coupling_symbol(); }).multiply_transposed((*work).tangential_in, (*work).normal_out);
+    read_normal(*work, uz);
 }
 
 void ColumnProducts::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                 std::span<double> uy) const {
-    read_tangential(tangential_waves(px, py), ux, uy, copy);
+    const auto work = workspace();
+    tangential_waves(px, py, *work);
+    read_tangential(*work, ux, uy, copy);
 }
 
 void ColumnProducts::tangential_of_normal(std::span<const double> pz, std::span<double> ux,
                                           std::span<double> uy) const {
-    read_tangential(coupled_waves(pz), ux, uy, copy);
+    const auto work = workspace();
+    coupled_waves(pz, *work);
+    read_tangential(*work, ux, uy, copy);
 }
 
 void ColumnProducts::add_tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                     std::span<double> uy) const {
-    read_tangential(tangential_waves(px, py), ux, uy, add);
+    const auto work = workspace();
+    tangential_waves(px, py, *work);
+    read_tangential(*work, ux, uy, add);
 }
 
 void ColumnProducts::add_tangential_of_normal(std::span<const double> pz, std::span<double> ux,
                                               std::span<double> uy) const {
-    read_tangential(coupled_waves(pz), ux, uy, add);
+    const auto work = workspace();
+    coupled_waves(pz, *work);
+    read_tangential(*work, ux, uy, add);
 }
 
 void ColumnProducts::tangential_change(int ahead, std::span<const double> px, std::span<const double> py,
                                        std::span<double> ux, std::span<double> uy) const {
-    read_tangential(tangential_waves(px, py), ux, uy, difference_to(ahead));
+    const auto work = workspace();
+    tangential_waves(px, py, *work);
+    read_tangential(*work, ux, uy, difference_to(ahead));
 }
 
 void ColumnProducts::tangential_change_of_normal(int ahead, std::span<const double> pz, std::span<double> ux,
                                                  std::span<double> uy) const {
-    read_tangential(coupled_waves(pz), ux, uy, difference_to(ahead));
+    const auto work = workspace();
+    coupled_waves(pz, *work);
+    read_tangential(*work, ux, uy, difference_to(ahead));
 }
 
 }  // namespace contactd

@@ -10,6 +10,7 @@
 #include "contactd/column_table.hpp"
 #include "contactd/element_box.hpp"
 #include "lazy.hpp"
+#include "workspaces.hpp"
 
 namespace contactd {
 
@@ -22,8 +23,12 @@ enum class OffsetParity { natural, opposite };
 class ColumnProducts {
    public:
     /// Reads displacements at elements up to `reach` elements ahead of the box and behind it, for which the table has
-    /// box.nx + reach offsets. Where the box lies along x does not matter.
-    ColumnProducts(std::shared_ptr<const ColumnTable> table, const ElementBox& box, int reach, OffsetParity parity);
+    /// box.nx + reach offsets. Where the box lies along x does not matter. No coefficient (mm^3/N) is changed by more
+    /// than `left_out`: the effect of large wavenumbers on columns far away is less, and need not be read. The matrices
+    /// stay symmetric.
+    ColumnProducts(std::shared_ptr<const ColumnTable> table, const ElementBox& box, int reach, OffsetParity parity,
+                   double left_out);
+    ~ColumnProducts();
 
     /// These two of natural parity only.
     void normal(std::span<const double> pz, std::span<double> uz) const;
@@ -47,26 +52,30 @@ class ColumnProducts {
     RectangularSymbol coupling_symbol() const;
     template <class Set>
     void for_pairs(Axis i, Axis j, const Set& set) const;
-    Waves normal_waves(std::span<const double> pz) const;
-    Waves in_waves(std::span<const double> px, std::span<const double> py) const;
-    Waves tangential_waves(std::span<const double> px, std::span<const double> py) const;
-    Waves coupled_waves(std::span<const double> pz) const;
+    struct Workspace;
+    Workspaces<Workspace>::Lease workspace() const;
+    void normal_waves(std::span<const double> pz, Workspace& work) const;
+    void in_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const;
+    void tangential_waves(std::span<const double> px, std::span<const double> py, Workspace& work) const;
+    void coupled_waves(std::span<const double> pz, Workspace& work) const;
     void turn_back(Waves& waves) const;
     bool natural() const { return parity_ == OffsetParity::natural; }
+    void read_normal(Workspace& work, std::span<double> u) const;
     template <class Take>
-    void read(const Waves& waves, std::size_t first, WavePhase phase, std::span<double> u, const Take& take) const;
-    template <class Take>
-    void read_tangential(const Waves& waves, std::span<double> ux, std::span<double> uy, const Take& take) const;
+    void read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy, const Take& take) const;
     auto difference_to(int ahead) const;
 
     const std::shared_ptr<const ColumnTable> table_;
     const ElementBox box_;
     const OffsetParity parity_;
+    const double left_out_;
     const int offsets_, period_;
     const std::size_t columns_;
+    const PeriodicJoint joint_;
     const ColumnFft fft_;
     mutable Lazy<SymmetricSymbol> normal_, tangential_;
     mutable Lazy<RectangularSymbol> coupling_;
+    mutable Workspaces<Workspace> idle_;
 };
 
 }  // namespace contactd

@@ -1,124 +1,194 @@
 #include "column_symbols.hpp"
 
 #include <algorithm>
-
-#include "wide.hpp"
+#include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace contactd {
 namespace {
 
 constexpr std::size_t lanes = Waves::lanes;
 
-// Four wavenumbers side by side.
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-
-const Four& four(const double* values) {
-    return *reinterpret_cast<const Four*>(values);
-}
-Four& four(double* values) {
-    return *reinterpret_cast<Four*>(values);
-}
-
 void write_lanes(std::span<const double> transform, std::size_t step, double* to) {
     for (std::size_t at = 0; at < transform.size(); at += lanes, to += step) std::copy_n(&transform[at], lanes, to);
 }
 
-// Two rows at a time: what they take of the columns before them and what they give to those.
-CONTACTD_WIDE
-void multiply_symmetric(std::size_t n, const double* matrix, const double* in_re, const double* in_im, double* out_re,
-                        double* out_im) {
-    for (std::size_t row = 0; row < n * lanes; row += 2 * lanes) {
-        const Four a_re = four(in_re + row), a_im = four(in_im + row);
-        const Four b_re = four(in_re + row + lanes), b_im = four(in_im + row + lanes);
-        Four to_a_re = {}, to_a_im = {}, to_b_re = {}, to_b_im = {};
-        for (std::size_t column = 0; column < row; column += lanes, matrix += 2 * lanes) {
-            const Four of_a = four(matrix), of_b = four(matrix + lanes);
-            const Four re = four(in_re + column), im = four(in_im + column);
-            to_a_re += of_a * re;
-            to_a_im += of_a * im;
-            to_b_re += of_b * re;
-            to_b_im += of_b * im;
-            four(out_re + column) += of_a * a_re + of_b * b_re;
-            four(out_im + column) += of_a * a_im + of_b * b_im;
-        }
-        const Four aa = four(matrix), ab = four(matrix + lanes), bb = four(matrix + 2 * lanes);
-        matrix += 3 * lanes;
-        four(out_re + row) = to_a_re + aa * a_re + ab * b_re;
-        four(out_im + row) = to_a_im + aa * a_im + ab * b_im;
-        four(out_re + row + lanes) = to_b_re + ab * a_re + bb * b_re;
-        four(out_im + row + lanes) = to_b_im + ab * a_im + bb * b_im;
-    }
-}
-
-CONTACTD_WIDE
-void multiply_rows(std::size_t rows, std::size_t columns, const double* matrix, const double* in_re,
-                   const double* in_im, double* out_re, double* out_im) {
-    for (std::size_t row = 0; row < rows * lanes; row += lanes) {
-        Four re = {}, im = {};
-        for (std::size_t column = 0; column < columns * lanes; column += lanes, matrix += lanes) {
-            const Four value = four(matrix);
-            re += value * four(in_re + column);
-            im += value * four(in_im + column);
-        }
-        four(out_re + row) = re;
-        four(out_im + row) = im;
-    }
-}
-
-CONTACTD_WIDE
-void multiply_columns(std::size_t rows, std::size_t columns, const double* matrix, const double* in_re,
-                      const double* in_im, double* out_re, double* out_im) {
-    std::fill_n(out_re, columns * lanes, 0.0);
-    std::fill_n(out_im, columns * lanes, 0.0);
-    for (std::size_t row = 0; row < rows * lanes; row += lanes) {
-        const Four re = four(in_re + row), im = four(in_im + row);
-        for (std::size_t column = 0; column < columns * lanes; column += lanes, matrix += lanes) {
-            const Four value = four(matrix);
-            four(out_re + column) += value * re;
-            four(out_im + column) += value * im;
-        }
-    }
-}
-
-// Calls product(matrix, in_re, in_im, out_re, out_im) of each group.
+// Calls product(group, matrix, in_re, in_im, out_re, out_im) of each group, whose matrix begins at first[group].
 template <class Product>
-void for_groups(std::size_t groups, std::span<const double> values, const Waves& in, Waves& out,
+void for_groups(const std::vector<std::size_t>& first, const SymbolNumbers& values, const Waves& in, Waves& out,
                 const Product& product) {
-    const std::size_t matrix = values.size() / groups, from = in.entries * lanes, to = out.entries * lanes;
-    for (std::size_t group = 0; group < groups; ++group)
-        product(&values[group * matrix], &in.re[group * from], &in.im[group * from], &out.re[group * to],
-                &out.im[group * to]);
+    const std::size_t from = in.entries * lanes, to = out.entries * lanes;
+    const auto each = [&](const auto* numbers) {
+        for (std::size_t group = 0; group < first.size(); ++group)
+            product(group, numbers + first[group], &in.re[group * from], &in.im[group * from], &out.re[group * to],
+                    &out.im[group * to]);
+    };
+    if (values.rounded.empty())
+        each(values.exact.data());
+    else
+        each(values.rounded.data());
 }
+
+// The largest sum of moduli over the wavenumbers of both signs: no coefficient is larger.
+double largest_coefficient(const std::vector<double>& values, std::size_t groups) {
+    const std::size_t matrix = values.size() / groups;
+    std::vector<double> sums(matrix);
+    for (std::size_t group = 0; group < groups; ++group)
+        for (std::size_t at = 0; at < matrix; ++at) sums[at] += 2 * std::abs(values[group * matrix + at]);
+    double largest = 0;
+    for (std::size_t at = 0; at < matrix; at += lanes)
+        largest = std::max(largest, sums[at] + sums[at + 1] + sums[at + 2] + sums[at + 3]);
+    return largest;
+}
+
+// How many groups, from the smallest wavenumbers on, two entries need that lie side by side from `at` on in each group:
+// the moduli of the others sum up to at most `left_out` for each. Wavenumbers stand for those of both signs.
+std::size_t groups_needed(const std::vector<double>& values, std::size_t groups, std::size_t at, double left_out) {
+    const std::size_t matrix = values.size() / groups;
+    double a = 0, b = 0;
+    for (std::size_t group = groups; group > 0; --group) {
+        const double* entries = &values[(group - 1) * matrix + at];
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            a += 2 * std::abs(entries[lane]);
+            b += 2 * std::abs(entries[lanes + lane]);
+        }
+        if (std::max(a, b) > left_out) return group;
+    }
+    return 0;
+}
+
+std::size_t numbers_before(std::size_t row) {
+    return row * (row + 1) / 2;
+}
+
+// Moves numbers to the front of where they are, rounded at the end when that changes coefficients by no more than half
+// of `left_out`. The other half is for what is not kept.
+class Packing {
+   public:
+    Packing(SymbolNumbers& values, std::size_t groups, double left_out)
+        : values_(values), rounds_(largest_coefficient(values.exact, groups) * unit_roundoff <= 0.5 * left_out) {}
+    Packing(const Packing&) = delete;
+    Packing& operator=(const Packing&) = delete;
+
+    std::size_t size() const { return size_; }
+    void keep(std::size_t at, std::size_t numbers) {
+        double* values = values_.exact.data();
+        std::copy_n(values + at, numbers, values + size_);
+        size_ += numbers;
+    }
+    void finish() {
+        values_.exact.resize(size_);
+        if (rounds_) {
+            values_.rounded.assign(values_.exact.begin(), values_.exact.end());
+            values_.exact.clear();
+        }
+        values_.exact.shrink_to_fit();
+    }
+
+   private:
+    static constexpr double unit_roundoff = 0.5 * std::numeric_limits<float>::epsilon();
+    SymbolNumbers& values_;
+    const bool rounds_;
+    std::size_t size_ = 0;
+};
 
 }  // namespace
 
 SymmetricSymbol::SymmetricSymbol(std::size_t groups, std::size_t entries)
-    : groups_(groups), entries_(entries), values_(groups * entries * (entries + 1) / 2 * lanes) {}
+    : groups_(groups),
+      entries_(entries),
+      values_{std::vector<double>(groups * numbers_before(entries) * lanes), {}},
+      begin_(groups * entries / 2),
+      group_(groups) {
+    for (std::size_t group = 0; group < groups; ++group) group_[group] = group * numbers_before(entries) * lanes;
+}
 
 void SymmetricSymbol::set(std::size_t row, std::size_t column, std::span<const double> transform) {
     const std::size_t a = std::max(row, column), b = std::min(row, column), first = a - a % 2;
     const std::size_t within = b < first ? 2 * b + a % 2 : 2 * first + a % 2 + b % 2;
-    const std::size_t at = first * (first + 1) / 2 + within;
-    write_lanes(transform, entries_ * (entries_ + 1) / 2 * lanes, &values_[at * lanes]);
+    write_lanes(transform, numbers_before(entries_) * lanes, &values_.exact[(numbers_before(first) + within) * lanes]);
+}
+
+void SymmetricSymbol::trim(double left_out) {
+    const std::size_t pairs = entries_ / 2, matrix = numbers_before(entries_) * lanes;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        std::size_t needed = 0;  // groups, by some column up to this one
+        for (std::size_t column = 0; column < 2 * pair && needed < groups_; ++column) {
+            const std::size_t at = (numbers_before(2 * pair) + 2 * column) * lanes;
+            const std::size_t more = std::max(needed, groups_needed(values_.exact, groups_, at, 0.5 * left_out));
+            for (; needed < more; ++needed) begin_[needed * pairs + pair] = column;
+        }
+        for (; needed < groups_; ++needed) begin_[needed * pairs + pair] = 2 * pair;
+    }
+    Packing packing(values_, groups_, left_out);
+    for (std::size_t group = 0; group < groups_; ++group) {
+        group_[group] = packing.size();
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            const std::size_t left = 2 * begin_[group * pairs + pair] * lanes;
+            packing.keep(group * matrix + numbers_before(2 * pair) * lanes + left, (4 * pair + 3) * lanes - left);
+        }
+    }
+    packing.finish();
 }
 
 void SymmetricSymbol::multiply(const Waves& in, Waves& out) const {
-    for_groups(groups_, values_, in, out, [this](auto... arrays) { multiply_symmetric(entries_, arrays...); });
+    for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
+        multiply_symmetric(entries_, &begin_[group * entries_ / 2], arrays...);
+    });
 }
 
 RectangularSymbol::RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns)
-    : groups_(groups), rows_(rows), columns_(columns), values_(groups * rows * columns * lanes) {}
+    : groups_(groups),
+      rows_(rows),
+      columns_(columns),
+      values_{std::vector<double>(groups * rows * columns * lanes), {}},
+      kept_(groups * rows / 2, {0, columns}),
+      group_(groups) {
+    for (std::size_t group = 0; group < groups; ++group) group_[group] = group * rows * columns * lanes;
+}
 
 void RectangularSymbol::set(std::size_t row, std::size_t column, std::span<const double> transform) {
-    write_lanes(transform, rows_ * columns_ * lanes, &values_[(row * columns_ + column) * lanes]);
+    const std::size_t at = ((row - row % 2) * columns_ + 2 * column + row % 2) * lanes;
+    write_lanes(transform, rows_ * columns_ * lanes, &values_.exact[at]);
+}
+
+void RectangularSymbol::trim(double left_out) {
+    const std::size_t pairs = rows_ / 2, matrix = rows_ * columns_ * lanes;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        for (std::size_t group = 0; group < groups_; ++group) kept_[group * pairs + pair] = {columns_, columns_};
+        for (std::size_t column = 0; column < columns_; ++column) {
+            const std::size_t at = 2 * (pair * columns_ + column) * lanes;
+            const std::size_t needed = groups_needed(values_.exact, groups_, at, 0.5 * left_out);
+            for (std::size_t group = 0; group < needed; ++group) {
+                EntryRange& kept = kept_[group * pairs + pair];
+                kept = {std::min(kept.begin, column), column + 1};
+            }
+        }
+    }
+    Packing packing(values_, groups_, left_out);
+    for (std::size_t group = 0; group < groups_; ++group) {
+        group_[group] = packing.size();
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            EntryRange& kept = kept_[group * pairs + pair];
+            kept.end = std::max(kept.begin, kept.end);
+            packing.keep(group * matrix + 2 * (pair * columns_ + kept.begin) * lanes,
+                         2 * (kept.end - kept.begin) * lanes);
+        }
+    }
+    packing.finish();
 }
 
 void RectangularSymbol::multiply(const Waves& in, Waves& out) const {
-    for_groups(groups_, values_, in, out, [this](auto... arrays) { multiply_rows(rows_, columns_, arrays...); });
+    for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
+        multiply_rows(rows_, &kept_[group * rows_ / 2], arrays...);
+    });
 }
 
 void RectangularSymbol::multiply_transposed(const Waves& in, Waves& out) const {
-    for_groups(groups_, values_, in, out, [this](auto... arrays) { multiply_columns(rows_, columns_, arrays...); });
+    for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
+        multiply_columns(rows_, columns_, &kept_[group * rows_ / 2], arrays...);
+    });
 }
 
 }  // namespace contactd

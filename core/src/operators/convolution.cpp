@@ -280,7 +280,9 @@ ElementBox ConvolutionOperator::Boxes::convenient(const ElementBox& needed, bool
 }
 
 std::shared_ptr<const InfluenceOperator> ConvolutionOperator::Boxes::influence(const ElementBox& box) const {
-    return kept_.get(box, [&] { return std::make_shared<const ConvolutionOperator>(whole_.table, box.nx, box.ny); });
+    // Where it lies does not matter.
+    return kept_.get({0, 0, box.nx, box.ny},
+                     [&] { return std::make_shared<const ConvolutionOperator>(whole_.table, box.nx, box.ny); });
 }
 
 int smooth_size(int n) {

@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Where a box lies does not matter, its size does. Safe to use from several threads at once.
+/// Safe to use from several threads at once.
 template <class Operator>
 class KeptBoxes {
    public:
@@ -18,16 +18,16 @@ class KeptBoxes {
     std::shared_ptr<const Operator> get(const ElementBox& box, const Make& make) {
         const std::scoped_lock lock(mutex_);
         for (const auto& kept : kept_)
-            if (kept.nx == box.nx && kept.ny == box.ny) return kept.made;
+            if (kept.box == box) return kept.made;
         if (kept_.size() == most_kept) kept_.pop_front();
-        kept_.push_back({box.nx, box.ny, make()});
+        kept_.push_back({box, make()});
         return kept_.back().made;
     }
 
    private:
     static constexpr std::size_t most_kept = 8;
     struct Kept {
-        int nx, ny;
+        ElementBox box;
         std::shared_ptr<const Operator> made;
     };
     std::mutex mutex_;

@@ -96,8 +96,9 @@ std::shared_ptr<const StepInverse> ShiftedOperator::inverse(double added) const 
 }
 
 std::shared_ptr<const StepOperator> ShiftedOperator::on(const ElementBox& box) const {
-    return impl_->boxes.get(
-        box, [&] { return std::make_shared<const ShiftedOperator>(cropped(impl_->table, box.nx, box.ny)); });
+    return impl_->boxes.get({0, 0, box.nx, box.ny}, [&] {
+        return std::make_shared<const ShiftedOperator>(cropped(impl_->table, box.nx, box.ny));
+    });
 }
 
 const StepOperator* ShiftedOperator::coarser() const {

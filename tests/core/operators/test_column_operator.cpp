@@ -136,6 +136,7 @@ TEST_CASE("a column operator on a box has the products of its columns", "[column
     check_against_dense_sums(*influence, table, box);
     CHECK(influence->diagonal(x)[0] == table(x, x, 7, 7, 0));
     check_against_dense_sums(*influence->boxes()->influence(part), table, {5, 8, 4, 3});
+    CHECK(whole.boxes()->influence({0, 7, 9, 5}) == influence);  // with its coarser grids
 }
 
 TEST_CASE("a column table that is not reciprocal counts with its symmetric part", "[columns]") {

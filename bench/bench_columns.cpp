@@ -1,0 +1,125 @@
+// Steady rolling with a prism's table of columns beside the same with half-spaces, in one run: an elliptic contact on
+// nx x ny elements, the lower body a half-space, or the head of a rail with its columns across the top.
+// Counter ratio: the median time of a solve, or a product, with columns over that with half-spaces. Both take turns.
+#include <utility>
+
+#include "contact_cases.hpp"
+#include "contactd/column_frames.hpp"
+#include "contactd/contact_influence.hpp"
+#include "contactd/rotated_prism.hpp"
+
+namespace {
+
+using namespace contactd;
+using bench::Values;
+
+struct Rolled {
+    static constexpr Material steel{41000, 0.28};  // on a rigid body what two of steel are
+    static constexpr double Fn = 50000;
+
+    ContactProblem problem;
+    ContactInfluence half_spaces, columns;
+    Values bound;
+    RigidSlip rigid;
+    mutable Observer observer;
+
+    Rolled(int nx, int ny) {
+        const Grid grid = Grid::centred(nx, ny, 13.2 / nx, 8.8 / ny);
+        problem.grid = grid;
+        problem.bodies = {{Material::rigid()}, {steel}};
+        problem.friction = FrictionLaw{{0.3}};
+        problem.motion = Rolling{.xi = 0.002, .eta = 0.001, .phi = 1e-4, .dq = grid.dx};
+        IcSpec spec;
+        spec.material = steel;
+        spec.dx = grid.dx;
+        spec.dy = grid.dy;
+        spec.nx = grid.nx;
+        spec.ny = grid.ny;
+        half_spaces = make_influence(problem, BodyTable(IcTable(nx, ny)), BodyTable(half_space_table(spec)));
+
+        Ics ics;
+        ics.body = BodyShape::prism;
+        ics.section = Section{RailSection{.from = -0.5 * grid.ny * grid.dy}};
+        problem.bodies.lower.ics = ics;
+        problem.columns = ContactColumns{.frames = column_frames(*ics.section, grid.ny, grid.dy)};
+        Grid longer = grid;
+        ++longer.nx;  // a step ahead
+        columns = make_influence(problem, BodyTable(ColumnTable()),
+                                 BodyTable(rotated_prism(*ics.section, longer, steel, LoadShape::constant)));
+
+        const Values distance = sampled(radii_of_force({6, 4}, (1 - steel.nu) / steel.G / 2, Fn), grid);
+        bound = solve_normal_force(*half_spaces.here, distance, Fn / grid.element_area(), {}, {}, observer).pressure;
+        for (double& g : bound) g *= 0.3;
+        rigid = rigid_slip(grid, std::get<Rolling>(problem.motion), grid.dx);
+    }
+
+    RollingSolution steady(const ContactInfluence& influence) const {
+        const RollingBodies bodies{*influence.here, *influence.change, problem.grid, problem.grid.dx, 0};
+        return solve_steady_rolling(bodies, bound, rigid.x, rigid.y, {}, {}, {}, observer);
+    }
+};
+
+/// run(influence), of half-spaces and of columns in turns.
+template <class Run>
+void compare(benchmark::State& state, const Run& run) {
+    const Rolled rolled(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    run(rolled, rolled.half_spaces);
+    run(rolled, rolled.columns);
+    std::vector<double> flat, curved;
+    for (auto _ : state) {
+        const double start = bench::processor_seconds();
+        run(rolled, rolled.half_spaces);
+        const double middle = bench::processor_seconds();
+        run(rolled, rolled.columns);
+        flat.push_back(middle - start);
+        curved.push_back(bench::processor_seconds() - middle);
+    }
+    state.counters["ratio"] = bench::median(curved) / bench::median(flat);
+}
+
+void steady_rolling(benchmark::State& state) {
+    int iterations[2] = {};
+    bool converged = true;
+    compare(state, [&](const Rolled& rolled, const ContactInfluence& influence) {
+        const SolverEvidence evidence = rolled.steady(influence).evidence;
+        iterations[&influence == &rolled.columns] = evidence.iterations;
+        converged = converged && evidence.converged;
+    });
+    state.counters["iterations"] = iterations[1];
+    state.counters["iterations_half_space"] = iterations[0];
+    if (!converged) state.SkipWithError("the solver did not converge");
+}
+
+void change_product(benchmark::State& state) {
+    compare(state, [](const Rolled& rolled, const ContactInfluence& influence) {
+        Values ux(rolled.bound.size()), uy(ux);
+        influence.change->tangential(rolled.bound, rolled.bound, ux, uy);
+    });
+}
+
+void normal_product(benchmark::State& state) {
+    compare(state, [](const Rolled& rolled, const ContactInfluence& influence) {
+        Values u(rolled.bound.size());
+        influence.here->normal(rolled.bound, u);
+    });
+}
+
+void coupled_product(benchmark::State& state) {
+    compare(state, [](const Rolled& rolled, const ContactInfluence& influence) {
+        Values ux(rolled.bound.size()), uy(ux);
+        influence.here->tangential_of_normal(rolled.bound, ux, uy);
+    });
+}
+
+void sizes(benchmark::internal::Benchmark* rows) {
+    rows->ArgNames({"nx", "ny"})->Args({51, 39})->Args({100, 80})->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(steady_rolling)->Apply(sizes);
+BENCHMARK(change_product)->Apply(sizes);
+BENCHMARK(normal_product)->Apply(sizes);
+BENCHMARK(coupled_product)->Apply(sizes);
+
+}  // namespace
+
+BENCHMARK_MAIN();
