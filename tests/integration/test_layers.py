@@ -18,6 +18,7 @@ from contactd import (
     RigidBody,
     Rolling,
     SemiAxes,
+    StressBlock,
     load_table,
     save_table,
 )
@@ -25,6 +26,7 @@ from contactd import (
 STEEL = Material(G=82000, nu=0.28)
 RUBBER = LayeredBody([Layer(thickness=2, G=1, nu=0.5)], base=RigidBody())
 STEEL_IN_LAYERS = LayeredBody([Layer(0.2, STEEL.G, STEEL.nu), Layer(1, STEEL.G, STEEL.nu)], base=STEEL)
+SLAB = {"slab": {"thickness": 100, "width": 100}}
 GRID = Grid.centred(20, 20, 3, 3)
 BALL = {"grid": GRID, "gap": Paraboloid(50, 50)}
 ROLLING = Friction(0.3, rolling=Rolling(xi=1e-3, phi=1e-4))
@@ -113,13 +115,47 @@ def test_a_material_beside_layers_is_refused(shared_daemon):
     assert "ics.body" in {violation.field for violation in refused.value.violations}
 
 
-def test_stresses_in_layers_are_refused_and_those_beneath_their_partner_are_not(shared, shared_daemon):
+def test_stresses_in_layers_of_steel_are_those_in_steel(shared):
+    problem = ContactProblem(**BALL, upper=STEEL, lower=STEEL_IN_LAYERS, Fn=1000, friction=ROLLING)
+    solution = shared.solve(problem)
+    block = StressBlock(GRID.x[::4], 0, [0, -0.1, -0.2, -0.5, -1.5])
+    layered = shared.subsurface(problem, solution, body="lower", block=block)
+    steel = shared.subsurface(problem.replace(lower=STEEL), solution, body="lower", block=block)
+    for name in ("xx", "yy", "zz", "xy", "xz", "yz", "von_mises"):
+        assert getattr(layered, name) == pytest.approx(getattr(steel, name), abs=1e-9 * solution.pmax)
+    assert layered.largest.von_mises == pytest.approx(steel.largest.von_mises)
+
+
+def test_stresses_are_those_of_the_body_that_is_asked_for(shared):
     problem = ContactProblem(**BALL, upper=STEEL, lower=RUBBER, Fn=1)
     solution = shared.solve(problem)
-    for nu in (None, 0.5):
-        with pytest.raises(InvalidArgument, match="not computed yet"):
-            shared.subsurface(problem, solution, body="lower", points=[[0, 0, -1]], nu=nu)
-    assert shared.subsurface(problem, solution, body="upper", points=[[0, 0, -1]]).zz[0] < 0
+    points = [[0, 0, 0], [0, 0, -1], [0, 0, -2]]
+    rubber = shared.subsurface(problem, solution, body="lower", points=points)
+    steel = shared.subsurface(problem, solution, body="upper", points=points)
+    assert rubber.zz[0] == pytest.approx(steel.zz[0])  # the pressure
+    assert abs(rubber.zz[2] - steel.zz[2]) > 0.01 * solution.pmax
+    with pytest.raises(InvalidArgument, match="layers have their own") as refused:
+        shared.subsurface(problem, solution, body="lower", points=points, nu=0.5)
+    assert refused.value.violations[0].field == "nu"
+
+
+def test_points_below_a_rigid_base_are_refused(shared, shared_daemon):
+    problem = ContactProblem(**BALL, upper=STEEL, lower=RUBBER, Fn=1)
+    solution = shared.solve(problem)
+    with pytest.raises(InvalidArgument, match="the layers end at z = -2") as refused:
+        shared.subsurface(problem, solution, body="lower", points=[[0, 0, -1], [0, 0, -2.5]])
+    assert refused.value.violations[0].field == "points"
     params = {"grid": {"nx": 1, "ny": 1, "dx": 1, "dy": 1}, "nu": 0.3, "pressure": [[1]], "points": [[0, 0, -1]]}
-    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument, match="not computed yet"):
-        client.call("contact.subsurface", {**params, "ics": {"source": "analytic", **RUBBER.params()}})
+    thin = LayeredBody([Layer(1e-9, 1, 0.5)], RigidBody())
+    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument, match="thinner") as refused:
+        client.call("contact.subsurface", {**params, "ics": {"source": "analytic", **thin.params()}})
+    assert refused.value.violations[0].field == "ics.layers[0].thickness"
+
+
+def test_stresses_below_a_prism_are_refused(shared):
+    problem = ContactProblem(
+        **BALL, upper=RigidBody(), lower=STEEL, lower_ics=AnalyticIcs(body="prism", section=SLAB), Fn=1000
+    )
+    solution = shared.solve(problem)
+    with pytest.raises(InvalidArgument, match="section"):
+        shared.subsurface(problem, solution, body="lower", points=[[0, 0, -1]])

@@ -11,8 +11,8 @@ import numpy.typing as npt
 from .arrays import array_of, invalid, plain
 from .checks import check_type
 from .grid import Array
-from .ics import ics_params
-from .materials import LayeredBody, RigidBody
+from .ics import ics_params, layered_params
+from .materials import LayeredBody, Material, RigidBody
 from .problem import ContactProblem, Estimate
 from .problem_params import traction_params
 from .saving import Saved
@@ -146,8 +146,9 @@ def subsurface_params(
     tractions = traction_params(solution, "solution")
     if "pressure" not in tractions:
         raise invalid("pressure", "is missing; it must be that of a solution")
-    params = {"grid": plain(problem.grid), **_ics(problem), "body": body, **tractions}
-    _check_layers(problem, body)
+    params = {"grid": plain(problem.grid), **_ics(problem, body), "body": body, **tractions}
+    if nu is not None and isinstance(_material(problem, body), LayeredBody):
+        raise invalid("nu", f"is {nu}, and body {body!r} has layers; layers have their own")
     params["nu"] = _nu(problem, body) if nu is None else nu
     if (points is None) == (block is None):
         raise TypeError("subsurface() takes either points or block")
@@ -164,7 +165,7 @@ def subsurface_params(
     return {**params, "points": array}, array.shape[:1]
 
 
-def _ics(problem: ContactProblem) -> dict[str, Any]:
+def _ics(problem: ContactProblem, body: str) -> dict[str, Any]:
     """What tells the daemon of bodies that are no half-spaces."""
     if problem.columns is not None:
         raise invalid(
@@ -174,31 +175,28 @@ def _ics(problem: ContactProblem) -> dict[str, Any]:
         )
     if problem.model not in (None, "full"):
         return {}  # of half-spaces by their theory
-    if isinstance(problem.ics, TableIcs):
+    own = problem.upper_ics if body == "upper" else problem.lower_ics
+    name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
+    if isinstance(ics, TableIcs):
         raise invalid(
-            "ics",
+            name,
             "is a table of one's own, which may be of any body; the closed form of the stresses is that of the "
             "half-space. If it is one, ask with problem.replace(ics=AnalyticIcs(), upper=..., lower=...)",
         )
-    params = ics_params(problem.ics)
+    material = _material(problem, body)
+    params = layered_params(material, ics) if isinstance(material, LayeredBody) else ics_params(ics)
     return {} if params == {"source": "analytic"} else {"ics": params}
 
 
-def _check_layers(problem: ContactProblem, body: str) -> None:
-    material = problem.upper if body == "upper" or problem.lower is None else problem.lower
-    if isinstance(material, LayeredBody):
-        raise invalid(
-            "body",
-            f"is {body!r}, which has layers; the closed form of the stresses is that of the half-space, and stresses in "
-            "layers are not computed yet",
-        )
+def _material(problem: ContactProblem, body: str) -> Material | RigidBody | LayeredBody | None:
+    return problem.upper if body == "upper" or problem.lower is None else problem.lower
 
 
 def _nu(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
     if body not in ("lower", "upper"):
         raise invalid("body", f'is {body!r}; it must be "lower" or "upper"')
-    material = problem.upper if body == "upper" or problem.lower is None else problem.lower
+    material = _material(problem, body)
     if isinstance(material, RigidBody):
         raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
     assert material is not None  # only with a table, which is refused
-    return material.nu
+    return material.layers[0].nu if isinstance(material, LayeredBody) else material.nu

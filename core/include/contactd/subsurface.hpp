@@ -1,12 +1,13 @@
-// Stresses inside a half-space under the tractions of a contact (Love 1929; Johnson, Contact Mechanics, sections 3.1
-// and 3.2; Kalker 1990, section 5.A). Tractions are constant on each element; those of bilinear coefficients are taken
-// as if they were, from the values at the element centres.
+// Stresses inside a half-space, or a body of layers, under the tractions of a contact (Love 1929; Johnson, Contact
+// Mechanics, sections 3.1 and 3.2; Kalker 1990, section 5.A). Tractions are constant on each element; those of bilinear
+// coefficients are taken as if they were, from the values at the element centres.
 #pragma once
 
 #include <array>
 #include <span>
 
 #include "contactd/grid.hpp"
+#include "contactd/layers.hpp"
 #include "contactd/observer.hpp"
 #include "contactd/subsurface_stress.hpp"
 
@@ -28,6 +29,15 @@ SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tra
 /// The same on a block. Coordinates that differ by whole elements share convolutions, one for every depth and stress;
 /// the more of them there are, the less a point costs. Memory is some multiple of that of the points and elements.
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
+                                   const StressBlock& block, Observer& observer);
+
+/// Inside a body of layers: transfer functions of StressWaves, integrated along the edges of elements, and in the first
+/// layer the half-space's closed form besides. Absolute accuracy 1e-9 of the largest traction. On the border of two
+/// layers stresses are those of the upper one; xx, yy and xy jump there. Each depth takes some tens of milliseconds;
+/// points that differ by whole elements share their coefficients. Errors as of the half-space, and below a rigid base.
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, const Layers& body,
+                                   std::span<const std::array<double, 3>> points, Observer& observer);
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, const Layers& body,
                                    const StressBlock& block, Observer& observer);
 
 }  // namespace contactd

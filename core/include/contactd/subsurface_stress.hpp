@@ -40,9 +40,9 @@ struct SubsurfaceStress {
 /// Stresses inside one body of a contact problem are wanted. Points are in the frame of that body.
 struct SubsurfaceRequest {
     Grid grid;
-    double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5
+    double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5; of no meaning where ics has layers
     ContactBody body = ContactBody::lower;
-    Ics ics;  ///< that the tractions were solved with; those of a body that is no half-space are refused
+    Ics ics;  ///< of the body that the tractions were solved with: a half-space, or layers; others are refused
     /// Of a contact solution, for either body: the tractions are those on the upper one. Shape [ny, nx] (N/mm^2);
     /// tractions may be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;

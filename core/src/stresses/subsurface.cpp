@@ -8,6 +8,7 @@
 
 #include "contact/support/solver_support.hpp"
 #include "contactd/error.hpp"
+#include "stress_arrays.hpp"
 #include "subsurface_direct.hpp"
 #include "types/number_text.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 using Values = std::vector<double>;
 
 void store(const StressComponents& stress, std::size_t at, SubsurfaceStress& result) {
-    const std::array<Values*, 6> all = {&result.xx, &result.yy, &result.zz, &result.xy, &result.xz, &result.yz};
+    const auto all = components_of(result);
     for (std::size_t c = 0; c < 6; ++c) (*all[c])[at] = stress[c];
 }
 
@@ -26,16 +27,6 @@ SubsurfaceStress zeros(std::size_t n) {
     for (Values* values : {&result.xx, &result.yy, &result.zz, &result.xy, &result.xz, &result.yz, &result.von_mises})
         values->resize(n);
     return result;
-}
-
-void find_von_mises(SubsurfaceStress& s) {
-    const auto square = [](double a) { return a * a; };
-    for (std::size_t i = 0; i < s.xx.size(); ++i)
-        s.von_mises[i] =
-            std::sqrt(0.5 * (square(s.xx[i] - s.yy[i]) + square(s.yy[i] - s.zz[i]) + square(s.zz[i] - s.xx[i])) +
-                      3 * (square(s.xy[i]) + square(s.xz[i]) + square(s.yz[i])));
-    s.largest =
-        static_cast<std::size_t>(std::max_element(s.von_mises.begin(), s.von_mises.end()) - s.von_mises.begin());
 }
 
 void check(const Grid& grid, const SurfaceTractions& tractions, double nu) {

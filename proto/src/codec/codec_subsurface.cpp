@@ -80,15 +80,12 @@ StressBlock decode_block(const json& source, const std::vector<std::string>& fra
     return block;
 }
 
-void check_is_half_space(const Ics& ics) {
+void check_has_stresses(const Ics& ics) {
     if (ics.line_contact)
         throw invalid_field("ics.line_contact",
                             "has loads that never end along y; the closed form of the stresses is that of elements, "
                             "which do");
-    if (ics.body == BodyShape::layered)
-        throw invalid_field("ics.body",
-                            "is layered; the closed form of the stresses is that of the half-space, and stresses in "
-                            "layers are not computed yet");
+    if (ics.body == BodyShape::layered) return;
     if (ics.body == BodyShape::prism)
         throw invalid_field("ics.body",
                             "is prism; the closed form of the stresses is that of the half-space, and says nothing of "
@@ -141,7 +138,7 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const std::vecto
     request.nu = params["nu"].get<double>();
     if (params.contains("body")) request.body = meaning_of(params["body"], bodies);
     if (params.contains("ics")) request.ics = decode_ics(params["ics"]);
-    check_is_half_space(request.ics);
+    check_has_stresses(request.ics);
     if (params.contains("block"))
         request.points = decode_block(params["block"], frames, limits);
     else

@@ -61,7 +61,11 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
         tractions_on(request.body, request.pressure, request.traction_x, request.traction_y);
     SubsurfaceReply reply;
     reply.stress = std::visit(
-        [&](const auto& points) { return subsurface_stress(request.grid, tractions, request.nu, points, observer); },
+        [&](const auto& points) {
+            if (request.ics.layered)
+                return subsurface_stress(request.grid, tractions, *request.ics.layered, points, observer);
+            return subsurface_stress(request.grid, tractions, request.nu, points, observer);
+        },
         request.points);
     reply.shape = request.shape();
     const auto [x, y, z] = request.point(reply.stress.largest);

@@ -2,10 +2,10 @@
 // across it.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "contactd/layers.hpp"
+#include "influence/layered/layer_slab.hpp"
 
 namespace contactd {
 
@@ -25,27 +25,8 @@ class LayeredWaves {
     WaveCompliance at(double k) const;
 
    private:
-    using Matrix2 = std::array<double, 4>;   // row by row
-    using Matrix4 = std::array<double, 16>;  // row by row
-
-    struct Surface {
-        Matrix2 plane{};    // displacements in the plane (x, z) under tractions there
-        double across = 0;  // all are zero on a rigid base
-    };
-    struct Slab {
-        double thickness;
-        double contrast;   // shear modulus of this layer over that of what lies below it; 0 on a rigid base
-        Matrix2 deep;      // compliance of a half-space of this material
-        Matrix4 A, N, AN;  // the state changes by A d(kz); A^2 - 1, and their product
-
-        Slab(const Layer& layer, double contrast);
-        /// From the surface of what lies below to that of the layer.
-        void raise(double k, Surface& surface) const;
-    };
-    static Matrix2 half_space(double nu);
-
-    std::vector<Slab> slabs_;  // from the base up
-    Surface base_;
+    std::vector<LayerSlab> slabs_;  // from the base up
+    WaveSurface base_;
 };
 
 }  // namespace contactd

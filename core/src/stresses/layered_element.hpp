@@ -1,0 +1,43 @@
+// Stresses at a depth of a layered body under unit tractions on one element, at offsets from it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "influence/layered/edge_rule.hpp"
+#include "influence/layered/offset_lattice.hpp"
+#include "layered_radials.hpp"
+#include "patch_stress.hpp"
+
+namespace contactd {
+
+/// Under a traction along x, y and z.
+using ElementStresses = std::array<StressComponents, 3>;
+
+/// All kernels are divergences or gradients of fields made of StressRadials, so that integrals along the four edges of
+/// the element are left.
+class LayeredElement {
+   public:
+    LayeredElement(const StressWaves& waves, double largest);
+
+    /// [l][k], without what the half-space adds in the first layer.
+    std::vector<ElementStresses> at(const OffsetLattice& offsets) const;
+
+   private:
+    /// Of fields along an edge: those along e_rho with the direction cosine along x and along y, the scalar ones, and
+    /// the last one with cos 2 theta.
+    struct EdgeSums {
+        std::array<double, StressRadial::normal_xz> x{}, y{};
+        std::array<double, StressRadial::count> scalar{};
+    };
+    EdgeSums across_x(double x, double from, double to) const;  // on the line x
+    EdgeSums across_y(double y, double from, double to) const;
+    void add(const StressRadial::Values& values, double cos, double sin, double weight, EdgeSums& sums) const;
+    static ElementStresses stresses(const EdgeSums& left, const EdgeSums& right, const EdgeSums& bottom,
+                                    const EdgeSums& top);
+
+    StressRadials radials_;
+    EdgeRule rule_;
+};
+
+}  // namespace contactd
