@@ -20,8 +20,8 @@ struct ContactInfluence {
     std::size_t bytes() const;  ///< about what they take in memory
 };
 
-/// About what the operators for that many elements take, with that of rolling, which a step may ask for.
-std::size_t influence_bytes(std::size_t elements);
+/// About what the operators of these bodies take, with that of rolling, which a step may ask for.
+std::size_t influence_bytes(const Grid& grid, const Bodies& bodies);
 
 /// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none. Where one
 /// has layers and rolls, the other's must be analytic, too; else give them one by one.

@@ -7,6 +7,7 @@
 
 #include "column_influence.hpp"
 #include "influence/layered/shifted_layers.hpp"
+#include "operators/column_parts.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
 #include "operators/sum_operator.hpp"
@@ -110,8 +111,14 @@ std::size_t ContactInfluence::bytes() const {
     return (here ? here->bytes() : 0) + (change ? change->bytes() : 0);
 }
 
-std::size_t influence_bytes(std::size_t elements) {
-    return elements * (ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element);
+std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
+    const std::size_t flat =
+        grid.size() * (ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element);
+    if (!bodies.any_prism()) return flat;
+    // A step that is not of whole elements has two tables of its own; one of an element reads one offset more.
+    const std::size_t columns = 3 * ColumnParts::bytes_of(grid.nx + 1, grid.ny);
+    const auto has_columns = [](const Body& body) { return body.section() != nullptr || body.material.is_rigid(); };
+    return columns + (has_columns(bodies.upper) && has_columns(bodies.lower) ? flat : 2 * flat);
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {

@@ -61,7 +61,7 @@ class ContactSimulation final : public Simulation {
 std::size_t session_bytes(const ContactSetup& setup) {
     std::size_t per_element = bytes_per_element_problem + bytes_per_element_state;
     if (setup.bodies.any_given()) per_element += bytes_per_element_table;
-    const std::size_t operators = setup.model == Model::full ? influence_bytes(setup.grid.size()) : 0;
+    const std::size_t operators = setup.model == Model::full ? influence_bytes(setup.grid, setup.bodies) : 0;
     return bytes_beside + setup.grid.size() * per_element + operators;
 }
 

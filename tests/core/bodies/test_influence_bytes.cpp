@@ -1,0 +1,58 @@
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+
+#include "contactd/contact_influence.hpp"
+#include "contactd/half_space.hpp"
+#include "contactd/rotated_prism.hpp"
+
+using namespace contactd;
+
+namespace {
+
+const Material steel{82000, 0.28};
+
+Body prism() {
+    Ics ics;
+    ics.body = BodyShape::prism;
+    ics.section = Section{Slab{100, 100}};
+    return {steel, ics};
+}
+
+BodyTable table_of(const Body& body, const Grid& grid) {
+    if (body.section() != nullptr) return rotated_prism(*body.section(), grid, steel, LoadShape::constant);
+    IcSpec spec;
+    spec.material = steel;
+    spec.dx = grid.dx;
+    spec.dy = grid.dy;
+    spec.nx = grid.nx;
+    spec.ny = grid.ny;
+    return half_space_table(spec);
+}
+
+}  // namespace
+
+TEST_CASE("what operators are expected to take is what they say, or more", "[columns]") {
+    ContactProblem problem;
+    problem.grid = Grid::centred(20, 15, 0.5, 0.4);
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = Rolling{.xi = 1e-3, .dq = GENERATE(0.0, 0.5, 0.2)};
+    const Body upper = GENERATE(Body{Material::rigid()}, Body{steel}, prism());
+    const Body lower = GENERATE(Body{steel}, prism());
+    problem.bodies = {upper, lower};
+    if (problem.bodies.upper.material.is_rigid()) problem.bodies.upper.ics = lower.ics;
+    const BodyTable below = table_of(lower, problem.grid);
+    const BodyTable above = upper.material.is_rigid() ? below : table_of(upper, problem.grid);
+    const std::size_t taken = make_influence(problem, above, below).bytes();
+    const std::size_t expected = influence_bytes(problem.grid, problem.bodies);
+    CHECK(taken <= expected);
+    CHECK(expected < 8 * taken);
+}
+
+TEST_CASE("a prism takes memory by its columns squared", "[columns]") {
+    const Bodies prisms{{Material::rigid()}, prism()}, flat{{Material::rigid()}, {steel}};
+    const auto bytes = [&](int ny, const Bodies& bodies) {
+        return influence_bytes(Grid::centred(100, ny, 0.5, 0.4), bodies);
+    };
+    CHECK(bytes(80, prisms) > 20 * bytes(80, flat));
+    CHECK(2 * bytes(80, prisms) > 7 * bytes(40, prisms));
+}
