@@ -44,7 +44,7 @@ class ContactCalls(Caller):
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> Answering[SubsurfaceStress]:
-        """Stresses inside a body, a half-space, under the tractions of the `solution` of a `problem`.
+        """Stresses inside a body, a half-space or layers, under the tractions of the `solution` of a `problem`.
 
         They are wanted either at `points`, shape [n, 3] (x, y, z in mm), or on a `block`::
 
@@ -52,9 +52,9 @@ class ContactCalls(Caller):
             print(stress.largest.von_mises, stress.largest.depth)
 
         Points and stresses are in the frame of `body`, where z <= 0 is inside, for the upper body too: see
-        SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem. Nearer to the surface
-        than an element the steps of the tractions show. A block and TableIcs, which are no half-spaces or may be none,
-        are refused (InvalidArgument).
+        SubsurfaceStress. `nu` is Poisson's ratio of the body, where it is not that of the problem; a LayeredBody has its
+        own. Nearer to the surface than an element the steps of the tractions show. Blocks, prisms and TableIcs, which are
+        no half-spaces or may be none, are refused (InvalidArgument).
         """
         params, shape = subsurface_params(problem, solution, body, points, block, nu)
         result = yield from self.asked("contact.subsurface", params, timeout=timeout, on_progress=on_progress, progress=progress)
