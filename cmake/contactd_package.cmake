@@ -72,14 +72,11 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION "client of contactd, elastic contact as a se
 Contact problems, tables of influence coefficients and stresses inside bodies
 from Python: plain classes in, NumPy arrays out.")
 
-# Of one version of Python, as every module that is compiled.
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
-math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+# One module for all versions of Python from 3.10 on.
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_NAME python3-contactd-local)
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_DEPENDS "python3-contactd (= ${PROJECT_VERSION}), \
-python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_python})")
+set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_DEPENDS "python3-contactd (= ${PROJECT_VERSION}), python3 (>= 3.10)")
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SUGGESTS "contactd")
 set(CPACK_DEBIAN_PYTHON_LOCAL_DESCRIPTION "elastic contact in the process of Python (Python 3)
 What contactd.local() of python3-contactd solves with, instead of a daemon.")

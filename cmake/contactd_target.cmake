@@ -16,6 +16,12 @@ function(contactd_warnings target)
   endif()
 endfunction()
 
+# contactd_portable(TARGET): it finds its libraries where the system has them, or where who packs it says, and remembers no
+# folder of the machine that built it.
+function(contactd_portable target)
+  set_target_properties(${target} PROPERTIES SKIP_BUILD_RPATH ON)
+endfunction()
+
 function(contactd_library name)
   add_library(contactd_${name} STATIC ${ARGN})
   add_library(contactd::${name} ALIAS contactd_${name})

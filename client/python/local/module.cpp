@@ -3,94 +3,202 @@
 //
 // The threads of the service never touch Python. Who asks waits without the interpreter's lock, and looks for signals
 // (Ctrl-C) meanwhile; lines of the log wait until they are fetched.
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
+#include "python_api.hpp"  // first: what it asks of Python must be said before anything includes it
 
-#include <deque>
+#include <chrono>
 #include <memory>
-#include <mutex>
-#include <utility>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "contactd/error.hpp"
 #include "contactd/version.hpp"
+#include "lines.hpp"
 #include "service/in_process.hpp"
 
-namespace py = pybind11;
-using contactd::server::Exchange;
-using contactd::server::InProcess;
-
+namespace contactd::python {
 namespace {
 
+using server::Exchange;
+using server::InProcess;
+
 constexpr auto look_for_signals = std::chrono::milliseconds(50);
-constexpr std::size_t kept_lines = 1000;
 
-/// The last lines of the log that nobody has fetched.
-class Lines {
-   public:
-    using Line = std::pair<int, std::string>;  // level as Python's logging has it, sentence
-
-    void put(InProcess::Level level, const std::string& sentence) {
-        const std::scoped_lock lock(mutex_);
-        if (lines_.size() >= kept_lines) lines_.pop_front();
-        lines_.emplace_back(20 + 10 * static_cast<int>(level), sentence);
-    }
-    std::deque<Line> take() {
-        const std::scoped_lock lock(mutex_);
-        return std::exchange(lines_, {});
-    }
-
-   private:
-    std::mutex mutex_;
-    std::deque<Line> lines_;
+/// Of the module; each interpreter has its own.
+struct State {
+    PyObject* error;         // class Error(RuntimeError)
+    PyTypeObject* exchange;  // class Exchange
 };
 
-class Service {
-   public:
-    explicit Service(const std::string& config)
-        : service_(std::make_unique<InProcess>(
-              config, [lines = lines_](InProcess::Level level, const std::string& line) { lines->put(level, line); })) {
-    }
-    std::unique_ptr<Exchange> ask(const std::string& envelope, std::vector<std::string> frames) {
-        return service_->ask(envelope, std::move(frames));
-    }
-    void close() { service_->close(); }
-    std::deque<Lines::Line> take_log() { return lines_->take(); }
-
-   private:
-    const std::shared_ptr<Lines> lines_ = std::make_shared<Lines>();
-    const std::unique_ptr<InProcess> service_;
-};
-
-/// The next message as a list of bytes. Raises what a handler of a signal raises.
-py::list next(Exchange& exchange) {
-    std::optional<Exchange::Message> message;
-    for (;;) {
-        {
-            const py::gil_scoped_release release;
-            message = exchange.next(Exchange::Clock::now() + look_for_signals);
-        }
-        if (message) break;
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    }
-    py::list frames;
-    for (const std::string& frame : *message) frames.append(py::bytes(frame));
-    return frames;
+State& state_of(PyTypeObject* type) {
+    return *static_cast<State*>(PyType_GetModuleState(type));
+}
+PyObject* error_of(PyObject* self) {
+    return state_of(Py_TYPE(self)).error;
 }
 
+// --- Exchange --------------------------------------------------------------------------------------------------------
+
+/// The next message as a list of bytes. Raises what a handler of a signal raises.
+PyObject* next(PyObject* self, PyObject*) {
+    return answer(error_of(self), [&] {
+        std::optional<Exchange::Message> message;
+        for (;;) {
+            {
+                const Unlocked unlocked;
+                message = held_by<Exchange>(self).next(Exchange::Clock::now() + look_for_signals);
+            }
+            if (message) break;
+            if (PyErr_CheckSignals() != 0) throw ExceptionIsSet();
+        }
+        Reference frames(PyList_New(0));
+        for (const std::string& frame : *message) append(frames, bytes(frame));
+        return frames.release();
+    });
+}
+
+PyObject* cancel(PyObject* self, PyObject*) {
+    return answer(error_of(self), [&] {
+        {
+            const Unlocked unlocked;
+            held_by<Exchange>(self).cancel();
+        }
+        return none();
+    });
+}
+
+PyMethodDef exchange_methods[] = {
+    {"next", &next, METH_NOARGS, "The next message, progress or at last the answer: its envelope and array frames."},
+    {"cancel", &cancel, METH_NOARGS, "Ends the request, unless it is answered."},
+    {nullptr, nullptr, 0, nullptr}};
+
+PyType_Slot exchange_slots[] = {{Py_tp_doc, const_cast<char*>("One request on its way.")},
+                                {Py_tp_methods, exchange_methods},
+                                {Py_tp_dealloc, reinterpret_cast<void*>(&let_go<Exchange>)},
+                                {0, nullptr}};
+PyType_Spec exchange_spec = {"contactd_local.Exchange", sizeof(Holder<Exchange>), 0,
+                             Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION, exchange_slots};
+
+// --- Service ---------------------------------------------------------------------------------------------------------
+
+struct Service {
+    explicit Service(const std::string& config)
+        : service(config, [lines = lines](InProcess::Level level, const std::string& line) {
+              lines->put(20 + 10 * static_cast<int>(level), line);
+          }) {}
+
+    const std::shared_ptr<Lines> lines = std::make_shared<Lines>();
+    InProcess service;
+};
+
+PyObject* new_service(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
+    return answer(state_of(type).error, [&] {
+        static char name[] = "config";
+        static char* names[] = {name, nullptr};
+        const char* text = nullptr;  // not by its length, "s#": versions of Python differ in what that takes
+        if (PyArg_ParseTupleAndKeywords(arguments, keywords, "s:Service", names, &text) == 0) throw ExceptionIsSet();
+        const std::string config(text);
+        std::unique_ptr<Service> service;
+        {
+            const Unlocked unlocked;
+            service = std::make_unique<Service>(config);
+        }
+        return hold(type, std::move(service));
+    });
+}
+
+PyObject* ask(PyObject* self, PyObject* arguments) {
+    return answer(error_of(self), [&] {
+        PyObject *envelope = nullptr, *frames = nullptr;
+        if (PyArg_ParseTuple(arguments, "SO:ask", &envelope, &frames) == 0) throw ExceptionIsSet();
+        const std::string message = text_of(envelope);
+        const Py_ssize_t count = PySequence_Size(frames);
+        if (count < 0) throw ExceptionIsSet();
+        std::vector<std::string> arrays;
+        for (Py_ssize_t i = 0; i < count; ++i)
+            arrays.push_back(text_of(Reference(PySequence_GetItem(frames, i)).get()));
+        std::unique_ptr<Exchange> exchange;
+        {
+            const Unlocked unlocked;
+            exchange = held_by<Service>(self).service.ask(message, std::move(arrays));
+        }
+        return hold(state_of(Py_TYPE(self)).exchange, std::move(exchange));
+    });
+}
+
+PyObject* take_log(PyObject* self, PyObject*) {
+    return answer(error_of(self), [&] {
+        Reference taken(PyList_New(0));
+        for (const auto& [level, sentence] : held_by<Service>(self).lines->take())
+            append(taken, Reference(Py_BuildValue("iN", level, words(sentence).release())));
+        return taken.release();
+    });
+}
+
+PyObject* close(PyObject* self, PyObject*) {
+    return answer(error_of(self), [&] {
+        {
+            const Unlocked unlocked;
+            held_by<Service>(self).service.close();
+        }
+        return none();
+    });
+}
+
+PyMethodDef service_methods[] = {
+    {"ask", &ask, METH_VARARGS, "ask(envelope, frames): begins a request; all of it is bytes."},
+    {"take_log", &take_log, METH_NOARGS, "Level and sentence of what has happened since the last time."},
+    {"close", &close, METH_NOARGS, "Ends all requests and sessions. May be called twice."},
+    {nullptr, nullptr, 0, nullptr}};
+
+PyType_Slot service_slots[] = {
+    {Py_tp_doc, const_cast<char*>("Service(config): the engine, its tables and its sessions; `config` is JSON, as the "
+                                  "daemon's configuration.")},
+    {Py_tp_methods, service_methods},
+    {Py_tp_new, reinterpret_cast<void*>(&new_service)},
+    {Py_tp_dealloc, reinterpret_cast<void*>(&let_go<Service>)},
+    {0, nullptr}};
+PyType_Spec service_spec = {"contactd_local.Service", sizeof(Holder<Service>), 0, Py_TPFLAGS_DEFAULT, service_slots};
+
+// --- the module ------------------------------------------------------------------------------------------------------
+
+int fill(PyObject* module) {
+    State& state = *static_cast<State*>(PyModule_GetState(module));
+    const auto add = [&](const char* name, PyObject* object) {
+        return object != nullptr && PyModule_AddObjectRef(module, name, object) == 0;
+    };
+    state.error = PyErr_NewException("contactd_local.Error", PyExc_RuntimeError, nullptr);
+    state.exchange = reinterpret_cast<PyTypeObject*>(PyType_FromModuleAndSpec(module, &exchange_spec, nullptr));
+    PyObject* const service = PyType_FromModuleAndSpec(module, &service_spec, nullptr);
+    const bool filled = add("Error", state.error) && add("Exchange", reinterpret_cast<PyObject*>(state.exchange)) &&
+                        add("Service", service) &&
+                        PyModule_AddStringConstant(module, "__version__", version().c_str()) == 0;
+    Py_XDECREF(service);
+    return filled ? 0 : -1;
+}
+
+int visit_state(PyObject* module, visitproc visit, void* arg) {
+    const State& state = *static_cast<State*>(PyModule_GetState(module));
+    Py_VISIT(state.error);
+    Py_VISIT(state.exchange);
+    return 0;
+}
+
+int clear_state(PyObject* module) {
+    State& state = *static_cast<State*>(PyModule_GetState(module));
+    Py_CLEAR(state.error);
+    Py_CLEAR(state.exchange);
+    return 0;
+}
+
+PyModuleDef_Slot slots[] = {{Py_mod_exec, reinterpret_cast<void*>(&fill)}, {0, nullptr}};
+PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "contactd_local", "contactd's engine in process, for contactd.local().",
+    sizeof(State),         nullptr,          slots,
+    &visit_state,          &clear_state,     [](void* module) { clear_state(static_cast<PyObject*>(module)); }};
+
 }  // namespace
+}  // namespace contactd::python
 
-PYBIND11_MODULE(contactd_local, module) {
-    module.doc() = "contactd's engine in process, for contactd.local().";
-    module.attr("__version__") = contactd::version();
-    py::register_exception<contactd::Error>(module, "Error", PyExc_RuntimeError);
-
-    using Release = py::call_guard<py::gil_scoped_release>;
-    py::class_<Exchange>(module, "Exchange", "One request on its way.")
-        .def("next", &next, "The next message, progress or at last the answer: its envelope and array frames.")
-        .def("cancel", &Exchange::cancel, Release(), "Ends the request, unless it is answered.");
-    py::class_<Service>(module, "Service", "The engine, its tables and its sessions.")
-        .def(py::init<std::string>(), py::arg("config"), Release(), "`config`: JSON, as the daemon's configuration.")
-        .def("ask", &Service::ask, py::arg("envelope"), py::arg("frames"), Release(), "Begins a request.")
-        .def("take_log", &Service::take_log, "Level and sentence of what has happened since the last time.")
-        .def("close", &Service::close, Release(), "Ends all requests and sessions. May be called twice.");
+PyMODINIT_FUNC PyInit_contactd_local() {
+    return PyModuleDef_Init(&contactd::python::definition);
 }

@@ -1,0 +1,125 @@
+// What Python's C interface leaves to care in C++: references, the interpreter's lock, exceptions, and values that a
+// Python object holds. Of the interface only what Python 3.10 promised to keep: one module serves it and all later
+// ones.
+#pragma once
+
+#define Py_LIMITED_API 0x030A0000
+#include <Python.h>
+
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "contactd/error.hpp"
+
+namespace contactd::python {
+
+/// A Python exception is set, and is what the caller shall get.
+struct ExceptionIsSet {};
+
+/// A reference that is owned. Throws ExceptionIsSet for what could not be made.
+class Reference {
+   public:
+    explicit Reference(PyObject* owned) : object_(owned) {
+        if (object_ == nullptr) throw ExceptionIsSet();
+    }
+    ~Reference() { Py_XDECREF(object_); }
+    Reference(Reference&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+    Reference(const Reference&) = delete;
+    Reference& operator=(const Reference&) = delete;
+
+    PyObject* get() const { return object_; }
+    PyObject* release() { return std::exchange(object_, nullptr); }
+
+   private:
+    PyObject* object_;
+};
+
+/// Other threads of Python may run while it lives.
+class Unlocked {
+   public:
+    Unlocked() : state_(PyEval_SaveThread()) {}
+    ~Unlocked() { PyEval_RestoreThread(state_); }
+    Unlocked(const Unlocked&) = delete;
+    Unlocked& operator=(const Unlocked&) = delete;
+
+   private:
+    PyThreadState* state_;
+};
+
+/// What `act` gives. What it throws becomes the Python exception `error` where it is one of contactd's, else one of
+/// Python's own, and the answer is null.
+template <class Act>
+PyObject* answer(PyObject* error, const Act& act) {
+    try {
+        return act();
+    } catch (const ExceptionIsSet&) {
+    } catch (const Error& problem) {
+        PyErr_SetString(error, problem.what());
+    } catch (const std::bad_alloc&) {
+        PyErr_NoMemory();
+    } catch (const std::exception& problem) {
+        PyErr_SetString(PyExc_RuntimeError, problem.what());
+    }
+    return nullptr;
+}
+
+inline PyObject* none() {
+    Py_INCREF(Py_None);
+    return Py_None;
+}
+
+inline Reference bytes(std::string_view text) {
+    return Reference(PyBytes_FromStringAndSize(text.data(), static_cast<Py_ssize_t>(text.size())));
+}
+
+/// Text that came from anywhere: what is no UTF-8 in it is replaced.
+inline Reference words(std::string_view text) {
+    return Reference(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+/// What bytes hold. Throws ExceptionIsSet (TypeError) for all else.
+inline std::string text_of(PyObject* object) {
+    char* data = nullptr;
+    Py_ssize_t size = 0;
+    if (PyBytes_AsStringAndSize(object, &data, &size) != 0) throw ExceptionIsSet();
+    return {data, static_cast<std::size_t>(size)};
+}
+
+inline void append(const Reference& list, const Reference& item) {
+    if (PyList_Append(list.get(), item.get()) != 0) throw ExceptionIsSet();
+}
+
+/// A Python object that owns a T.
+template <class T>
+struct Holder {
+    PyObject_HEAD T* held;
+};
+
+template <class T>
+T& held_by(PyObject* self) {
+    return *reinterpret_cast<Holder<T>*>(self)->held;
+}
+
+/// A new object of `type`, which must be one of Holder<T>.
+template <class T>
+PyObject* hold(PyTypeObject* type, std::unique_ptr<T> value) {
+    const auto allocate = reinterpret_cast<allocfunc>(PyType_GetSlot(type, Py_tp_alloc));
+    Reference object(allocate(type, 0));
+    reinterpret_cast<Holder<T>*>(object.get())->held = value.release();
+    return object.release();
+}
+
+/// The end of an object of Holder<T>: its tp_dealloc.
+template <class T>
+void let_go(PyObject* self) {
+    PyTypeObject* const type = Py_TYPE(self);
+    delete reinterpret_cast<Holder<T>*>(self)->held;
+    reinterpret_cast<freefunc>(PyType_GetSlot(type, Py_tp_free))(self);
+    Py_DECREF(type);
+}
+
+}  // namespace contactd::python
