@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from .client import Client
 from .errors import DaemonFailed
 from .lifeline import Lifeline
+from .programs import program_of
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -50,7 +51,8 @@ def laid_over(own: Mapping[str, Any], config: Mapping[str, Any]) -> dict[str, An
 class LocalDaemon:
     """Runs ``contactd`` on a private ipc endpoint, and ends it with the ``with`` block.
 
-    `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it.
+    `program` is looked for on PATH when it is a name without a folder, and starts the `contactd-ic` beside it. Without one
+    it is the `contactd` of the package contactd-daemon, where that is installed, and otherwise that of PATH.
     `folder` holds its configuration, log and store; without one a temporary folder is used and removed afterwards.
     `config` is laid over the configuration written here, section by section. Signals of the terminal (Ctrl-C) reach
     the caller only, who ends the daemon by leaving the block. When the caller is killed, or ends by SIGTERM without a
@@ -60,7 +62,7 @@ class LocalDaemon:
 
     def __init__(
         self,
-        program: str | Path = "contactd",
+        program: str | Path | None = None,
         *,
         folder: str | Path | None = None,
         config: Mapping[str, Any] | None = None,
@@ -75,7 +77,7 @@ class LocalDaemon:
         self.endpoint = ""
         self._owner = os.getpid()
         self._lifeline: Lifeline | None = None
-        self.process = self._start(str(program))
+        self.process = self._start(program_of("contactd") if program is None else str(program))
         try:
             self._lifeline = Lifeline(self.pid, self._configuration, self.folder if self._temporary else None)
             self._wait_until_ready(start_timeout)
@@ -159,7 +161,7 @@ class LocalDaemon:
         except OSError as error:
             if self._temporary:
                 shutil.rmtree(self.folder, ignore_errors=True)
-            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program)."
+            advice = "" if os.sep in program else " Put it on PATH, or name it: LocalDaemon(program); pip install contactd-daemon brings one."
             raise DaemonFailed(f"{program} cannot be started: {error.strerror}.{advice}") from None
 
     def _wait_until_ready(self, timeout: float) -> None:

@@ -18,6 +18,7 @@ from .connections import Lender
 from .daemon import laid_over
 from .errors import ConnectionFailed, DaemonFailed
 from .messages import Reply, Request, parsed, reply_of
+from .programs import program_of
 
 __all__ = ["InProcessClient", "can_solve_here"]
 
@@ -38,6 +39,11 @@ def can_solve_here() -> bool:
     return True
 
 
+def _builder() -> str:
+    program = program_of("contactd-ic")
+    return shutil.which(program) or program
+
+
 class _Engine:
     """What Connections is to a daemon: lends each call a way to ask, which is one and the same. Thread-safe.
 
@@ -51,7 +57,7 @@ class _Engine:
         self.is_closed = False
         self._temporary = tempfile.mkdtemp(prefix="contactd-") if folder is None else None
         store = str(folder.absolute() / "store") if folder is not None else self._temporary
-        builder = {"program": os.environ.get("CONTACTD_IC") or shutil.which("contactd-ic") or "contactd-ic"}
+        builder = {"program": os.environ.get("CONTACTD_IC") or _builder()}
         # Ctrl-C at a terminal is for this process, not for what it builds meanwhile.
         launcher = {"launcher": ["setsid"]} if shutil.which("setsid") else {}
         own = {"store": {"folder": store}, "builds": {**builder, **launcher}}

@@ -36,8 +36,8 @@ def local(
     what only a daemon has in `config` (endpoint, security, log, http, shutdown) gets a daemon.
 
     `program`, `folder` and `config` are those of LocalDaemon. Tables by finite elements are kept in `folder`; without
-    one they go with the block. In process they are built by ``contactd-ic``, as CONTACTD_IC names it or PATH finds it,
-    and the log goes to the logger ``contactd.local``.
+    one they go with the block. In process they are built by ``contactd-ic``, as CONTACTD_IC names it, the package
+    contactd-daemon has it, or PATH finds it, and the log goes to the logger ``contactd.local``.
 
     A client that solves in process belongs to it: it cannot be pickled, and a process that is forked opens its own.
 
@@ -54,7 +54,7 @@ def local(
         with InProcessClient(folder, config) as client:
             yield client
         return
-    with LocalDaemon(program or "contactd", folder=folder, config=config) as daemon, daemon.client() as client:
+    with LocalDaemon(program, folder=folder, config=config) as daemon, daemon.client() as client:
         yield client
 
 

@@ -1,0 +1,33 @@
+"""Daemon and builder of contactd with all libraries that they need, down to the loader: what the wheel contactd-daemon holds.
+
+``contactd.local()`` and ``LocalDaemon`` find them here. ``contactd`` and ``contactd-ic`` are commands of the environment.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+__all__ = ["program"]
+
+
+def program(name: str = "contactd") -> Path:
+    """The program `name`, contactd or contactd-ic. Raises ValueError for others."""
+    if name not in ("contactd", "contactd-ic"):
+        raise ValueError(f"name is {name!r}; there are contactd and contactd-ic")
+    return Path(__file__).parent / "bin" / name
+
+
+def _become(name: str) -> NoReturn:
+    path = program(name)
+    os.execv(path, [str(path), *sys.argv[1:]])
+
+
+def _contactd() -> NoReturn:
+    _become("contactd")
+
+
+def _contactd_ic() -> NoReturn:
+    _become("contactd-ic")

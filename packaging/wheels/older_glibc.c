@@ -1,0 +1,33 @@
+/* What Debian 13's glibc has in newer versions only because of what changed beside the computation. Bound to the versions
+ * that came first, the module also loads where glibc is older: 2.35, which the unwinding of exceptions takes, and later.
+ * Whatever is linked into the module finds these functions before those of the library; nobody outside sees them.
+ *
+ * fmod 2.38 and hypot 2.35 no longer set errno by a wrapper. The others are strtol, sscanf and their kin as C23 has them,
+ * which also read "0b1"; a program of C++20 wants them as they were. Compiled as C11, this file names the older ones. */
+#undef _GNU_SOURCE
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define HERE __attribute__((visibility("hidden")))
+
+double fmod_of_2_2_5(double x, double y);
+__asm__(".symver fmod_of_2_2_5, fmod@GLIBC_2.2.5");
+HERE double fmod(double x, double y) { return fmod_of_2_2_5(x, y); }
+
+double hypot_of_2_2_5(double x, double y);
+__asm__(".symver hypot_of_2_2_5, hypot@GLIBC_2.2.5");
+HERE double hypot(double x, double y) { return hypot_of_2_2_5(x, y); }
+
+HERE long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
+HERE unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }
+HERE long long __isoc23_strtoll(const char* text, char** end, int base) { return strtoll(text, end, base); }
+HERE unsigned long long __isoc23_strtoull(const char* text, char** end, int base) { return strtoull(text, end, base); }
+
+HERE int __isoc23_sscanf(const char* text, const char* format, ...) {
+    va_list values;
+    va_start(values, format);
+    const int count = vsscanf(text, format, values);
+    va_end(values);
+    return count;
+}
