@@ -289,9 +289,8 @@ CONTACTD_API int32_t contactd_get_origin(contactd_contact* contact, int32_t body
  *
  * There is nothing to start: a wheel that was made is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with
  * mu = 0.3 and elements of 0.2 mm, and all of it can be set at any time. What is set holds until it is set anew. A
- * wheel whose set-up stays keeps its profiles and operators, with a daemon in a session of its own, and a solve starts
- * from the one before, which changes its results within their tolerances: rolling is steady and knows no history.
- * Lengths are in mm, angles in rad, forces in N on the rail. */
+ * wheel whose set-up stays keeps its profiles and operators, with a daemon in a session of its own; a solve carries
+ * nothing else over to the next one. Lengths are in mm, angles in rad, forces in N on the rail. */
 /* Sets *wheel to NULL when it fails. */
 CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contactd_wheel** wheel);
 /* The handle is none afterwards, unless another thread uses it (CONCURRENT_USE). */

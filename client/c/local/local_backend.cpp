@@ -130,16 +130,13 @@ class LocalWheel final : public OpenWheel {
         : engine_(std::move(engine)), timeout_(timeout) {}
 
     WheelRailSolution solve(const WheelInput& input, const Control& control) override {
-        if (!steps_ || !serves(steps_->setup(), input.setup)) {
+        if (!steps_ || !serves(steps_->setup(), input.setup))
             steps_ = engine_->open(WheelRailSessionSpec{input.setup, {}, true});
-            here_ = {};
-        }
         const WheelRailStepInput said = step_of(steps_->setup(), input);
-        StepState after;
+        StepState after;  // nothing is carried from one solve to the next
         WheelRailSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
-            return engine_->solve(*steps_, here_, said, after, observer);
+            return engine_->solve(*steps_, StepState(), said, after, observer);
         });
-        here_ = std::move(after);
         keep_wanted(input, solution);
         return solution;
     }
@@ -164,7 +161,6 @@ class LocalWheel final : public OpenWheel {
     const std::shared_ptr<Engine> engine_;
     const std::chrono::milliseconds timeout_;
     std::unique_ptr<engine::WheelRailSteps> steps_;
-    StepState here_;
 };
 
 class LocalBackend final : public Backend {

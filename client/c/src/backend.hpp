@@ -62,14 +62,13 @@ struct WheelsetInput {
     bool gap = false;
 };
 
-/// Where wheels on rails are solved. One thread at a time; a set-up that stays is kept, and a solve starts its searches
-/// and solvers from the one before.
+/// Where wheels on rails are solved. One thread at a time; a set-up that stays is kept; nothing else is
+/// carried from one call to the next.
 class OpenWheel {
    public:
     virtual ~OpenWheel() = default;
     /// Arrays are empty unless they are asked for. Throws as OpenContact, naming "setup.track.gauge", ...
     virtual WheelRailSolution solve(const WheelInput& input, const Control& control) = 0;
-    /// Carries nothing over.
     virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 

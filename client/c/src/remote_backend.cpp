@@ -100,16 +100,13 @@ class RemoteWheel final : public OpenWheel {
             opened_ = input.setup;
         }
         WheelRailStepInput said = step_of(opened_, input);
-        said.again = std::exchange(unanswered_, true);
-        WheelRailSolution solution = session_->step(said, options_of(control)).solution;
-        unanswered_ = false;
-        return solution;
+        said.again = true;  // always the first step, so that nothing is carried from one solve to the next
+        return session_->step(said, options_of(control)).solution;
     }
 
     client::Client client_;  // outlives the session
     std::optional<client::WheelRailSession> session_;
-    WheelRailSetup opened_;    // with which it was
-    bool unanswered_ = false;  // the last step, which the daemon may have taken
+    WheelRailSetup opened_;  // with which it was
 };
 
 class RemoteBackend final : public Backend {
