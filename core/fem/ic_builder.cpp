@@ -12,6 +12,10 @@
 namespace contactd::fem {
 namespace {
 
+bool is_corrected_block(const IcSpec& spec) {
+    return spec.accuracy > 0 && spec.body == BodyShape::block;
+}
+
 bool is_adaptive(const IcSpec& spec) {
     return spec.accuracy == 0 && spec.fem.mesh == MeshKind::adaptive;
 }
@@ -37,8 +41,9 @@ IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64
     int processes = 1;
     MPI_Comm_size(MPI_COMM_WORLD, &processes);
     const BuildSize size = predicted_size(spec, 1);
-    // What is factorised, or refined, is done by one process as quickly as by several.
-    const bool alone = processes > 1 && (size.solver == Solver::direct || is_adaptive(spec));
+    // What is factorised, refined, or a product along axes is done by one process as quickly as by several.
+    const bool alone =
+        processes > 1 && (size.solver == Solver::direct || is_adaptive(spec) || is_corrected_block(spec));
     require_room(spec, alone ? size : predicted_size(spec, processes), max_memory_bytes);
     if (!alone) return build(MPI_COMM_WORLD, spec, observer);
     return on_first_process(MPI_COMM_WORLD, [&] { return build(MPI_COMM_SELF, spec, observer); });

@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "block_spec.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem_fields.hpp"
 #include "contactd/grid.hpp"
@@ -197,6 +198,7 @@ void validate(const IcSpec& spec) {
     }
     if (chosen && (spec.body == BodyShape::half_space || spec.section)) return;
     const double L = spec.fem.L_over_h * std::max(spec.dx, spec.dy);
+    if (spec.body == BodyShape::block) validate_room_on_block(spec);
     const double farthest = std::max((spec.nx - 1) * spec.dx, (spec.ny - 1) * spec.dy);
     if (!(farthest < L))
         throw InvalidArgument("ics.L_over_h", "is " + number_text(spec.fem.L_over_h) + "; the offsets reach " +

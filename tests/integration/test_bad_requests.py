@@ -154,6 +154,7 @@ BLOCK = {"source": "fem", "body": "block"}
         ({**BLOCK, "accuracy": 1e-3, "order": 2}, "ics.order"),
         ({**BLOCK, "accuracy": 1e-3, "L_over_h": 5}, "ics.L_over_h"),
         ({**BLOCK, "L_over_h": 5}, "ics.L_over_h"),
+        ({**BLOCK, "accuracy": 1e-2, "L_over_h": 0.4}, "ics.L_over_h"),
         ({**FEM, "accuracy": 0}, "ics.accuracy"),
         ({**FEM, "accuracy": 9e-5}, "ics.accuracy"),
         ({**FEM, "accuracy": 0.2}, "ics.accuracy"),

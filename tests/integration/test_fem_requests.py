@@ -173,3 +173,14 @@ def test_a_block_takes_more_force_than_the_half_space(shared):
     problem = CATTANEO.replace(grid=Grid.centred(8, 8, 2.4, 2.4), friction=None)
     block = shared.solve(problem.replace(ics=FemIcs(accuracy=1e-2, body="block", L_over_h=20)))
     assert block.Fn > 1.05 * shared.solve(problem).Fn
+
+
+def test_a_contact_on_a_block_is_told_how_far_its_elements_differ(shared):
+    problem = CATTANEO.replace(grid=Grid.centred(8, 8, 2.4, 2.4), friction=None)
+    small, large = (
+        shared.solve(problem.replace(ics=FemIcs(accuracy=1e-2, body="block", L_over_h=L))) for L in (10, 1000)
+    )
+    told = [solution.evidence.ics["upper"].evidence.modelling_error for solution in (small, large)]
+    assert told[0] > 1e-2 > told[1]
+    assert any("does not look the same from every element" in warning for warning in small.warnings)
+    assert not any("does not look the same" in warning for warning in large.warnings)

@@ -76,6 +76,7 @@ IcReply ic_reply() {
     evidence.errors_estimated = true;
     evidence.family_nu = {0, 0.245, 0.49};
     evidence.interpolation_error = 3e-6;
+    evidence.modelling_error = 0.07;
     return reply;
 }
 
@@ -94,6 +95,7 @@ void check_equal(const IcEvidence& a, const IcEvidence& b) {
     CHECK(a.errors_estimated == b.errors_estimated);
     CHECK(a.family_nu == b.family_nu);
     CHECK(a.interpolation_error == b.interpolation_error);
+    CHECK(a.modelling_error == b.modelling_error);
 }
 
 /// As it arrives: through text.

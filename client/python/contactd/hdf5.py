@@ -108,6 +108,7 @@ def _evidence(group: Any) -> IcEvidence:
         mesh=None if mesh is None else FemIcs(**{f.name: mesh[f.name] for f in fields(FemIcs) if f.name in mesh}),
         family_nu=tuple(said.get("family_nu", ())),
         interpolation_error=said.get("interpolation_error"),
+        modelling_error=said.get("modelling_error"),
     )
 
 

@@ -122,13 +122,15 @@ class IcEvidence:
         seconds: Time spent (s) on "assembly", "setup", "solve" and "total".
         load_cases: The solves, by direction of the load.
         errors: Of its components, where known.
-        errors_estimated: Of a block, by a third of the difference to the next lower order.
+        errors_estimated: Of a block, by half of the difference to a coarser mesh.
         warnings: Sentences, e.g. that the mesh is outside of the ranges the paper recommends.
-        solver: "amg_pcg" or "direct".
+        solver: "amg_pcg", "direct" or, of a block of an accuracy, "tensor_pcg".
         mesh: What was chosen for an accuracy; not of a block.
         family_nu: Of a family: Poisson's ratios of its tables.
         interpolation_error: Of a family: what interpolation between them adds at most, estimated.
         section: Of a prism by finite elements.
+        modelling_error: Of a block: how far a load in the corner of the elements is from the table, which is that of one
+            in the middle; in the measures of `FemIcs.accuracy`.
     """
 
     source: str
@@ -146,6 +148,7 @@ class IcEvidence:
     family_nu: tuple[float, ...] = ()
     interpolation_error: float | None = None
     section: SectionEvidence | None = None
+    modelling_error: float | None = None
 
 
 @dataclass(frozen=True)
@@ -217,6 +220,8 @@ class IcTable(HasDict, Shown):
         if (errors := self.evidence.errors) is not None:
             name = "largest error of zz, estimated" if self.evidence.errors_estimated else "largest error of zz"
             rows.append((name, f"{errors.zz.largest:.2g}"))
+        if self.evidence.modelling_error is not None:
+            rows.append(("modelling error, off the middle", f"{self.evidence.modelling_error:.2g}"))
         return rows
 
     def _remarks(self) -> tuple[str, ...]:

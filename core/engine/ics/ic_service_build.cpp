@@ -45,7 +45,7 @@ std::string summary(const IcEvidence& evidence) {
     std::string text = std::format("{} unknowns", evidence.dofs);
     if (!evidence.family_nu.empty()) text += std::format(" and fewer, {} tables", evidence.family_nu.size());
     text += ", solver " + evidence.solver;
-    if (evidence.solver == name_of(Solver::amg_pcg)) {
+    if (evidence.solver != name_of(Solver::direct)) {
         text += ", iterations";
         for (const LoadCaseEvidence& load_case : evidence.load_cases)
             text += std::format(" {} {}", name_of(load_case.load), load_case.iterations);
@@ -56,6 +56,7 @@ std::string summary(const IcEvidence& evidence) {
     add(evidence.errors_estimated ? "; estimated errors xx" : "; errors xx", evidence.errors.xx);
     add(", yy", evidence.errors.yy);
     add(", zz", evidence.errors.zz);
+    if (evidence.modelling_error) text += std::format("; modelling error {:.1e}", *evidence.modelling_error);
     if (evidence.interpolation_error) text += std::format(", interpolation {:.1e}", *evidence.interpolation_error);
     for (const std::string& warning : evidence.warnings) text += "; " + warning;
     return text;

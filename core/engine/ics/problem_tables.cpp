@@ -1,5 +1,8 @@
 #include "problem_tables.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "contactd/ic_exchange.hpp"
 #include "contactd/version.hpp"
 
@@ -83,6 +86,17 @@ IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
     uses.upper = use_of(setup.bodies.upper, ics[0]);
     uses.lower = use_of(setup.bodies.lower, ics[1]);
     return uses;
+}
+
+std::vector<std::string> table_warnings(const ContactSetup& setup, const IcAnswers& ics) {
+    std::vector<std::string> result;
+    if (!needs_tables(setup)) return result;
+    for (const IcAnswer& answer : ics) {
+        if (!answer.record || !answer.record->evidence.modelling_error) continue;
+        for (std::string& warning : modelling_warnings(answer.record->spec, *answer.record->evidence.modelling_error))
+            if (std::ranges::find(result, warning) == result.end()) result.push_back(std::move(warning));
+    }
+    return result;
 }
 
 }  // namespace contactd::engine

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "contactd/contact.hpp"
 #include "contactd/proto/codec.hpp"
@@ -28,5 +30,8 @@ ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ic
 
 /// Where the coefficients came from.
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
+
+/// What a user of a solution should know of its tables: sentences, none when all is well.
+std::vector<std::string> table_warnings(const ContactSetup& setup, const IcAnswers& ics);
 
 }  // namespace contactd::engine

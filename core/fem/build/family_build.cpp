@@ -8,6 +8,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/ic_family.hpp"
+#include "modelling_error.hpp"
 
 namespace contactd::fem {
 namespace {
@@ -67,6 +68,7 @@ IcEvidence combined(const std::vector<const IcRecord*>& records) {
         take_larger(result.errors.zz, evidence.errors.zz);
         take_larger(result.errors.scaled_xy, evidence.errors.scaled_xy);
         take_larger(result.errors.scaled_xz, evidence.errors.scaled_xz);
+        take_larger(result.modelling_error, evidence.modelling_error);
     }
     return result;
 }
@@ -79,7 +81,10 @@ IcRecord family_of(const IcSpec& spec, const std::vector<const IcRecord*>& recor
         family.tables.push_back(record->table());
         result.evidence.family_nu.push_back(record->spec.material.nu);
     }
-    if (spec.accuracy == 0) result.evidence.warnings = table_warnings(spec, result.evidence);
+    if (spec.accuracy == 0)
+        result.evidence.warnings = table_warnings(spec, result.evidence);
+    else if (result.evidence.modelling_error)
+        result.evidence.warnings = modelling_warnings(spec, *result.evidence.modelling_error);
     result.evidence.interpolation_error = interpolation_error(spec, family.tables);
     result.tables = std::move(family);
     return result;

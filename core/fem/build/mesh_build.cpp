@@ -7,6 +7,7 @@
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/half_space.hpp"
+#include "modelling_error.hpp"
 #include "system/sampling.hpp"
 
 namespace contactd::fem {
@@ -63,7 +64,7 @@ mfem::Vector solve(ElasticityProblem& problem, LinearSystem& system, const LoadC
         progress.report(direct ? "substitution" : "pcg", done, number, figure, seconds);
     };
     const SolveResult result = system.solve(load_case, u, {setup, iteration});
-    if (!result.converged) throw NotConverged(not_converged(load, result, fem));
+    require_converged(result, load, fem);
     evidence.load_cases.push_back(
         {load, result.iterations, result.residual, true, result.solve_seconds, result.update});
     evidence.seconds.setup += result.setup_seconds;
@@ -72,6 +73,10 @@ mfem::Vector solve(ElasticityProblem& problem, LinearSystem& system, const LoadC
 }
 
 }  // namespace
+
+void require_converged(const SolveResult& result, Axis load, const FemSpec& fem) {
+    if (!result.converged) throw NotConverged(not_converged(load, result, fem));
+}
 
 std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress,
                                   IcEvidence& evidence) {
@@ -129,6 +134,9 @@ IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, con
 
 std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& evidence) {
     std::vector<std::string> result = warnings(spec);
+    if (evidence.modelling_error)
+        for (std::string& warning : modelling_warnings(spec, *evidence.modelling_error))
+            result.push_back(std::move(warning));
     if (!evidence.errors.xx) return result;
     // Clamped faces spoil the offsets next to them, whatever the mesh.
     const bool everywhere = spec.fem.far_boundary == FarBoundary::half_space;
@@ -167,8 +175,11 @@ IcRecord build_on_mesh(MPI_Comm comm, const IcSpec& spec, const ProgressPart& pr
 IcRecord build_on_problem(ElasticityProblem& problem, const ProgressPart& progress, double start) {
     const IcSpec& spec = problem.spec();
     const auto case_of = [](ElasticityProblem& of, Axis load) { return of.load_case(load); };
-    IcRecord record = solve_and_sample(problem, case_of, progress);
+    const double modelling_share = spec.body == BodyShape::block ? 0.1 : 0;
+    IcRecord record = solve_and_sample(problem, case_of, progress.part(0, 1 - modelling_share));
     if (spec.body == BodyShape::half_space) compare_with_half_space(spec, record.table(), record.evidence);
+    if (spec.body == BodyShape::block)
+        record.evidence.modelling_error = modelling_error(spec, progress.part(1 - modelling_share, modelling_share));
     record.evidence.warnings = table_warnings(spec, record.evidence);
     finish_evidence(record.evidence, start, problem.space().GetComm());
     progress.report("sampling", 1);

@@ -36,6 +36,9 @@ struct ProgressPart {
 /// What a load prescribes.
 using CaseOf = std::function<LoadCase(ElasticityProblem& problem, Axis load)>;
 
+/// Throws NotConverged, a sentence with the load and what was reached, when the solve did not.
+void require_converged(const SolveResult& result, Axis load, const FemSpec& fem);
+
 /// Displacements under one load, in true degrees of freedom.
 struct Solution {
     Axis load;

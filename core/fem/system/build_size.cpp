@@ -24,6 +24,7 @@ constexpr double program = 65e6;
 constexpr double per_process = 60e6;
 constexpr double per_nonzero = 36;         // conjugate gradients with BoomerAMG, the matrix twice
 constexpr double per_factor_entry = 14.5;  // unknowns that are left times those of a cross-section
+constexpr double per_tensor_dof = 200;     // some vectors of conjugate gradients, and nothing else
 constexpr double sizes_of_a_table = 4;     // read off, compared, written
 
 double cube(double n) {
@@ -49,11 +50,6 @@ Nodes prism_nodes(const MeshSize& size, int order) {
     const double cross_section = (m * p + 1) * (m * p + 1) + k * p * (2 * m * p + 1);
     const double inside = (p - 1) * (p - 1) * (p - 2) / 2;
     return {cross_section * (slices * p + 1), inside * static_cast<double>(size.elements), cross_section / 3};
-}
-
-Nodes tensor_nodes(int intervals, int order) {
-    const double p = order, n = intervals;
-    return {cube(n * p + 1), cube(p - 1) * cube(n), (n * p + 1) * (n * p + 1)};
 }
 
 Nodes adaptive_nodes(const FemSpec& fem) {
@@ -151,9 +147,9 @@ BuildSize predicted_size(const IcSpec& spec, int processes) {
         size = size_of(spec.fem, mesh_nodes(spec), processes);
     } else if (spec.body == BodyShape::block) {
         const auto [order, intervals] = first_block_level();
-        FemSpec fem;
-        fem.order = order;
-        size = size_of(fem, tensor_nodes(intervals, order), processes);
+        const double nodes = order * intervals + 1;
+        size.dofs = static_cast<long long>(3 * cube(nodes));
+        size.bytes = program + per_tensor_dof * 3 * cube(nodes);
     } else {
         const IcSpec mesh = first_mesh(spec, spec.any_nu ? largest_family_nu : spec.material.nu);
         size = size_of(mesh.fem, mesh_nodes(mesh), processes);

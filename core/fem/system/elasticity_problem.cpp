@@ -110,13 +110,6 @@ LoadCase ElasticityProblem::empty_case(Axis load) {
     return result;
 }
 
-LoadCase ElasticityProblem::correction_case(Axis load) {
-    LoadCase result = empty_case(load);
-    give_far_displacements(load, result);
-    result.given.Neg();
-    return result;
-}
-
 LoadCase ElasticityProblem::load_case(Axis load) {
     LoadCase result = empty_case(load);
     if (spec_.fem.far_boundary == FarBoundary::half_space) give_far_displacements(load, result);

@@ -32,10 +32,6 @@ class ElasticityProblem {
     /// and the unit traction (of the load's shape) on the quarter of the load.
     LoadCase load_case(Axis load);
 
-    /// Collective. What turns the half-space into the block, for the same load: no traction, and on the far faces the
-    /// half-space's displacements taken back.
-    LoadCase correction_case(Axis load);
-
     const IcSpec& spec() const { return spec_; }
     mfem::ParFiniteElementSpace& space() { return *space_; }
     long long elements() const { return elements_; }

@@ -188,6 +188,10 @@ void validate(const IcSpec& spec);
 /// for which elements of the order lock: a sentence for each, none when all is well.
 std::vector<std::string> warnings(const IcSpec& spec);
 
+/// A sentence when the modelling error of a block's table (IcEvidence::modelling_error), which is `spec`'s, is larger
+/// than the accuracy asked for or, where a mesh is given, than 1 %.
+std::vector<std::string> modelling_warnings(const IcSpec& spec, double error);
+
 /// The size of Mesh1 or Mesh2 for a spec; that of mesh adaptive is known only when it is built.
 struct MeshSize {
     int elements_per_edge;  ///< m, of the cube and of every layer

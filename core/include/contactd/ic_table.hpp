@@ -92,13 +92,17 @@ struct IcEvidence {
     int processes = 1;
     BuildSeconds seconds;
     std::vector<LoadCaseEvidence> load_cases;
-    std::string solver;                 ///< "amg_pcg" or "direct"; empty for a closed form
+    std::string solver;                 ///< "amg_pcg", "direct" or "tensor_pcg"; empty for a closed form
     std::optional<FemSpec> mesh;        ///< what was chosen for IcSpec::accuracy; not of a block
     std::vector<std::string> warnings;  ///< sentences: what a user of the table should know
     /// Against the closed form where there is one (half-space); of a block whose accuracy was asked for, estimated by
-    /// the difference to the next lower order, and `errors_estimated` says so.
+    /// the difference to a coarser mesh, and `errors_estimated` says so.
     IcErrors errors;
     bool errors_estimated = false;
+    /// Of a block: how far it is from looking the same from every element. The largest difference between the table and
+    /// a load in the corner of as many elements as the table has offsets, about the middle of the block, in the
+    /// measures of IcSpec::accuracy.
+    std::optional<double> modelling_error;
     /// Of a family over Poisson's ratio: the Poisson's ratios computed, and the largest error that interpolation
     /// between them adds, in the measures above.
     std::vector<double> family_nu;

@@ -42,6 +42,7 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
     put(group, "errors_estimated", static_cast<long long>(evidence.errors_estimated));
     put(group, "family_nu", evidence.family_nu);
     if (evidence.interpolation_error) put(group, "interpolation_error", *evidence.interpolation_error);
+    if (evidence.modelling_error) put(group, "modelling_error", *evidence.modelling_error);
     if (const auto& section = evidence.section) {
         put(group, "section_order", section->order);
         put(group, "wavenumbers", section->wavenumbers);
@@ -90,6 +91,7 @@ IcEvidence read_evidence(const H5::Group& group) {
     evidence.errors_estimated = integer(group, "errors_estimated") != 0;
     evidence.family_nu = numbers(group, "family_nu");
     if (group.attrExists("interpolation_error")) evidence.interpolation_error = number(group, "interpolation_error");
+    if (group.attrExists("modelling_error")) evidence.modelling_error = number(group, "modelling_error");
     if (group.attrExists("section_order"))
         evidence.section = {integer(group, "section_order"),    integer(group, "wavenumbers"),
                             number(group, "section_error"),     number(group, "mesh_error"),

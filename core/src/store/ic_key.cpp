@@ -49,6 +49,8 @@ class CanonicalObject {
 /// How meshes are chosen for an accuracy. A new number when tables of an earlier choice should not be served any more:
 /// when they miss the accuracy or state other errors than they have. Those that are finer than need be may stay.
 constexpr int accuracy_recipe = 2;
+/// The same of blocks, on meshes that are given, too: tables before the third say nothing of the modelling error.
+constexpr int block_recipe = 3;
 
 CanonicalObject canonical(const FemSpec& fem) {
     CanonicalObject json;
@@ -110,7 +112,10 @@ CanonicalObject canonical(const IcSpec& spec) {
         json.add("columns", static_cast<double>(spec.ny));
     }
     if (!spec.any_nu) json.add("nu", spec.material.nu);
-    if (spec.accuracy != 0) json.add("recipe", accuracy_recipe);
+    if (spec.body == BodyShape::block)
+        json.add("recipe", block_recipe);
+    else if (spec.accuracy != 0)
+        json.add("recipe", accuracy_recipe);
     json.add("source", spec.source);
     return json;
 }

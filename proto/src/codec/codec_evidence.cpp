@@ -133,6 +133,8 @@ json encode_evidence(const IcEvidence& evidence) {
     if (!evidence.family_nu.empty()) result["family_nu"] = encode_family(evidence.family_nu);
     if (evidence.interpolation_error)
         result["interpolation_error"] = finite(*evidence.interpolation_error, "The error of interpolation");
+    if (evidence.modelling_error)
+        result["modelling_error"] = finite(*evidence.modelling_error, "The modelling error of a block");
     if (evidence.section) result["section"] = encode_section_evidence(*evidence.section);
     return result;
 }
@@ -148,6 +150,7 @@ IcEvidence decode_evidence(const json& source) {
     if (source.contains("mesh")) decode_fem(source["mesh"], evidence.mesh.emplace());
     if (source.contains("interpolation_error"))
         evidence.interpolation_error = source["interpolation_error"].get<double>();
+    if (source.contains("modelling_error")) evidence.modelling_error = source["modelling_error"].get<double>();
     if (source.contains("section")) evidence.section = decode_section_evidence(source["section"]);
     return evidence;
 }

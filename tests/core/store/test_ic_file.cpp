@@ -18,6 +18,7 @@ IcRecord family_of(IcSpec spec, int size) {
     }
     record.tables = std::move(family);
     record.evidence.interpolation_error = 3e-6;
+    record.evidence.modelling_error = 0.07;
     record.evidence.errors_estimated = true;
     record.evidence.mesh = FemSpec{};
     record.evidence.mesh->order = 4;
@@ -132,6 +133,7 @@ TEST_CASE("A family reads back with all its tables") {
     CHECK(read.spec == written.spec);
     CHECK(read.evidence.family_nu == written.evidence.family_nu);
     CHECK(read.evidence.interpolation_error == 3e-6);
+    CHECK(read.evidence.modelling_error == 0.07);
     CHECK(read.evidence.errors_estimated);
     CHECK(read.evidence.mesh == written.evidence.mesh);
     const auto& tables = std::get<IcFamily>(read.tables).tables;

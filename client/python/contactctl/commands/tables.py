@@ -83,6 +83,7 @@ def _shown(said: dict[str, Any]) -> RenderableType:
             ("unknowns", evidence.get("dofs")),
             ("solver", evidence.get("solver")),
             ("took", span(seconds) if seconds else None),
+            ("modelling error", f"{modelling:.2g}" if (modelling := evidence.get("modelling_error")) is not None else None),
             ("largest error", None if worst is None else f"{worst:.2g} of xx, yy and zz, {kind}"),
         ],
     )

@@ -1,0 +1,12 @@
+// What is asked of a block beyond what is asked of any body.
+#pragma once
+
+#include "contactd/ic_spec.hpp"
+
+namespace contactd {
+
+/// Loads of all elements, which lie about the middle of the block, must be on its top. Throws InvalidArgument
+/// ("ics.L_over_h") where they are not.
+void validate_room_on_block(const IcSpec& spec);
+
+}  // namespace contactd
