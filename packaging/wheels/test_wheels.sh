@@ -19,7 +19,7 @@ while IFS='=' read -r name value; do
 done < <(env | grep -iE '^(PIP_|https?_proxy=|no_proxy=|SSL_CERT_FILE=|REQUESTS_CA_BUNDLE=)')
 
 bwrap --clearenv --setenv PATH /usr/bin:/bin --setenv HOME /home --setenv LC_ALL C.UTF-8 \
-    --ro-bind "$root" / --dev /dev --proc /proc --tmpfs /tmp --tmpfs /run --tmpfs /srv --bind "$scratch" /home \
+    --ro-bind "$root" / --dev /dev --proc /proc --ro-bind /sys /sys --tmpfs /tmp --tmpfs /run --tmpfs /srv --bind "$scratch" /home \
     --ro-bind "$wheels" /srv/wheels --ro-bind "$repository/docs" /srv/docs \
     --ro-bind "$repository/packaging" /srv/packaging \
     "${binds[@]}" --chdir /home --unshare-pid --die-with-parent \
