@@ -20,6 +20,23 @@ bool is_adaptive(const IcSpec& spec) {
     return spec.accuracy == 0 && spec.fem.mesh == MeshKind::adaptive;
 }
 
+int process_count() {
+    int processes = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &processes);
+    return processes;
+}
+
+/// What is factorised, refined, or a product along axes is done by one process as quickly as by several.
+bool is_built_alone(const IcSpec& spec) {
+    return process_count() > 1 &&
+           (predicted_size(spec, 1).solver == Solver::direct || is_adaptive(spec) || is_corrected_block(spec));
+}
+
+/// Of a dimensionless spec without a section.
+BuildSize size_of(const IcSpec& spec) {
+    return predicted_size(spec, is_built_alone(spec) ? 1 : process_count());
+}
+
 IcRecord build(MPI_Comm comm, const IcSpec& spec, Observer& first_observer) {
     CollectiveObserver observer(comm, first_observer);
     const ProgressPart progress{&observer};
@@ -32,20 +49,20 @@ IcRecord build(MPI_Comm comm, const IcSpec& spec, Observer& first_observer) {
 
 }  // namespace
 
+std::optional<double> predicted_memory(const IcSpec& spec) {
+    validate(spec);
+    if (spec.section) return std::nullopt;
+    return size_of(dimensionless(spec)).bytes;
+}
+
 IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64_t max_memory_bytes) {
     if (requested.source != IcSource::fem)
         throw InvalidArgument("ics.source", "is analytic; only a spec of source fem is built by finite elements");
     validate(requested);
     const IcSpec spec = dimensionless(requested);
     if (spec.section) return build_prism(MPI_COMM_WORLD, spec, observer, max_memory_bytes);
-    int processes = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &processes);
-    const BuildSize size = predicted_size(spec, 1);
-    // What is factorised, refined, or a product along axes is done by one process as quickly as by several.
-    const bool alone =
-        processes > 1 && (size.solver == Solver::direct || is_adaptive(spec) || is_corrected_block(spec));
-    require_room(spec, alone ? size : predicted_size(spec, processes), max_memory_bytes);
-    if (!alone) return build(MPI_COMM_WORLD, spec, observer);
+    require_room(spec, size_of(spec), max_memory_bytes);
+    if (!is_built_alone(spec)) return build(MPI_COMM_WORLD, spec, observer);
     return on_first_process(MPI_COMM_WORLD, [&] { return build(MPI_COMM_SELF, spec, observer); });
 }
 

@@ -10,12 +10,12 @@
 //      "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}}
 //
 // The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
-// line: {"stage", "fraction", "iteration", "residual", "seconds_left"}, at last {"done": true, "output", "evidence"} or
-// {"error": {"field", "message", "kind"}}, of kind invalid_argument when a field of the spec is at fault; with
-// --exit-with-stdin also {"heartbeat": rank, "processes"} from every process, four times a second. Exit status: 0; 2
-// for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when memory ran out; 128 + n
-// when signal n ended the build, 129 also when standard input ended; 1 for anything else. The file appears whole or not
-// at all.
+// line: {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}, at last {"done": true,
+// "output", "evidence"} or {"error": {"field", "message", "kind"}}, of kind invalid_argument when a field of the spec is
+// at fault; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every process, four times a second. Exit
+// status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when memory ran
+// out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else. The file appears
+// whole or not at all.
 
 #include <unistd.h>
 
@@ -131,7 +131,10 @@ void check_output(const fs::path& path) {
 }
 
 IcRecord make_record(const Context& context, const IcSpec& spec) {
-    if (spec.source == IcSource::fem) return fem::build_ic_table(spec, context.progress, context.max_memory);
+    if (spec.source == IcSource::fem) {
+        context.progress.expect_memory(fem::predicted_memory(spec));
+        return fem::build_ic_table(spec, context.progress, context.max_memory);
+    }
     IcRecord record = closed_form_record(spec);
     record.evidence.processes = context.runtime.processes();
     return record;

@@ -47,6 +47,7 @@ nlohmann::json ProgressLines::line(Clock::time_point now) const {
     const auto left =
         last_.seconds_left ? std::optional(*last_.seconds_left - in_step) : left_at_pace(seconds(begin_), fraction);
     if (left && std::isfinite(*left)) result["seconds_left"] = std::max(*left, 0.0);
+    if (memory_bytes_ && std::isfinite(*memory_bytes_)) result["memory_bytes"] = std::llround(*memory_bytes_);
     return result;
 }
 

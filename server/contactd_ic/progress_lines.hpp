@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "contactd/observer.hpp"
@@ -10,12 +11,14 @@
 
 namespace contactd::ic {
 
-/// {"stage", "fraction", "iteration", "residual", "seconds_left"}: every change of stage, else no more than twenty a
-/// second. Thread-safe.
+/// {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}: every change of stage, else no more
+/// than twenty a second. Thread-safe.
 class ProgressLines : public Observer {
    public:
     explicit ProgressLines(Lines& lines);
     void on_progress(const Progress& progress) override;
+    /// What the whole build is expected to take (bytes), if that is known: each line says so. Before any progress.
+    void expect_memory(std::optional<double> bytes) { memory_bytes_ = bytes; }
 
     /// To be called several times a second by another thread: says how far a long step should be by now, by the time it
     /// was expected to take.
@@ -29,6 +32,7 @@ class ProgressLines : public Observer {
     nlohmann::json line(Clock::time_point now) const;
 
     Lines& lines_;
+    std::optional<double> memory_bytes_;
     mutable std::mutex mutex_;
     Progress last_;
     std::string stage_;  ///< of last_, which points to it

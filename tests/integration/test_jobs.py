@@ -45,15 +45,24 @@ def test_a_cancelled_build_ends_for_every_caller_also_those_who_came_later(daemo
     assert daemon.tables() == []
 
 
-def test_a_listed_build_says_how_many_seconds_are_left(daemons, background):
-    report = '{"stage": "factorisation", "fraction": 0.3, "seconds_left": 12.5}'
+def test_a_listed_build_says_how_many_seconds_are_left_and_what_memory_it_takes(daemons, background):
+    report = '{"stage": "factorisation", "fraction": 0.3, "seconds_left": 12.5, "memory_bytes": 8.7e8}'
     program = script(daemons.folder, f"echo '{report}'", "exec sleep 60")
     with daemons.start(builds={"program": str(program)}).client() as client:
         waiting = background(client.get_ic, STEEL, GRID, QUICK)
         eventually(lambda: any(job.seconds_left == 12.5 for job in client.jobs()))
+        assert client.jobs()[0].memory_bytes == 870_000_000
         client.cancel_job(running_build(client).job)
         assert_cancelled(waiting)
     program.unlink()
+
+
+def test_a_build_says_what_memory_it_will_take_before_it_takes_it(client):
+    seen = []
+    client.get_ic(STEEL, GRID, QUICK, on_progress=seen.append)
+    told = {progress.memory_bytes for progress in seen if progress.stage != "queued"}
+    assert len(told) == 1, "one estimate, in each report of the builder"
+    assert 65e6 < told.pop() < 1e9
 
 
 def test_progress_names_the_job_that_can_be_cancelled(client):

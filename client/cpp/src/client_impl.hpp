@@ -71,6 +71,7 @@ class Client::Impl {
                         progress["fraction"].get<double>(), progress.value("iteration", 0),
                         progress.value("residual", 0.0),    progress.value("state", "")};
         if (progress.contains("seconds_left")) report.seconds_left = progress["seconds_left"].get<double>();
+        if (progress.contains("memory_bytes")) report.memory_bytes = progress["memory_bytes"].get<std::uint64_t>();
         return report;
     }
 

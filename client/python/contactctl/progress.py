@@ -10,7 +10,7 @@ from rich.progress import Progress as Bars
 
 from contactd import Progress
 
-from .output import console, note, on_terminal, span
+from .output import console, note, on_terminal, size, span
 
 __all__ = ["Bar"]
 
@@ -22,7 +22,7 @@ class Bar:
         self._what = what
         self._bars: Bars | None = None
         self._is_seen = on_terminal(sys.stderr)  # not asked again: a bar puts something else in its place
-        self._has_told = False
+        self._has_told = self._has_told_memory = False
 
     def __enter__(self) -> Bar:
         return self
@@ -36,6 +36,9 @@ class Bar:
     def report(self, progress: Progress) -> None:
         """How far a request is."""
         left = "" if progress.seconds_left is None else f"about {span(progress.seconds_left)} to go"
+        if progress.memory_bytes is not None and not self._has_told_memory:
+            self._has_told_memory = True
+            self._tell(f"{progress.job or self._what}: about {size(progress.memory_bytes)} of memory, the builder expects.")
         if progress.seconds_left is not None and not self._has_told:
             self._has_told = True
             self._tell(f"{progress.job or self._what}: {left}, the daemon expects.")

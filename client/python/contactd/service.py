@@ -27,6 +27,7 @@ class Progress:
         residual: The figure that the stage's stop test compares.
         state: Of health.watch.
         seconds_left: Time to go for the whole job (s), an estimate; None where there is none.
+        memory_bytes: The most memory that a build will take, an estimate; None where there is none.
     """
 
     stage: str
@@ -36,6 +37,7 @@ class Progress:
     residual: float = 0.0
     state: str = ""
     seconds_left: float | None = None
+    memory_bytes: int | None = None
 
     def __str__(self) -> str:
         if self.state:
@@ -45,6 +47,8 @@ class Progress:
             parts.append(f"iteration {self.iteration}, residual {self.residual:.1e}")
         if self.seconds_left is not None:
             parts.append(f"about {_duration(self.seconds_left)} to go")
+        if self.memory_bytes is not None:
+            parts.append(f"about {_size(self.memory_bytes)} of memory")
         return ", ".join(parts)
 
 
@@ -53,6 +57,14 @@ def _duration(seconds: float) -> str:
     if whole < 120:
         return f"{whole} s"
     return f"{whole // 60} min" if whole < 7200 else f"{whole / 3600:.1f} h"
+
+
+def _size(count: float) -> str:
+    for unit in ("kB", "MB"):
+        count /= 1000
+        if count < 1000:
+            return f"{count:.0f} {unit}"
+    return f"{count / 1000:.1f} GB"
 
 
 @dataclass(frozen=True)
@@ -168,6 +180,7 @@ class Job:
         callers: How many calls wait for it.
         seconds: Since it was queued (s).
         seconds_left: Time to go as last reported (s), of builds; None where there is no estimate.
+        memory_bytes: The most memory that it will take, of builds; None where there is no estimate.
     """
 
     job: str
@@ -178,3 +191,4 @@ class Job:
     callers: int
     seconds: float
     seconds_left: float | None = None
+    memory_bytes: int | None = None

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +20,8 @@ struct JobProgress {
     int iteration = 0;
     double residual = 0;
     std::optional<double> seconds_left = std::nullopt;  ///< an estimate, where there is one
+    std::optional<std::uint64_t> memory_bytes =
+        std::nullopt;  ///< the most it will take, an estimate, where there is one
 };
 
 class Job {

@@ -11,6 +11,7 @@ nlohmann::json to_json(const Job& job, const JobProgress& progress) {
                            {"iteration", progress.iteration},
                            {"residual", std::isfinite(progress.residual) ? progress.residual : 0.0}};
     if (progress.seconds_left) json["seconds_left"] = *progress.seconds_left;
+    if (progress.memory_bytes) json["memory_bytes"] = *progress.memory_bytes;
     return json;
 }
 

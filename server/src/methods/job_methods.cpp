@@ -25,6 +25,7 @@ void list_jobs(const CallPtr& call, const DaemonParts& parts) {
                       {"callers", job->callers()},
                       {"seconds", std::chrono::duration<double>(Call::Clock::now() - job->created).count()}};
         if (progress.seconds_left) entry["seconds_left"] = *progress.seconds_left;
+        if (progress.memory_bytes) entry["memory_bytes"] = *progress.memory_bytes;
         jobs.push_back(std::move(entry));
     }
     call->succeed({{"jobs", std::move(jobs)}});

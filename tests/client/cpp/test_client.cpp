@@ -224,11 +224,14 @@ TEST_CASE("What the daemon says of itself is read", "[client]") {
         answer = example("job.list.result");
         answer["jobs"].push_back(answer["jobs"][0]);
         answer["jobs"][1].erase("seconds_left");
+        answer["jobs"][1].erase("memory_bytes");
         const std::vector<Job> jobs = client.jobs();
         REQUIRE(jobs.size() == 2);
         CHECK(jobs[0].job == "build-3");
         CHECK(jobs[0].seconds_left == 9.8);
         CHECK_FALSE(jobs[1].seconds_left);
+        CHECK(jobs[0].memory_bytes == 870'000'000U);
+        CHECK_FALSE(jobs[1].memory_bytes);
     }
     SECTION("tables in quarantine") {
         const std::string key(64, 'a');

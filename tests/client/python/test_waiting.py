@@ -102,11 +102,11 @@ def test_a_wait_for_anything_else_says_nothing_of_builds(tmp_path):
     assert "build" not in str(caught.value)
 
 
-def test_progress_tells_the_time_to_go(tmp_path):
+def test_progress_tells_the_time_to_go_and_the_memory(tmp_path):
     def script(request):
         return [
             request.progress(stage="assembly", fraction=0.1),
-            request.progress(stage="factorisation", fraction=0.4, seconds_left=12.3),
+            request.progress(stage="factorisation", fraction=0.4, seconds_left=12.3, memory_bytes=870_000_000),
             request.result(*answers.table(2, 3)),
         ]
 
@@ -114,7 +114,8 @@ def test_progress_tells_the_time_to_go(tmp_path):
     with FakeServer(tmp_path, script) as server, Client(server.endpoint) as client:
         client.get_ic(STEEL, GRID, FemIcs(), on_progress=seen.append)
     assert [progress.seconds_left for progress in seen] == [None, 12.3]
-    assert [str(progress) for progress in seen] == ["assembly 10 %", "factorisation 40 %, about 12 s to go"]
+    assert [progress.memory_bytes for progress in seen] == [None, 870_000_000]
+    assert [str(progress) for progress in seen] == ["assembly 10 %", "factorisation 40 %, about 12 s to go, about 870 MB of memory"]
 
 
 @pytest.mark.parametrize(("seconds", "words"), [(0.4, "0 s"), (119, "119 s"), (150, "2 min"), (9000, "2.5 h")])

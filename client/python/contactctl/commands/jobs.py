@@ -12,7 +12,7 @@ from contactd import Job, NotFound
 
 from ..codes import Code
 from ..common import Command, connected, setting
-from ..output import emit, listing, note, span
+from ..output import emit, listing, note, size, span
 
 __all__ = ["add_to", "shown_jobs"]
 
@@ -32,11 +32,12 @@ def jobs() -> None:
 
 def shown_jobs(found: tuple[Job, ...]) -> RenderableType:
     """A line each."""
-    columns = ["job", "state", "stage", "done", "waiting", "since", "to go"]
+    columns = ["job", "state", "stage", "done", "waiting", "since", "to go", "memory"]
     rows = [
         (
             job.job, job.state, job.stage or "-", f"{100 * job.fraction:.0f} %", job.callers, span(job.seconds),
             None if job.seconds_left is None else span(job.seconds_left),
+            None if job.memory_bytes is None else size(job.memory_bytes),
         )
         for job in found
     ]  # fmt: skip

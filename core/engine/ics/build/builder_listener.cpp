@@ -10,6 +10,7 @@ constexpr std::size_t longest_line = 1 << 20;
 constexpr std::size_t kept_error_bytes = 4096;
 constexpr std::size_t largest_table = std::size_t(1) << 32;
 constexpr double most_processes = 1 << 20;
+constexpr double most_memory = 1e18;
 
 double number(const nlohmann::json& line, const char* name) {
     const auto at = line.find(name);
@@ -93,6 +94,8 @@ void BuilderListener::hear_progress(const nlohmann::json& line) {
     JobProgress progress{line["stage"].get<std::string>(), std::clamp(number(line, "fraction"), 0.0, 1.0),
                          static_cast<int>(number(line, "iteration")), number(line, "residual")};
     if (line.contains("seconds_left")) progress.seconds_left = std::max(number(line, "seconds_left"), 0.0);
+    if (line.contains("memory_bytes"))
+        progress.memory_bytes = static_cast<std::uint64_t>(std::clamp(number(line, "memory_bytes"), 0.0, most_memory));
     on_progress_(progress);
 }
 

@@ -47,13 +47,14 @@ struct ClientOptions {
 
 /// How far the work of a call is.
 struct Progress {
-    std::string job;                       ///< for cancel_job; empty when the daemon names none
-    std::string stage;                     ///< "pcg", "normal", ...
-    double fraction = 0;                   ///< of the whole work, 0..1, an estimate
-    int iteration = 0;                     ///< within the stage
-    double residual = 0;                   ///< the figure the stage's stop test compares
-    std::string state{};                   ///< of watch_health
-    std::optional<double> seconds_left{};  ///< time to go for the whole work (s), where there is an estimate
+    std::string job;                              ///< for cancel_job; empty when the daemon names none
+    std::string stage;                            ///< "pcg", "normal", ...
+    double fraction = 0;                          ///< of the whole work, 0..1, an estimate
+    int iteration = 0;                            ///< within the stage
+    double residual = 0;                          ///< the figure the stage's stop test compares
+    std::string state{};                          ///< of watch_health
+    std::optional<double> seconds_left{};         ///< time to go for the whole work (s), where there is an estimate
+    std::optional<std::uint64_t> memory_bytes{};  ///< the most that a build will take, where there is an estimate
 };
 
 struct CallOptions {

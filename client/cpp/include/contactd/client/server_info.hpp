@@ -84,14 +84,15 @@ struct Metric {
 
 /// Work that waits or runs in the daemon.
 struct Job {
-    std::string job;                       ///< its name
-    std::string kind;                      ///< "build", "solve", "subsurface" or "step"
-    std::string state;                     ///< "queued" or "running"
-    std::string stage;                     ///< empty while queued
-    double fraction = 0;                   ///< 0..1, an estimate
-    int callers = 0;                       ///< requests that wait for it
-    double seconds = 0;                    ///< since it was queued
-    std::optional<double> seconds_left{};  ///< time to go as last reported, of builds where there is an estimate
+    std::string job;                              ///< its name
+    std::string kind;                             ///< "build", "solve", "subsurface" or "step"
+    std::string state;                            ///< "queued" or "running"
+    std::string stage;                            ///< empty while queued
+    double fraction = 0;                          ///< 0..1, an estimate
+    int callers = 0;                              ///< requests that wait for it
+    double seconds = 0;                           ///< since it was queued
+    std::optional<double> seconds_left{};         ///< time to go as last reported, of builds where there is an estimate
+    std::optional<std::uint64_t> memory_bytes{};  ///< the most it will take, of builds where there is an estimate
 };
 
 /// One session; its name is the key to it and is not told.
