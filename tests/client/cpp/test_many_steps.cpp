@@ -92,7 +92,7 @@ TEST_CASE("A session takes one step of a message, and all are of one client") {
     Session same = Session::join(client, one.name());
     CHECK_THROWS_AS(step_many(std::vector<SessionStep>{{one, {}}, {same, {}}}), InvalidArgument);
     same.release();
-    CHECK(step_many({}).empty());
+    CHECK(step_many(std::vector<SessionStep>()).empty());
     CHECK(one.step({}).step == 1);
 }
 
