@@ -11,11 +11,11 @@
 //
 // The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
 // line: {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}, at last {"done": true,
-// "output", "evidence"} or {"error": {"field", "message", "kind"}}, of kind invalid_argument when a field of the spec is
-// at fault; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every process, four times a second. Exit
-// status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when memory ran
-// out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else. The file appears
-// whole or not at all.
+// "output", "evidence"} or {"error": {"field", "message", "kind"}}, of kind invalid_argument when a field of the spec
+// is at fault; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every process, four times a second.
+// Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when memory
+// ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else. The file
+// appears whole or not at all.
 
 #include <unistd.h>
 

@@ -329,7 +329,7 @@ TEST_CASE("Openings and steps are of a contact or of a wheel on its rail, and no
 
 TEST_CASE("What a wheel on its rail refuses is named below its member") {
     const Status status = below_wheel_rail(invalid_field("setup.dx", "is 0; it must be more").status());
-    CHECK(status.message == "wheelrail.setup.dx is 0; it must be more.");
+    CHECK(status.message == "wheelrail.setup.dx is 0; it must be more");
     CHECK(status.violations.at(0).field == "wheelrail.setup.dx");
     CHECK(below_wheel_rail({StatusCode::aborted, "It failed.", "X", {}, 0}).message == "It failed.");
 }

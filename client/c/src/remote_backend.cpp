@@ -95,11 +95,11 @@ class RemoteWheel final : public OpenWheel {
 
    private:
     WheelRailSolution step(const WheelInput& input, const Control& control) {
+        WheelRailStepInput said = step_of(session_ ? opened_ : input.setup, input);  // refuses before anything is sent
         if (!session_) {
             session_.emplace(client_, WheelRailSessionSpec{input.setup, {}, true}, options_of(control));
             opened_ = input.setup;
         }
-        WheelRailStepInput said = step_of(opened_, input);
         said.again = true;  // always the first step, so that nothing is carried from one solve to the next
         return session_->step(said, options_of(control)).solution;
     }
