@@ -44,8 +44,9 @@ ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, doub
 /// wavenumber is left out; a cubic interpolation's own error is about a sixteenth of it. Their number must be odd.
 double nested_change(const ColumnSpectrum& spectrum, double dx, int nx);
 
-/// The most, in the same measure for elements one long, by which coefficients may be wrong because the difference to
-/// the half-space is taken to fall as 1/xi^2 beyond the last wavenumber; the last two tell how it does fall.
+/// The most, over zz of the half-space under an element one long, by which coefficients of elements half as long may be
+/// wrong because the difference to the half-space is taken to fall as 1/xi^2 beyond the last wavenumber; the last two
+/// tell how it does fall. Longer elements feel less of it.
 double beyond_the_end(const ColumnSpectrum& spectrum);
 
 }  // namespace contactd

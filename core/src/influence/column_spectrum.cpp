@@ -94,8 +94,8 @@ class TableMaker {
             const double size = std::abs(value), power = std::log(before[at++] / std::max(size, 1e-300)) / step;
             largest = std::max(largest, size * std::clamp(std::abs(power - 2), least_doubt, 1.0));
         });
-        // What the alternating half waves of sin(xi/2) leave of a difference that falls as 1/xi, not as 1/xi^2.
-        return largest * 2 / (pi * spectrum_.nodes.back());
+        // What the alternating half waves of sin(xi dx/2) leave of a difference that falls as 1/xi, not as 1/xi^2.
+        return largest * 2 / (pi * dx_ * spectrum_.nodes.back());
     }
 
    private:
@@ -194,7 +194,8 @@ double nested_change(const ColumnSpectrum& spectrum, double dx, int nx) {
 }
 
 double beyond_the_end(const ColumnSpectrum& spectrum) {
-    return TableMaker(spectrum, 1, 1, 0).beyond() / self_compliance(spectrum, 1);
+    constexpr double shortest = 0.5;  // the shorter elements are along x, the more they feel of it
+    return TableMaker(spectrum, shortest, 1, 0).beyond() / self_compliance(spectrum, 1);
 }
 
 }  // namespace contactd
