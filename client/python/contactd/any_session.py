@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from .calls.asking import Answering, Asked, Waits, asks, insist
 from .checks import check_type
@@ -55,6 +55,8 @@ def lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, Any
 class AnySession(Shown):
     """The steps of a session, whatever they are of, and whether they are waited for or awaited."""
 
+    _joins: ClassVar[str]  #: the method of Client that joins such a session
+
     def __init__(self, client: Caller, steps: Steps, told: dict[str, Any]) -> None:
         self.lease_seconds = told_number(told, "lease_seconds", float)
         self.bytes = told_number(told, "bytes", int)
@@ -73,7 +75,9 @@ class AnySession(Shown):
         return self._steps.number
 
     def __reduce__(self) -> Any:
-        raise TypeError(f"a {type(self).__name__} cannot be pickled; hand on session.name, and join it by its client")
+        raise TypeError(
+            f"a {type(self).__name__} cannot be pickled; hand on session.name, and join it by client.{self._joins}"
+        )
 
     def _title(self) -> str:
         return f"{type(self).__name__} {self.name[:6]}... of {self._client.endpoint}"  # no more of the key

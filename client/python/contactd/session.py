@@ -62,6 +62,8 @@ def opening(fields: dict[str, Any], lease: float | None, accept_unconverged: boo
 class AnyContactSession(AnySession):
     """The session of a contact."""
 
+    _joins = "join_session"
+
     _steps: ContactSteps
 
     def __init__(self, client: Caller, name: str, told: dict[str, Any], grid: Grid, rolls: bool) -> None:

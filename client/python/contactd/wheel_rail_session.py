@@ -27,6 +27,8 @@ def wheel_rail_opening(setup: WheelRailSetup, lease: float | None, accept_unconv
 class AnyWheelRailSession(AnySession):
     """The session of a wheel on its rail, whether its steps are waited for or awaited."""
 
+    _joins = "join_wheel_rail_session"
+
     def __init__(self, client: Caller, name: str, told: dict[str, Any], side: Side) -> None:
         super().__init__(client, WheelRailSteps(name, told_number(told, "step", int)), told)
         self.side: Side = side

@@ -136,7 +136,7 @@ ContactSolution RightWheel::solve(ContactProblem problem, const PlaceWithGap& fo
 WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observer) const {
     WheelRailPatch patch;
     ContactProblem problem = problem_of(found);
-    if (estimates_) problem.initial = estimate_for(found.place, estimates_->patches);
+    if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
     patch.solution = solve(std::move(problem), found, observer);
     patch.place = found.place;
     patch.gap = std::move(found.gap);

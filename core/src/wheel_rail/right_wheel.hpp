@@ -32,7 +32,12 @@ class RightWheel {
     }
     /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
     /// next step do. Without it each solve starts from nothing.
-    void start_from(WheelRailEstimates& estimates) { estimates_ = &estimates; }
+    /// Takes what the step before has left, and leaves what this one ends with. Where there is nothing yet, what is found
+    /// is to the last bit what it is without.
+    void start_from(WheelRailEstimates& estimates) {
+        estimates_ = &estimates;
+        has_tractions_ = !estimates.patches.empty();
+    }
     /// Positions do not depend on it.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
@@ -57,6 +62,7 @@ class RightWheel {
     WheelRailState state_;  // its pitch rate may be searched for
     geometry::Position position_;
     WheelRailEstimates* estimates_ = nullptr;
+    bool has_tractions_ = false;  // of the step before
 };
 
 }  // namespace contactd
