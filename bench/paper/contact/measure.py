@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from contactd import Client, ContactProblem, ContactSolution, Grid, InternalError, LocalDaemon, TableIcs
+from contactd import Client, ContactProblem, ContactSolution, Grid, InternalError, TableIcs
 
+from ..measuring import measuring
 from ..section import Measure
 from .problem import BODY, Ics, Spec, contact_problem, ics_of
 
-TIMEOUT = 3600.0  # s; a table is built on the way
 _TANGENTIAL = [(0, 0), (0, 1), (1, 0), (1, 1)]
 _COUPLING = [(0, 2), (2, 0), (1, 2), (2, 1)]  # vanish for a pair of equal bodies
 
 
-@contextmanager
-def solver(programs: Path) -> Iterator[Measure]:
-    """A daemon for as long as the `with` block; its tables go with it."""
-    with LocalDaemon(programs / "contactd", config={"workers": 1}) as daemon:
-        with daemon.client(timeout=TIMEOUT) as client:
-            yield Solver(client).measure
+def solver(programs: Path) -> AbstractContextManager[Measure]:
+    """A daemon for as long as the `with` block."""
+    return measuring(programs, lambda client: Solver(client).measure)
 
 
 class Solver:

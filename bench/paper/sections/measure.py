@@ -2,33 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from contactd import AnalyticIcs, Client, FemIcs, Grid, LocalDaemon, Material, Paraboloid, RigidBody
+from contactd import AnalyticIcs, Client, FemIcs, Grid, Material, Paraboloid, RigidBody
 from contactd.wheel_rail import Rail60E1, WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
 
+from ..measuring import measuring
 from ..section import Measure
 from .cases import FINEST, Spec
 
 STEEL = Material(G=82000, nu=0.28)
 SIZE = 0.5  # of columns and elements of a table (mm)
 OFFSETS = 40  # of the tables that are compared
-TIMEOUT = 3600.0  # s; a table is built on the way
 BLOCK = {"edge_block": {"width": 100, "height": 50}}
 SPEED, RADIUS, FZ = 20e3, 460.0, 80e3
 
 
-@contextmanager
-def solver(programs: Path) -> Iterator[Measure]:
-    """A daemon for as long as the `with` block; its tables go with it."""
-    with LocalDaemon(programs / "contactd", config={"workers": 1}) as daemon:
-        with daemon.client(timeout=TIMEOUT) as client:
-            yield Solver(client).measure
+def solver(programs: Path) -> AbstractContextManager[Measure]:
+    """A daemon for as long as the `with` block."""
+    return measuring(programs, lambda client: Solver(client).measure)
 
 
 class Solver:
