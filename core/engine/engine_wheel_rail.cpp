@@ -5,6 +5,7 @@
 #include "contactd/error.hpp"
 #include "contactd/patch_influence.hpp"
 #include "contactd/proto/status.hpp"
+#include "contactd/refuse_below.hpp"
 #include "engine/engine.hpp"
 #include "engine/ics/problem_tables.hpp"
 
@@ -63,15 +64,6 @@ auto with_names(const std::string& setup, const std::string& state, const Ask& a
     }
 }
 
-template <class State>
-void check(const State& state, const std::string& name) {
-    try {
-        validate(state);
-    } catch (const InvalidArgument& error) {
-        throw InvalidArgument(name + error.field(), std::string(error.what()).substr(error.field().size() + 1));
-    }
-}
-
 }  // namespace
 
 /// The tables are those of contact.solve: from memory, from the store, or built now while the thread waits.
@@ -103,7 +95,7 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
 }
 
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
-    check(state, "state.");
+    validate_below("state", state);
     WheelRailSolution solution =
         with_names("setup.", "state.", [&] { return wheel_on_rail(setup)->solve(state, observer); });
     count(solution);
@@ -111,7 +103,7 @@ WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailStat
 }
 
 WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer) {
-    check(state, "state.");
+    validate_below("state", state);
     const auto contact = [&](Side side) {
         const bool own = side == Side::left && setup.left;
         return with_names(own ? "left." : "setup.", "state.", [&] { return wheel_on_rail(setup_of(setup, side)); });
@@ -132,7 +124,7 @@ std::unique_ptr<WheelRailSteps> Engine::open(const WheelRailSessionSpec& spec) {
 
 WheelRailSolution Engine::solve(WheelRailSteps& steps, const StepState& before, const WheelRailStepInput& input,
                                 StepState& after, Observer& observer) {
-    check(input.state, "state.");
+    validate_below("state", input.state);
     const WheelRailContact& contact = steps.contact_with(input.friction);
     WheelRailSolution solution =
         with_names("setup.", "state.", [&] { return steps.solve(contact, before, input.state, after, observer); });
@@ -157,9 +149,9 @@ std::vector<WheelRailGeometry> Engine::locate(const WheelRailSetup& setup, std::
     const PreparedContacts::Contact contact = with_names("setup.", "", [&] { return wheels_on_rails_.of(setup); });
     std::vector<WheelRailGeometry> geometries;
     for (const WheelRailState& state : states) {
-        const std::string name = "states[" + std::to_string(geometries.size()) + "].";
-        check(state, name);
-        geometries.push_back(with_names("setup.", name, [&] { return contact->locate(state); }));
+        const std::string name = "states[" + std::to_string(geometries.size()) + "]";
+        validate_below(name, state);
+        geometries.push_back(with_names("setup.", name + ".", [&] { return contact->locate(state); }));
         Progress progress;
         progress.stage = "search";
         progress.fraction = static_cast<double>(geometries.size()) / static_cast<double>(states.size());

@@ -6,8 +6,8 @@
 #include <type_traits>
 
 #include "contactd/error.hpp"
+#include "contactd/refuse_below.hpp"
 #include "number_text.hpp"
-#include "refuse_below.hpp"
 
 namespace contactd {
 namespace {

@@ -8,7 +8,7 @@ namespace contactd::c {
 /// Whether steps of a wheel that was opened with `opened` can say what is asked; they can name another friction.
 bool serves(const WheelRailSetup& opened, const WheelRailSetup& wanted);
 
-/// What a step says of it. Throws InvalidArgument ("setup.friction.mu", ...).
+/// What a step says of it. Throws InvalidArgument ("state.position.roll", "setup.friction.mu", ...).
 WheelRailStepInput step_of(const WheelRailSetup& opened, const WheelInput& wanted);
 
 }  // namespace contactd::c

@@ -7,6 +7,7 @@
 #include "client_impl.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
+#include "contactd/refuse_below.hpp"
 
 namespace contactd::client {
 
@@ -120,14 +121,8 @@ void check_size(const SolveReply& reply, const ContactProblem& problem, const So
 }
 
 void validate_each(std::span<const ContactProblem> problems) {
-    for (std::size_t i = 0; i < problems.size(); ++i) {
-        try {
-            validate(problems[i]);
-        } catch (const InvalidArgument& error) {
-            throw InvalidArgument("problems[" + std::to_string(i) + "]." + error.field(),
-                                  std::string(error.what()).substr(error.field().size() + 1));
-        }
-    }
+    for (std::size_t i = 0; i < problems.size(); ++i)
+        validate_below("problems[" + std::to_string(i) + "]", problems[i]);
 }
 
 }  // namespace

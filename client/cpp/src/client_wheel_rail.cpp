@@ -7,23 +7,14 @@
 #include "contactd/client/client.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/wheel_rail.hpp"
+#include "contactd/refuse_below.hpp"
 
 namespace contactd::client {
 namespace {
 
-/// Validates a set-up or a state, with the name that its field has in the request.
-template <class Part>
-void validate_as(const std::string& name, const Part& part) {
-    try {
-        validate(part);
-    } catch (const InvalidArgument& error) {
-        throw InvalidArgument(name + "." + error.field(), std::string(error.what()).substr(error.field().size() + 1));
-    }
-}
-
 void validate_both(const WheelsetSetup& setup) {
-    validate_as("setup", setup.setup);
-    if (setup.left) validate_as("left", *setup.left);
+    validate_below("setup", setup.setup);
+    if (setup.left) validate_below("left", *setup.left);
 }
 
 const json& part_of(const json& result, const char* name) {
@@ -43,8 +34,8 @@ void check_pressures(const WheelRailSolution& solution, const SolutionFields& fi
 
 WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRailState& state,
                                      const CallOptions& options, const SolutionFields& fields, bool gap) {
-    validate_as("setup", setup);
-    validate_as("state", state);
+    validate_below("setup", setup);
+    validate_below("state", state);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_wheel_rail_request(setup, state, {fields, gap}, arrays);
     const Reply reply = impl_->call("wheelrail.solve", std::move(params), arrays.take_frames(), options);
@@ -58,7 +49,7 @@ WheelRailSolution Client::wheel_rail(const WheelRailSetup& setup, const WheelRai
 WheelsetSolution Client::wheelset(const WheelsetSetup& setup, const WheelsetState& state, const CallOptions& options,
                                   const SolutionFields& fields, bool gap) {
     validate_both(setup);
-    validate_as("state", state);
+    validate_below("state", state);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_wheelset_request(setup, state, {fields, gap}, arrays);
     const Reply reply = impl_->call("wheelrail.wheelset", std::move(params), arrays.take_frames(), options);
@@ -74,8 +65,8 @@ std::vector<WheelRailGeometry> Client::wheel_rail_geometry(const WheelRailSetup&
                                                            std::span<const WheelRailState> states,
                                                            const CallOptions& options) {
     if (states.empty()) return {};
-    validate_as("setup", setup);
-    for (std::size_t i = 0; i < states.size(); ++i) validate_as("states[" + std::to_string(i) + "]", states[i]);
+    validate_below("setup", setup);
+    for (std::size_t i = 0; i < states.size(); ++i) validate_below("states[" + std::to_string(i) + "]", states[i]);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_geometry_request(setup, states, arrays);
     const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "contactd/error.hpp"
+#include "contactd/refuse_below.hpp"
 #include "one_at_a_time.hpp"
 
 namespace contactd::client {
@@ -11,16 +12,6 @@ namespace {
 constexpr const char* in_use =
     "A call of this session runs, in another thread or in whose on_progress this is; a session takes one step at a "
     "time, in order. Open a session, and a client, for each thread.";
-
-/// Validates a set-up or a state, with the name that its field has in the request.
-template <class Part>
-void validate_as(const std::string& name, const Part& part) {
-    try {
-        validate(part);
-    } catch (const InvalidArgument& error) {
-        throw InvalidArgument(name + error.field(), std::string(error.what()).substr(error.field().size() + 1));
-    }
-}
 
 }  // namespace
 
@@ -39,7 +30,7 @@ std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const
 
 std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const WheelRailSessionSpec& spec,
                                                            const CallOptions& options) {
-    validate_as("wheelrail.setup.", spec.setup);
+    validate_below("wheelrail.setup", spec.setup);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_session_spec(spec, arrays);
     const Reply reply = client.impl_->call("session.open", std::move(params), arrays.take_frames(), options);
@@ -88,7 +79,7 @@ long long AnySession::Impl::number_of(bool again) {
 
 proto::StepAsked AnySession::Impl::asked(const Step& step) {
     if (const auto* wheel = std::get_if<const WheelRailStepInput*>(&step.input))
-        validate_as("wheelrail.state.", (*wheel)->state);
+        validate_below("wheelrail.state", (*wheel)->state);
     const bool again = std::visit([](const auto* input) { return input->again; }, step.input);
     return {told_.session, number_of(again), step.input, grid_};
 }

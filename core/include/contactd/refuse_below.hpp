@@ -12,4 +12,14 @@ namespace contactd {
     throw InvalidArgument(field + "." + error.field(), std::string(error.what()).substr(error.field().size() + 1));
 }
 
+/// validate(part), with the field that it names below `field`.
+template <class Part>
+void validate_below(const std::string& field, const Part& part) {
+    try {
+        validate(part);
+    } catch (const InvalidArgument& error) {
+        refuse_below(field, error);
+    }
+}
+
 }  // namespace contactd

@@ -32,8 +32,8 @@ class RightWheel {
     }
     /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
     /// next step do. Without it each solve starts from nothing.
-    /// Takes what the step before has left, and leaves what this one ends with. Where there is nothing yet, what is found
-    /// is to the last bit what it is without.
+    /// Takes what the step before has left, and leaves what this one ends with. Where there is nothing yet, what is
+    /// found is to the last bit what it is without.
     void start_from(WheelRailEstimates& estimates) {
         estimates_ = &estimates;
         has_tractions_ = !estimates.patches.empty();

@@ -3,6 +3,8 @@
 #include <functional>
 #include <utility>
 
+#include "operators/coarser_with.hpp"
+
 namespace contactd {
 
 using Values = std::vector<double>;
@@ -21,32 +23,13 @@ Values divided(std::span<const double> a, std::span<const double> b) {
     return result;
 }
 
+Values average_of(const CoarserGrid& grid, std::span<const double> fine) {
+    Values coarse(grid.influence().size());
+    grid.average(fine, coarse);
+    return coarse;
+}
+
 }  // namespace
-
-class ApproachOperator::Coarser final : public CoarserGrid {
-   public:
-    Coarser(const CoarserGrid& grid, std::span<const double> cosine)
-        : grid_(grid), influence_(grid.influence(), average_of(grid, cosine)) {}
-
-    const InfluenceOperator& influence() const override { return influence_; }
-    int along_x() const override { return grid_.along_x(); }
-    int along_y() const override { return grid_.along_y(); }
-    void average(std::span<const double> fine, std::span<double> coarse) const override { grid_.average(fine, coarse); }
-    void interpolate(std::span<const double> coarse, std::span<double> fine) const override {
-        grid_.interpolate(coarse, fine);
-    }
-    void copy(std::span<const double> coarse, std::span<double> fine) const override { grid_.copy(coarse, fine); }
-
-   private:
-    static Values average_of(const CoarserGrid& grid, std::span<const double> fine) {
-        Values coarse(grid.influence().size());
-        grid.average(fine, coarse);
-        return coarse;
-    }
-
-    const CoarserGrid& grid_;
-    const ApproachOperator influence_;
-};
 
 /// Keeps the operator of a box that it stands for.
 class ApproachOperator::Part {
@@ -122,7 +105,9 @@ void ApproachOperator::precondition(Axis i, std::span<const double> r, std::span
 const CoarserGrid* ApproachOperator::coarser() const {
     const auto make = [&]() -> std::unique_ptr<const CoarserGrid> {
         const CoarserGrid* grid = inner_.coarser();
-        return grid == nullptr ? nullptr : std::make_unique<const Coarser>(*grid, cosine_);
+        if (grid == nullptr) return nullptr;
+        auto averaged = std::make_unique<const ApproachOperator>(grid->influence(), average_of(*grid, cosine_));
+        return std::make_unique<const CoarserWith>(*grid, std::move(averaged));
     };
     return coarser_.get(make).get();
 }

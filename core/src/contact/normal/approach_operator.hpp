@@ -33,7 +33,6 @@ class ApproachOperator final : public InfluenceOperator {
     const ElementBoxes* boxes() const override { return boxes_.get(); }
 
    private:
-    class Coarser;
     class Boxes;
     class Part;
     const InfluenceOperator& inner_;

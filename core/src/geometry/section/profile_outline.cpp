@@ -4,10 +4,10 @@
 
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
+#include "contactd/refuse_below.hpp"
 #include "geometry/section/place_text.hpp"
 #include "geometry/section/ready_made.hpp"
 #include "types/number_text.hpp"
-#include "types/refuse_below.hpp"
 
 namespace contactd::geometry {
 namespace {
