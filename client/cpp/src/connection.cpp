@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <charconv>
 #include <random>
+#include <thread>
 #include <utility>
 
 #include "contactd/client/errors.hpp"
@@ -263,7 +264,7 @@ std::vector<std::string> Connection::receive(Clock::time_point deadline) {
 
 /// Looks again and again for the time of spin_ from when the request was sent.
 bool Connection::look_for(zmq::message_t& part, Clock::time_point deadline) {
-    for (const auto end = std::min(sent_ + spin_, deadline); Clock::now() < end;)
+    for (const auto end = std::min(sent_ + spin_, deadline); Clock::now() < end; std::this_thread::yield())
         if (sockets_->socket.recv(part, zmq::recv_flags::dontwait)) return true;
     return false;
 }

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import zmq
@@ -15,6 +16,9 @@ from .messages import Reply, Request, parsed, reply_of
 from .sockets import Event, ZmqContext, close, connected_socket, give_up, next_event, no_daemon, too_late, went_away
 
 __all__ = ["Connection"]
+
+#: Lets another thread have the processor; Windows knows it as a sleep of no time.
+give_way: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
 
 class Connection:
@@ -118,6 +122,7 @@ class Connection:
         while time.monotonic() < awake:
             if self._socket.poll(0):
                 return self._socket.recv_multipart()
+            give_way()  # to the daemon, where it shares this processor
         while True:
             remaining = deadline - time.monotonic()
             if remaining <= 0:

@@ -113,8 +113,7 @@ WorkerPool::Task WorkerPool::take_next() {
 
 void WorkerPool::spin() const {
     const auto end = std::chrono::steady_clock::now() + spin_;
-    while (waiting_ == 0 && !stopping_ && std::chrono::steady_clock::now() < end) {
-    }
+    while (waiting_ == 0 && !stopping_ && std::chrono::steady_clock::now() < end) std::this_thread::yield();
 }
 
 void WorkerPool::work() {

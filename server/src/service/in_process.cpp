@@ -8,6 +8,7 @@
 #include <deque>
 #include <mutex>
 #include <shared_mutex>
+#include <thread>
 
 #include "config/config.hpp"
 #include "contactd/error.hpp"
@@ -48,8 +49,8 @@ class Messages {
     }
     /// Looks for one for the time of `spin` before it sleeps.
     std::optional<Exchange::Message> take(Exchange::Clock::time_point until, std::chrono::microseconds spin) {
-        for (const auto end = Exchange::Clock::now() + spin; !has_some_ && Exchange::Clock::now() < end;) {
-        }
+        for (const auto end = Exchange::Clock::now() + spin; !has_some_ && Exchange::Clock::now() < end;)
+            std::this_thread::yield();
         std::unique_lock lock(mutex_);
         if (!changed_.wait_until(lock, until, [this] { return !messages_.empty(); })) return std::nullopt;
         Exchange::Message first = std::move(messages_.front());

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "contactd/error.hpp"
@@ -85,8 +86,10 @@ bool AnsweringSocket::wait(int descriptor, std::span<void* const> others, long m
     std::transform(sockets.begin(), sockets.end(), std::back_inserter(items), descriptor_of);
     held_.unlock();
     int ready = 0;
-    for (const auto end = received_ + spin_; ready == 0 && milliseconds != 0 && Clock::now() < end;)
+    for (const auto end = received_ + spin_; ready == 0 && milliseconds != 0 && Clock::now() < end;) {
         ready = ::poll(items.data(), items.size(), 0);
+        if (ready == 0) std::this_thread::yield();  // to a worker that has no processor
+    }
     if (ready == 0) ready = ::poll(items.data(), items.size(), static_cast<int>(milliseconds));
     held_.lock();
     return ready > 0 && (items.front().revents & POLLIN) != 0;
