@@ -9,7 +9,6 @@ namespace contactd {
 namespace {
 
 constexpr double sweep_self = 1.5;   // times the self-influence: of an element with its close neighbours
-constexpr double stiff_self = 2;     // times the self-influence: turning stiffness that rules the Jacobian
 constexpr double mostly_slip = 0.5;  // of the contact, from which one half of the preconditioner is enough
 // Levels save iterations, each of which costs more, where there are many elements and nearly all of them slip.
 constexpr std::size_t smallest_with_levels = 4000;
@@ -23,24 +22,17 @@ std::vector<double> times(double factor, std::vector<double> values) {
 }  // namespace
 
 RollingCompliance::RollingCompliance(const RollingBodies& bodies, const Contact& contact, PreconditionerLevels levels)
-    : influence_(bodies.influence),
-      change_(bodies.change),
+    : change_(bodies.change),
       contact_(contact),
       m_(contact.size()),
-      influence_self_(tangential_diagonal(influence_, contact)),
+      influence_self_(tangential_diagonal(bodies.influence, contact)),
       sweep_(bodies.grid, bodies.step_x, bodies.step_y, contact, times(sweep_self, influence_self_)),
+      division_(bodies.influence, contact, influence_self_, sweep_.diagonal()),
       with_levels_(levels),
       swept_(m_),
-      full_in_(influence_.size()),
-      full_out_(influence_.size()),
-      weight_(m_),
-      diagonal_(m_),
-      self_(times(sweep_.diagonal(), influence_self_)) {
-    for (std::size_t e = 0; e < m_; ++e) {
-        stiff_.push_back(stiff_self * influence_self_[e] * sweep_.diagonal());
-        to_diagonal_.push_back(1 / (sweep_self * influence_self_[e]));
-    }
-}
+      full_in_(bodies.influence.size()),
+      full_out_(bodies.influence.size()),
+      self_(times(sweep_.diagonal(), influence_self_)) {}
 
 void RollingCompliance::apply(const Field& p, Field& u) {
     contact_.product(change_, p, full_in_, full_out_, u);
@@ -48,8 +40,7 @@ void RollingCompliance::apply(const Field& p, Field& u) {
 
 void RollingCompliance::linearise(const Linearisation& law) {
     law_ = &law;
-    shifted_reciprocal(m_, law.turning.data(), stiff_.data(), stiff_.data(), weight_.data());
-    for (std::size_t e = 0; e < m_; ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal_[e];
+    division_.linearise(law);
     slipping_ = static_cast<std::size_t>(std::count(law.slips.begin(), law.slips.end(), 1));
     sweep_.linearise(law);
     linearise_levels();
@@ -73,24 +64,23 @@ double RollingCompliance::slip_part() const {
 }
 
 void RollingCompliance::precondition(const Field& r, Field& z, Residual kind, int iteration) {
-    if (!uses_levels_ || slipping_ < m_) precondition_by_halves(r, z, kind, iteration);
-    if (uses_levels_) levels_->solve_slip(*law_, r, z);
+    if (!uses_levels_) return precondition_by_halves(r, z, kind, iteration);
+    if (slipping_ < m_) precondition_adhesion(r, z);
+    levels_->solve_slip(*law_, r, z);
 }
 
 void RollingCompliance::precondition_by_halves(const Field& r, Field& z, Residual kind, int iteration) {
-    const bool both = uses_levels_ || slip_part() <= mostly_slip || kind == Residual::first;
+    if (division_.take_all()) sweep_count_ = 0;
+    const bool both = slip_part() <= mostly_slip || kind == Residual::first;
     const bool sweep_first = iteration % 2 == 1;
     if (both || !sweep_first) {
-        divide_by_influence(r, z);
-        if (uses_levels_)
-            sweep_.solve_adhesion(z, z);
-        else
-            sweep_.solve(z, z);
+        division_.divide(r, z);
+        sweep_.solve(z, z);
         if (!both) return;
     }
     Field& swept = both ? swept_ : z;
     sweep_.solve(r, swept);
-    divide_by_influence(swept, swept);
+    division_.divide(swept, swept);
     law_->project(swept);
     if (!both) return;
     for (std::size_t e = 0; e < m_; ++e) {
@@ -99,21 +89,17 @@ void RollingCompliance::precondition_by_halves(const Field& r, Field& z, Residua
     }
 }
 
-void RollingCompliance::divide_by_influence(const Field& r, Field& q) {
-    const auto scatter = [&](const std::vector<double>& from, std::vector<double>& to) {
-        for (const Contact::Run& run : contact_.runs)
-            multiply(run.size, &weight_[run.first], &from[run.first], &to[run.grid_first]);
-    };
-    const auto gather = [&](const std::vector<double>& from, const std::vector<double>& rest, std::vector<double>& to) {
-        for (const Contact::Run& run : contact_.runs)
-            multiply_two(run.size, &weight_[run.first], &from[run.grid_first], &diagonal_[run.first], &rest[run.first],
-                         &to[run.first]);
-    };
-    scatter(r.x, full_in_.x);
-    scatter(r.y, full_in_.y);
-    influence_.precondition_tangential(full_in_.x, full_in_.y, full_out_.x, full_out_.y);
-    gather(full_out_.x, r.x, q.x);
-    gather(full_out_.y, r.y, q.y);
+void RollingCompliance::precondition_adhesion(const Field& r, Field& z) {
+    if (division_.take_adhesion(law_->slips) || sweep_count_ == 0)
+        sweep_count_ = sweep_.up_to_last([this](std::size_t e) { return division_.counts(e); });
+    division_.divide(r, z);
+    sweep_.solve_adhesion(z, z);
+    sweep_.solve(r, swept_, sweep_count_);
+    division_.divide(swept_, swept_);
+    for (std::size_t e = 0; e < m_; ++e) {
+        z.x[e] = 0.5 * (z.x[e] + swept_.x[e]);
+        z.y[e] = 0.5 * (z.y[e] + swept_.y[e]);
+    }
 }
 
 }  // namespace contactd

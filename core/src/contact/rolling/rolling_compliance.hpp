@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/newton/compliance.hpp"
+#include "influence_division.hpp"
 #include "rolling.hpp"
 #include "rolling_sweep.hpp"
 #include "turning_levels.hpp"
@@ -34,23 +35,22 @@ class RollingCompliance final : public Compliance {
     void linearise_levels();
     double slip_part() const;
     void precondition_by_halves(const Field& r, Field& z, Residual kind, int iteration);
-    // q ~ A^-1 r where turning is easy, r over A's diagonal where it is not.
-    void divide_by_influence(const Field& r, Field& q);
+    // Both halves, where elements adhere; elsewhere z is left as anything.
+    void precondition_adhesion(const Field& r, Field& z);
 
-    const InfluenceOperator& influence_;
     const StepOperator& change_;
     const Contact& contact_;
     const std::size_t m_;
     const std::vector<double> influence_self_;  // of each element in contact, A's diagonal
     RollingSweep sweep_;
+    InfluenceDivision division_;
+    std::size_t sweep_count_ = 0;  // elements of the sweep that the division counts
     const PreconditionerLevels with_levels_;
     std::unique_ptr<TurningLevels> levels_;  // null until they are of use
     bool uses_levels_ = false;
     const Linearisation* law_ = nullptr;
     std::size_t slipping_ = 0;  // elements
     Field swept_, full_in_, full_out_;
-    std::vector<double> weight_, diagonal_;  // of A^-1 in the preconditioner and of what stands in for it, per element
-    std::vector<double> stiff_, to_diagonal_;  // turning stiffness that rules the Jacobian; slip to traction of one
     std::vector<double> self_;
 };
 

@@ -78,25 +78,10 @@ void RollingSweep::linearise(const Linearisation& linearisation) {
     linearisation_ = &linearisation;
     shifted_reciprocal(m_, linearisation.turning.data(), diagonal_stiffness_.data(), stiffness_.data(),
                        inverse_diagonal_.data());
-    to_adhesion_ = m_;
-    while (to_adhesion_ > 0 && linearisation.slips[order_[to_adhesion_ - 1]]) --to_adhesion_;
+    to_adhesion_ = up_to_last([&](std::size_t e) { return !linearisation.slips[e]; });
 }
 
-void RollingSweep::solve(const Field& r, Field& z) const {
-    sweep(m_, r);
-    std::copy(z_.x.begin(), z_.x.end() - 1, z.x.begin());
-    std::copy(z_.y.begin(), z_.y.end() - 1, z.y.begin());
-}
-
-void RollingSweep::solve_adhesion(const Field& r, Field& z) const {
-    sweep(to_adhesion_, r);
-    for (std::size_t k = 0; k < to_adhesion_; ++k) {
-        z.x[order_[k]] = z_.x[order_[k]];
-        z.y[order_[k]] = z_.y[order_[k]];
-    }
-}
-
-void RollingSweep::sweep(std::size_t count, const Field& r) const {
+void RollingSweep::solve(const Field& r, Field& z, std::size_t count) const {
     const Linearisation& l = *linearisation_;
     const Link* link = ahead_.data();
     for (std::size_t k = 0; k < count; ++k) {
@@ -112,6 +97,8 @@ void RollingSweep::sweep(std::size_t count, const Field& r) const {
         z_.x[e] = x * inverse_diagonal_[e];
         z_.y[e] = y * inverse_diagonal_[e];
     }
+    std::copy(z_.x.begin(), z_.x.end() - 1, z.x.begin());
+    std::copy(z_.y.begin(), z_.y.end() - 1, z.y.begin());
 }
 
 }  // namespace contactd

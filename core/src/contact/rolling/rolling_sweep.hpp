@@ -19,9 +19,18 @@ class RollingSweep {
 
     void linearise(const Linearisation& linearisation);
     // z and r may be the same.
-    void solve(const Field& r, Field& z) const;
-    // The same for those who look at adhesion only: elements behind the last one that adheres keep what z is there.
-    void solve_adhesion(const Field& r, Field& z) const;
+    void solve(const Field& r, Field& z) const { solve(r, z, m_); }
+    // The same for the first `count` elements of the sweep; those behind get anything.
+    void solve(const Field& r, Field& z, std::size_t count) const;
+    // Up to the last element that adheres.
+    void solve_adhesion(const Field& r, Field& z) const { solve(r, z, to_adhesion_); }
+    // How many elements the sweep takes up to the last one that is wanted.
+    template <class Predicate>
+    std::size_t up_to_last(const Predicate& is_wanted) const {
+        std::size_t count = m_;
+        while (count > 0 && !is_wanted(order_[count - 1])) --count;
+        return count;
+    }
     double diagonal() const { return diagonal_; }  // of T
 
    private:
@@ -29,8 +38,6 @@ class RollingSweep {
         std::size_t element;  // ahead; the number of elements when that is outside contact
         double weight;
     };
-
-    void sweep(std::size_t count, const Field& r) const;  // into z_, the first of the order
 
     std::size_t m_;
     double diagonal_ = 1;
