@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "closed_forms/undeformed_distance.hpp"
+#include "coarse_turns.hpp"
 #include "contact/derivatives/differentiate.hpp"
 #include "contact/normal/approach_operator.hpp"
 #include "contact/normal/normal_solver.hpp"
@@ -14,6 +15,7 @@
 #include "curved_columns.hpp"
 #include "hertz_start.hpp"
 #include "tangential_step.hpp"
+#include "tractions.hpp"
 #include "turn_tolerances.hpp"
 
 namespace contactd {
@@ -28,44 +30,11 @@ void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
     evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
 }
 
-Tractions make_tractions(std::size_t n, const Values& pressure, const Values& x, const Values& y) {
-    Tractions result{pressure, Field(0)};
-    result.tangential.x = x;
-    result.tangential.y = y;
-    for (Values* values : {&result.pressure, &result.tangential.x, &result.tangential.y}) values->resize(n);
-    return result;
-}
-
-/// How far the tractions are from those before, all three components together.
-double relative_change(const Tractions& now, const Tractions& before) {
-    double change = 0, size = 0;
-    const auto add = [&](const Values& a, const Values& b) {
-        for (std::size_t i = 0; i < a.size(); ++i) change += (a[i] - b[i]) * (a[i] - b[i]);
-        size += dot(a, a);
-    };
-    add(now.pressure, before.pressure);
-    add(now.tangential.x, before.tangential.x);
-    add(now.tangential.y, before.tangential.y);
-    return size > 0 ? std::sqrt(change / size) : 0;
-}
-
-/// What the problem gives as an estimate, and what it does not, as it was at the end of the step before. A steady state
-/// has no step before: its tractions may be anything.
-Tractions first_estimate(const ContactProblem& problem) {
-    const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    const SurfaceState& before = problem.previous;
-    const bool has_tractions = !problem.initial.traction_x.empty() || !problem.initial.traction_y.empty();
-    const bool takes_last = !has_tractions && !(rolling && rolling->steady());
-    return make_tractions(problem.grid.size(),
-                          problem.initial.pressure.empty() ? before.pressure : problem.initial.pressure,
-                          takes_last ? before.traction_x : problem.initial.traction_x,
-                          takes_last ? before.traction_y : problem.initial.traction_y);
-}
-
 class BoundaryElements {
    public:
     BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
         : problem_(problem),
+          influences_(influence),
           influence_(*influence.here),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
@@ -137,7 +106,8 @@ class BoundaryElements {
             IterationObserver part(observer, iteration, repeats ? 0.3 : 1);
             if ((first && iteration == 1) || coupled) solve_normal_contact(tolerances.normal(), part);
             if (!step_) return;
-            solve_tangential_contact(tolerances.tangential(), part);
+            if (!(first && iteration == 1 && coupled && !solved_finally && start_on_coarser(part)))
+                solve_tangential_contact(tolerances.tangential(), part);
             if (!repeats) return;
             tolerances.follow(std::max(relative_change(now_, last), follow_slip_law()));
             const double left = tolerances.left();
@@ -204,6 +174,17 @@ class BoundaryElements {
         continue_with(*evidence, tangential_.evidence);
     }
 
+    // Turns on the coarser grid take the place of the first one.
+    bool start_on_coarser(const Observer& observer) {
+        if (any(now_.tangential) || problem_.settings.outer.max_iterations == 1) return false;
+        bound_ = bound_of(static_mu_);
+        auto start = turns_on_coarser(problem_, influences_, distance_, bound_, observer);
+        if (!start) return false;
+        now_.tangential = std::move(start->tractions);
+        step_->expect(start->motion);
+        return true;
+    }
+
     Values bound_of(const Values& mu) const {
         Values bound = now_.pressure;
         for (std::size_t i = 0; i < n_; ++i) bound[i] *= mu[i] >= least_friction ? mu[i] : 0;
@@ -217,7 +198,7 @@ class BoundaryElements {
         auto& [x, y] = now_.tangential;
         for (std::size_t i = 0; i < n_; ++i) {
             if (!(bound_[i] > 0)) continue;
-            const double size = std::hypot(x[i], y[i]);
+            const double size = std::sqrt(x[i] * x[i] + y[i] * y[i]);
             if (!(size >= bound_[i] * (1 - on_bound))) continue;
             x[i] *= bound[i] / size;
             y[i] *= bound[i] / size;
@@ -273,6 +254,7 @@ class BoundaryElements {
     }
 
     const ContactProblem& problem_;
+    const ContactInfluence& influences_;
     const InfluenceOperator& influence_;
     const std::size_t n_;
     const Values distance_;

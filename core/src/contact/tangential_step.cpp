@@ -99,6 +99,7 @@ RollingSolution TangentialStep::solve(std::span<const double> pressure, std::spa
     RollingSolution solution = prescribes_force(motion_) ? solve_for_force(rest, bound, estimate, settings, observer)
                                                          : solve_for_motion(rest, bound, estimate, settings, observer);
     is_first_ = false;
+    estimate_is_good_ = false;
     add_free_slip(pressure, bound, rest, solution);
     return solution;
 }
@@ -108,7 +109,7 @@ RollingSolution TangentialStep::solve_for_motion(const Field& rest, std::span<co
                                                  Observer& observer) {
     Field rigid = rigid_slip();
     add(rigid, rest);
-    const FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings};
+    const FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings, estimate_is_good_};
     const FrictionSolution found = solver_.solve(task, observer);
     const int left = settings.max_iterations - found.evidence.iterations;
     if (found.evidence.converged || left <= 0) return found;

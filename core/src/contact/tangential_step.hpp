@@ -29,6 +29,10 @@ class TangentialStep {
     /// A new step begins: slip is counted from here.
     void begin(const Tractions& before);
 
+    /// The next solve starts from tractions that go with this motion, as good as those that coarser grids tell of.
+    /// Where forces are given it starts from the motion, too.
+    void expect(const Motion& motion);
+
     /// Tractions and slip for a pressure and the bounds that friction makes of it. `estimate` is where to start; solves
     /// of a step that follow the first know what that has learnt. Forces are met to the larger one of the tolerances of
     /// `settings` and of the problem's outer settings.
@@ -73,6 +77,7 @@ class TangentialStep {
     FrictionSolver solver_;
     double slip_scale_ = 0;  // of the first solve of this step
     bool is_first_ = true;   // solve of this step
+    bool estimate_is_good_ = false;
 };
 
 }  // namespace contactd

@@ -43,6 +43,14 @@ Pair first_rigid_slip(const PrescribedForces& forces, const Field& rest, std::sp
 
 }  // namespace
 
+void TangentialStep::expect(const Motion& motion) {
+    estimate_is_good_ = true;
+    const auto* rolls = std::get_if<Rolling>(&motion);
+    const auto* shifts = std::get_if<Shift>(&motion);
+    motion_ = with_translation(
+        motion_, rolls ? Pair(rolls->xi, rolls->eta) : Pair(shifts->rigid_shift.x, shifts->rigid_shift.y));
+}
+
 RollingSolution TangentialStep::solve_for_force(const Field& rest, std::span<const double> bound, const Field& estimate,
                                                 const SolverSettings& settings, Observer& observer) {
     PrescribedForces forces = prescribed_forces(bound);
@@ -78,7 +86,7 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
     const ForcesGiven given{{forces.Fx.has_value(), forces.Fy.has_value()},
                             Pair(forces.Fx.value_or(0), forces.Fy.value_or(0)) / problem_.grid.element_area(),
                             is_loose ? std::max(tolerance, settings.tolerance) : tolerance};
-    solution = solver_.solve({bound, rigid, given, start, estimate, settings}, observer);
+    solution = solver_.solve({bound, rigid, given, start, estimate, settings, estimate_is_good_}, observer);
     motion_ = asked;
     if (!solution.evidence.converged) return solution;
     motion_ = with_translation(motion_, (known + solution.uniform) / unit_);

@@ -1,0 +1,100 @@
+#include "coarse_turns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "boundary_elements.hpp"
+#include "closed_forms/undeformed_distance.hpp"
+#include "contact/support/solver_support.hpp"
+
+namespace contactd {
+namespace {
+
+constexpr std::ptrdiff_t smallest_to_coarsen = 1000;  // elements in contact
+// Of an estimate, which has the coarser grid's error anyway.
+constexpr double coarse_normal = 1e-3, coarse_tangential = 1e-2, coarse_outer = 1e-2;
+
+std::optional<ContactInfluence> coarser(const ContactInfluence& fine) {
+    const CoarserGrid* here = fine.here->coarser();
+    const StepOperator* change = fine.change ? fine.change->coarser() : nullptr;
+    if (here == nullptr || (fine.change && change == nullptr)) return {};
+    return ContactInfluence{{fine.here, &here->influence()},
+                            fine.change ? std::shared_ptr<const StepOperator>(fine.change, change) : nullptr};
+}
+
+// On the coarser grid, where forces are met roughly, those near what friction holds would be refused.
+bool is_well_held(const ContactProblem& problem) {
+    constexpr double well = 0.95;
+    const Force force = std::visit([](const auto& motion) { return motion.force; }, problem.motion);
+    if (force.empty()) return true;
+    return problem.Fn &&
+           std::hypot(force.Fx.value_or(0), force.Fy.value_or(0)) <= well * problem.friction->mu.front() * *problem.Fn;
+}
+
+bool is_plain(const ContactProblem& problem) {
+    const SurfaceState &before = problem.previous, &initial = problem.initial;
+    return !problem.columns && problem.friction->mu.size() == 1 && !problem.friction->kinetic &&
+           problem.rigid_slip.empty() && before.pressure.empty() && before.traction_x.empty() &&
+           before.traction_y.empty() && initial.traction_x.empty() && initial.traction_y.empty() &&
+           is_well_held(problem);
+}
+
+ContactProblem on_coarser(const ContactProblem& fine, const CoarserGrid& coarse, const std::vector<double>& distance) {
+    ContactProblem problem = fine;
+    problem.initial = {};
+    problem.derivatives = false;
+    Grid& grid = problem.grid;
+    grid.dx *= coarse.along_x();
+    grid.dy *= coarse.along_y();
+    grid.nx = (grid.nx + coarse.along_x() - 1) / coarse.along_x();
+    grid.ny = (grid.ny + coarse.along_y() - 1) / coarse.along_y();
+    if (!paraboloid_of(fine)) {
+        std::vector<double> gap(grid.size());
+        coarse.average(distance, gap);
+        problem.gap = std::move(gap);
+    }
+    if (auto* rolling = std::get_if<Rolling>(&problem.motion)) {
+        rolling->dq = step_length(*rolling, fine.grid);
+        rolling->steps = 1;
+    }
+    const auto loosen = [](SolverSettings& settings, double tolerance) {
+        settings.tolerance = std::max(settings.tolerance, tolerance);
+    };
+    loosen(problem.settings.normal, coarse_normal);
+    loosen(problem.settings.tangential, coarse_tangential);
+    loosen(problem.settings.outer, coarse_outer);
+    return problem;
+}
+
+}  // namespace
+
+std::optional<TurnsStart> turns_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
+                                           const std::vector<double>& distance, const std::vector<double>& bound,
+                                           const Observer& observer) {
+    const auto in_contact = std::count_if(bound.begin(), bound.end(), [](double g) { return g > 0; });
+    if (in_contact < smallest_to_coarsen || !is_plain(problem)) return {};
+    const std::optional<ContactInfluence> coarse = coarser(influence);
+    if (!coarse) return {};
+    const CoarserGrid& grid = *influence.here->coarser();
+    const ContactProblem there = on_coarser(problem, grid, distance);
+    if (coarse->here->size() != there.grid.size()) return {};
+    SilentObserver silent(observer);
+    const ContactSolution solution = solve_boundary_elements(there, *coarse, silent);
+    if (!solution.converged()) return {};
+    TurnsStart start{Field(problem.grid.size()), *solution.motion};
+    auto& [x, y] = start.tractions;
+    grid.interpolate(solution.traction_x, x);
+    grid.interpolate(solution.traction_y, y);
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        const double size = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+        if (!(size > bound[i])) continue;
+        x[i] *= bound[i] / size;
+        y[i] *= bound[i] / size;
+    }
+    return start;
+}
+
+}  // namespace contactd

@@ -1,0 +1,26 @@
+// Where the turns between bodies that differ start on many elements.
+#pragma once
+
+#include <optional>
+
+#include "contact/support/contact_elements.hpp"
+#include "contactd/contact.hpp"
+#include "contactd/observer.hpp"
+#include "contactd/solve_contact.hpp"
+
+namespace contactd {
+
+struct TurnsStart {
+    Field tractions;  ///< on the grid, within the bound
+    Motion motion;    ///< as asked, with what forces made of it
+};
+
+/// Found roughly on the coarser grid, in turns with the pressures there. `distance` is the problem's undeformed
+/// distance, `bound` what friction holds under pressures that are about right. Nothing where few elements are in
+/// contact or there is no coarser grid, where the problem has more than bodies, load and motion, or where it did not
+/// converge.
+std::optional<TurnsStart> turns_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
+                                           const std::vector<double>& distance, const std::vector<double>& bound,
+                                           const Observer& observer);
+
+}  // namespace contactd
