@@ -18,6 +18,15 @@ int rounded_up(int count) {
     return (count + step - 1) / step * step;
 }
 
+/// Of half-spaces that turn from row to row: positions of a wheel that only its x tells apart have the same rows.
+std::string rotated_key(const ContactProblem& problem, const PatchColumns& columns) {
+    std::string key = influence_key(problem, "rotated", "");
+    for (const ColumnFrame& frame : columns.frames)
+        for (const double value : {frame.y, frame.z, frame.angle})
+            key.append(reinterpret_cast<const char*>(&value), sizeof value);
+    return key;
+}
+
 /// Grids are found with the contacts.
 void check_patch(const Grid& grid, std::size_t most) {
     if (grid.size() > most)
@@ -59,7 +68,9 @@ auto with_names(const std::string& setup, const std::string& state, const Ask& a
             throw InvalidArgument(setup + "model",
                                   "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
                                   "everywhere; take fastsim or full, or leave friction out");
-        const bool of_state = field.starts_with("position.") || field.starts_with("F") || field == "derivatives";
+        const bool of_state = field.starts_with("position.") || field.starts_with("F") || field == "derivatives" ||
+                              field.starts_with("rail.F") || field.starts_with("left_rail.") ||
+                              field.starts_with("right_rail.");
         throw InvalidArgument((of_state ? state : setup) + field, sentence.substr(field.size() + 1));
     }
 }
@@ -87,7 +98,9 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
                                          Observer& observer) {
     check_patch(problem.grid, settings_.most_patch_elements);
     if (columns.of_sections()) return sections_influence(problem, columns, observer);
-    if (!columns.flat()) return contactd::patch_influence(problem, columns);
+    if (!columns.flat())
+        return influences_.of(rotated_key(problem, columns),
+                              [&] { return contactd::patch_influence(problem, columns); });
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);
     larger.grid.ny = rounded_up(problem.grid.ny);

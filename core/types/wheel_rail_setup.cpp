@@ -10,8 +10,9 @@
 namespace contactd {
 namespace {
 
-constexpr double largest_length = 1e4;  // mm: of tracks and wheelsets
-constexpr double largest_angle = 0.5;   // rad
+constexpr double largest_length = 1e4;    // mm: of tracks and wheelsets
+constexpr double largest_angle = 0.5;     // rad
+constexpr double stiffest_spring = 1e10;  // N/mm
 
 void require(bool right, const std::string& field, double value, const std::string& must) {
     if (!right) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + must);
@@ -36,8 +37,15 @@ void check(const Track& track) {
         check_positive(track.gauge, largest_length, "track.gauge", "mm");
         require(track.gauge_height >= 0 && track.gauge_height <= largest_length, "track.gauge_height",
                 track.gauge_height, "be zero or positive, and at most 1e4 mm");
+        require(track.gauge_height == 0 || track.gauge_height >= 1, "track.gauge_height", track.gauge_height,
+                "be zero, or 1 mm at least; gauges are measured about 14 mm below the tops: check the unit");
     }
     if (track.roller_radius) check_positive(*track.roller_radius, largest_length, "track.roller_radius", "mm");
+    if (!track.springs) return;
+    const auto& [y, z] = *track.springs;
+    if (!y && !z) throw InvalidArgument("track.springs", "has neither y nor z; leave it out where the rail is rigid");
+    if (y) check_positive(*y, stiffest_spring, "track.springs.y", "N/mm; leave it out where the rail is rigid");
+    if (z) check_positive(*z, stiffest_spring, "track.springs.z", "N/mm; leave it out where the rail is rigid");
 }
 
 void check(const Wheelset& wheelset) {
@@ -68,6 +76,25 @@ void check_slices(const WheelRailSetup& setup) {
     if (setup.track.roller_radius) throw InvalidArgument("track.roller_radius", "is given; a roller has no slices");
 }
 
+void check_slices(const std::vector<WheelSlice>& slices) {
+    constexpr double turn = 2 * std::numbers::pi, closest = 1e-5;
+    if (slices.size() == 1)
+        throw InvalidArgument("wheel_slices", "has one slice; give two at least, or `wheel` instead");
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        const double angle = slices[i].angle;
+        const std::string field = "wheel_slices[" + std::to_string(i) + "]";
+        if (slices[i].profile.kind != ProfileKind::wheel)
+            throw InvalidArgument(field + ".profile.kind", "is rail; it must be wheel");
+        require(std::abs(angle) <= turn, field + ".angle", angle, "lie in [-2 pi, 2 pi] rad");
+        if (i == 0) continue;
+        require(angle - slices[i - 1].angle >= closest, field + ".angle", angle,
+                "be larger than the one before, " + number_text(slices[i - 1].angle) + " rad");
+        require(angle - slices[0].angle <= turn - closest, field + ".angle", angle,
+                "be less than a turn beyond the first one, " + number_text(slices[0].angle) +
+                    " rad; after a turn that one comes again");
+    }
+}
+
 void check(const PatchRules& rules) {
     require(rules.angle_separate > 0 && rules.angle_separate <= std::numbers::pi, "patches.angle_separate",
             rules.angle_separate, "lie in (0, pi]");
@@ -86,7 +113,9 @@ void check(const WheelRailFriction& friction) {
     for (std::size_t i = 0; i < friction.mu.size(); ++i) {
         const auto& [angle, mu] = friction.mu[i];
         const std::string field = "friction.mu[" + std::to_string(i) + "]";
-        require(mu >= 0 && mu <= 1e3, field + ".mu", mu, "be zero or positive");
+        // One coefficient that holds everywhere is a number in every client but C++.
+        const bool alone = friction.mu.size() == 1 && angle == 0;
+        require(mu >= 0 && mu <= 1e3, alone ? "friction.mu" : field + ".mu", mu, "be zero or positive");
         require(std::abs(angle) <= std::numbers::pi, field + ".angle", angle, "lie in [-pi, pi]");
         if (i > 0)
             require(angle > friction.mu[i - 1].angle, field + ".angle", angle,
@@ -111,6 +140,7 @@ void validate(const WheelRailSetup& setup) {
     check_profile(setup.wheel, ProfileKind::wheel, "wheel");
     check_profile(setup.rail, ProfileKind::rail, "rail");
     check_slices(setup);
+    check_slices(setup.wheel_slices);
     check(setup.track);
     check(setup.wheelset);
     // The grid is known at each contact only; bodies that need one are checked there.
@@ -130,6 +160,10 @@ void validate(const WheelRailSetup& setup) {
         throw InvalidArgument("conformal",
                               "is fem, and the rail has slices; coefficients by cross-sections are those of rails "
                               "that are uniform along x: take rotated");
+    if (setup.conformal == Conformal::fem && !setup.wheel_slices.empty())
+        throw InvalidArgument("conformal",
+                              "is fem, and the wheel has slices; coefficients by cross-sections are those of wheels "
+                              "that are round: take rotated");
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
         throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
     for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})

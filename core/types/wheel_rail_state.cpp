@@ -13,6 +13,7 @@ namespace {
 constexpr double largest_length = 1e4;    // mm
 constexpr double largest_angle = 0.5;     // rad
 constexpr double largest_velocity = 1e9;  // mm/s, rad/s
+constexpr double largest_force = 1e9;     // N
 
 void check(double value, double largest, const std::string& field, const char* unit) {
     if (!(std::abs(value) <= largest))
@@ -22,6 +23,7 @@ void check(double value, double largest, const std::string& field, const char* u
 
 void check_motion(const WheelsetPosition& position, const WheelsetVelocity& velocity, double roller_pitch) {
     check(position.x, 1e9, "position.x", "mm");
+    check(position.pitch, 1e9, "position.pitch", "rad");
     check(position.y, largest_length, "position.y", "mm");
     check(position.z, largest_length, "position.z", "mm");
     check(position.roll, largest_angle, "position.roll", "rad");
@@ -42,6 +44,8 @@ void check_rail(const RailDeviation& rail, const std::string& name) {
     check(rail.y_velocity, largest_velocity, name + ".y_velocity", "mm/s");
     check(rail.z_velocity, largest_velocity, name + ".z_velocity", "mm/s");
     check(rail.roll_velocity, largest_velocity, name + ".roll_velocity", "rad/s");
+    check(rail.Fy, largest_force, name + ".Fy", "N");
+    check(rail.Fz, largest_force, name + ".Fz", "N");
 }
 
 void check_vertical(double force, const std::string& field) {

@@ -127,9 +127,10 @@ def sessions() -> Iterator[bytes]:
     step = {"session": "0" * 32, "step": 2, "approach": 0.1, "gap": {"semi_axes": {"a": 1, "b": 2}}}
     yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step})
     setup = {"side": "left", "rail": {"points": array(1, 3, 2)}, "friction": {"mu": [{"angle": -1, "mu": 0.1}, {"angle": 0, "mu": 0.3}]}, "dx": 1}
+    setup |= {"wheel_slices": [{"angle": a, "profile": {"s1002": True}} for a in (-0.1, 0.1)], "track": {"springs": {"y": 1e4, "z": 1e5}}}
     opening = {"wheelrail": {"setup": setup}, "lease_seconds": 60, "accept_unconverged": True}
     yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": opening}, np.array([[-20.0, 2], [0, 0], [20, 2]]).tobytes())
-    state = {"position": {"y": 1, "yaw": 1e-3}, "velocity": {"x": 2000, "pitch": -4.3}, "rail": {"y": 0.1}, "Fz": 1e4, "derivatives": True}
+    state = {"position": {"y": 1, "yaw": 1e-3}, "velocity": {"x": 2000, "pitch": -4.3}, "rail": {"y": 0.1, "Fy": 10}, "Fz": 1e4, "derivatives": True}
     step = {"session": "0" * 32, "step": 1, "again": True, "wheelrail": {"state": state, "friction": {"mu": 0.2, "kinetic": kinetic}, "gap": True}, "fields": ["pressure"]}
     yield message({"contactd": 1, "id": "7f", "method": "session.step", "params": step})
 

@@ -217,6 +217,44 @@ def test_bad_input_is_named_by_its_field(shared_daemon, setup, state, field):
     assert caught.value.violations[0].field.startswith(field), caught.value
 
 
+HEAD = [(-36, 14), (-26, 2), (-10, 0.2), (0, 0), (10, 0.2), (26, 2), (36, 14)]
+
+
+@pytest.mark.parametrize(
+    ("setup", "state", "words"),
+    [
+        ({"rail": ProfilePoints([*HEAD[:2], (10, 3), (12, -1), (-20, -1), *HEAD[2:]])}, {}, ("cross themselves", "mm", "order the points")),
+        ({"rail": ProfilePoints([HEAD[i] for i in (3, 6, 0, 4, 1, 5, 2)])}, {}, ("setup.rail.points", "follow the profile from one end to the other")),
+        ({"rail": ProfilePoints(HEAD[:1])}, {}, ("setup.rail.points", "are 1", "needs two at least")),
+        ({}, {"position": WheelsetPosition(z=10)}, ("state.position.z", "mm inside the rail", "lift the wheelset, or prescribe Fz")),
+        ({"track": Track(gauge=40)}, {}, ("setup.track.gauge", "is 40", "the rails would lie in each other")),
+        ({"track": Track(gauge=1.435, gauge_height=0.014)}, {}, ("setup.track.gauge_height", "0.014", "check the unit")),
+        ({"wheel": ProfilePoints([(y / 1000, z / 1000) for y, z in HEAD])}, {}, ("setup.wheel.points", "less than 1 mm", "check their unit")),
+        ({"rail": ProfilePoints(HEAD, unit=1000)}, {}, ("setup.rail.points", "72000 mm", "check their unit")),
+        ({"rail": ProfilePoints(HEAD, mirror_z=True)}, {}, ("setup.rail.points", "change mirror_z")),
+        ({"rail": ProfilePoints(HEAD[2:])}, {}, ("setup.track.gauge_height", "y < 0", "change mirror_y")),
+        ({}, {"position": WheelsetPosition(yaw=1.4)}, ("state.position.yaw", "1.4")),
+    ],
+)  # fmt: skip
+def test_a_refusal_names_field_and_place_and_says_what_to_do(shared_daemon, setup, state, words):
+    with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument) as caught:
+        client.wheel_rail(COARSE.replace(**setup), WheelRailState(**state))
+    assert all(word in str(caught.value) for word in words), caught.value
+
+
+@pytest.mark.parametrize(
+    ("state", "sentence"),
+    [
+        ({"position": WheelsetPosition(yaw=0.2)}, "position.yaw is 0.2 rad, 11.5 degrees"),
+        ({"velocity": WheelsetVelocity(x=20, pitch=-43.4)}, "velocity.pitch is near -velocity.x/nominal_radius, in rad/s"),
+        ({"position": WheelsetPosition(y=300)}, "check position.y, track.gauge"),
+    ],
+)
+def test_what_may_be_in_other_units_is_solved_with_a_warning(shared, state, sentence):
+    solution = shared.wheel_rail(COARSE, WheelRailState(**{"velocity": CENTRED.velocity, "Fz": 1e4, **state}), fields=[])
+    assert any(sentence in warning for warning in solution.warnings), solution.warnings
+
+
 def test_a_bad_state_of_many_is_named(shared):
     with pytest.raises(InvalidArgument) as caught:
         shared.wheel_rail_geometry(RIGHT, [CENTRED, rolling(Fz=None, z=10)])

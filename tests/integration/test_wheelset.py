@@ -58,7 +58,7 @@ def test_cones_on_arcs_agree_with_linear_theory(wheelset, shared):
     law = wheelset.contact.WheelRailContact(shared, CONES)
     rest = law.rest(2 * LOAD)
     theory = linear_theory(wheelset, shared, rest)
-    straight = wheelset.vehicle.Motion(0, 0, rest, 0, 0, 4e4, 0, 0, 0, -4e4 / 460, 0)
+    straight = wheelset.motion.Motion(0, 0, rest, 0, 0, 4e4, 0, 0, 0, -4e4 / 460, 0)
     moves = {"y": 0.05, "roll": 1e-5, "yaw": 1e-4, "vx": 4, "vy": 4, "z": 1e-3, "yaw_rate": 0.01, "pitch_rate": 0.01}
     for field, step in moves.items():
         answers = []
@@ -130,6 +130,6 @@ def test_hunting_dies_down_grows_and_is_limited_by_the_flanges(wheelset, shared_
         simulate, integrate = wheelset.runs.simulate, wheelset.runge_kutta.integrate
         slow = simulate(client, "fastsim", 35, 0.75, integrate=integrate, y=3)
         fast = simulate(client, "fastsim", 75, 0.75, integrate=integrate, y=1)
-    assert wheelset.stability.growth_of_swing(slow.times, slow.y) < -0.5
+    assert wheelset.railway.growth_of_swing(slow.times, slow.y) < -0.5
     assert not fast.derailed
     assert 5 < np.abs(fast.y).max() < 11

@@ -32,9 +32,11 @@ WheelRailSetup unusual_setup() {
     setup.rail = {ProfileKind::rail, ProfilePoints{{{-10, 0.1 + 0.2}, {0, 0}, {10, 0.17}}, 1000, true, true, 5}};
     setup.rail_slices = {{-5, {ProfileKind::rail, Rail60E1{0.05}}},
                          {5, {ProfileKind::rail, ProfilePoints{{{-1, 0}, {1, 0.5}}}}}};
+    setup.wheel_slices = {{-0.1, {ProfileKind::wheel, S1002{}}},
+                          {0.2, {ProfileKind::wheel, ProfilePoints{{{-1, 0}, {1, 0.25}}}}}};
     setup.rigid_slip = RigidSlipKind::surfaces;
     setup.conformal = Conformal::half_space;
-    setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500};
+    setup.track = {1520, 13, 0.05, ProfilePoint{760.5, -1}, 500, RailSprings{2e4, 1e5}};
     setup.wheelset = {1440, -69, 475};
     setup.bodies = Bodies::of({{80000, 0.3}, Material::rigid()});
     setup.friction = WheelRailFriction{{{-1.2, 0.1}, {0, 0.4}}, true, KineticFriction{SlipLaw::linear, 0.05, 900}};
@@ -50,9 +52,9 @@ WheelRailSetup unusual_setup() {
 
 WheelRailState unusual_state() {
     WheelRailState state;
-    state.position = {1, 2, 0.1, 0.2, 77};
+    state.position = {1, 2, 0.1, 0.2, 77, -300};
     state.velocity = {3, 4, 5, 6, 7, 8};
-    state.rail = {9, 10, 0.3, 12, 13, 14};
+    state.rail = {9, 10, 0.3, 12, 13, 14, 18, -19};
     state.roller_pitch = 15;
     state.Fz = 16;
     state.Fx = -17;
@@ -84,6 +86,8 @@ WheelRailSolution solution() {
     solution.forces.wheelset = {13, 14, 15, 16, 17, 18};
     solution.force = SolverEvidence{3, 1e-9, true, 0.1};
     solution.pitch_search = SolverEvidence{4, 1e-8, false, 0.2};
+    solution.rail_shift = {0.3, 0.7};
+    solution.rail_search = SolverEvidence{5, 1e-7, true, 0.3};
     solution.derivatives.emplace().position.roll = {31, 32, 33, 34, 35, 36};
     solution.derivatives->velocity.pitch = {41, 42, 43, 44, 45, 46};
     solution.warnings = {"The contact reaches the end of a profile."};
@@ -233,6 +237,9 @@ TEST_CASE("The solution of a wheel on a rail comes back exactly", "[codec]") {
     CHECK(read.force->iterations == 3);
     REQUIRE(read.pitch_search);
     CHECK(read.pitch_search->residual == 1e-8);
+    CHECK(read.rail_shift == original.rail_shift);
+    REQUIRE(read.rail_search);
+    CHECK(read.rail_search->residual == 1e-7);
     CHECK(read.derivatives == original.derivatives);
     REQUIRE(read.patches.size() == 1);
     const WheelRailPatch &patch = read.patches[0], &wanted = original.patches[0];

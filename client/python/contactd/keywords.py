@@ -66,6 +66,7 @@ class WheelRailFields(TypedDict, total=False):
     wheel: Profile | None
     rail: Profile | None
     rail_slices: Sequence[tuple[float, Profile]] | None
+    wheel_slices: Sequence[tuple[float, Profile]] | None
     track: Track | None
     wheelset: Wheelset | None
     upper: Material | RigidBody | None

@@ -46,7 +46,7 @@ from .wheel_rail_places import (
     WheelRailGeometry,
 )
 from .wheel_rail_profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
-from .wheel_rail_solution import WheelRailPatch, WheelRailSolution, WheelsetSolution
+from .wheel_rail_solution import RailShift, WheelRailPatch, WheelRailSolution, WheelsetSolution
 from .wheel_rail_state import RailDeviation, WheelRailState, WheelsetPosition, WheelsetState, WheelsetVelocity
 from .wheelset_geometry import (
     EquivalentConicity,
@@ -82,6 +82,8 @@ __all__ = [
     "ProfilesOfSides",
     "Rail60E1",
     "RailDeviation",
+    "RailShift",
+    "RailSprings",
     "RigidContact",
     "Track",
     "WheelRailDerivatives",
@@ -111,6 +113,19 @@ Conformal = Literal["off", "half_space", "rotated", "fem", "auto"]
 
 
 @dataclass(frozen=True)
+class RailSprings:
+    """Between a rail without mass and the ground; it is rigid in a direction that has none.
+
+    Attributes:
+        y: Stiffness sideways (N/mm).
+        z: Stiffness downwards (N/mm).
+    """
+
+    y: float | None = None
+    z: float | None = None
+
+
+@dataclass(frozen=True)
 class Track:
     """Where the rails lie.
 
@@ -121,6 +136,7 @@ class Track:
         rail_origin: (y, z) of the origin of the rail's profile, y to the field side from the centre of the track (mm);
             gauge and gauge_height mean nothing then.
         roller_radius: A roller turns under the wheel in place of the rail: its radius where the profile has z = 0 (mm).
+        springs: On which the rail gives way to the forces on it; None: it is rigid.
     """
 
     gauge: float | None = None
@@ -128,6 +144,7 @@ class Track:
     cant: float | None = None
     rail_origin: tuple[float, float] | None = None
     roller_radius: float | None = None
+    springs: RailSprings | None = None
 
 
 @dataclass(frozen=True)
@@ -199,6 +216,8 @@ class WheelRailSetup(Saved):
         rail: The rail's profile; default Rail60E1(1 / 40).
         rail_slices: In place of `rail` where it varies along the track: pairs (x, profile), by ascending x (mm), in the
             same coordinates. Needs Track.rail_origin.
+        wheel_slices: In place of `wheel` where it is not round: pairs (angle, profile), by ascending angles within a turn
+            (rad), in the same coordinates; at pitch p the slice of angle -p is lowest.
         track: Where the rails lie.
         wheelset: Where the wheels sit.
         upper: Material of the rail; default steel (G 82000, nu 0.28).
@@ -226,6 +245,7 @@ class WheelRailSetup(Saved):
     wheel: Profile | None = None
     rail: Profile | None = None
     rail_slices: Sequence[tuple[float, Profile]] | None = None
+    wheel_slices: Sequence[tuple[float, Profile]] | None = None
     track: Track | None = None
     wheelset: Wheelset | None = None
     upper: Material | RigidBody | None = None

@@ -52,11 +52,12 @@ def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:
     params: dict[str, Any] = {name: given[name] for name in said if name in given}
     params |= {name: plain(given[name]) for name in ("wheelset", "patches", "force") if name in given}
     params |= {name: profile_params(given[name], f"{field}.{name}") for name in ("wheel", "rail") if name in given}
-    if setup.rail_slices is not None:
-        params["rail_slices"] = [
-            {"x": x, "profile": profile_params(profile, f"{field}.rail_slices[{i}].profile")}
-            for i, (x, profile) in enumerate(setup.rail_slices)
-        ]
+    for slices, place in (("rail_slices", "x"), ("wheel_slices", "angle")):
+        if slices in given:
+            params[slices] = [
+                {place: at, "profile": profile_params(profile, f"{field}.{slices}[{i}].profile")}
+                for i, (at, profile) in enumerate(given[slices])
+            ]
     if setup.track is not None:
         params["track"] = _track_params(setup.track)
     if setup.friction is not None:
@@ -86,6 +87,8 @@ def _track_params(track: Track) -> dict[str, Any]:
     if track.rail_origin is not None:
         y, z = track.rail_origin
         given["rail_origin"] = {"y": y, "z": z}
+    if track.springs is not None:
+        given["springs"] = plain(track.springs)
     return given
 
 

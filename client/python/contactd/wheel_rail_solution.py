@@ -20,7 +20,7 @@ from .wheel_rail_places import ContactPlace
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["WheelRailPatch", "WheelRailSolution", "WheelsetSolution", "read_wheel_rail", "read_wheel_rail_as", "read_wheelset"]
+__all__ = ["RailShift", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution", "read_wheel_rail", "read_wheel_rail_as", "read_wheelset"]
 
 
 S = TypeVar("S", bound="WheelRailSolution")
@@ -43,6 +43,19 @@ class WheelRailPatch:
     gap: Array | None = None
 
 
+@dataclass(frozen=True)
+class RailShift:
+    """By how much a rail on springs has given way beside its deviation, in track coordinates.
+
+    Attributes:
+        y: To the right (mm).
+        z: Down (mm).
+    """
+
+    y: float
+    z: float
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class WheelRailSolution(Saved, Shown):
     """The contact of a wheel with its rail. No contact is an answer: no patches. Read `warnings`, ask `converged`.
@@ -58,6 +71,8 @@ class WheelRailSolution(Saved, Shown):
             are not above each other.
         force: Of the search for z, where Fz was given: solves, |F - Fz|/Fz.
         pitch_search: Of the search for the pitch rate, where Fx was given.
+        rail_shift: Of a rail on springs.
+        rail_search: Of a rail on springs: solves, and what its forces leave of each other, over Fz.
         derivatives: Where asked for, of a converged solution with contact.
     """
 
@@ -70,6 +85,8 @@ class WheelRailSolution(Saved, Shown):
     clearance: float | None = None
     force: SolverEvidence | None = None
     pitch_search: SolverEvidence | None = None
+    rail_shift: RailShift | None = None
+    rail_search: SolverEvidence | None = None
     derivatives: WheelRailDerivatives | None = None
 
     def plot(self) -> Figure:

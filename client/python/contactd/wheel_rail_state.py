@@ -19,6 +19,7 @@ class WheelsetPosition:
         roll: From y to z (rad).
         yaw: From x to y (rad), turned first.
         x: Along the track (mm), where the rail varies; forces and references are told from there on.
+        pitch: How far it has turned about its axle (rad), where a wheel is not round; any number of turns.
     """
 
     y: float = 0.0
@@ -26,6 +27,7 @@ class WheelsetPosition:
     roll: float = 0.0
     yaw: float = 0.0
     x: float = 0.0
+    pitch: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,6 +62,8 @@ class RailDeviation:
         y_velocity: (mm/s).
         z_velocity: (mm/s).
         roll_velocity: (rad/s).
+        Fy: On a rail on springs to the right (N), beside the forces of the wheel and of the springs.
+        Fz: The same downwards (N).
     """
 
     y: float = 0.0
@@ -68,6 +72,8 @@ class RailDeviation:
     y_velocity: float = 0.0
     z_velocity: float = 0.0
     roll_velocity: float = 0.0
+    Fy: float = 0.0
+    Fz: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)

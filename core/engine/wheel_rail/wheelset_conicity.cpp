@@ -29,6 +29,8 @@ WheelOverRail side_of(const WheelRailSetup& setup, const std::string& name) {
     if (!setup.rail_slices.empty())
         throw InvalidArgument(name + ".rail_slices",
                               "are given; a rigid wheelset is told for rails that do not vary along the track");
+    if (!setup.wheel_slices.empty())
+        throw InvalidArgument(name + ".wheel_slices", "are given; a rigid wheelset is told for wheels that are round");
     const ProfileCurve wheel = curve_of(setup.wheel, name + ".wheel"), rail = curve_of(setup.rail, name + ".rail");
     try {
         return wheel_over_rail(wheel, rail, setup.track, setup.wheelset);

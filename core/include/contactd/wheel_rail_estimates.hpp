@@ -1,6 +1,7 @@
 // What a step of a wheel on its rail leaves to the next one.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contactd/contact_load.hpp"
@@ -22,7 +23,8 @@ struct WheelRailEstimates {
         double y = 0;  ///< of the reference of a right wheel (mm)
         SurfaceState tractions;
     };
-    std::vector<Patch> patches{};  ///< of model full
+    std::vector<Patch> patches{};    ///< of model full
+    std::optional<double> rail_y{};  ///< by how much a rail on springs has given way to the side (mm)
 };
 
 }  // namespace contactd

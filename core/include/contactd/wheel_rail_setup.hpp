@@ -18,6 +18,13 @@ namespace contactd {
 /// Which wheel of the wheelset, seen in the direction of travel.
 enum class Side { left, right };
 
+/// Between a rail without mass and the ground (N/mm); the rail is rigid in a direction that has none.
+struct RailSprings {
+    std::optional<double> y{}, z{};
+
+    bool operator==(const RailSprings&) const = default;
+};
+
 /// Where the rails lie. Lengths are in mm, angles in rad.
 struct Track {
     double gauge = 1435;       ///< between the rails' gauge faces
@@ -29,6 +36,7 @@ struct Track {
     /// A roller turns under the wheel in place of the rail: its radius where the profile has z = 0. The profile is not
     /// lifted to the plane of the track then.
     std::optional<double> roller_radius{};
+    std::optional<RailSprings> springs{};  ///< absent: the rail does not give way
 
     bool operator==(const Track&) const = default;
 };
@@ -48,6 +56,15 @@ struct RailSlice {
     ProfileSpec profile{ProfileKind::rail, Rail60E1{1.0 / 40}};
 
     bool operator==(const RailSlice&) const = default;
+};
+
+/// The profile of a wheel that is not round, at an angle about its axle (rad), from z to x as pitch: at pitch p the
+/// slice of angle -p is lowest. z is over the nominal radius, in the same coordinates for all.
+struct WheelSlice {
+    double angle = 0;
+    ProfileSpec profile{ProfileKind::wheel, S1002{}};
+
+    bool operator==(const WheelSlice&) const = default;
 };
 
 /// How regions of overlap are found: along the locus, where for each y the distance along the track is least and the
@@ -114,6 +131,10 @@ struct WheelRailSetup {
     /// points are joined that lie at equal shares of the length, between kinks where all slices have as many. Needs
     /// track.rail_origin.
     std::vector<RailSlice> rail_slices{};
+    /// In place of `wheel` where it is not round: two or more slices by ascending angles, all within a turn, after
+    /// which the first one comes again. Radii go from slice to slice without overshoot. Contacts are searched on a
+    /// mesh.
+    std::vector<WheelSlice> wheel_slices{};
     Track track;
     Wheelset wheelset;
     /// Upper is the rail, lower the wheel: forces and tractions act on the rail.

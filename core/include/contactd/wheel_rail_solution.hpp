@@ -113,7 +113,7 @@ struct WheelRailGeometry {
 };
 
 /// Of the forces on the rail in track coordinates, by the state: units are those of a wrench over those of the input.
-/// All inputs but the one are held, height and pitch rate also where forces found them.
+/// All inputs but the one are held, height and pitch rate also where forces found them; a rail on springs gives way.
 struct WheelRailDerivatives {
     struct ByPosition {
         Wrench y, z, roll, yaw;
@@ -129,14 +129,25 @@ struct WheelRailDerivatives {
     bool operator==(const WheelRailDerivatives&) const = default;
 };
 
+/// By how much a rail on springs has given way, beside its deviation (mm, in track coordinates).
+struct RailShift {
+    double y = 0, z = 0;
+
+    bool operator==(const RailShift&) const = default;
+};
+
 struct WheelRailSolution {
-    double z = 0;                                     ///< of the wheelset, as prescribed or found (mm)
-    double pitch = 0;                                 ///< its pitch rate, as prescribed or found (rad/s)
-    std::optional<double> clearance;                  ///< at this z, as in WheelRailGeometry
-    std::vector<WheelRailPatch> patches;              ///< from the right to the left; none without contact
-    WheelRailForces forces;                           ///< of all patches
-    std::optional<SolverEvidence> force;              ///< of the search for z: solves, |F - Fz|/Fz
-    std::optional<SolverEvidence> pitch_search;       ///< for Fx: searches for z, or solves; |F - Fx|/Fz
+    double z = 0;                                ///< of the wheelset, as prescribed or found (mm)
+    double pitch = 0;                            ///< its pitch rate, as prescribed or found (rad/s)
+    std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
+    std::vector<WheelRailPatch> patches;         ///< from the right to the left; none without contact
+    WheelRailForces forces;                      ///< of all patches
+    std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
+    std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
+    std::optional<RailShift> rail_shift;         ///< of a rail on springs
+    /// Of a rail on springs: solves, and what its forces leave of each other, |Fy + rail.Fy - track.springs.y y|/Fz or
+    /// that of z, whichever is larger.
+    std::optional<SolverEvidence> rail_search;
     std::optional<WheelRailDerivatives> derivatives;  ///< where asked for, of a converged solution with contact
     std::vector<std::string> warnings;                ///< sentences, those of the patches among them
 
@@ -144,7 +155,8 @@ struct WheelRailSolution {
     bool converged() const {
         for (const WheelRailPatch& patch : patches)
             if (!patch.solution.converged()) return false;
-        return !(force && !force->converged) && !(pitch_search && !pitch_search->converged);
+        return !(force && !force->converged) && !(pitch_search && !pitch_search->converged) &&
+               !(rail_search && !rail_search->converged);
     }
 };
 

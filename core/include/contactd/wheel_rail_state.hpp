@@ -10,7 +10,8 @@ namespace contactd {
 /// first.
 struct WheelsetPosition {
     double y = 0, z = 0, roll = 0, yaw = 0;
-    double x = 0;  ///< along the track (mm), where the rail varies; forces and references are told from there on
+    double x = 0;      ///< along the track (mm), where the rail varies; forces and references are told from there on
+    double pitch = 0;  ///< how far it has turned about its axle (rad), where a wheel is not round; any number of turns
 
     bool operator==(const WheelsetPosition&) const = default;
 };
@@ -27,6 +28,7 @@ struct WheelsetVelocity {
 struct RailDeviation {
     double y = 0, z = 0, roll = 0;
     double y_velocity = 0, z_velocity = 0, roll_velocity = 0;
+    double Fy = 0, Fz = 0;  ///< on a rail on springs, beside those of the wheel and of the springs (N)
 
     bool operator==(const RailDeviation&) const = default;
 };

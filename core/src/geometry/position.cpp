@@ -95,9 +95,8 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
     const double wheel_s = wheel.profile().s_at_y(inside.y - wheel.base_y());
     const double upright = std::abs(std::cos(reference.angle));
     const double rail_curvature = rail.curvature_along(reference.x, reference.y, rail_s);
-    const double rho = wheel.nominal_radius() + wheel.profile().at(wheel_s).z;
-    return {rho / upright, radius(-wheel.profile().curvature(wheel_s)), radius(rail_curvature * upright),
-            radius(rail.profile().curvature(rail_s))};
+    return {wheel.radius_along(inside.x, wheel_s) / upright, radius(-wheel.profile().curvature(wheel_s)),
+            radius(rail_curvature * upright), radius(rail.profile().curvature(rail_s))};
 }
 
 std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup) {
@@ -109,6 +108,21 @@ std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup) {
         curves.push_back(curve_of(setup.rail_slices[i].profile, "rail_slices[" + std::to_string(i) + "].profile"));
     }
     return std::make_shared<const SlicedRail>(std::move(x), curves);
+}
+
+/// The curves of the slices; none of a round wheel.
+std::vector<ProfileCurve> wheel_slices(const WheelRailSetup& setup) {
+    std::vector<ProfileCurve> curves;
+    for (const WheelSlice& slice : setup.wheel_slices)
+        curves.push_back(curve_of(slice.profile, "wheel_slices[" + std::to_string(curves.size()) + "].profile"));
+    return curves;
+}
+
+std::shared_ptr<const OutOfRound> out_of_round(const WheelRailSetup& setup, const std::vector<ProfileCurve>& slices) {
+    if (slices.empty()) return nullptr;
+    std::vector<double> angles;
+    for (const WheelSlice& slice : setup.wheel_slices) angles.push_back(slice.angle);
+    return std::make_shared<const OutOfRound>(std::move(angles), slices);
 }
 
 /// Bodies touch where the stiffer one would be without the other: its part is the compliance of the other.
@@ -128,7 +142,7 @@ std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const Whee
                                          const RailSurface& rail) {
     // In elements, as the established program has it, but neither so coarse that contacts on flanks lie between nodes
     // nor so fine that a mesh has millions of them (mm).
-    if (setup.patches.search == ContactSearch::mesh)
+    if (setup.patches.search == ContactSearch::mesh || !wheel.is_round())
         return std::make_unique<MeshSearch>(wheel, rail, std::clamp(1.5 * setup.dx, 0.1, 0.75),
                                             std::clamp(0.75 * setup.dy, 0.05, 0.2));
     return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy);
@@ -137,16 +151,18 @@ std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const Whee
 }  // namespace
 
 Profiles make_profiles(const WheelRailSetup& setup) {
-    ProfileCurve wheel = curve_of(setup.wheel, "wheel"), rail = curve_of(setup.rail, "rail");
+    const std::vector<ProfileCurve> slices = wheel_slices(setup);
+    ProfileCurve wheel = slices.empty() ? curve_of(setup.wheel, "wheel") : slices.front();
+    ProfileCurve rail = curve_of(setup.rail, "rail");
     check_fit(setup, wheel, rail);
     const ProfilePoint origin = rail_origin(rail, setup.track);
-    return {std::move(wheel), std::move(rail), origin, sliced_rail(setup)};
+    return {std::move(wheel), std::move(rail), origin, sliced_rail(setup), out_of_round(setup, slices)};
 }
 
 Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state)
     : setup_(setup),
       state_(state),
-      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position)),
+      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position), profiles.unround),
       rail_(rail_surface(setup, profiles, state)),
       search_(search_of(setup, wheel_, rail_)) {}
 

@@ -43,10 +43,11 @@ class Search {
         double z = next();
         for (int solve = 1; solve <= task_.settings.max_iterations; ++solve) {
             const double force = task_.force(z);
-            found = {z, {solve, std::abs(force - task_.target) / task_.target, false, 0}, correction_.line_at(z)};
+            const double target = wanted(z);
+            found = {z, {solve, std::abs(force - target) / target, false, 0}, correction_.line_at(z)};
             found.evidence.converged = found.evidence.residual <= task_.settings.tolerance;
             if (found.evidence.converged) break;
-            (force < task_.target ? low_ : high_) = z;
+            (force < target ? low_ : high_) = z;
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
             const double expected = estimate(z);
             if (force > 0 && expected > 0) correction_.learn(z, std::log(force / expected));
@@ -68,9 +69,14 @@ class Search {
         return known->second;
     }
 
-    /// Of the corrected estimate over the force that is wanted.
+    /// The force at z; a spring that is nearly unloaded counts as one that bears a little.
+    double wanted(double z) const {
+        return std::max(task_.target - task_.spring * (z - task_.touch), 1e-9 * task_.target);
+    }
+    /// Of the corrected estimate over the force that is wanted. That of a spring may be next to nothing.
     double excess(double z, double estimate) const {
-        return straightened(estimate * std::exp(correction_.at(z))) / straightened(task_.target) - 1;
+        const double force = straightened(estimate * std::exp(correction_.at(z))), target = straightened(wanted(z));
+        return task_.spring == 0 ? force / target - 1 : 2 * (force - target) / (force + target);
     }
     double excess(double z) { return excess(z, estimate(z)); }
 

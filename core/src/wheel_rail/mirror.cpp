@@ -107,9 +107,9 @@ void mirror(WheelRailPatch& patch) {
 }  // namespace
 
 WheelRailState mirrored(WheelRailState state) {
-    for (double* value :
-         {&state.position.y, &state.position.roll, &state.position.yaw, &state.velocity.y, &state.velocity.roll,
-          &state.velocity.yaw, &state.rail.y, &state.rail.roll, &state.rail.y_velocity, &state.rail.roll_velocity})
+    for (double* value : {&state.position.y, &state.position.roll, &state.position.yaw, &state.velocity.y,
+                          &state.velocity.roll, &state.velocity.yaw, &state.rail.y, &state.rail.roll,
+                          &state.rail.y_velocity, &state.rail.roll_velocity, &state.rail.Fy})
         turn_sign(*value);
     return state;
 }
@@ -125,6 +125,7 @@ WheelRailSolution mirrored(WheelRailSolution solution) {
     std::reverse(solution.patches.begin(), solution.patches.end());
     mirror(solution.forces);
     if (solution.derivatives) mirror(*solution.derivatives);
+    if (solution.rail_shift) turn_sign(solution.rail_shift->y);
     return solution;
 }
 

@@ -11,6 +11,7 @@
 #include "wheel_rail/differentiate.hpp"
 #include "wheel_rail/estimates.hpp"
 #include "wheel_rail/patch_solver.hpp"
+#include "wheel_rail/rail_on_springs.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/rising_search.hpp"
 #include "wheel_rail/section_columns.hpp"
@@ -22,7 +23,9 @@ namespace {
 using geometry::PlaceWithGap;
 
 constexpr double deepest_penetration = 5;  // mm: deeper than anything elastic
-constexpr const char* nothing_below = "No part of the wheel is above the rail: there is no contact.";
+constexpr const char* nothing_below =
+    "No part of the wheel is above the rail: there is no contact. Where one is meant, check position.y, track.gauge, "
+    "flange_back_distance and flange_back_position of the wheelset, in mm.";
 
 /// Adds sentences to what has some.
 template <class Answer>
@@ -43,13 +46,32 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
     : setup_(setup), profiles_(profiles), influences_(influences), state_(state), position_(setup, profiles, state_) {
     if (state_.Fx && !setup.friction)
         throw InvalidArgument("Fx", "is given, and there is no friction; without it there is no such force");
+    check_loads();
+}
+
+void RightWheel::check_loads() const {
+    const RailSprings springs = setup_.track.springs.value_or(RailSprings{});
+    const auto check = [](double force, const std::optional<double>& spring, const std::string& name) {
+        if (force != 0 && !spring)
+            throw InvalidArgument("rail.F" + name, "is " + number_text(force) +
+                                                       ", and the rail is rigid there; a force "
+                                                       "on it needs track.springs." +
+                                                       name);
+    };
+    check(state_.rail.Fy, springs.y, "y");
+    check(state_.rail.Fz, springs.z, "z");
 }
 
 WheelRailSolution RightWheel::solve(Observer& observer) {
     WheelRailSolution solution;
     if (touch()) {
         solution = state_.Fx ? pulling(*state_.Fx, observer) : at_height(observer);
-        if (state_.derivatives) differentiate(*this, solution, observer);
+        if (state_.derivatives) {
+            if (solution.rail_shift)
+                differentiate_on_springs(*this, solution, observer);
+            else
+                differentiate(*this, solution, observer);
+        }
         return solution;
     }
     solution.z = state_.position.z;
@@ -59,6 +81,11 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
 }
 
 WheelRailGeometry RightWheel::locate() {
+    if (setup_.track.springs) {
+        const WheelRailSetup setup = held(setup_);
+        const WheelRailState state = expected_on_springs(*this);
+        return again(setup, state).locate();
+    }
     WheelRailGeometry geometry;
     if (!touch()) {
         geometry.z = state_.position.z;
@@ -81,6 +108,11 @@ double RightWheel::expected_height() {
 
 bool RightWheel::bends() {
     if (!touch()) return false;
+    if (setup_.track.springs) {
+        const WheelRailSetup setup = held(setup_);
+        const WheelRailState state = expected_on_springs(*this);
+        return again(setup, state).bends();
+    }
     const double z = expected_height();
     check_depth(z);
     const auto places = position_.places(z);
@@ -103,6 +135,7 @@ void RightWheel::check_depth(double z) const {
 }
 
 WheelRailSolution RightWheel::at_height(Observer& observer) {
+    if (setup_.track.springs) return on_springs(observer);
     return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
 }
 
@@ -167,6 +200,11 @@ HeightTask RightWheel::height_task(double Fz) {
     return task;
 }
 
+WheelRailSolution RightWheel::on_springs(Observer& observer) {
+    WheelRailEstimates own;
+    return solve_on_springs(*this, estimates_ ? *estimates_ : own, observer);
+}
+
 WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
     WheelRailSolution solution;
@@ -191,6 +229,9 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
 // A pitch rate that grows pulls the rail forwards. Positions do not depend on it.
 WheelRailSolution RightWheel::pulling(double Fx, Observer& observer) {
     WheelRailSolution solution;
+    // From pitch rate to pitch rate heights hardly differ. A first step of many does the same, to the last bit.
+    WheelRailEstimates own;
+    if (!estimates_) estimates_ = &own;
     const auto begin = std::chrono::steady_clock::now();
     const double speed =
         setup_.track.roller_radius ? state_.roller_pitch * *setup_.track.roller_radius : state_.velocity.x;
@@ -215,6 +256,7 @@ WheelRailSolution RightWheel::pulling(double Fx, Observer& observer) {
     if (!found.converged)
         solution.warnings.push_back("No pitch rate brings Fx = " + number_text(Fx) + " N: at " + number_text(found.at) +
                                     " rad/s it is " + short_text(solution.forces.wheelset.Fx) + " N.");
+    if (estimates_ == &own) estimates_ = nullptr;
     return solution;
 }
 

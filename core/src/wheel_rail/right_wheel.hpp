@@ -41,6 +41,8 @@ class RightWheel {
     /// Positions do not depend on it.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
+    /// Of a search for the height that brings a force.
+    HeightTask height_task(double Fz);
     ContactProblem problem_of(const geometry::PlaceWithGap& found) const;
     ContactSolution solve(ContactProblem problem, const geometry::PlaceWithGap& found, Observer& observer) const;
 
@@ -52,7 +54,8 @@ class RightWheel {
     WheelRailPatch solve(geometry::PlaceWithGap& found, double z, Observer& observer) const;
     /// Of a quick model, whose forces do not depend on elements, and cost less than what it tells of them.
     double quick_force(double z, Observer& observer) const;
-    HeightTask height_task(double Fz);
+    void check_loads() const;
+    WheelRailSolution on_springs(Observer& observer);
     WheelRailSolution under_force(double Fz, Observer& observer);
     WheelRailSolution pulling(double Fx, Observer& observer);
 

@@ -1,12 +1,14 @@
 #include "contactd/solve_wheel_rail.hpp"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "geometry/position.hpp"
 #include "wheel_rail/influence_keeper.hpp"
 #include "wheel_rail/mirror.hpp"
 #include "wheel_rail/right_wheel.hpp"
+#include "wheel_rail/warnings.hpp"
 
 namespace contactd {
 namespace {
@@ -17,6 +19,13 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
                                                                       const PatchColumns& columns, Observer&) {
         return keeper->of(problem, columns);
     };
+}
+
+/// With what the state itself should make its user think about.
+template <class Answer>
+Answer warned(Answer answer, const WheelRailState& state) {
+    for (std::string& warning : warnings_of(state)) answer.warnings.push_back(std::move(warning));
+    return answer;
 }
 
 }  // namespace
@@ -69,19 +78,21 @@ WheelRailContact WheelRailContact::with_friction(const WheelRailFriction& fricti
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {
-    return parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); });
+    return warned(parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); }), state);
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRailEstimates& estimates,
                                           Observer& observer) const {
-    return parts_->of_right_wheel(state, [&](RightWheel&& wheel) {
-        wheel.start_from(estimates);
-        return wheel.solve(observer);
-    });
+    return warned(parts_->of_right_wheel(state,
+                                         [&](RightWheel&& wheel) {
+                                             wheel.start_from(estimates);
+                                             return wheel.solve(observer);
+                                         }),
+                  state);
 }
 
 WheelRailGeometry WheelRailContact::locate(const WheelRailState& state) const {
-    return parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.locate(); });
+    return warned(parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.locate(); }), state);
 }
 
 std::optional<double> WheelRailContact::touch(const WheelRailState& state) const {

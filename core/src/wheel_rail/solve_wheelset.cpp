@@ -20,10 +20,25 @@ WheelRailState state_of(const WheelsetState& state, Side side, double roll) {
     return wheel;
 }
 
+void check_loads(const WheelRailSetup& setup, const RailDeviation& rail, const std::string& name) {
+    const RailSprings springs = setup.track.springs.value_or(RailSprings{});
+    const auto check = [&](double force, const std::optional<double>& spring, const char* direction) {
+        if (force != 0 && !spring)
+            throw InvalidArgument(name + ".F" + direction, "is " + number_text(force) +
+                                                               ", and the rail is rigid there; a force on it needs "
+                                                               "track.springs." +
+                                                               direction);
+    };
+    check(rail.Fy, springs.y, "y");
+    check(rail.Fz, springs.z, "z");
+}
+
 void check(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state) {
     if (left.setup().side != Side::left) throw InvalidArgument("left", "is the contact of a right wheel");
     if (right.setup().side != Side::right) throw InvalidArgument("right", "is the contact of a left wheel");
     validate(state);
+    check_loads(left.setup(), state.left_rail, "left_rail");
+    check_loads(right.setup(), state.right_rail, "right_rail");
 }
 
 /// A roll that lifts the left wheel lets the right one down: the height of the left one less that of the right rises.

@@ -1,10 +1,16 @@
 #include "wheel_rail/warnings.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include "types/number_text.hpp"
 
 namespace contactd {
 namespace {
 
+constexpr double largest_slide = 0.5;       // longitudinal creepage of a wheel that is meant to roll
+constexpr double usual_angle = 0.1;         // rad: of wheelsets and rails, beyond which it may be in degrees
 constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, from where on it matters
 
 std::string name_of(const ContactReference& reference, Side side) {
@@ -33,6 +39,22 @@ std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side s
         warnings.push_back(name +
                            " does not roll: without a velocity there are no creepages, and it is solved without "
                            "friction.");
+    if (has_friction && std::abs(found.place.creepages.xi) > largest_slide)
+        warnings.push_back(name + " slides along the rail by " + short_text(std::abs(found.place.creepages.xi)) +
+                           " of the rolling velocity: where the wheel is meant to roll, velocity.pitch is near "
+                           "-velocity.x/nominal_radius, in rad/s, mm/s and mm.");
+    return warnings;
+}
+
+std::vector<std::string> warnings_of(const WheelRailState& state) {
+    std::vector<std::string> warnings;
+    for (const auto& [name, angle] :
+         {std::pair("position.roll", state.position.roll), std::pair("position.yaw", state.position.yaw),
+          std::pair("rail.roll", state.rail.roll)})
+        if (std::abs(angle) > usual_angle)
+            warnings.push_back(std::string(name) + " is " + short_text(angle) + " rad, " +
+                               short_text(angle * 180 / std::numbers::pi) +
+                               " degrees: wheelsets on rails turn by hundredths of a radian. Angles are in rad.");
     return warnings;
 }
 

@@ -10,6 +10,8 @@ namespace contactd {
 
 /// Of a place of a right wheel, called by where it is on its own side.
 std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction);
+/// Of angles that look as if they were in degrees.
+std::vector<std::string> warnings_of(const WheelRailState& state);
 /// Those of its solution, under the same name.
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution);
 

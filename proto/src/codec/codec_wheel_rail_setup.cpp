@@ -59,6 +59,11 @@ json encode_track(const Track& track) {
         result["rail_origin"] = object({{"y", finite(track.rail_origin->y, "rail_origin.y")},
                                         {"z", finite(track.rail_origin->z, "rail_origin.z")}});
     if (track.roller_radius) result["roller_radius"] = finite(*track.roller_radius, "roller_radius");
+    if (track.springs) {
+        json& springs = result["springs"] = json::object();
+        if (track.springs->y) springs["y"] = finite(*track.springs->y, "springs.y");
+        if (track.springs->z) springs["z"] = finite(*track.springs->z, "springs.z");
+    }
     return result;
 }
 
@@ -69,6 +74,12 @@ Track decode_track(const json& source) {
         track.rail_origin =
             ProfilePoint{source["rail_origin"]["y"].get<double>(), source["rail_origin"]["z"].get<double>()};
     if (source.contains("roller_radius")) track.roller_radius = source["roller_radius"].get<double>();
+    if (source.contains("springs")) {
+        const json& springs = source["springs"];
+        track.springs.emplace();
+        if (springs.contains("y")) track.springs->y = springs["y"].get<double>();
+        if (springs.contains("z")) track.springs->z = springs["z"].get<double>();
+    }
     return track;
 }
 
@@ -120,22 +131,24 @@ WheelRailFriction decode_friction(const json& source) {
     return friction;
 }
 
-json encode_slices(const std::vector<RailSlice>& slices, ArrayWriter& arrays) {
+/// Each slice is a place and the profile there.
+template <class Slice>
+json encode_slices(const std::vector<Slice>& slices, const char* place, const char* field, ArrayWriter& arrays) {
     json result = json::array();
-    for (const auto& [x, profile] : slices)
-        result.push_back(object({{"x", finite(x, "rail_slices.x")}, {"profile", encode_profile(profile, arrays)}}));
+    for (const auto& [at, profile] : slices)
+        result.push_back(object({{place, finite(at, field)}, {"profile", encode_profile(profile, arrays)}}));
     return result;
 }
 
 /// One frame may be the points of many slices, each of which has its own.
-std::vector<RailSlice> decode_slices(const json& source, const std::string& name,
-                                     const std::vector<std::string>& frames) {
-    std::vector<RailSlice> slices;
+template <class Slice>
+std::vector<Slice> decode_slices(const json& source, const char* place, ProfileKind kind, const std::string& name,
+                                 const std::vector<std::string>& frames) {
+    std::vector<Slice> slices;
     std::size_t points = 0;
     for (const json& slice : source) {
         const std::string field = name + "[" + std::to_string(slices.size()) + "].profile";
-        slices.push_back(
-            {slice["x"].get<double>(), decode_profile(slice["profile"], ProfileKind::rail, frames, field)});
+        slices.push_back({slice[place].get<double>(), decode_profile(slice["profile"], kind, frames, field)});
         if (const auto* given = std::get_if<ProfilePoints>(&slices.back().profile.shape))
             points += given->points.size();
         if (points > most_points_of_slices)
@@ -152,7 +165,10 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     result["side"] = word_for(side_words, setup.side);
     result["wheel"] = encode_profile(setup.wheel, arrays);
     result["rail"] = encode_profile(setup.rail, arrays);
-    if (!setup.rail_slices.empty()) result["rail_slices"] = encode_slices(setup.rail_slices, arrays);
+    if (!setup.rail_slices.empty())
+        result["rail_slices"] = encode_slices(setup.rail_slices, "x", "rail_slices.x", arrays);
+    if (!setup.wheel_slices.empty())
+        result["wheel_slices"] = encode_slices(setup.wheel_slices, "angle", "wheel_slices.angle", arrays);
     result["track"] = encode_track(setup.track);
     result["wheelset"] = encode_numbers(numbers_of_wheelset(setup.wheelset));
     result["bodies"] = encode_bodies(setup.bodies);
@@ -179,7 +195,12 @@ WheelRailSetup decode_setup(const json& params, const std::string& name, const s
     if (has("side")) setup.side = meaning_of(source["side"], side_words);
     if (has("wheel")) setup.wheel = decode_profile(source["wheel"], ProfileKind::wheel, frames, name + ".wheel");
     if (has("rail")) setup.rail = decode_profile(source["rail"], ProfileKind::rail, frames, name + ".rail");
-    if (has("rail_slices")) setup.rail_slices = decode_slices(source["rail_slices"], name + ".rail_slices", frames);
+    if (has("rail_slices"))
+        setup.rail_slices =
+            decode_slices<RailSlice>(source["rail_slices"], "x", ProfileKind::rail, name + ".rail_slices", frames);
+    if (has("wheel_slices"))
+        setup.wheel_slices = decode_slices<WheelSlice>(source["wheel_slices"], "angle", ProfileKind::wheel,
+                                                       name + ".wheel_slices", frames);
     if (has("track")) setup.track = decode_track(source["track"]);
     if (has("wheelset")) decode_numbers(source["wheelset"], numbers_of_wheelset(setup.wheelset));
     if (has("bodies")) {

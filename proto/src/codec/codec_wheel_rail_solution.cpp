@@ -27,7 +27,8 @@ auto wrenches_of(Part& forces) {
 
 template <class Part>
 auto searches_of(Part& solution) {
-    return std::array{std::pair("force", &solution.force), std::pair("pitch_search", &solution.pitch_search)};
+    return std::array{std::pair("force", &solution.force), std::pair("pitch_search", &solution.pitch_search),
+                      std::pair("rail_search", &solution.rail_search)};
 }
 
 template <class Part>
@@ -134,6 +135,9 @@ json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFi
     if (solution.clearance) result["clearance"] = finite(*solution.clearance, "The clearance");
     for (const auto& [name, search] : searches_of(solution))
         if (*search) result[name] = encode_solver_evidence(**search);
+    if (solution.rail_shift)
+        result["rail_shift"] = object({{"y", finite(solution.rail_shift->y, "The shift of the rail")},
+                                       {"z", finite(solution.rail_shift->z, "The shift of the rail")}});
     if (solution.derivatives) result["derivatives"] = encode_derivatives(*solution.derivatives);
     return result;
 }
@@ -147,6 +151,8 @@ WheelRailSolution decode_wheel_rail_solution(const json& result, const std::vect
     solution.forces = decode_forces(result["forces"]);
     for (const auto& [name, search] : searches_of(solution))
         if (result.contains(name)) *search = decode_solver_evidence(result[name]);
+    if (result.contains("rail_shift"))
+        solution.rail_shift = {result["rail_shift"]["y"].get<double>(), result["rail_shift"]["z"].get<double>()};
     if (result.contains("derivatives")) solution.derivatives = decode_wheel_rail_derivatives(result["derivatives"]);
     solution.warnings = result["warnings"].get<std::vector<std::string>>();
     return solution;

@@ -14,7 +14,7 @@ using nlohmann::json;
 template <class Part>
 auto numbers_of_position(Part& position) {
     return named(std::pair("y", &position.y), std::pair("z", &position.z), std::pair("roll", &position.roll),
-                 std::pair("yaw", &position.yaw), std::pair("x", &position.x));
+                 std::pair("yaw", &position.yaw), std::pair("x", &position.x), std::pair("pitch", &position.pitch));
 }
 
 template <class Part>
@@ -28,7 +28,7 @@ template <class Part>
 auto numbers_of_rail(Part& rail) {
     return named(std::pair("y", &rail.y), std::pair("z", &rail.z), std::pair("roll", &rail.roll),
                  std::pair("y_velocity", &rail.y_velocity), std::pair("z_velocity", &rail.z_velocity),
-                 std::pair("roll_velocity", &rail.roll_velocity));
+                 std::pair("roll_velocity", &rail.roll_velocity), std::pair("Fy", &rail.Fy), std::pair("Fz", &rail.Fz));
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ std::size_t session_bytes(const WheelRailSetup& setup) {
     std::size_t points = points_of(setup.wheel);
     if (setup.rail_slices.empty()) points += points_of(setup.rail);
     for (const RailSlice& slice : setup.rail_slices) points += points_of(slice.profile);
+    for (const WheelSlice& slice : setup.wheel_slices) points += points_of(slice.profile);
     return bytes_beside + points * bytes_per_point;
 }
 

@@ -18,6 +18,7 @@ from contactd.wheel_rail import (
     ProfilePoints,
     Rail60E1,
     RailDeviation,
+    RailSprings,
     Track,
     WheelRailFriction,
     WheelRailSetup,
@@ -47,7 +48,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         side="left",
         wheel=ProfilePoints([[0, 0], [1, 0.1]], unit=1000, mirror_y=True, mirror_z=False, smoothing_length=5),
         rail=ArcProfile(300, slope=0.1, ends=(-20, 20)),
-        track=Track(1520, 13, 0.05, (760.5, -1), 500),
+        track=Track(1520, 13, 0.05, (760.5, -1), 500, RailSprings(2e4, 1e5)),
         wheelset=Wheelset(1440, -69, 475),
         upper=Material(80000, 0.3),
         lower=RigidBody(),
@@ -59,6 +60,7 @@ def test_all_fields_are_sent_as_the_schema_has_them():
         patches=PatchRules(1, 7, 3, 11, 0.5, "mesh"),
         wheel_surface="bilinear",
         rail_slices=[(-5, Rail60E1(0.05)), (5, ArcProfile(300))],
+        wheel_slices=[(-0.1, S1002()), (0.1, ConeProfile(-0.05))],
         rigid_slip="surfaces",
         conformal="half_space",
         normal=SolverSettings(1e-7),
@@ -73,6 +75,8 @@ def test_all_fields_are_sent_as_the_schema_has_them():
     assert sent["bodies"] == {"upper": {"G": 80000, "nu": 0.3}, "lower": {"rigid": True}}
     assert sent["settings"] == {"normal": {"tolerance": 1e-7}}
     assert sent["rail_slices"][1] == {"x": 5, "profile": {"arc": {"radius": 300}}}
+    assert sent["wheel_slices"][1] == {"angle": 0.1, "profile": {"cone": {"slope": -0.05}}}
+    assert sent["track"]["springs"] == {"y": 2e4, "z": 1e5}
     assert sent["force"] == {"tolerance": 1e-5, "max_iterations": 30}
 
 
@@ -110,7 +114,7 @@ def test_what_is_no_profile_is_refused():
 
 def test_a_state_has_all_of_its_numbers():
     sent = state_params(WheelRailState(position=WheelsetPosition(y=2, yaw=0.1)), "state")
-    assert sent["position"] == {"y": 2, "z": 0, "roll": 0, "yaw": 0.1, "x": 0}
+    assert sent["position"] == {"y": 2, "z": 0, "roll": 0, "yaw": 0.1, "x": 0, "pitch": 0}
     assert sent["roller_pitch"] == 0
     assert "Fz" not in sent
     schemas.check("wheelrail.solve.params", {"state": sent})
@@ -122,6 +126,7 @@ def test_an_answer_is_read():
     assert solution.force is not None
     assert solution.force.iterations == 3
     assert solution.pitch_search is None
+    assert solution.rail_shift is None
     assert patch.place.regions[0].y == (748.0, 756.1)
     assert patch.place.radii.rail_along is None
     assert patch.solution.pressure is None

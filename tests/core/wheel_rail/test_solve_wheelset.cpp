@@ -125,6 +125,20 @@ TEST_CASE("A longitudinal force finds the pitch rate that brings it") {
     }
 }
 
+TEST_CASE("The first of many steps under a longitudinal force is that of one, to the last bit") {
+    Observer observer;
+    WheelRailState state = manchester_state(manchester_cases[2]);
+    state.Fx = 500;
+    WheelRailEstimates estimates;
+    const WheelRailSolution first = wheel(Side::left).solve(state, estimates, observer);
+    const WheelRailSolution alone = wheel(Side::left).solve(state, observer);
+    REQUIRE(alone.converged());
+    CHECK(first.pitch == alone.pitch);
+    CHECK(first.z == alone.z);
+    CHECK(first.forces.track == alone.forces.track);
+    CHECK(first.force.value().iterations == alone.force.value().iterations);
+}
+
 TEST_CASE("A longitudinal force beyond friction is an answer that has not converged, with a word about it") {
     Observer observer;
     WheelRailState state = manchester_state(manchester_cases[2]);

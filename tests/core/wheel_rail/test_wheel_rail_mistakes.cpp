@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "contactd/error.hpp"
+#include "contactd/make_profile.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;
@@ -29,11 +30,100 @@ TEST_CASE("Mistakes in a set-up are refused by name") {
     refused([](auto& setup) { setup.dy = 0; }, "dy is 0");
     refused([](auto& setup) { setup.patches.distance_combine = 9; }, "patches.distance_separate is 8");
     refused([](auto& setup) { setup.friction->mu = {}; }, "friction.mu is empty");
-    refused([](auto& setup) { setup.friction->mu = {{0, -0.3}}; }, "friction.mu[0].mu is -0.3");
+    refused([](auto& setup) { setup.friction->mu = {{0, -0.3}}; }, "friction.mu is -0.3");
+    refused([](auto& setup) { setup.friction->mu = {{-1, 0.3}, {0, -0.3}}; }, "friction.mu[1].mu is -0.3");
     refused([](auto& setup) { setup.friction->mu = {{0, 0.3}, {-1, 0.3}}; }, "friction.mu[1].angle is -1");
     refused([](auto& setup) { std::swap(setup.wheel, setup.rail); }, "wheel.kind is rail");
     refused([](auto& setup) { setup.rail.shape = ProfilePoints{{{0, 0}}}; }, "rail.points");
     refused([](auto& setup) { setup.bodies.upper.material.G = -1; }, "bodies.upper.G is -1");
+}
+
+TEST_CASE("Other units and other sides are refused by a sentence that says what to do") {
+    // What a user has: S1002 on 60E1 at 1/40, by points in mm.
+    const auto points_of = [](const ProfileSpec& profile) {
+        return ProfilePoints{make_profile(profile).curve.points()};
+    };
+    WheelRailSetup setup;
+    ProfilePoints wheel = points_of(setup.wheel), rail = points_of(setup.rail);
+    const auto refused = [&](const std::string& field, const std::string& remedy) {
+        setup.wheel.shape = wheel;
+        setup.rail.shape = rail;
+        CHECK_THROWS_WITH(WheelRailContact(setup), ContainsSubstring(field + " ") && ContainsSubstring(remedy));
+    };
+    SECTION("profiles in metres, said to be in millimetres") {
+        for (ProfilePoint& point : wheel.points) point = {point.y / 1000, point.z / 1000};
+        refused("wheel.points", "check their unit");
+    }
+    SECTION("profiles in millimetres, said to be in metres") {
+        rail.unit = 1000;
+        refused("rail.points", "check their unit");
+    }
+    SECTION("a wheel with its flange on the field side") {
+        wheel.mirror_y = true;
+        refused("wheel.points", "change mirror_y");
+    }
+    SECTION("a wheel upside down") {
+        wheel.mirror_z = true;
+        refused("wheel.points", "change mirror_z");
+    }
+    SECTION("a rail upside down") {
+        rail.mirror_z = true;
+        refused("rail.points", "change mirror_z");
+    }
+    SECTION("a rail whose gauge side alone was measured, on the other side") {
+        std::erase_if(rail.points, [](const ProfilePoint& point) { return point.y > 10; });
+        rail.mirror_y = true;
+        refused("track.gauge_height", "change mirror_y");
+    }
+    SECTION("a track in metres") {
+        setup.track = {1.435, 0.014};
+        refused("track.gauge_height", "check the unit");
+        setup.track.gauge_height = 14;
+        refused("track.gauge", "the rails would lie in each other");
+    }
+    SECTION("a wheel's radius in metres") {
+        setup.wheelset.nominal_radius = 0.46;
+        refused("wheelset.nominal_radius", "it must be more than twice that");
+    }
+    SECTION("an inclination in degrees") {
+        setup.track.cant = 1.43;
+        refused("track.cant", "rad");
+    }
+}
+
+TEST_CASE("A state in other units says so in a warning") {
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 0.5;
+    WheelRailState state;
+    state.velocity = {20000, 0, 0, 0, 0, -43.4};
+    state.Fz = 60000;
+    const auto warned = [&](const std::string& sentence) {
+        const WheelRailSolution solution = solve(setup, state);
+        REQUIRE_FALSE(solution.warnings.empty());
+        CHECK_THAT(solution.warnings.back(), ContainsSubstring(sentence));
+    };
+    CHECK(solve(setup, state).warnings.empty());
+    SECTION("a yaw in degrees") {
+        state.position.yaw = 0.3;
+        warned("position.yaw is 0.3 rad, 17.2 degrees");
+    }
+    SECTION("a rail's roll in degrees") {
+        state.rail.roll = -0.2;
+        warned("rail.roll is -0.2 rad");
+    }
+    SECTION("a speed in metres") {
+        state.velocity.x = 20;
+        warned("velocity.pitch is near -velocity.x/nominal_radius");
+    }
+    SECTION("a pitch rate with the other sign") {
+        state.velocity.pitch = 43.4;
+        warned("slides along the rail by");
+    }
+    SECTION("a distance of the wheels in metres") {
+        setup.wheelset.flange_back_distance = 1.36;
+        setup.wheelset.flange_back_position = -0.07;
+        warned("check position.y, track.gauge, flange_back_distance");
+    }
 }
 
 TEST_CASE("Mistakes in a state are refused by name") {
@@ -47,6 +137,7 @@ TEST_CASE("Mistakes in a state are refused by name") {
     SECTION("a wheel far inside its rail") {
         state.position.z = 10;
         refused(state, "position.z is 10; there the wheel is 9.");
+        refused(state, "lift the wheelset, or prescribe Fz");
     }
     SECTION("degrees") {
         state.position.yaw = 2;

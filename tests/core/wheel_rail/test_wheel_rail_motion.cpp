@@ -134,5 +134,5 @@ TEST_CASE("On a single flat contact the slip of the surfaces is that of the plan
     const Forces surfaces = solve(setup, state).patches.at(0).solution.forces;
     CHECK_THAT(surfaces.Fx, WithinAbs(plane.Fx, 5e-3 * 0.3 * 20000));
     CHECK_THAT(surfaces.Fy, WithinAbs(plane.Fy, 5e-3 * 0.3 * 20000));
-    CHECK(surfaces.Fn == plane.Fn);
+    CHECK_THAT(surfaces.Fn, WithinRel(plane.Fn, 1e-12));  // Fz is, and forces along the plane have little part in it
 }

@@ -51,12 +51,12 @@ class WheelAbovePlane {
 
     At at(double x, double s) const {
         const ProfileCurve::Place place = wheel_.profile().place(s);
-        const double side = wheel_.base_y() + place.at.y - centre_.y, rho = wheel_.nominal_radius() + place.at.z;
+        const double side = wheel_.base_y() + place.at.y - centre_.y;
         const double along = centre_.x + (x - along_.y * side) / along_.x;
         const double along_slope = -along_.y / along_.x * place.slope.y;
-        const double z = std::sqrt(std::max(rho * rho - along * along, 1e-12));
-        const double z_slope = (rho * place.slope.z - along * along_slope) / z;
-        const Vector3 from_centre{along - centre_.x, side, z - centre_.z};
+        const BelowAxle below = wheel_.below_axle(along, place, s);
+        const double z_slope = (below.by_s + below.by_x * along_slope) / below.over;
+        const Vector3 from_centre{along - centre_.x, side, below.z - centre_.z};
         const Vector3 slope{along_slope, place.slope.y, z_slope};
         return {dot(across_, from_centre), dot(across_, slope), dot(normal_, from_centre), dot(normal_, slope)};
     }

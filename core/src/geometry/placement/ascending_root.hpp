@@ -11,9 +11,10 @@ struct Sloped {
 };
 
 /// Newton's method from `s` between bounds that close in; sets `s` and returns true where the value is met to 1e-10 mm,
-/// or passed in a jump. `function` returns a Sloped, which ascends from `low` to `high`.
+/// or passed in a jump. `function` returns a Sloped, which ascends from `low` to `high`. Where the last step would be
+/// `near` or less (of s), that step is left to the caller.
 template <class Function>
-bool find_ascending(const Function& function, double target, double low, double high, double& s) {
+bool find_ascending(const Function& function, double target, double low, double high, double& s, double near = 0) {
     constexpr double tolerance = 1e-10;
     constexpr int most_iterations = 60;
     if (!(high > low)) return false;
@@ -23,7 +24,7 @@ bool find_ascending(const Function& function, double target, double low, double 
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         const Sloped here = function(at);
         const double excess = here.value - target;
-        if (std::abs(excess) <= tolerance) {
+        if (std::abs(excess) <= tolerance || std::abs(excess) <= near * here.slope) {
             s = at;
             return true;
         }

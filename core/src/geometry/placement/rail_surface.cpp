@@ -18,6 +18,24 @@ ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
     return {cosine * point.y - sine * point.z, sine * point.y + cosine * point.z};
 }
 
+/// A profile whose other side alone reaches the height of the gauge, and not by a cut a little above it, has its gauge
+/// side there.
+void check_gauge_side(const std::vector<ProfilePoint>& points, std::vector<ProfilePoint>::const_iterator top,
+                      double gauge_height) {
+    const auto reach = [&](auto from, auto to) {
+        double lowest = top->z;
+        for (; from != to; ++from) lowest = std::max(lowest, from->z);
+        return lowest - top->z;
+    };
+    const double gauge_side = reach(points.begin(), top), field_side = reach(top, points.end());
+    if (gauge_side < 0.5 * gauge_height && field_side >= gauge_height)
+        throw InvalidArgument(
+            "track.gauge_height",
+            "is " + number_text(gauge_height) + ", and the rail's profile ends " + short_text(gauge_side) +
+                " mm below its top at y < 0, the gauge side, but goes on to " + short_text(field_side) +
+                " mm at y > 0: change mirror_y where the gauge face is there, or give track.rail_origin");
+}
+
 }  // namespace
 
 ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track) {
@@ -26,6 +44,7 @@ ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track) {
     std::vector<ProfilePoint> points;
     for (const ProfilePoint& point : profile.points()) points.push_back(turned(point, cosine, sine));
     const auto top = std::min_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.z < b.z; });
+    check_gauge_side(points, top, track.gauge_height);
     const double lowest = top->z + track.gauge_height;
     double gauge_y = top->y;
     for (auto point = top; point != points.begin();) {

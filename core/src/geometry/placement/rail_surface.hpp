@@ -15,7 +15,7 @@
 namespace contactd::geometry {
 
 /// The profile's origin in the track where the rail does not deviate; the profile leans inwards by track.cant. Throws
-/// InvalidArgument ("track.gauge_height") where the profile has no gauge point.
+/// InvalidArgument ("track.gauge_height") where only the other side reaches down to it.
 ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track);
 
 /// The profile at x = 0, and how the surface goes on from there along the track: straight, around a roller's axle, or

@@ -6,12 +6,15 @@
 
 namespace contactd::geometry {
 
-WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position)
+WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
+                           std::shared_ptr<const OutOfRound> unround)
     : profile_(std::move(profile)),
       frame_{{0, position.y, position.z - wheelset.nominal_radius},
              Rotation::yaw_then_roll(position.yaw, position.roll)},
       base_y_(wheelset.flange_back_distance / 2 - wheelset.flange_back_position),
-      radius_(wheelset.nominal_radius) {
+      radius_(wheelset.nominal_radius),
+      pitch_(position.pitch),
+      unround_(std::move(unround)) {
     const double cosine = frame_.axes.y.y, sine = -frame_.axes.z.y;  // of the profile's plane, seen along x
     visible_ = visible_span(profile_, [&](const ProfilePoint& point) {
         return frame_.origin.y + cosine * (base_y_ + point.y) - sine * (radius_ + point.z);
@@ -24,7 +27,39 @@ WheelSurface WheelSurface::lowered(double dz) const {
     return wheel;
 }
 
+// With r the radius at the angle of the point, z^2 + x^2 = r^2. Newton's method in z.
+BelowAxle WheelSurface::below_axle(double x, const ProfileCurve::Place& here, double s) const {
+    constexpr double settled = 1e-11;  // mm
+    const double rho = radius_ + here.at.z;
+    double z = std::sqrt(std::max(rho * rho - x * x, 1e-12));
+    if (!unround_) return {z, -x, rho * here.slope.z, z};
+    OutOfRound::Place beside;
+    double r = rho;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        beside = unround_->at(std::atan2(x, z) - pitch_, s);
+        r = rho + beside.radius;
+        const double step = 0.5 * (z * z + x * x - r * r) / (z + r * beside.by_angle * x / (x * x + z * z));
+        z = std::max(z - step, 1e-6);
+        if (!(std::abs(step) > settled)) break;
+    }
+    return {z, beside.by_angle * z / r - x, r * (here.slope.z + beside.by_s), z + beside.by_angle * x / r};
+}
+
+double WheelSurface::radius_along(double x, double s) const {
+    constexpr double step = 5;  // mm: over some slices, between which curvatures are no better than radii
+    const ProfileCurve::Place here = profile_.place(s);
+    if (!unround_) return radius_ + here.at.z;
+    const auto z = [&](double at) { return below_axle(at, here, s).z; };
+    const double before = z(x - step), behind = z(x + step), incline = (behind - before) / (2 * step);
+    const double bulge = (2 * z(x) - before - behind) / (step * step);
+    return std::pow(1 + incline * incline, 1.5) / bulge;
+}
+
 Vector3 WheelSurface::in_wheelset(double x, double s) const {
+    if (unround_) {
+        const ProfileCurve::Place here = profile_.place(s);
+        return {x, base_y_ + here.at.y, below_axle(x, here, s).z};
+    }
     const ProfilePoint point = profile_.at(s);
     const double rho = radius_ + point.z;
     return {x, base_y_ + point.y, std::sqrt(std::max(rho * rho - x * x, 0.0))};
@@ -82,7 +117,7 @@ LocusPoint WheelSurface::locus_point(const ProfileCurve::Place& here, double x, 
     const double rho = radius_ + here.at.z;
     const double height = std::sqrt(std::max(rho * rho - x * x, 1e-12));
     const double height_slope = (rho * here.slope.z - x * x_slope) / height;
-    return {frame_.outside({x, base_y_ + here.at.y, height}), X.y * x_slope + Y.y * here.slope.y + Z.y * height_slope};
+    return {frame_.outside({x, base_y_ + here.at.y, height}), x_slope * X + here.slope.y * Y + height_slope * Z};
 }
 
 }  // namespace contactd::geometry

@@ -1,11 +1,14 @@
-// A right wheel in track coordinates: a surface of revolution about the wheelset's axle, rolled and yawed.
+// A right wheel in track coordinates: a surface of revolution about the wheelset's axle, or one that is not round,
+// rolled and yawed.
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_state.hpp"
+#include "geometry/placement/out_of_round.hpp"
 #include "geometry/placement/span.hpp"
 #include "geometry/placement/vector3.hpp"
 
@@ -13,18 +16,35 @@ namespace contactd::geometry {
 
 /// A point of the wheel where its distance to the rail is least along the track.
 struct LocusPoint {
-    Vector3 at;          ///< in track coordinates
-    double y_slope = 0;  ///< of at.y, by s
+    Vector3 at;     ///< in track coordinates
+    Vector3 slope;  ///< of `at`, by s; on a rail that varies along the track as if x were the same for all s nearby
+};
+
+/// Of the lower half, at an x along the wheelset's axis and a place of the profile: below the axle (mm), and how this
+/// changes, by x as by_x / over and by s as by_s / over.
+struct BelowAxle {
+    double z = 0;
+    double by_x = 0, by_s = 0, over = 1;
 };
 
 class WheelSurface {
    public:
-    WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position);
+    /// `unround` is what a wheel has beside its profile that is not round.
+    WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
+                 std::shared_ptr<const OutOfRound> unround = nullptr);
+
+    bool is_round() const { return !unround_; }
+    /// Of one that is not round: by how much its radius grows with the angle at most, over the radius.
+    double steepest() const { return unround_ ? unround_->steepest() / radius_ : 0; }
+    /// `here` is the profile's place s.
+    BelowAxle below_axle(double x, const ProfileCurve::Place& here, double s) const;
+    /// Of curvature along x (mm), infinite on a flat.
+    double radius_along(double x, double s) const;
 
     /// Of the lower half, x along the wheelset's axis (mm) and s of the profile: in the wheelset's coordinates.
     Vector3 in_wheelset(double x, double s) const;
-    /// Of the profile's point s where the surface of the other body has the curvature `other` along x (1/mm), or a
-    /// slope that is known at each x.
+    /// Of a round wheel: of the profile's point s where the surface of the other body has the curvature `other` along x
+    /// (1/mm), or a slope that is known at each x.
     LocusPoint locus(double s, double other = 0) const;
     LocusPoint locus(double s, const std::function<double(double x)>& other_slope) const;
     const Span& visible() const { return visible_; }
@@ -42,7 +62,8 @@ class WheelSurface {
 
     ProfileCurve profile_;
     Frame frame_;
-    double base_y_, radius_;
+    double base_y_, radius_, pitch_;
+    std::shared_ptr<const OutOfRound> unround_;
     Span visible_;
 };
 

@@ -10,6 +10,7 @@
 namespace contactd::geometry {
 namespace {
 
+constexpr double widest = 1000;       // mm
 constexpr double flange_height = 10;  // mm: what a flange stands out at least, and the sides of a rail
 
 std::string text_of(const ProfilePoint& point) {
@@ -81,6 +82,10 @@ Points measured_points(const ProfilePoints& given, ProfileKind kind) {
     check_remainder(seen.size(), points.size());
     if (seen.size() < 2 || seen.back().y - seen.front().y < 1)
         throw InvalidArgument("profile.points", "span less than 1 mm from side to side; check their unit");
+    if (seen.back().y - seen.front().y > widest)
+        throw InvalidArgument("profile.points", "span " + number_text(seen.back().y - seen.front().y) +
+                                                    " mm from side to side, and no wheel or rail is wider than " +
+                                                    number_text(widest) + "; check their unit");
     check_sense(seen, kind);
     return seen;
 }

@@ -11,12 +11,22 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double near = 1e-6;          // mm: so short a step along a tangent loses nothing
 constexpr double longest_span = 0.5;   // mm: of rows that the first pass leaves out
 constexpr double deepest_dent = 0.25;  // of a span's length
 constexpr double least_dent = 0.02;    // mm: by how much a gap within a span may be less than those at its ends
 
 std::size_t rows_in_span(double step) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(longest_span / step));
+}
+
+/// y where the gap is `height`, by a parabola through three rows, or the line through the first two where the third has
+/// no gap or one of theirs.
+double y_of_gap(const LocusRow& a, const LocusRow& b, const LocusRow& c, double height) {
+    const double along = (height - a.gap) / (b.gap - a.gap), line = a.y + along * (b.y - a.y);
+    if (!std::isfinite(c.gap) || c.gap == a.gap || c.gap == b.gap) return line;
+    const double rise_ab = (b.y - a.y) / (b.gap - a.gap), rise_bc = (c.y - b.y) / (c.gap - b.gap);
+    return line + (height - a.gap) * (height - b.gap) * (rise_bc - rise_ab) / (c.gap - a.gap);
 }
 
 }  // namespace
@@ -29,7 +39,7 @@ Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step)
     wheel_s_.assign(count, 0);
     for (std::size_t i = 0; i < count; ++i) rows_[i].y = seen.low + static_cast<double>(i) * step;
     const std::size_t span = rows_in_span(step);
-    Start start{seen.low, wheel.visible().from, seen.from};
+    Start start{seen.low, {wheel.visible().from}, {seen.from}};
     for (std::size_t i = 0; i < count; i += span) look_at(i, start);
     if ((count - 1) % span != 0) look_at(count - 1, start);
     for (std::size_t begin = 0; begin < count; begin += span) least_.push_back(least_between(begin));
@@ -40,49 +50,65 @@ double Locus::curvature() const {
     return 0.5 / wheel_.nominal_radius() + 0.5 * rail_.curvature_along();
 }
 
-/// Fills the row at row.y; false where there is no wheel or no rail.
+/// Fills the row at row.y; false where there is no wheel or no rail. Rows follow each other closely, so that the start
+/// is near mostly: one look at each curve, whose tangents do the rest.
 bool Locus::look(LocusRow& row, Start& start) const {
     const double step = row.y - start.y, along = rail_.curvature_along();
-    double rail_s = start.rail_s + step * start.rail_slope, wheel_s = start.wheel_s + step * start.wheel_slope;
+    double rail_s = start.rail.ahead(step), wheel_s = start.wheel.ahead(step);
     ProfileCurve::Place rail;
     LocusPoint wheel;
     const auto rail_at = [&](double s) {
         rail = rail_.place(s);
         return Sloped{rail.at.y, rail.slope.y};
     };
-    const std::function<double(double)> rail_slope = [&](double x) { return rail_.slope_along(x, row.y, rail.at.z); };
+    const auto rail_slope = [&](double x) { return rail_.slope_along(x, row.y, rail.at.z); };
     const auto wheel_at = [&](double s) {
-        wheel = rail_.is_sliced() ? wheel_.locus(s, rail_slope) : wheel_.locus(s, along);
-        return Sloped{wheel.at.y, wheel.y_slope};
+        wheel = rail_.is_sliced() ? wheel_.locus(s, std::ref(rail_slope)) : wheel_.locus(s, along);
+        return Sloped{wheel.at.y, wheel.slope.y};
     };
-    if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s)) return false;
-    if (!find_ascending(wheel_at, row.y, wheel_.visible().from, wheel_.visible().to, wheel_s)) return false;
-    start = {row.y, wheel_s, rail_s, 1 / wheel.y_slope, 1 / rail.slope.y};
+    if (!find_ascending(rail_at, row.y, rail_.visible().from, rail_.visible().to, rail_s, near)) return false;
+    if (const double rest = (row.y - rail.at.y) / rail.slope.y; std::abs(rest) <= near) {
+        rail_s += rest;
+        rail.at.z += rest * rail.slope.z;
+    }
+    if (!find_ascending(wheel_at, row.y, wheel_.visible().from, wheel_.visible().to, wheel_s, near)) return false;
+    if (const double rest = (row.y - wheel.at.y) / wheel.slope.y; std::abs(rest) <= near) {
+        wheel_s += rest;
+        wheel.at = wheel.at + rest * wheel.slope;
+    }
     const double z = rail_.z_at(wheel.at.x, row.y, rail.at.z);
     if (!std::isfinite(z)) return false;
-    row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, std::atan2(rail.slope.z, rail.slope.y)};
+    start.y = row.y;
+    start.rail.go_on(step, rail_s, 1 / rail.slope.y);
+    start.wheel.go_on(step, wheel_s, 1 / wheel.slope.y);
+    row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, rail.slope.z / rail.slope.y};
     return true;
 }
 
 void Locus::look_at(std::size_t i, Start& start) {
     if (!look(rows_[i], start)) return;
-    wheel_s_[i] = start.wheel_s;
+    wheel_s_[i] = start.wheel.s;
     least_gap_ = std::min(least_gap_, rows_[i].gap);
 }
 
 // Straight lines are not enough where the rail is steep: from row to row it falls by more than wheels penetrate.
+// Through three rows y is a parabola of the gap, which is used where it stays between the two that the height lies
+// between.
 LocusRow Locus::crossing(std::size_t inside, std::size_t outside, double height) const {
     constexpr double settled = 1e-7;  // mm
-    LocusRow in = rows_[inside], out = rows_[outside];
+    LocusRow in = rows_[inside], out = rows_[outside],
+             third = inside > outside ? row_at(inside + 1) : row_at(inside - 1);
     Start start = start_at(inside);
     for (int iteration = 0; iteration < 20 && std::abs(out.y - in.y) > settled; ++iteration) {
-        const double share = (height - in.gap) / (out.gap - in.gap);
         LocusRow between;
-        // Near one end a straight line moves that end only: now and then the middle.
-        between.y = in.y + (iteration % 3 == 2 ? 0.5 : share) * (out.y - in.y);
+        between.y = y_of_gap(in, out, third, height);
+        // Near one end a parabola moves that end only: now and then the middle.
+        if (iteration % 4 == 3 || !((between.y - in.y) * (between.y - out.y) < 0)) between.y = 0.5 * (in.y + out.y);
         if (between.y == in.y || between.y == out.y || !look(between, start)) break;
         if (std::abs(between.gap - height) < settled) return between;
-        (between.gap < height ? in : out) = between;
+        LocusRow& replaced = between.gap < height ? in : out;
+        third = replaced;
+        replaced = between;
     }
     return in;
 }

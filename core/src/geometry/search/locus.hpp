@@ -1,7 +1,9 @@
 // How far wheel and rail are from each other, seen from above: for each y the least vertical distance along the track.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "geometry/placement/rail_surface.hpp"
@@ -16,7 +18,9 @@ struct LocusRow {
     double x = 0;       ///< where along the track
     double rail_z = 0;  ///< of the rail there
     double rail_s = 0;  ///< of its profile
-    double angle = 0;   ///< inclination of the rail (rad)
+    double rise = 0;    ///< of the rail: dz/dy
+
+    double angle() const { return std::atan(rise); }  ///< inclination of the rail (rad)
 };
 
 /// Rows that lie step apart, from the first point of the rail on. They are looked at where they may count only: the
@@ -38,17 +42,33 @@ class Locus {
     double curvature() const;
 
    private:
-    /// Where the rows that follow begin to look: parameters of both curves at y, and how they go on.
+    /// The parameter of a curve at the last row, and how it goes on.
+    struct Trace {
+        double s;
+        double slope = 0, bend = 0;  // ds/dy, and that of slope
+
+        double ahead(double step) const { return s + step * (slope + 0.5 * step * bend); }
+        void go_on(double step, double to, double new_slope) {
+            bend = slope > 0 ? (new_slope - slope) / step : 0;
+            slope = new_slope;
+            s = to;
+        }
+    };
+    /// Where the row that follows begins to look.
     struct Start {
-        double y, wheel_s, rail_s;
-        double wheel_slope = 0, rail_slope = 0;  // ds/dy
+        double y;
+        Trace wheel, rail;
     };
     bool look(LocusRow& row, Start& start) const;
     void look_at(std::size_t row, Start& start);
     double dent(std::size_t begin, std::size_t end) const;
     double least_between(std::size_t begin) const;
     void look_between(std::size_t begin);
-    Start start_at(std::size_t row) const { return {rows_[row].y, wheel_s_[row], rows_[row].rail_s}; }
+    /// Beyond the first and the last one rows have no gap.
+    LocusRow row_at(std::size_t row) const {
+        return row < rows_.size() ? rows_[row] : LocusRow{0, std::numeric_limits<double>::infinity()};
+    }
+    Start start_at(std::size_t row) const { return {rows_[row].y, {wheel_s_[row]}, {rows_[row].rail_s}}; }
 
     const WheelSurface& wheel_;
     const RailSurface& rail_;

@@ -36,7 +36,7 @@ OverlapRegion LocusSearch::region_of(std::size_t begin, std::size_t end, double 
         sum += weight;
         mean.x += weight * rows[i].x;
         mean.y += weight * rows[i].y;
-        mean.angle += weight * rows[i].angle;
+        mean.angle += weight * rows[i].angle();
         const double half = std::sqrt(depth / a);
         x = {std::min(x.from, rows[i].x - half), std::max(x.to, rows[i].x + half)};
         region.penetration = std::max(region.penetration, depth);
@@ -90,11 +90,13 @@ OverlapDoubts LocusSearch::doubts(double z, const RegionGroup& group) const {
     const double cosine = std::abs(std::cos(group.reference.angle));
     const std::vector<LocusRow>& rows = locus_.rows();
     double deepest = 0;
+    const double mean = std::tan(group.reference.angle);
+    Extent rise{mean, mean};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].y < group.y.from || rows[i].y > group.y.to || !(rows[i].gap < z)) continue;
         const double depth = z - rows[i].gap;
         if (depth * cosine > surely_pressed)
-            doubts.bend = std::max(doubts.bend, std::abs(rows[i].angle - group.reference.angle));
+            rise = {std::min(rise.from, rows[i].rise), std::max(rise.to, rows[i].rise)};
         if (i == 0 || i + 1 == rows.size() || !std::isfinite(rows[i - 1].gap) || !std::isfinite(rows[i + 1].gap))
             doubts.at_end = true;
         if (depth < deepest || !rail_.is_sliced()) continue;
@@ -104,6 +106,8 @@ OverlapDoubts LocusSearch::doubts(double z, const RegionGroup& group) const {
         const double bulge = height(rows[i].x + half) + height(rows[i].x - half) - 2 * height(rows[i].x);
         doubts.curvature = std::abs(bulge) / (2 * depth);
     }
+    for (const double end : {rise.from, rise.to})
+        doubts.bend = std::max(doubts.bend, std::abs(std::atan(end) - group.reference.angle));
     return doubts;
 }
 

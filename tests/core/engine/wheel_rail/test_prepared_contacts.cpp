@@ -184,3 +184,31 @@ TEST_CASE("A search ends when it is cancelled") {
     const std::vector<WheelRailState> states(3, rolling_state());
     CHECK_THROWS_AS(engine.locate(coarse_setup(), states, observer), Cancelled);
 }
+
+TEST_CASE("Operators of half-spaces that turn are kept for positions with the same rows") {
+    Engine engine({});
+    WheelRailSetup setup = coarse_setup();
+    setup.conformal = Conformal::rotated;
+    WheelRailState state = rolling_state();
+    state.position.y = 5;
+    Observer observer;
+    const WheelRailSolution first = engine.solve(setup, state, observer);
+    REQUIRE(first.patches.size() > 0);
+    REQUIRE_FALSE(first.patches[0].place.rows.empty());
+    CHECK(engine.solve(setup, state, observer).forces.track == first.forces.track);
+    state.position.z = first.z;
+    state.Fz.reset();
+    const Wrench here = engine.solve(setup, state, observer).forces.track;
+    const std::size_t kept = engine.influences().usage().entries;
+    CHECK(kept > 0);
+    state.velocity.y = 10;
+    CHECK(engine.solve(setup, state, observer).forces.track != here);
+    CHECK(engine.influences().usage().entries == kept);
+    setup.bodies.upper.material.G *= 2;
+    static_cast<void>(engine.solve(setup, state, observer));
+    const std::size_t of_both = engine.influences().usage().entries;
+    CHECK(of_both > kept);
+    state.position.y = 5.5;
+    static_cast<void>(engine.solve(setup, state, observer));
+    CHECK(engine.influences().usage().entries > of_both);
+}

@@ -1,0 +1,50 @@
+// What a wheel that is not round has beside the profile it is a surface of revolution of.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contactd/profile.hpp"
+
+namespace contactd::geometry {
+
+/// Radii by the angle about the axle and along the profile of the first slice, beside the radii of that profile.
+///
+/// Round the wheel they go through the slices by cubics whose slopes are those of the modified method of Akima (J. ACM
+/// 17, 1970, with the weights that also count how steep both sides are): they depend on five slices only and do not
+/// swing beyond a flat's edges, and slices that are equal are equal all between. Along the profile they are cubic
+/// splines through points 0.5 mm apart.
+class OutOfRound {
+   public:
+    struct Place {
+        double radius = 0;              ///< what it is larger by (mm)
+        double by_angle = 0, by_s = 0;  ///< its derivatives (mm/rad, 1)
+    };
+
+    /// Angles ascend within a turn. Throws InvalidArgument ("wheel_slices[i].profile") for slices that do not end where
+    /// the first one does, or are out of round by more than a wheel can be.
+    OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices);
+
+    Place at(double angle, double s) const;
+    /// Largest |by_angle| at the slices and between two (mm/rad).
+    double steepest() const { return steepest_; }
+
+   private:
+    /// Values at the stations along the profile, and their second derivatives.
+    struct Line {
+        std::vector<double> values, curving;
+    };
+    struct Along {
+        double value, slope;
+    };
+
+    std::vector<double> radii_beside(const ProfileCurve& slice, const ProfileCurve& first, std::size_t index) const;
+    Along along(const Line& line, double s) const;
+    double width(std::size_t slice) const;  // from a slice to the next one, round the wheel
+
+    std::vector<double> angles_, stations_;
+    std::vector<Line> radii_, slopes_;  // of each slice; slopes round the wheel
+    double steepest_ = 0;
+};
+
+}  // namespace contactd::geometry
