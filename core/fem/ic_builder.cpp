@@ -55,6 +55,13 @@ std::optional<double> predicted_memory(const IcSpec& spec) {
     return size_of(dimensionless(spec)).bytes;
 }
 
+std::string section_mesh(const IcSpec& spec) {
+    validate(spec);
+    if (!spec.section || spec.source != IcSource::fem)
+        throw InvalidArgument("ics.body", "must be prism, and the source fem: no other table has a mesh of a section");
+    return prism_mesh(dimensionless(spec), spec.dy);
+}
+
 IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64_t max_memory_bytes) {
     if (requested.source != IcSource::fem)
         throw InvalidArgument("ics.source", "is analytic; only a spec of source fem is built by finite elements");

@@ -2,6 +2,7 @@
 //
 //     contactd-ic spec.json --output table.h5
 //     mpirun -np 4 contactd-ic spec.json --output table.h5
+//     contactd-ic spec.json --mesh section.vtk
 //
 // spec.json holds the parameters of ic.get (docs/protocol.md):
 //
@@ -43,6 +44,7 @@ namespace fs = std::filesystem;
 struct Options {
     std::string spec;
     std::string output;
+    std::string mesh;
     bool exit_with_stdin = false;
     bool or_print = false;
     std::uint64_t max_memory = 0;
@@ -105,7 +107,7 @@ std::string read_spec(const Options& options) {
 }
 
 IcSpec parse_spec(const std::string& text) {
-    constexpr std::size_t max_values = 10'000;  // more than any spec needs
+    constexpr std::size_t max_values = 10'000 + 2 * most_profile_points;  // more than any spec needs
     nlohmann::json json;
     try {
         proto::read_json(text, max_values, json, "SPEC");
@@ -120,14 +122,20 @@ IcSpec parse_spec(const std::string& text) {
     return spec;
 }
 
-void check_output(const fs::path& path) {
+void check_file(const char* option, const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::error_code error;
     if (!fs::is_directory(folder, error))
-        throw InvalidArgument("--output", "is " + path.string() + "; its folder does not exist");
+        throw InvalidArgument(option, "is " + path.string() + "; its folder does not exist");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        throw InvalidArgument("--output", "is " + path.string() + "; its folder cannot be written to");
-    if (fs::is_directory(path, error)) throw InvalidArgument("--output", "is " + path.string() + ", a folder");
+        throw InvalidArgument(option, "is " + path.string() + "; its folder cannot be written to");
+    if (fs::is_directory(path, error)) throw InvalidArgument(option, "is " + path.string() + ", a folder");
+}
+
+void write_mesh(const std::string& path, const IcSpec& spec) {
+    check_file("--mesh", path);
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << fem::section_mesh(spec) << std::flush)) throw StoreError(path + " could not be written.");
 }
 
 IcRecord make_record(const Context& context, const IcSpec& spec) {
@@ -161,9 +169,17 @@ void run(const Context& context) {
     });
     const IcSpec spec = parse_spec(text);
     on_first(context.runtime, [&] {
-        if (!options.or_print) check_output(options.output);
+        if (!options.mesh.empty())
+            write_mesh(options.mesh, spec);
+        else if (!options.or_print)
+            check_file("--output", options.output);
         return std::string();
     });
+    if (!options.mesh.empty()) {
+        context.guard.stand_down();
+        if (context.runtime.rank() == 0) context.lines.write({{"done", true}, {"mesh", options.mesh}});
+        return;
+    }
     const IcRecord record = make_record(context, spec);
     on_first(context.runtime, [&] {
         const std::lock_guard lock(context.guard.writing());
@@ -228,7 +244,10 @@ int main(int argc, char** argv) {
                    "JSON file with the parameters of ic.get; - reads standard input (its first line with "
                    "--exit-with-stdin)")
         ->required();
-    app.add_option("-o,--output", options.output, "The file to write; it appears whole or not at all")->required();
+    const CLI::Option* output =
+        app.add_option("-o,--output", options.output, "The file to write; it appears whole or not at all");
+    const CLI::Option* mesh = app.add_option(
+        "--mesh", options.mesh, "Instead, write the mesh of a prism's cross-section (VTK), and build no table");
     app.add_flag("--exit-with-stdin", options.exit_with_stdin,
                  "End at once when standard input ends: whoever started the build is gone");
     app.add_flag("--or-print", options.or_print,
@@ -241,6 +260,7 @@ int main(int argc, char** argv) {
     ic::Lines lines;
     try {
         app.parse(argc, argv);
+        if (output->empty() == mesh->empty()) throw CLI::RequiredError("One of --output and --mesh");
     } catch (const CLI::Success& asked_for_help) {
         return runtime.rank() == 0 ? app.exit(asked_for_help) : 0;
     } catch (const CLI::ParseError& error) {

@@ -12,6 +12,8 @@ namespace contactd::fem {
 namespace {
 
 constexpr BlockLevel level{4, 5};
+/// Elements between corner and middle may differ by more: by 1.033 at most in 44 random blocks, all loads of each.
+constexpr double beside_corner = 1.1;
 
 /// Seen from the middle of a row of elements.
 std::vector<double> centres(int count, double step) {
@@ -80,7 +82,7 @@ double modelling_error(const IcSpec& spec, const ProgressPart& progress) {
                                               centre.at(i, offsets_x, offsets_y), offsets_x, offsets_y));
         done += share;
     }
-    return result;
+    return beside_corner * result;
 }
 
 }  // namespace contactd::fem

@@ -1,6 +1,7 @@
 #include "prism_build.hpp"
 
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
 #include "contactd/fem/ic_builder.hpp"
@@ -53,6 +54,18 @@ IcRecord build_prism(MPI_Comm comm, const IcSpec& spec, Observer& observer, std:
     record.tables = std::move(build.spectrum);
     finish_evidence(evidence, start, comm);
     return record;
+}
+
+std::string prism_mesh(const IcSpec& spec, double unit) {
+    const geometry::SectionGeometry section(*spec.section, spec.ny, spec.dy, "ics.section");
+    const SectionOutline outline = outline_of(section);
+    const MeshDensity density = density_for(spec.accuracy, spec.material.nu);
+    const DividedOutline divided = divide(outline, density);
+    const SectionMesh mesh = make_section_mesh(outline, divided, triangulate(divided, density), 1);
+    *mesh.mesh->GetNodes() *= unit;
+    std::ostringstream text;
+    mesh.mesh->PrintVTK(text, 1);
+    return text.str();
 }
 
 }  // namespace contactd::fem

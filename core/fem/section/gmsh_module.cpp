@@ -20,7 +20,6 @@ class Gmsh {
         gmsh::option::setNumber("General.NumThreads", 1);
         gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
         gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-        gmsh::option::setNumber("Mesh.Algorithm", 6);  // frontal Delaunay: the most even triangles
         gmsh::model::add("section");
     }
     ~Gmsh() { gmsh::finalize(); }
@@ -79,8 +78,15 @@ extern "C" bool contactd_fill_outline(const contactd::fem::DividedOutline& outli
     const Gmsh library;
     add_outline(outline);
     gmsh::model::mesh::setSizeCallback([&](int, int, double y, double z, double, double) { return size({y, z}); });
-    gmsh::model::mesh::generate(2);
-    result = result_of(outline);
+    // Frontal Delaunay makes the most even triangles, and now and then none at all of a long thin body.
+    constexpr int frontal_delaunay = 6, delaunay = 5, mesh_adapt = 1;
+    for (const int algorithm : {frontal_delaunay, delaunay, mesh_adapt}) {
+        gmsh::option::setNumber("Mesh.Algorithm", algorithm);
+        gmsh::model::mesh::clear();
+        gmsh::model::mesh::generate(2);
+        result = result_of(outline);
+        if (!result.triangles.empty()) break;
+    }
     return true;
 } catch (const std::exception& error) {  // gmsh throws its last message, or std::runtime_error with it
     problem = error.what();

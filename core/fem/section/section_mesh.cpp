@@ -13,21 +13,10 @@ namespace {
 
 constexpr std::array<std::array<double, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
 
-std::vector<EdgeElement> elements_of_edges(const DividedOutline& outline, const Triangulation& triangulation) {
-    std::map<std::array<int, 2>, std::size_t> edge_of;
-    for (std::size_t edge = 0; edge < outline.edges.size(); ++edge)
-        edge_of[{outline.edges[edge].first, outline.edges[edge].second}] = edge;
-    std::vector<EdgeElement> result(outline.edges.size());
-    for (std::size_t element = 0; element < triangulation.triangles.size(); ++element)
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b) {
-                const auto& triangle = triangulation.triangles[element];
-                const auto found = edge_of.find({triangle[a], triangle[b]});
-                if (a != b && found != edge_of.end()) result[found->second] = {static_cast<int>(element), a, b};
-            }
-    for (std::size_t edge = 0; edge < result.size(); ++edge)
-        if (result[edge].element < 0) throw InvalidArgument("ics.section", "could not be divided into triangles");
-    return result;
+[[noreturn]] void refuse(const char* what, const PlanePoint& where) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "%s at (y, z) = (%.6g, %.6g) ds", what, where.y, where.z);
+    throw InvalidArgument("ics.section", text.data());
 }
 
 /// Moves the nodes of the triangle at an edge by how far the outline is from the edge's chord, which fades towards the
@@ -59,16 +48,30 @@ void require_straight_enough(mfem::Mesh& mesh, const DividedOutline& outline, co
         for (int i = 0; i < rule.GetNPoints(); ++i) {
             map.SetIntPoint(&rule.IntPoint(i));
             if (map.Jacobian().Det() > 0) continue;
-            const PlanePoint& where = outline.vertices[outline.edges[edge].first];
-            std::array<char, 96> text{};
-            std::snprintf(text.data(), text.size(), "curves too much at (y, z) = (%.6g, %.6g) ds for a mesh", where.y,
-                          where.z);
-            throw InvalidArgument("ics.section", text.data());
+            refuse("curves too much for a mesh", outline.vertices[outline.edges[edge].first]);
         }
     }
 }
 
 }  // namespace
+
+std::vector<EdgeElement> elements_of_edges(const DividedOutline& outline, const Triangulation& triangulation) {
+    std::map<std::array<int, 2>, std::size_t> edge_of;
+    for (std::size_t edge = 0; edge < outline.edges.size(); ++edge)
+        edge_of[{outline.edges[edge].first, outline.edges[edge].second}] = edge;
+    std::vector<EdgeElement> result(outline.edges.size());
+    for (std::size_t element = 0; element < triangulation.triangles.size(); ++element)
+        for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b) {
+                const auto& triangle = triangulation.triangles[element];
+                const auto found = edge_of.find({triangle[a], triangle[b]});
+                if (a != b && found != edge_of.end()) result[found->second] = {static_cast<int>(element), a, b};
+            }
+    for (std::size_t edge = 0; edge < result.size(); ++edge)
+        if (result[edge].element < 0)
+            refuse("could not be divided into triangles", outline.vertices[outline.edges[edge].first]);
+    return result;
+}
 
 mfem::IntegrationPoint EdgeElement::at(double t) const {
     mfem::IntegrationPoint point;

@@ -19,6 +19,9 @@ struct EdgeElement {
     mfem::IntegrationPoint at(double t) const;
 };
 
+/// Of each edge of the outline. Throws InvalidArgument ("ics.section") where one has no triangle.
+std::vector<EdgeElement> elements_of_edges(const DividedOutline& outline, const Triangulation& triangulation);
+
 struct SectionMesh {
     std::unique_ptr<mfem::Mesh> mesh;  ///< coordinates (y, z), isoparametric of `order`
     DividedOutline outline;

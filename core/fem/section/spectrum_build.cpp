@@ -91,9 +91,7 @@ class Builder {
    private:
     void attempt() {
         const double start = MPI_Wtime();
-        MeshDensity density;
-        density.edges_a_column = level_.edges_a_column;
-        density.corner_share = level_.corner_share;
+        const MeshDensity density = density_for(accuracy_, nu_);
         report("mesh", 0, mesh_seconds);
         const DividedOutline divided = divide(outline_, density);
         const SectionMesh mesh = make_section_mesh(outline_, divided, triangulate(divided, density), level_.order);
@@ -288,6 +286,14 @@ class Builder {
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes) {
     return Builder(comm, outline, nu, accuracy, observer, max_memory_bytes).build();
+}
+
+MeshDensity density_for(double accuracy, double nu) {
+    const Level level = first_level(accuracy, nu);
+    MeshDensity density;
+    density.edges_a_column = level.edges_a_column;
+    density.corner_share = level.corner_share;
+    return density;
 }
 
 std::vector<ColumnFrame> column_frames(const SectionOutline& outline) {

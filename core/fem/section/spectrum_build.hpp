@@ -7,6 +7,7 @@
 
 #include <mpi.h>
 
+#include "boundary_edges.hpp"
 #include "collective_observer.hpp"
 #include "contactd/column_spectrum.hpp"
 #include "section_model.hpp"
@@ -37,6 +38,9 @@ struct SpectrumBuild {
 /// `errors` says what was reached.
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes = 0);
+
+/// Of the mesh that build_spectrum takes for an accuracy; only the order of its elements may grow.
+MeshDensity density_for(double accuracy, double nu);
 
 /// Of the columns, lengths over ds; angles run on continuously.
 std::vector<ColumnFrame> column_frames(const SectionOutline& outline);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <chrono>
 #include <cmath>
@@ -18,6 +19,7 @@
 
 using namespace contactd;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
 namespace fs = std::filesystem;
 
 namespace {
@@ -100,6 +102,47 @@ TEST_CASE("contactd-ic writes the table and says so", "[contactd-ic]") {
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("done":true)") && ContainsSubstring(R"("output":"table.h5")"));
     CHECK(folder.read("err.txt").empty());
     CHECK(folder.files() == std::vector<std::string>{"err.txt", "out.txt", "spec.json", "table.h5"});
+}
+
+TEST_CASE("contactd-ic writes the mesh of a section", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", R"({"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 2, "ny": 4, "dx": 0.5, "dy": 0.5},
+                                  "ics": {"source": "fem", "body": "prism", "accuracy": 1e-2,
+                                          "section": {"slab": {"thickness": 2, "width": 8}}}})");
+    REQUIRE(folder.run(program + " spec.json --mesh section.vtk") == 0);
+    CHECK_THAT(folder.last_line(), ContainsSubstring(R"("mesh":"section.vtk")"));
+    std::istringstream text(folder.read("section.vtk"));
+    std::string word;
+    while (text >> word && word != "POINTS") {
+    }
+    std::size_t count = 0;
+    text >> count >> word;
+    REQUIRE(count > 100);
+    double left = 0, right = 0, bottom = 0, top = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+        double y = 0, z = 0, none = 0;
+        text >> y >> z >> none;
+        left = std::min(left, y);
+        right = std::max(right, y);
+        bottom = std::min(bottom, z);
+        top = std::max(top, z);
+    }
+    CHECK_THAT(left, WithinAbs(-4, 1e-9));
+    CHECK_THAT(right, WithinAbs(4, 1e-9));
+    CHECK_THAT(bottom, WithinAbs(-2, 1e-9));
+    CHECK_THAT(top, WithinAbs(0, 1e-9));
+}
+
+TEST_CASE("contactd-ic writes either a table or a mesh, and of sections alone", "[contactd-ic]") {
+    const Folder folder;
+    folder.write("spec.json", quick);
+    CHECK(folder.run(program + " spec.json") == 2);
+    CHECK_THAT(folder.last_line(), ContainsSubstring("One of --output and --mesh"));
+    CHECK(folder.run(program + " spec.json --output table.h5 --mesh section.vtk") == 2);
+    CHECK(folder.run(program + " spec.json --mesh section.vtk") == 2);
+    CHECK_THAT(folder.last_line(), ContainsSubstring("ics.body"));
+    CHECK(folder.run(program + " spec.json --mesh missing/section.vtk") == 2);
+    CHECK_THAT(folder.last_line(), ContainsSubstring("--mesh"));
 }
 
 TEST_CASE("contactd-ic reads its spec from standard input", "[contactd-ic]") {
