@@ -50,6 +50,17 @@ def test_an_export_travels_in_the_answer(peer):
     assert peer.ask("ic.export", {**TABLE, "format": "contact"}).result["text"].count("\n") > 4 * 6
 
 
+def test_a_file_of_an_export_is_imported_and_a_damaged_one_refused(peer, start):
+    exported = peer.ask("ic.export", {**QUICK_BUILD, "format": "hdf5"})
+    listed = exported.array(exported.result["file"]).tolist()
+    with start(builds={"program": "/bin/false"}).peer() as other:
+        imported = other.ask("ic.import", {"file": listed}).result
+        assert (imported["new"], imported["ics"]["origin"]) == (True, "file")
+        assert other.ask("ic.get", QUICK_BUILD).result["key"] == imported["ics"]["key"]
+        reply = other.ask("ic.import", {"file": [*listed[:-1], listed[-1] ^ 1]})
+        assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "FIELD_INVALID", ["file"])
+
+
 def test_a_builder_that_fails_is_reported(start):
     daemon = start(builds={"program": "/bin/false"})
     with daemon.peer() as peer:

@@ -129,6 +129,13 @@ def test_an_exported_file_put_into_the_store_is_set_aside(daemons):
         assert client.info().counters["tables_set_aside"] == 1
 
 
+def test_an_exported_table_is_imported_by_another_daemon(daemons, shared):
+    expected, file = shared.get_ic(STEEL, GRID, QUICK), shared.export_ic(STEEL, GRID, QUICK)
+    with daemons.start(builds={"program": "/bin/false"}).client() as client:
+        assert client.import_ic(file).ics.key == expected.key
+        np.testing.assert_allclose(client.get_ic(STEEL, GRID, QUICK).array, expected.array, rtol=1e-14)
+
+
 # --- CONTACT's text ---------------------------------------------------------------------------------------------------
 
 

@@ -1,5 +1,8 @@
 """Tables of prisms through a daemon: built once for any elements along x, kept, and refused by a sentence."""
 
+import hashlib
+import io
+
 import numpy as np
 import pytest
 
@@ -12,8 +15,11 @@ from contactd import (
     Material,
     Paraboloid,
     RigidBody,
+    TableIcs,
+    load_table,
     save_table,
 )
+from contactd.wheel_rail import S1002, ProfilePoints
 
 STEEL = Material(G=82000, nu=0.28)
 EDGE = {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}
@@ -40,10 +46,17 @@ def test_a_table_by_finite_elements_states_its_error_and_serves_any_length_of_el
     assert np.array_equal(longer.frames, 2 * table.frames * [1, 1, 0.5])
 
 
-def test_a_table_is_kept_by_the_daemon_alone(shared, tmp_path):
+def test_an_archive_keeps_a_table_with_its_columns(shared, tmp_path):
     table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
-    with pytest.raises(ValueError, match="get_ic"):
-        save_table(tmp_path / "table.npz", table)
+    save_table(tmp_path / "table.npz", table)
+    back = load_table(tmp_path / "table.npz")
+    assert np.array_equal(back.array, table.array)
+    assert np.array_equal(back.frames, table.frames)
+    assert (back.spec, back.evidence) == (table.spec, table.evidence)
+    with pytest.raises(ValueError, match="npz"):
+        save_table(tmp_path / "table.txt", table)
+    with pytest.raises(ValueError, match="prism"):
+        TableIcs.from_table(table)
 
 
 @pytest.mark.parametrize(("distance", "change", "more"), [(3, 0.003, 0.09), (0.5, -0.22, 0.43), (0, -0.45, 0.5)])
@@ -107,6 +120,64 @@ def test_a_section_that_is_none_is_refused(shared, section, says):
         shared.get_ic(STEEL, GRID, fem(section))
 
 
+HEAD = np.stack([np.linspace(-34, 34, 69), np.linspace(-34, 34, 69) ** 2 / 600], axis=1)
+
+
+def profile(points, **changes):
+    return {"profile_section": {"kind": "rail", "profile": ProfilePoints(points), "depth": 40, "from": -5, **changes}}
+
+
+def test_a_measured_profile_is_a_section(shared):
+    """Of a rail whose head is a parabola: its columns lie on it, and its coefficients are those of its formula."""
+    grid = Grid.centred(9, 20, 4.5, 10)
+    table = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=profile(HEAD)))
+    assert table.frames[:, 1] == pytest.approx(-(table.frames[:, 0] ** 2) / 600, abs=2e-4)
+    assert table.frames[:, 2] == pytest.approx(np.arctan(table.frames[:, 0] / 300), abs=1e-3)
+    listed = {"profile_section": {"kind": "rail", "profile": {"points": HEAD.tolist()}, "depth": 40, "from": -5}}
+    assert np.array_equal(shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=listed)).array, table.array)
+    built = shared.get_ic(STEEL, grid, fem(listed))
+    assert 0 < built.evidence.section.error <= 1e-2
+    assert built["zz"][10, 10, 0] / table["zz"][10, 10, 0] == pytest.approx(1, abs=0.1)
+    assert shared.get_ic(STEEL, grid, fem(profile(HEAD))).key == built.key
+
+
+def test_the_formula_of_a_wheel_is_its_rim(shared):
+    wheel = {"profile_section": {"kind": "wheel", "profile": S1002(), "depth": 60}}
+    grid = Grid.centred(5, 10, 5, 10)
+    of_profile = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=wheel))
+    rim = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section={"rim_s1002": {}}))
+    assert of_profile.frames == pytest.approx(rim.frames, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("section", "field", "says"),
+    [
+        (profile(HEAD[40:]), "profile_section.profile", r"from y = 6 to 34"),
+        (profile(HEAD, depth=1), "profile_section.depth", r"\(y, z\) = \("),
+        (profile(HEAD, **{"from": 30}), "section", r"\(y, z\) = \("),
+        (profile([(-20, 0), (20, 0), (20, -10), (0, 10), (-5, 20)]), "profile_section.profile.points", r"cross.*\(-20, 0\)"),
+        (profile(HEAD[:1]), "profile_section.profile", r"points"),
+        (profile(np.zeros((4, 3))), "profile_section.profile.points", r"\[n, 2\]"),
+    ],
+)
+def test_a_profile_that_is_none_is_refused_with_the_place(shared, section, field, says):
+    with pytest.raises(InvalidArgument, match=says) as refused:
+        shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=section))
+    assert field in refused.value.violations[0].field
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [({"depth": 0}, "depth"), ({"kind": "road"}, "kind"), ({"profile": {}}, "profile"), ({"profile": {"arc": {}}}, "profile")],
+)
+def test_a_profile_section_that_the_schema_does_not_know_is_refused(raw, change, field):
+    section = {"kind": "rail", "profile": {"points": HEAD.tolist()}, "depth": 40, **change}
+    params = {"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 1, "ny": 4, "dx": 1, "dy": 1}}
+    answer = raw.ask("ic.get", {**params, "ics": {"source": "analytic", "body": "prism", "section": {"profile_section": section}}})
+    assert answer.status == "INVALID_ARGUMENT"
+    assert any(f"ics.section.profile_section.{field}" in named for named in answer.fields)
+
+
 @pytest.mark.parametrize(
     ("corners", "says"),
     [
@@ -126,6 +197,93 @@ def test_an_outline_that_is_none_is_refused_with_the_place_however_often(shared,
         assert "ics.section" in caught.value.violations[0].field
 
 
-def test_a_prism_is_not_exported(shared):
-    with pytest.raises(InvalidArgument, match="prism"):
-        shared.export_ic(STEEL, GRID, fem(EDGE))
+def test_a_solve_tells_of_a_bad_section_in_its_own_lengths(shared):
+    parts = [{"line": {"to": {"y": y, "z": z}}, "held": z == -20} for y, z in [(-10, -20), (10, -20), (10, 0)]]
+    section = {"outline": {"outside": {"start": {"y": -10, "z": 0}, "parts": parts}}}
+    fine = Grid.centred(21, 20, 0.25 * 21, 0.25 * 20)
+    with pytest.raises(InvalidArgument, match=r"ends at \(y, z\) = \(10, 0\), 20 mm from its start at \(y, z\) = \(-10, 0\)"):
+        shared.solve(grid=fine, upper=RigidBody(), gap=Paraboloid(50, 50), Fn=500, lower=STEEL, lower_ics=fem(section))
+
+
+def test_a_file_holds_the_table_its_columns_and_the_stated_errors(shared, tmp_path):
+    pytest.importorskip("h5py")
+    path = tmp_path / "edge.h5"
+    path.write_bytes(shared.export_ic(STEEL, GRID, fem(EDGE)))
+    table, expected = load_table(path), shared.get_ic(STEEL, GRID, fem(EDGE))
+    assert np.array_equal(table.array, expected.array)
+    assert table.frames == pytest.approx(expected.frames, abs=1e-9)
+    assert table.evidence == expected.evidence
+    assert (table.spec.material, table.spec.grid) == (STEEL, Grid(21, 20, 0.5, 0.5))
+
+
+def test_an_exported_prism_is_built_nowhere_else(shared, daemons):
+    file = shared.export_ic(STEEL, Grid.centred(1, 20, 0.5, 10), fem(EDGE))
+    expected = shared.get_ic(STEEL, GRID, fem(EDGE))
+    other = daemons.start(builds={"program": "/bin/false"})
+    with other.client() as client:
+        imported = client.import_ic(file)
+        assert imported.new
+        assert (imported.ics.key, imported.ics.origin) == (expected.key, "file")
+        assert imported.ics.evidence.section == expected.evidence.section
+        assert "imported" in imported.ics.evidence.warnings[-1]
+        assert imported.spec.ics.section["edge_block"]["width"] == 100
+        table = client.get_ic(STEEL, GRID, fem(EDGE))
+        assert np.array_equal(table.array, expected.array)
+        assert [stored.key for stored in client.stored_ics()] == [expected.key]
+        again = client.import_ic(file)
+        assert (again.new, again.ics.origin) == (False, "disk")
+        assert again.ics.evidence.warnings == imported.ics.evidence.warnings
+    other.stop()
+    with daemons.start(builds={"program": "/bin/false"}).client() as client:
+        assert client.get_ic(STEEL, GRID, fem(EDGE)).origin == "disk"
+
+
+def test_what_is_here_stays(shared):
+    expected = shared.get_ic(STEEL, GRID, fem(EDGE))
+    imported = shared.import_ic(shared.export_ic(STEEL, GRID, fem(EDGE)))
+    assert not imported.new
+    assert imported.ics.evidence == expected.evidence
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda file: b"", "no table"),
+        (lambda file: file[:300], "no table"),
+        (lambda file: file[:-1], "digest"),
+        (lambda file: file[:2000] + bytes([file[2000] ^ 1]) + file[2001:], "digest"),
+        (lambda file: b"contactd" * 1000, "no table"),
+    ],
+)
+def test_a_broken_file_is_refused_with_a_sentence(shared, change, says):
+    file = shared.export_ic(STEEL, Grid.centred(2, 20, 1, 10), fem(EDGE))
+    with pytest.raises(InvalidArgument, match=says) as refused:
+        shared.import_ic(change(file))
+    assert refused.value.violations[0].field == "file"
+
+
+def test_a_file_that_somebody_wrote_is_held_against_its_section(shared):
+    h5py = pytest.importorskip("h5py")
+    file = shared.export_ic(STEEL, Grid.centred(2, 20, 1, 10), fem(EDGE))
+    content = io.BytesIO(file[512:])
+    with h5py.File(content, "r+") as opened:
+        opened["frames"][3, 0] += 0.5
+    header = b"contactd ic table, format 1, sha256 of the bytes after this block: "
+    digest = hashlib.sha256(content.getvalue()).hexdigest().encode()
+    written = (header + digest + b"\n").ljust(512, b"\0") + content.getvalue()
+    with pytest.raises(InvalidArgument, match="frames of columns that are not those of its section"):
+        shared.import_ic(written)
+
+
+def test_a_closed_form_is_neither_kept_in_a_file_nor_imported(shared):
+    with pytest.raises(InvalidArgument, match="quicker made"):
+        shared.export_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
+    with pytest.raises(InvalidArgument, match="analytic"):
+        shared.import_ic(shared.export_ic(STEEL, GRID, AnalyticIcs()))
+    with pytest.raises(InvalidArgument, match="hdf5"):
+        shared.export_ic(STEEL, GRID, fem(EDGE), "contact")
+
+
+def test_a_file_that_is_too_large_for_a_message_is_refused_before_its_table_is_made(shared):
+    with pytest.raises(InvalidArgument, match="whatever its nx"):
+        shared.export_ic(STEEL, Grid.centred(1000, 400, 500, 200), fem({"slab": {"thickness": 500, "width": 1000}}))

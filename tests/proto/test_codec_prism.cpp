@@ -2,6 +2,7 @@
 #include <catch2/generators/catch_generators.hpp>
 
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "contactd/proto/status.hpp"
 #include "wire.hpp"
@@ -37,11 +38,14 @@ json params_with(const json& section) {
 TEST_CASE("Every section goes over the wire as it is") {
     const Outline outline{{-5, 0},
                           {{LineTo{{5, 0}}, false}, {SplineTo{{{6, -1}, {5, -5}}}, true}, {ArcTo{{-5, 0}, 9}, true}}};
-    const Section section =
-        GENERATE_COPY(Section{RailSection{0.025, RailSupport::foot, 2}}, Section{WheelRimSection{50, 1}},
-                      Section{EdgeBlock{100, 50, 1}, 2, 0.1}, Section{Groove{10, 10, 60, 70}},
-                      Section{RoundEnd{9.7, 60}}, Section{Disc{10, 1}}, Section{PlateHole{10, 100}},
-                      Section{Slab{1, 100}}, Section{OutlineSection{outline, {outline}, 1, 2, 0.3}});
+    const Section section = GENERATE_COPY(
+        Section{RailSection{0.025, RailSupport::foot, 2}}, Section{WheelRimSection{50, 1}},
+        Section{EdgeBlock{100, 50, 1}, 2, 0.1}, Section{Groove{10, 10, 60, 70}}, Section{RoundEnd{9.7, 60}},
+        Section{Disc{10, 1}}, Section{PlateHole{10, 100}}, Section{Slab{1, 100}},
+        Section{ProfileSection{{ProfileKind::rail, ProfilePoints{{{-9, 1}, {0, 0}, {9, 2}}, 10, true}}, 60, 1}},
+        Section{ProfileSection{{ProfileKind::wheel, S1002{}}, 50}},
+        Section{ProfileSection{{ProfileKind::rail, ArcProfile{300, 0, -20, 20}}, 50}},
+        Section{OutlineSection{outline, {outline}, 1, 2, 0.3}});
     const IcSpec spec = prism_spec(section);
     const json params = encode_ic_spec(spec);
     CHECK(violations_of("ic.get.params", params).empty());
@@ -56,6 +60,29 @@ TEST_CASE("A section has exactly one shape, and its parts one curve") {
     const json no_curve{
         {"outside", {{"start", {{"y", 0}, {"z", 0}}}, {"parts", {{{"held", true}}, {{"held", false}}}}}}};
     CHECK_THROWS_AS(decode_ic_spec(params_with({{"outline", no_curve}})), StatusError);
+}
+
+TEST_CASE("Points of a profile may come in a frame, and are refused when they are none") {
+    const std::array<double, 6> points{-9, 1, 0, 0, 9, 2};
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json written = arrays.write(std::span<const double>(points), {3, 2});
+    const std::vector<std::string> frames = arrays.take_frames();
+    const auto params = [](const json& points_of_profile) {
+        return params_with(
+            {{"profile_section", {{"kind", "rail"}, {"profile", {{"points", points_of_profile}}}, {"depth", 9}}}});
+    };
+    CHECK(violations_of("ic.get.params", params(written)).empty());
+    const IcSpec spec = decode_ic_spec(params(written), frames);
+    const auto& profile = std::get<ProfileSection>(spec.section->shape).profile;
+    CHECK(std::get<ProfilePoints>(profile.shape).points[2] == ProfilePoint{9, 2});
+    CHECK_THROWS_AS(decode_ic_spec(params(written)), StatusError);
+    CHECK_THROWS_AS(decode_ic_spec(params(json{{1, 2, 3}}), frames), StatusError);
+    CHECK_FALSE(
+        violations_of("ic.get.params", params_with({{"profile_section", {{"kind", "rail"}, {"depth", 9}}}})).empty());
+    CHECK_FALSE(
+        violations_of("ic.get.params",
+                      params_with({{"profile_section", {{"kind", "rail"}, {"profile", json::object()}, {"depth", 9}}}}))
+            .empty());
 }
 
 TEST_CASE("A prism's table comes with its frames and how it was made") {

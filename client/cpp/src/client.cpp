@@ -7,6 +7,7 @@
 #include "client_impl.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "contactd/refuse_below.hpp"
 
 namespace contactd::client {
@@ -80,6 +81,13 @@ std::string Client::export_ic(const IcSpec& spec, FileFormat format, const std::
     const Reply reply =
         impl_->call("ic.export", proto::encode_ic_export({spec, lower, format}), {}, options, wait_of(spec));
     return decoded([&] { return proto::decode_ic_file(reply.result, reply.frames); });
+}
+
+IcImport Client::import_ic(std::string_view file, const CallOptions& options) {
+    proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
+    json params = proto::encode_ic_import(file, arrays);
+    const Reply reply = impl_->call("ic.import", std::move(params), arrays.take_frames(), options);
+    return decoded([&] { return proto::decode_import_reply(reply.result); });
 }
 
 std::vector<StoredIc> Client::stored_ics(const CallOptions& options) {

@@ -60,12 +60,16 @@ class Frames(list[bytes]):
 
 
 def encode(value: Any, field: str, frames: Frames) -> Any:
-    """`value` as JSON. An array of any real dtype, byte order or memory layout goes to `frames`.
+    """`value` as JSON. An array of any real dtype, byte order or memory layout goes to `frames`, and so do
+    the bytes of a file.
 
     Numbers that are not finite are refused: JSON has no word for them, and no contact problem has a use for them.
     """
     if isinstance(value, np.ndarray):
         return _encode_array(value, field, frames)
+    if isinstance(value, bytes):
+        frames.append(value)
+        return {"$array": {"frame": len(frames), "dtype": "|u1", "shape": [len(value)]}}
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, Mapping):

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from .ic_table import IcEvidence
+from .ic_table import IcEvidence, IcSpec
 
-__all__ = ["ContactEvidence", "Discretisation", "IcUse", "SolverEvidence"]
+__all__ = ["ContactEvidence", "Discretisation", "IcUse", "ImportedIc", "SolverEvidence"]
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,8 @@ class IcUse:
     """Where the influence coefficients of one body came from.
 
     Attributes:
-        origin: "closed_form", "memory", "disk", "built", or "given" where the problem brought them along.
+        origin: "closed_form", "memory", "disk", "built", "given" where the problem brought them along, or "file" where
+            import_ic did.
         key: That of the table, as IcTable.key.
         evidence: How the table was made.
     """
@@ -62,6 +63,21 @@ class IcUse:
     origin: str
     key: str
     evidence: IcEvidence
+
+
+@dataclass(frozen=True)
+class ImportedIc:
+    """What import_ic has put into the daemon's store.
+
+    Attributes:
+        spec: What the file is a table of; of a prism dx and nx mean nothing, any are served.
+        ics: The table that is served now: its origin is "file", or where the one was that the daemon had already.
+        new: Whether the table of the file was kept; a table that the daemon had already stays.
+    """
+
+    spec: IcSpec
+    ics: IcUse
+    new: bool
 
 
 @dataclass(frozen=True)

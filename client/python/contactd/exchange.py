@@ -37,8 +37,8 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
     The file is whole or not there: it is written under another name first.
     """
     suffix = _suffix(path)
-    if isinstance(table, IcTable) and table.frames is not None:
-        raise ValueError("a prism's table is kept by the daemon, whose store has it: ask get_ic for it again")
+    if isinstance(table, IcTable) and table.frames is not None and suffix == ".txt":
+        raise ValueError(f"{os.fspath(path)!r} would be a text of offsets along x and y, which a prism has none of: take .npz")
     if suffix == ".npz":
         return write_whole(path, lambda file: np.savez(file, **_members(table)))
     if suffix == ".txt":
@@ -81,7 +81,8 @@ def _members(table: IcTable | TableIcs) -> dict[str, Any]:
         return {"array": table.array, "pair": json.dumps(pair)}
     spec = table_params(table.spec.material, table.spec.grid, table.spec.ics)
     evidence = asdict(table.evidence)
-    return {"array": table.array, "key": table.key, "spec": json.dumps(spec), "evidence": json.dumps(evidence)}
+    members = {"array": table.array, "key": table.key, "spec": json.dumps(spec), "evidence": json.dumps(evidence)}
+    return members if table.frames is None else {**members, "frames": table.frames}
 
 
 def _read_npz(path: PathLike) -> IcTable | TableIcs:
@@ -93,8 +94,10 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
         raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
-    if array is None or array.dtype.kind != "f" or array.ndim != 4 or array.shape[:2] != (3, 3):
-        raise TableFileError(f'{name} holds no table; there must be an array "array" of shape [3, 3, ny, nx]')
+    frames = members.get("frames")
+    shape = "[3, 3, ny, nx]" if frames is None else "[3, 3, ny, ny, nx], with frames"
+    if array is None or array.dtype.kind != "f" or array.ndim != 4 + (frames is not None) or array.shape[:2] != (3, 3):
+        raise TableFileError(f'{name} holds no table; there must be an array "array" of shape {shape}')
     if "pair" in members:
         pair = _json(members, "pair", name)
         try:
@@ -111,10 +114,12 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
         evidence = read(IcEvidence, _json(members, "evidence", name), "evidence")
     except ProtocolError as error:
         raise TableFileError(f"{name}: {str(error).replace('answer', 'file')}") from None
-    if array.shape[2:] != spec.grid.shape:
+    if array.shape[-2:] != spec.grid.shape or (frames is not None and array.shape[2] != spec.grid.ny):
         raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid says {list(spec.grid.shape)}")
+    if frames is not None and (frames.dtype.kind != "f" or frames.shape != (spec.grid.ny, 3) or not np.isfinite(frames).all()):
+        raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
     _check(array, spec, name)
-    return IcTable(str(members.get("key", "")), "file", spec, array, evidence)
+    return IcTable(str(members.get("key", "")), "file", spec, array, evidence, frames)
 
 
 def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:

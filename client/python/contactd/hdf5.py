@@ -15,7 +15,7 @@ from .errors import ContactdError, TableFileError
 from .grid import Grid
 from .ics import AnalyticIcs, FemIcs
 from .materials import Layer, LayeredBody, Material, RigidBody
-from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase
+from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
 
 __all__ = ["read_hdf5"]
 
@@ -58,18 +58,29 @@ def _table(file: Any, name: str) -> IcTable:
     spec, evidence = _attributes(file["spec"]), file["evidence"]
     if spec.get("any_nu"):
         raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
-    if spec.get("body") == "prism":
-        raise TableFileError(f"{name} holds the transform of a prism; ask the daemon for its table (get_ic)")
+    is_prism = spec.get("body") == "prism"
+    if is_prism and "influence_coefficients" not in file:
+        raise TableFileError(f"{name} holds the transform of a prism; give it to a daemon (import_ic), which makes tables of it")
     array = np.asarray(file["influence_coefficients"], dtype=np.float64)
-    if array.ndim != 4 or array.shape[:2] != (3, 3):
-        raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
+    if array.ndim != 4 + is_prism or array.shape[:2] != (3, 3):
+        rows = "ny, ny, nx" if is_prism else "ny, nx"
+        raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, {rows}]")
     dx = spec.get("dx", 1.0)
-    grid = Grid(array.shape[3], array.shape[2], dx, spec.get("dy", dx * spec["dy_over_dx"]))
+    grid = Grid(array.shape[-1], array.shape[-2], dx, spec.get("dy", dx * spec["dy_over_dx"]))
+    frames = _frames(file, grid, name) if is_prism else None
     kind: type[Any] = FemIcs if spec["source"] == "fem" else AnalyticIcs
     ics = kind(**{f.name: spec[f.name] for f in fields(kind) if f.name in spec and f.name != "any_nu"})
     layers = file["spec"].get("layers")
     material = Material(spec.get("G", 1.0), spec["nu"]) if layers is None else _layered(_attributes(layers))
-    return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(evidence))
+    return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(evidence), frames)
+
+
+def _frames(file: Any, grid: Grid, name: str) -> Any:
+    """Of a prism's columns; in the file their places are over the width of a column."""
+    frames = np.asarray(file["frames"], dtype=np.float64)
+    if frames.shape != (grid.ny, 3):
+        raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")
+    return frames * [grid.dy, grid.dy, 1.0]
 
 
 def _layered(said: dict[str, Any]) -> LayeredBody:
@@ -109,7 +120,15 @@ def _evidence(group: Any) -> IcEvidence:
         family_nu=tuple(said.get("family_nu", ())),
         interpolation_error=said.get("interpolation_error"),
         modelling_error=said.get("modelling_error"),
+        section=_section(said),
     )
+
+
+def _section(said: dict[str, Any]) -> SectionEvidence | None:
+    if "section_order" not in said:
+        return None
+    order, error = said["section_order"], said["section_error"]
+    return SectionEvidence(order=order, error=error, **{f.name: said[f.name] for f in fields(SectionEvidence) if f.name in said})
 
 
 def _errors(said: dict[str, Any]) -> IcErrors | None:

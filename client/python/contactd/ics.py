@@ -129,8 +129,9 @@ class FemIcs:
         max_iterations: Of conjugate gradients, per load case; default 1000.
         strength_threshold: Of BoomerAMG, 0 to 1; chosen for the mesh when left out.
         section: Of a prism: its cross-section as the wire has it (docs/protocol.md, docs/sections.md), for example
-            {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}. Its columns
-            are the rows of the grid, dy wide along the outline.
+            {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, or
+            {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail. Its
+            columns are the rows of the grid, dy wide along the outline.
     """
 
     preset: Preset | None = field(default=None, kw_only=False)
@@ -170,7 +171,20 @@ def ics_params(ics: Ics) -> dict[str, Any]:
         raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
     if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
         given["line_contact"] = plain(ics.line_contact)
+    if ics.section is not None:
+        given["section"] = _section_params(ics.section)
     return {"source": source, **given}
+
+
+def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
+    said = section.get("profile_section")
+    if not isinstance(said, Mapping) or "profile" not in said or isinstance(said["profile"], Mapping):
+        return section
+    from .wheel_rail_params import profile_params
+
+    profile = profile_params(said["profile"], "ics.section.profile_section.profile")
+    return {**section, "profile_section": {**said, "profile": profile}}
 
 
 def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:

@@ -73,12 +73,19 @@ class Saved(HasDict):
 
 
 def write_whole(path: PathLike, write: Any) -> None:
-    """Writes a file under another name first, so that nobody finds half of it."""
-    part = Path(f"{os.fspath(path)}.part")
+    """Writes a file under another name first, so that nobody finds half of it. A link goes on pointing where it does, and
+    what is no ordinary file, such as /dev/stdout, is written to as it is."""
+    place = Path(path)
+    if place.exists() and not place.is_file():
+        with place.open("wb") as file:
+            write(file)
+        return
+    place = Path(os.path.realpath(place))
+    part = Path(f"{place}.part")
     try:
         with part.open("wb") as file:
             write(file)
-        part.replace(path)
+        part.replace(place)
     finally:
         part.unlink(missing_ok=True)
 

@@ -36,9 +36,18 @@ def combined_modulus(upper: Material | LayeredBody, lower: Material | LayeredBod
 
 def check_finite(array: Array) -> None:
     """Raises ValueError naming the first coefficient that is no finite number."""
-    for i, j, l, k in np.argwhere(~np.isfinite(array))[:1]:
-        value, name = array[i, j, l, k], _AXES[i] + _AXES[j]
-        raise ValueError(f"array holds {value} for {name} at the offset ({k}, {l}); every coefficient must be finite")
+    for at in np.argwhere(~np.isfinite(array))[:1]:
+        i, j, *rows, k = at
+        place = f"the offset ({k}, {rows[0]})" if len(rows) == 1 else f"the columns {rows[0]} and {rows[1]}, offset {k}"
+        raise ValueError(f"array holds {array[tuple(at)]} for {_AXES[i] + _AXES[j]} at {place}; every coefficient must be finite")
+
+
+def _require_offsets(table: IcTable) -> None:
+    if table.frames is not None:
+        raise ValueError(
+            "the table is a prism's, of columns instead of offsets: export it (export_ic) and give it to the daemon that "
+            "solves (import_ic), where FemIcs with its section asks for it"
+        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -102,6 +111,8 @@ class TableIcs(Shown):
         Where the extents differ the smaller one counts.
         """
         lower = upper if lower is None else lower
+        for table in (upper, lower):
+            _require_offsets(table)
         grid, other = upper.spec.grid, lower.spec.grid
         for name in ("dx", "dy"):
             size, of_other = getattr(grid, name), getattr(other, name)
@@ -117,6 +128,7 @@ class TableIcs(Shown):
     @classmethod
     def of_body(cls, table: IcTable) -> TableIcs:
         """One body with this table, for `ContactProblem.upper_ics` or `lower_ics`."""
+        _require_offsets(table)
         return cls(table.array, table.spec.grid.dx, table.spec.grid.dy)
 
     @classmethod

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contactd/closed_form_record.hpp"
+#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_family.hpp"
 #include "request_in_flight.hpp"
@@ -76,6 +77,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         ++counters_.closed_form;
         return answer(caller, key, std::move(record), "closed_form");
     }
+    (void)column_frames(spec);  // tells of a bad section in the lengths of the request; what is built has columns of 1
     bool opened = false;
     const RequestPtr request = join_or_open(spec, key, caller, opened);
     if (opened) look_up(request);

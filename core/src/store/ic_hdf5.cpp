@@ -56,6 +56,18 @@ void write_table(H5::H5File& file, const IcTable& table, bool has_dimensions) {
     put(dataset, "units", has_dimensions ? std::string_view("mm^3/N, of spec/dx, spec/dy and spec/G") : units);
 }
 
+/// What a prism's transform says of the columns and offsets of a request: others read it, contactd the transform.
+void write_columns(H5::H5File& file, const IcRecord& record) {
+    const auto table = std::get<ColumnTable>(body_table(record, record.spec));
+    const auto nx = static_cast<hsize_t>(table.nx), columns = static_cast<hsize_t>(table.columns);
+    H5::DataSet dataset = create(file, table_name, FamilyShape{3, 3, columns, columns, nx});
+    dataset.write(table.values.data(), H5::PredType::NATIVE_DOUBLE);
+    put(dataset, "axes",
+        "displacement (x, along the outline, outward), load (the same), observed column, loaded column, offset along "
+        "x");
+    put(dataset, "units", "mm^3/N, of spec/dx, spec/dy and spec/G");
+}
+
 void write_family(H5::H5File& file, const std::vector<IcTable>& family) {
     const TableShape shape = shape_of(family.front());
     H5::DataSet dataset = create(file, family_name, FamilyShape{family.size(), shape[0], shape[1], shape[2], shape[3]});
@@ -118,13 +130,15 @@ std::vector<unsigned char> to_hdf5(const IcRecord& record) {
         put(file, "contactd_format", static_cast<long long>(format_version));
         write_spec(file.createGroup("spec"), record.spec);
         write_evidence(file.createGroup("evidence"), record.evidence);
-        if (const auto* spectrum = std::get_if<ColumnSpectrum>(&record.tables))
+        if (const auto* spectrum = std::get_if<ColumnSpectrum>(&record.tables)) {
             write_spectrum(file, *spectrum);
-        else if (std::holds_alternative<ColumnTable>(record.tables))
+            if (!is_dimensionless(record.spec)) write_columns(file, record);
+        } else if (std::holds_alternative<ColumnTable>(record.tables)) {
             throw StoreError(
                 "Tables of prisms that are made of half-spaces are not kept in files: making one is quicker.");
-        else
+        } else {
             write_table(file, record.table(), !is_dimensionless(record.spec));
+        }
         if (const auto* family = std::get_if<IcFamily>(&record.tables)) write_family(file, family->tables);
         file.flush(H5F_SCOPE_GLOBAL);
         const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);

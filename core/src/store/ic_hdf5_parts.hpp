@@ -9,9 +9,10 @@
 
 namespace contactd {
 
-/// A table of the store: for G = 1 and dx = 1. Those that leave contactd may have dimensions (mm^3/N).
+/// A table of the store: for G = 1 and dx = 1, of a prism also dy = 1. Those that leave contactd may have dimensions
+/// (mm^3/N).
 inline bool is_dimensionless(const IcSpec& spec) {
-    return spec.dx == 1 && spec.material.G == 1;
+    return spec.dx == 1 && spec.material.G == 1 && (!spec.section || spec.dy == 1);
 }
 
 void write_spec(H5::Group group, const IcSpec& spec);

@@ -46,12 +46,12 @@ Layers read_layers(const H5::Group& group) {
 }
 
 /// A dataset: attributes are small.
-void write_section(H5::Group& group, const Section& section) {
+void write_section(H5::Group& group, const Section& section, bool has_dimensions) {
     const std::vector<double> numbers = numbers_of(section);
     const hsize_t size = numbers.size();
     H5::DataSet dataset = group.createDataSet("section", H5::PredType::IEEE_F64LE, H5::DataSpace(1, &size));
     dataset.write(numbers.data(), H5::PredType::NATIVE_DOUBLE);
-    put(dataset, "units", "lengths over the width of a column");
+    put(dataset, "units", has_dimensions ? "lengths in mm" : "lengths over the width of a column");
 }
 
 Section read_section(const H5::DataSet& dataset) {
@@ -84,7 +84,7 @@ void write_spec(H5::Group group, const IcSpec& spec) {
         for_each_part_field<Part>(
             [&](const PartField<Part>& field) { put(object, field.name, (*value).*field.member); });
     });
-    if (spec.section) write_section(group, *spec.section);
+    if (spec.section) write_section(group, *spec.section, !is_dimensionless(spec));
     if (spec.layered) write_layers(group.createGroup("layers"), *spec.layered);
     if (spec.accuracy != 0) {
         put(group, "accuracy", spec.accuracy);

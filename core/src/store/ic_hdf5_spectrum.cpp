@@ -50,6 +50,9 @@ void write_spectrum(H5::H5File& file, const ColumnSpectrum& spectrum) {
     std::vector<double> frames;
     for (const ColumnFrame& frame : spectrum.frames) frames.insert(frames.end(), {frame.y, frame.z, frame.angle});
     write(file, frames_name, std::array<hsize_t, 2>{spectrum.frames.size(), 3}, frames.data());
+    H5::DataSet places = file.openDataSet(frames_name);
+    put(places, "axes", "column; y and z of its middle, angle of its normal from +z towards +y");
+    put(places, "units", "y and z over ds, the width of a column; angle in rad");
 }
 
 ColumnSpectrum read_spectrum(const H5::H5File& file, double nu) {

@@ -1,5 +1,6 @@
 // `bodies` and `ics` of a request: the bodies' own coefficients, or a shorthand for both beside them.
 #include "codec_parts.hpp"
+#include "codec_section.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 
@@ -48,7 +49,7 @@ json encode_body(const Body& body, bool with_ics, ArrayWriter& arrays) {
 Coefficients decode_coefficients(const json& ics, const std::vector<std::string>& frames, const Grid& grid,
                                  const std::string& field) {
     if (is_table(ics)) return decode_given_ics(ics, frames, grid, field);
-    return decode_ics(ics);
+    return decode_ics(ics, frames);
 }
 
 /// `shorthand` is the source of both bodies, or null.
@@ -60,7 +61,7 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
         return body;
     }
     if (source.contains("ics") && is_layered(source["ics"])) {  // also with quick models, which refuse them
-        const Ics ics = decode_ics(source["ics"]);
+        const Ics ics = decode_ics(source["ics"], frames);
         body.material = ics.layered->surface();
         body.ics = ics;
         return body;
@@ -73,7 +74,7 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
     if (source.contains("ics"))
         body.ics = decode_coefficients(source["ics"], frames, setup.grid, field + ".ics");
     else if (shorthand != nullptr)
-        body.ics = decode_ics(*shorthand);
+        body.ics = decode_ics(*shorthand, frames);
     else
         throw invalid_field(field + ".ics",
                             "is missing, and so is ics, which says it for both bodies; one of them must say where the "

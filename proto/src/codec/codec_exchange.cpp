@@ -1,6 +1,7 @@
 // Tables that leave and enter: ic.export, and coefficients given with contact.solve.
 #include "codec_parts.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/status.hpp"
 
 namespace contactd::proto {
@@ -53,8 +54,12 @@ json encode_ic_export(const IcExport& wanted) {
 }
 
 IcExport decode_ic_export(const json& params) {
+    return decode_ic_export(params, {});
+}
+
+IcExport decode_ic_export(const json& params, const std::vector<std::string>& frames) {
     IcExport wanted;
-    wanted.spec = decode_ic_spec(params);
+    wanted.spec = decode_ic_spec(params, frames);
     if (wanted.spec.line_contact)
         throw invalid_field("ics.line_contact", "is nothing that these files can say; ic.get answers such a table");
     wanted.format = meaning_of(params["format"], formats);
@@ -74,9 +79,28 @@ json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse
 
 std::string decode_ic_file(const json& result, const std::vector<std::string>& frames) {
     if (result.contains("text")) return result["text"].get<std::string>();
-    const std::vector<unsigned char> bytes =
-        read_byte_array(result["file"], frames, claimed_shape(result["file"], 1), "file");
+    const std::vector<unsigned char> bytes = decode_ic_import(result, frames);
     return {bytes.begin(), bytes.end()};
+}
+
+json encode_ic_import(std::string_view file, ArrayWriter& arrays) {
+    const std::span bytes(reinterpret_cast<const unsigned char*>(file.data()), file.size());
+    return {{"file", arrays.write(bytes, {bytes.size()})}};
+}
+
+std::vector<unsigned char> decode_ic_import(const json& params, const std::vector<std::string>& frames) {
+    return read_byte_array(params["file"], frames, claimed_shape(params["file"], 1), "file");
+}
+
+json encode_import_reply(const IcImport& imported) {
+    return {{"spec", encode_ic_spec(imported.spec)}, {"ics", encode_use(imported.use)}, {"new", imported.is_new}};
+}
+
+IcImport decode_import_reply(const json& result) {
+    const json& use = result["ics"];
+    return {decode_ic_spec(result["spec"]),
+            {use["origin"].get<std::string>(), use["key"].get<std::string>(), decode_evidence(use["evidence"])},
+            result["new"].get<bool>()};
 }
 
 }  // namespace contactd::proto

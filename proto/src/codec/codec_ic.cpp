@@ -1,7 +1,9 @@
 #include <cmath>
 
 #include "codec_parts.hpp"
+#include "codec_section.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/object.hpp"
 
 namespace contactd::proto {
@@ -35,8 +37,12 @@ json encode_ic_spec(const IcSpec& spec) {
 }
 
 IcSpec decode_ic_spec(const json& params) {
+    return decode_ic_spec(params, {});
+}
+
+IcSpec decode_ic_spec(const json& params, const std::vector<std::string>& frames) {
     const json& grid = params["grid"];
-    IcSpec spec{decode_ics(params["ics"]), {}, 0, 0, 0, 0};
+    IcSpec spec{decode_ics(params["ics"], frames), {}, 0, 0, 0, 0};
     spec.material = spec.layered ? spec.layered->surface() : decode_material(params["material"]);
     spec.dx = grid["dx"].get<double>();
     spec.dy = grid["dy"].get<double>();

@@ -130,12 +130,16 @@ json encode_ics(const Ics& ics) {
 }
 
 Ics decode_ics(const json& source) {
+    return decode_ics(source, {});
+}
+
+Ics decode_ics(const json& source, const std::vector<std::string>& frames) {
     Ics ics;
     read_name(source["source"], ics.source);
     if (source.contains("body")) read_name(source["body"], ics.body);
     if (source.contains("load_shape")) read_name(source["load_shape"], ics.load_shape);
     if (ics.body == BodyShape::layered) ics.layered = decode_layers(source);
-    if (source.contains("section")) ics.section = decode_section(source["section"], "ics.section");
+    if (source.contains("section")) ics.section = decode_section(source["section"], frames, "ics.section");
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
         if (source.contains(part.name)) ics.*part.member = decode_part<Part>(source[part.name]);
     });

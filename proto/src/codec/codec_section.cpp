@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "codec_parts.hpp"
+#include "codec_profile.hpp"
+#include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/section_fields.hpp"
 
@@ -16,6 +18,7 @@ using nlohmann::json;
 
 template <class Value>
 json encode(const Value& value);
+json encode(const ProfileSection& section);
 
 /// An alternative stands under its own name in the place of the field that holds it.
 template <class Value>
@@ -26,6 +29,15 @@ template <class... Alternatives>
 void put(json& object, const char*, const std::variant<Alternatives...>& value) {
     constexpr auto& names = alternative_names<std::variant<Alternatives...>>;
     std::visit([&](const auto& alternative) { object[names[value.index()]] = encode(alternative); }, value);
+}
+
+/// A profile as wheels and rails have it, and whose it is.
+json encode(const ProfileSection& section) {
+    ArrayWriter plain_lists(ArrayEncoding::list);
+    return object({{"kind", name_of(section.profile.kind)},
+                   {"profile", encode_profile(section.profile, plain_lists)},
+                   {"depth", finite_field(section.depth, "ics.section.profile_section.depth")},
+                   {"from", finite_field(section.from, "ics.section.profile_section.from")}});
 }
 
 template <class Value>
@@ -54,6 +66,15 @@ json encode(const Value& value) {
 
 class Reader {
    public:
+    explicit Reader(const std::vector<std::string>& frames) : frames_(frames) {}
+
+    void get(const json& source, const std::string& field, ProfileSection& section) const {
+        ProfileKind kind{};
+        read_name(source["kind"], kind);
+        section.profile = decode_profile(source["profile"], kind, frames_, field + ".profile");
+        section.depth = source["depth"].get<double>();
+        section.from = source.value("from", section.from);
+    }
     template <class Value>
     void get(const json& source, const std::string& field, Value& value) const {
         if constexpr (HasWords<Value>)
@@ -94,6 +115,8 @@ class Reader {
         };
         (read(std::type_identity<Alternatives>()), ...);
     }
+
+    const std::vector<std::string>& frames_;
 };
 
 }  // namespace
@@ -102,9 +125,9 @@ json encode_section(const Section& section) {
     return encode(section);
 }
 
-Section decode_section(const json& source, const std::string& field) {
+Section decode_section(const json& source, const std::vector<std::string>& frames, const std::string& field) {
     Section section;
-    Reader().get(source, field, section);
+    Reader(frames).get(source, field, section);
     return section;
 }
 

@@ -1,14 +1,22 @@
 // The cross-section of a prism.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
-#include "contactd/section.hpp"
+#include "contactd/ic_spec.hpp"
 
 namespace contactd::proto {
 
+/// Points of a profile as plain lists.
 nlohmann::json encode_section(const Section& section);
-/// Of what has passed its schema. Throws StatusError where there is not exactly one shape, or one curve of a part.
-Section decode_section(const nlohmann::json& source, const std::string& field);
+/// Of what has passed its schema. Throws StatusError where there is not exactly one shape, or one curve of a part, and
+/// for points of a profile that are no pairs, in `frames` or not.
+Section decode_section(const nlohmann::json& source, const std::vector<std::string>& frames, const std::string& field);
+
+/// As decode_ics, of a request whose section may hold arrays.
+Ics decode_ics(const nlohmann::json& json, const std::vector<std::string>& frames);
 
 }  // namespace contactd::proto

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "codec_parts.hpp"
+#include "codec_section.hpp"
 #include "contactd/proto/codec.hpp"
 
 namespace contactd::proto {
@@ -137,7 +138,7 @@ SubsurfaceRequest decode_subsurface_request(const json& params, const std::vecto
     request.grid = decode_grid(params["grid"]);
     request.nu = params["nu"].get<double>();
     if (params.contains("body")) request.body = meaning_of(params["body"], bodies);
-    if (params.contains("ics")) request.ics = decode_ics(params["ics"]);
+    if (params.contains("ics")) request.ics = decode_ics(params["ics"], frames);
     check_has_stresses(request.ics);
     if (params.contains("block"))
         request.points = decode_block(params["block"], frames, limits);

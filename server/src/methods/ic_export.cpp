@@ -4,8 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "contactd/column_frames.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "engine/ics/ic_pair.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
@@ -32,7 +34,11 @@ IcUse use_of(const IcAnswer& answer) {
 
 void answer_with_ic_file(const Export& work) {
     const IcRecord& held = *work.answers[0].record;
-    IcRecord record{work.specs[0], table_for(held, work.specs[0]), held.evidence};
+    IcRecord record{work.specs[0], {}, held.evidence};
+    if (record.spec.section)
+        record.tables = held.tables;
+    else
+        record.tables = table_for(held, record.spec);
     record.spec.any_nu = false;  // what leaves is one table of the family
     proto::ArrayWriter arrays(work.call->request.arrays);
     const nlohmann::json result = proto::encode_hdf5_reply(to_ic_file(record), use_of(work.answers[0]), arrays);
@@ -57,6 +63,27 @@ void answer(const ExportPtr& work) {
     });
 }
 
+/// Of a prism, before anything is built.
+void check_section(const IcExport& wanted, std::size_t most_bytes) {
+    const IcSpec& spec = wanted.spec;
+    if (wanted.format == FileFormat::contact)
+        throw InvalidArgument("format",
+                              "is contact, whose text has offsets along x and y, which a prism has none of; take hdf5");
+    if (spec.source == IcSource::analytic)
+        throw InvalidArgument("ics.source",
+                              "is analytic; half-spaces that are turned are quicker made than read, take ic.get");
+    (void)column_frames(spec);  // tells of a bad section in the lengths of the request
+    constexpr double bytes_per_value = 9 * sizeof(double);
+    const double size = bytes_per_value * spec.nx * table_rows(spec);
+    if (size > static_cast<double>(most_bytes))
+        throw proto::invalid_field("grid.nx",
+                                   "and ny make a table of " + std::to_string(static_cast<long long>(size)) +
+                                       " bytes; at most " + std::to_string(most_bytes) +
+                                       " are allowed (limits.max_frame_bytes). Who imports the file is served whatever "
+                                       "its nx, 1 is enough",
+                                   proto::reason::limit_exceeded);
+}
+
 void check_size(const IcSpec& spec, std::size_t most_bytes) {
     const double size = contact_text_size(spec.nx, spec.ny);
     if (size > static_cast<double>(most_bytes))
@@ -72,14 +99,12 @@ void check_size(const IcSpec& spec, std::size_t most_bytes) {
 void export_table(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     check_grid_limit(call->request.params, parts.config.max_grid_elements);
-    const IcExport wanted = proto::decode_ic_export(call->request.params);
+    const IcExport wanted = proto::decode_ic_export(call->request.params, call->request.frames);
     auto work = std::make_shared<Export>();
     work->call = call;
     work->format = wanted.format;
     work->specs.fill(wanted.spec);
-    if (wanted.spec.section)
-        throw InvalidArgument(
-            "ics.body", "is prism; files hold tables of offsets along x and y, which it has none of: take ic.get");
+    if (wanted.spec.section) check_section(wanted, parts.config.limits.max_frame_bytes);
     if (wanted.lower) work->specs[1].material = *wanted.lower;
     engine::validate_body(work->specs[0], "material");
     engine::validate_body(work->specs[1], "lower");

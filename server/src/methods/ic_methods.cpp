@@ -6,7 +6,9 @@
 #include "contactd/column_frames.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "ic_export.hpp"
+#include "ic_import.hpp"
 #include "ic_list.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
@@ -21,7 +23,7 @@ namespace {
 void get_table(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     check_grid_limit(call->request.params, parts.config.max_grid_elements);
-    const IcSpec spec = proto::decode_ic_spec(call->request.params);
+    const IcSpec spec = proto::decode_ic_spec(call->request.params, call->request.frames);
     validate(spec);
     const proto::IcPart part = proto::decode_ic_part(call->request.params, table_rows(spec));
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
@@ -48,6 +50,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
 void add_ic_methods(MethodTable& methods) {
     methods.add({.name = "ic.get", .handle = get_table});
     methods.add({.name = "ic.export", .handle = export_table});
+    methods.add({.name = "ic.import", .handle = import_table});
     methods.add({.name = "ic.list", .handle = list_tables});
     methods.add({.name = "ic.delete", .handle = delete_tables});
 }

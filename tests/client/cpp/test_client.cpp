@@ -246,6 +246,14 @@ TEST_CASE("What the daemon says of itself is read", "[client]") {
         CHECK(quarantined[0].failures == 2);
         CHECK(quarantined[0].message == "No.");
     }
+    SECTION("what was imported") {
+        answer = example("ic.import.result");
+        const IcImport imported = client.import_ic("the bytes of a file");
+        CHECK(imported.is_new);
+        CHECK(imported.use.key == answer["ics"]["key"].get<std::string>());
+        CHECK(imported.spec.nx == 12);
+        CHECK(params["file"]["$array"]["shape"] == json{19});
+    }
     SECTION("how many tables went") {
         answer = example("ic.delete.result");
         CHECK(client.delete_ic(answer["key"]) == 1);

@@ -11,6 +11,7 @@ import pytest
 from contactd import (
     AnalyticIcs,
     FemIcs,
+    ImportedIc,
     Job,
     Layer,
     LayeredBody,
@@ -76,6 +77,7 @@ def test_the_documentation_has_every_option_and_every_word(document):
         (Job, "job.list.result", "jobs"),
         (StoredIc, "ic.list.result", "tables"),
         (QuarantinedIc, "ic.list.result", "quarantined"),
+        (ImportedIc, "ic.import.result", ""),
         (SessionSummary, "session.list.result", "sessions"),
         (Progress, "progress", "progress"),
     ],

@@ -41,9 +41,11 @@ from contactd.partial import read_solution
 from contactd.reading import read
 from contactd.solution import IcTable
 from contactd.wheel_rail import (
+    S1002,
     ConeProfile,
     ProfilePoints,
     Rail60E1,
+    RailSprings,
     Track,
     WheelRailFriction,
     WheelRailSetup,
@@ -98,8 +100,9 @@ VALUES = {
     "stresses in a block": stress(StressBlock(GRID.x, 0.0, [0.0, -1.0])),
     "stresses at points": stress(points=np.zeros((4, 3))),
     "a wheel on a rail": WheelRailSetup(
-        side="left", wheel=ConeProfile(-0.05, ends=(-30.0, 30.0)), track=Track(rail_origin=(717.5, 0.0)), lower=STEEL, upper=STEEL,
+        side="left", wheel=ConeProfile(-0.05, ends=(-30.0, 30.0)), track=Track(rail_origin=(717.5, 0.0), springs=RailSprings(z=1e5)), lower=STEEL, upper=STEEL,
         rail_slices=[(0.0, Rail60E1(0.025)), (9.0, ProfilePoints([[float(i), 0.1] for i in range(200)]))],
+        wheel_slices=[(-0.1, S1002()), (0.1, ConeProfile(-0.05))],
         friction=WheelRailFriction([(-1.2, 0.1), (-0.4, 0.3)]),
     ),
     "a state": WheelRailState(position=WheelsetPosition(y=3.0), Fz=8e4, derivatives=True),

@@ -13,7 +13,7 @@ from ..ics import Ics, table_params, table_shape
 from ..materials import LayeredBody, Material
 from ..pieces import fetch_in_pieces
 from ..reading import read
-from ..solution import IcTable, QuarantinedIc, StoredIc
+from ..solution import IcTable, ImportedIc, QuarantinedIc, StoredIc
 from .asking import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
 
@@ -86,6 +86,18 @@ class TableCalls(Caller):
         if not isinstance(content, np.ndarray) or content.dtype != np.uint8:
             raise ProtocolError("The answer to ic.export lacks its file.")
         return content.tobytes()
+
+    @asks
+    def import_ic(self, file: bytes, *, timeout: float | None = None) -> Answering[ImportedIc]:
+        """Puts a table into the daemon's store, from the content of a file: of export_ic ("hdf5"), or of another store.
+
+        What the daemon has already stays. Tables of prisms then serve any length and number of elements along x. Their
+        evidence says that they were imported. Raises InvalidArgument for what is no such file, a damaged one, or one of
+        a closed form.
+        """
+        if not isinstance(file, bytes | bytearray | memoryview):
+            raise TypeError(f"file is {file!r}; it must be the bytes of a file, such as Path(name).read_bytes()")
+        return read(ImportedIc, (yield from self.asked("ic.import", {"file": bytes(file)}, timeout=timeout)))
 
     def stored_asked(self, after: str | None, timeout: float | None) -> Answering[tuple[list[StoredIc], str | None]]:
         """A thousand tables of the store that follow `after`, and what the next ones follow; None: there are none."""

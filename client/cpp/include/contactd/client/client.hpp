@@ -22,6 +22,7 @@
 #include "contactd/client/server_info.hpp"
 #include "contactd/conicity.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/ic_import.hpp"
 #include "contactd/ic_reply.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/solve_reply.hpp"
@@ -100,6 +101,11 @@ class Client {
     /// CONTACT program takes the coefficients of a pair of bodies, of which `lower` is the second (none: as the first).
     std::string export_ic(const IcSpec& spec, FileFormat format = FileFormat::hdf5,
                           const std::optional<Material>& lower = {}, const CallOptions& options = {});
+
+    /// Puts the content of a file into the daemon's store: of export_ic (HDF5), or one of another store. What it has
+    /// already stays. Throws StatusError (INVALID_ARGUMENT) for what is no such file, a damaged one, or one of a closed
+    /// form.
+    IcImport import_ic(std::string_view file, const CallOptions& options = {});
 
     /// The tables in the daemon's store, by name; asked for a thousand at a time.
     std::vector<StoredIc> stored_ics(const CallOptions& options = {});
