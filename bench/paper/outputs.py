@@ -24,7 +24,7 @@ def write_part(section: Section, name: str, store: ResultStore, folder: Path, sa
         elif result is not None:
             rows.append(section.row(case, result))
     written = [folder / f"{name}.csv"]
-    write_csv(written[0], rows, section.columns)
+    write_csv(written[0], rows, section.part_columns.get(name, section.columns))
     # From the file, as the page: picture and page cannot differ.
     rows = read_csv(written[0])
     if name in section.pictures:

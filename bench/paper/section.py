@@ -61,3 +61,4 @@ class Section:
     summary: Callable[[Result], str]  #: one line of progress
     solver: Callable[[Path], AbstractContextManager[Measure]]  #: what computes, of the folder with the programs
     tables: Mapping[str, Table] = field(default_factory=dict)  #: by part
+    part_columns: Mapping[str, Sequence[str]] = field(default_factory=dict)  #: of parts whose columns are others

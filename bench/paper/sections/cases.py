@@ -1,4 +1,4 @@
-"""What is computed: one Case is a contact or a table, and its place in a figure."""
+"""What is computed: one Case is a contact or a table, or a check of some, and its place in a figure."""
 
 from __future__ import annotations
 
@@ -24,17 +24,29 @@ DISTANCES = (5, 3, 2, 1, 0.5, 0)
 #: Lateral shifts of a wheelset S1002 on 60E1 at 1/40 (mm), and how its contacts are solved.
 SHIFTS = (0, 5.5, 6, 6.5, 6.75)
 WAYS = ("off", "half_space", "rotated", "fem")
-#: Bodies whose tables are built, with columns of 0.5 mm, 20 to 80 of them.
-BODIES: dict[str, tuple[Spec, int]] = {
-    "edge at 0.5 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20),
-    "edge at 2 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, 20),
-    "60E1 head": ({"rail_60e1": {"from": 2}}, 80),
-    "groove R10": ({"groove": {"radius": 10, "depth": 10, "width": 120, "height": 70}}, 41),
-    "round end R9.7": ({"round_end": {"radius": 9.7, "length": 60}}, 41),
-    "layer of one column": ({"slab": {"thickness": 0.5, "width": 150}}, 20),
+#: Bodies whose tables are built, with columns of 0.5 mm, 20 to 80 of them, and Poisson's ratio.
+BODIES: dict[str, tuple[Spec, int, float]] = {
+    "edge at 0.5 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.28),
+    "edge at 2 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, 20, 0.28),
+    "edge at 10 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 5}}, 20, 0.28),
+    "60E1 head": ({"rail_60e1": {"from": 2}}, 80, 0.28),
+    "groove R10": ({"groove": {"radius": 10, "depth": 10, "width": 120, "height": 70}}, 41, 0.28),
+    "round end R9.7": ({"round_end": {"radius": 9.7, "length": 60}}, 41, 0.28),
+    "layer of one column": ({"slab": {"thickness": 0.5, "width": 150}}, 20, 0.28),
+    "edge at 0.5 columns, nu 0.49": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.49),
+    "groove R5, nu 0.45": ({"groove": {"radius": 5, "depth": 5, "width": 60, "height": 40}}, 25, 0.45),
 }
 ACCURACIES = (1e-2, 1e-3)
 FINEST = 1e-4  # what the others are measured against
+#: Half angles of contact of a cylinder in a hole (degrees), of 20 columns or more.
+HALF_ANGLES = (20, 30, 45, 60, 75, 80)
+#: Radii of grooves (mm) in which a roller of 10 mm lies, and bodies that both are taken for.
+GROOVES = (10.25, 10.10, 10.05, 10.02)
+BODIES_IN_GROOVES = ("half_space", "rotated", "sections")
+#: Orders of elements in three dimensions, whether by a factor instead of BoomerAMG, and their meshes: lengths are over the
+#: width of a column.
+SOLID_ORDERS = {1: 0, 2: 0, 3: 1}
+SOLID = {"columns": 1, "offsets": 9, "edges": 2, "growth": 1.8, "length": 250, "many": 80}
 
 
 def edges() -> list[Case]:
@@ -53,17 +65,38 @@ def throat() -> list[Case]:
 
 def tables() -> list[Case]:
     return [
-        Case("tables", name, "accuracy", accuracy, {"kind": "table", "section": section, "columns": columns, "accuracy": accuracy})
-        for name, (section, columns) in BODIES.items()
+        Case("tables", name, "accuracy", accuracy, {"kind": "table", **body, "accuracy": accuracy})
+        for name, (section, columns, nu) in BODIES.items()
+        for body in [{"section": section, "columns": columns, "nu": nu}]
         for accuracy in ACCURACIES
-    ]  # fmt: skip
+    ]
 
 
-PARTS = {"edges": edges, "throat": throat, "tables": tables}
+def persson() -> list[Case]:
+    return [Case("persson", "columns of 1°", "half_angle", a, {"kind": "persson", "half_angle": a}) for a in HALF_ANGLES]
+
+
+def groove() -> list[Case]:
+    return [
+        Case("groove", body, "radius", radius, {"kind": "groove", "radius": radius, "body": body})
+        for body in BODIES_IN_GROOVES
+        for radius in GROOVES
+    ]
+
+
+def solid() -> list[Case]:
+    return [
+        Case("solid", "edge at 0.5 columns", "order", order, {"kind": "solid", "order": order, "factor": factor, **SOLID})
+        for order, factor in SOLID_ORDERS.items()
+    ]
+
+
+PARTS = {"edges": edges, "throat": throat, "tables": tables, "persson": persson, "groove": groove, "solid": solid}
+EFFORTS = {"persson": 10.0, "groove": 5.0, "solid": 100.0}
 
 
 def effort(spec: Spec) -> float:
     """Guessed processor seconds."""
     if spec["kind"] == "table":
         return 2.0 + 5e-3 * spec["columns"] ** 2
-    return 6.0 if spec.get("conformal") == "fem" else 1.0
+    return EFFORTS.get(spec["kind"], 6.0 if spec.get("conformal") == "fem" else 1.0)

@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..drawing import BLUE, INK, ORANGE, RED, Look, finish, new_figure, save
+import numpy as np
+
+from ..drawing import BLUE, GREEN, INK, ORANGE, RED, Look, finish, new_figure, save
 from ..rows import Row, select
 from .findings import creep_forces, more
+from .findings_checks import solid_seconds
+from .persson import pressure
 
 LOOKS = {
     "off": Look("one plane", INK, "o"),
@@ -58,4 +62,39 @@ def tables(rows: Sequence[Row], path: Path) -> None:
     axes.set_xticks(range(len(names)), names, rotation=20, ha="right")
     axes.legend(frameon=False, ncols=2)
     finish(axes, "Errors of tables, over zz of the half-space on itself", "error")
+    save(figure, path)
+
+
+def persson(rows: Sequence[Row], path: Path) -> None:
+    figure, (axes,) = new_figure(1, 6.4, 4.2)
+    colours = dict(zip((30, 45, 60, 80), (BLUE, GREEN, ORANGE, RED), strict=True))
+    for row in rows:
+        if (degrees := int(row["value"])) not in colours:
+            continue
+        angles, pressures = (np.array([float(word) for word in str(row[name]).split()]) for name in ("angles", "pressures"))
+        fine = np.linspace(-degrees, degrees, 801)
+        axes.plot(fine, pressure(np.radians(degrees), np.radians(fine)), color=colours[degrees], linewidth=1.4)
+        axes.plot(angles, pressures, "o", color=colours[degrees], markersize=2.6, label=f"{degrees}°")
+    axes.plot([], [], color=INK, linewidth=1.4, label="Persson")
+    axes.legend(title="half angle", frameon=False, fontsize=9)
+    axes.set_xlabel("angle from the bottom (degrees)")
+    axes.set_ylim(0, None)
+    finish(axes, "a cylinder in a hole, columns of one degree", "pressure $p R/Q$")
+    save(figure, path)
+
+
+def solid(rows: Sequence[Row], path: Path) -> None:
+    figure, (errors, costs) = new_figure(2, 5)
+    orders = [row["value"] for row in rows]
+    errors.semilogy(orders, [row["found"] for row in rows], "o-", color=BLUE, label="three dimensions")
+    errors.axhline(rows[0]["stated"], color=RED, linestyle=":", label="the transform's stated error")
+    paper = [row for row in rows if row["iterations"] > 0]  # by the paper's solver
+    costs.semilogy([row["value"] for row in paper], [solid_seconds(row) for row in paper], "o-", color=BLUE, label="three dimensions, estimated")
+    costs.semilogy(orders, [row["transform_seconds"] for row in rows], "s-", color=RED, label="transform to 1e-3")
+    for axes in (errors, costs):
+        axes.set_xticks(orders)
+        axes.set_xlabel("order of the elements in three dimensions")
+        axes.legend(frameon=False)
+    finish(errors, "a column beside an edge", "difference to the transform, over zz")
+    finish(costs, "80 columns, three directions", "processor time (s)")
     save(figure, path)

@@ -1,4 +1,4 @@
-"""One computation, by a daemon of our own."""
+"""One computation: by a daemon of our own, its builder, or a program beside them."""
 
 from __future__ import annotations
 
@@ -13,30 +13,43 @@ from contactd.wheel_rail import Rail60E1, WheelRailSetup, WheelRailState, Wheels
 
 from ..measuring import measuring
 from ..section import Measure
+from . import groove, solid
 from .cases import FINEST, Spec
+from .persson import Cylinders
 
 STEEL = Material(G=82000, nu=0.28)
 SIZE = 0.5  # of columns and elements of a table (mm)
-OFFSETS = 40  # of the tables that are compared
+OFFSETS = 60  # of the tables that are compared
+COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
 BLOCK = {"edge_block": {"width": 100, "height": 50}}
 SPEED, RADIUS, FZ = 20e3, 460.0, 80e3
 
 
 def solver(programs: Path) -> AbstractContextManager[Measure]:
     """A daemon for as long as the `with` block."""
-    return measuring(programs, lambda client: Solver(client).measure)
+    return measuring(programs, lambda client: Solver(client, programs).measure)
 
 
 class Solver:
-    """Answers requests with a daemon, one after the other."""
+    """Answers requests, one after the other."""
 
-    def __init__(self, client: Client) -> None:
+    def __init__(self, client: Client, programs: Path) -> None:
         self._client = client
+        self._programs = programs
+        self._cylinders = Cylinders(programs)
         self._finest: dict[str, Any] = {}
 
     def measure(self, spec: Spec) -> dict[str, Any]:
         """What the figures show. A solve that did not converge: {"failure": text}."""
-        return {"edge": self._edge, "throat": self._throat, "table": self._table}[spec["kind"]](spec)
+        kinds = {
+            "edge": self._edge,
+            "throat": self._throat,
+            "table": self._table,
+            "persson": lambda spec: self._cylinders.measure(spec["half_angle"]),
+            "groove": lambda spec: groove.measure(self._client, spec["radius"], spec["body"]),
+            "solid": lambda spec: solid.measure(self._programs, {k: v for k, v in spec.items() if k != "kind"}),
+        }
+        return kinds[spec["kind"]](spec)
 
     def _edge(self, spec: Spec) -> dict[str, Any]:
         ics = FemIcs(body="prism", section=BLOCK, accuracy=1e-2) if spec["body"] == "block" else AnalyticIcs()
@@ -64,14 +77,14 @@ class Solver:
         return {"pmax": patch.solution.pmax, "approach": patch.place.approach, "Fx": track.Fx, "Fy": track.Fy}
 
     def _table(self, spec: Spec) -> dict[str, Any]:
-        """Found: the largest difference of nn, xx and ss to the finest accuracy, over zz of the half-space on itself."""
-        name = str(spec["section"])
+        """Found: the largest difference of any component to the finest accuracy, over zz of the half-space on itself."""
+        name = f"{spec['section']} {spec['nu']}"
         if name not in self._finest:
             self._finest[name] = self._built(spec, FINEST)
         finest = self._finest[name]
         table = self._built(spec, spec["accuracy"])
-        scale = self._client.get_ic(STEEL, Grid.centred(1, 1, SIZE, SIZE), AnalyticIcs())["zz"][0, 0]
-        found = max(float(np.abs(table[ij] - finest[ij]).max()) for ij in ("zz", "xx", "yy")) / float(scale)
+        scale = self._client.get_ic(material(spec), Grid.centred(1, 1, SIZE, SIZE), AnalyticIcs())["zz"][0, 0]
+        found = max(float(np.abs(table[ij] - finest[ij]).max()) for ij in COMPONENTS) / float(scale)
         assert table.evidence.section is not None
         assert finest.evidence.section is not None
         return {
@@ -84,4 +97,9 @@ class Solver:
     def _built(self, spec: Spec, accuracy: float) -> Any:
         columns = spec["columns"]
         grid = Grid.centred(OFFSETS, columns, OFFSETS * SIZE, columns * SIZE)
-        return self._client.get_ic(STEEL, grid, FemIcs(body="prism", section=spec["section"], accuracy=accuracy))
+        ics = FemIcs(body="prism", section=spec["section"], accuracy=accuracy)
+        return self._client.get_ic(material(spec), grid, ics)
+
+
+def material(spec: Spec) -> Material:
+    return Material(G=STEEL.G, nu=spec["nu"])

@@ -7,8 +7,20 @@ from typing import Any
 from ..rows import Row
 from .cases import Case
 
+PLACE = ["curve", "parameter", "value"]
 RESULTS = ["pmax", "approach", "Fx", "Fy", "stated", "found", "finest", "seconds"]
-COLUMNS = ["curve", "parameter", "value", *RESULTS]
+COLUMNS = [*PLACE, *RESULTS]
+#: Of checks.
+PART_RESULTS = {
+    "persson": ["p0", "p0_exact", "half_angle", "angles", "pressures"],  # lists are texts, with blanks between
+    "groove": ["pmax", "approach"],
+    "solid": [
+        *("found", "stated", "elements", "dofs", "loads", "iterations"),
+        *("seconds", "assembly_seconds", "setup_seconds", "solve_seconds"),
+        *("many_dofs", "many_loads", "transform_seconds", "transform_error"),
+    ],
+}
+PART_COLUMNS = {part: [*PLACE, *results] for part, results in PART_RESULTS.items()}
 
 
 def row(case: Case, result: dict[str, Any]) -> Row:
@@ -16,5 +28,5 @@ def row(case: Case, result: dict[str, Any]) -> Row:
         "curve": case.curve,
         "parameter": case.parameter,
         "value": case.value,
-        **{name: result[name] for name in RESULTS if name in result},
+        **{name: result[name] for name in PART_RESULTS.get(case.part, RESULTS) if name in result},
     }

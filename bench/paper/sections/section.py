@@ -10,7 +10,7 @@ from . import figures
 from .cases import PARTS, Spec, effort
 from .findings import find
 from .measure import solver
-from .rows import COLUMNS, row
+from .rows import COLUMNS, PART_COLUMNS, row
 
 
 def efforts(specs: Sequence[Spec]) -> list[float]:
@@ -18,6 +18,10 @@ def efforts(specs: Sequence[Spec]) -> list[float]:
 
 
 def summary(result: dict[str, Any]) -> str:
+    if "p0" in result:
+        return f"p0 {result['p0']:.4f}, exactly {result['p0_exact']:.4f}; half angle {result['half_angle']:.2f} degrees"
+    if "dofs" in result:
+        return f"{result['dofs']} unknowns, {result['seconds']:.0f} s, differs by {result['found']:.1e}"
     if "pmax" in result:
         return f"pmax {result['pmax']:.0f} N/mm², approach {1000 * result['approach']:.1f} µm"
     return f"error stated {result['stated']:.1e}, found {result['found']:.1e}"
@@ -29,9 +33,16 @@ SECTION = Section(
     parts=PARTS,
     columns=COLUMNS,
     row=row,
-    pictures={"edges": figures.edges, "throat": figures.throat, "tables": figures.tables},
+    pictures={
+        "edges": figures.edges,
+        "throat": figures.throat,
+        "tables": figures.tables,
+        "persson": figures.persson,
+        "solid": figures.solid,
+    },
     find=find,
     efforts=efforts,
     summary=summary,
     solver=solver,
+    part_columns=PART_COLUMNS,
 )

@@ -185,7 +185,7 @@ def run(options: argparse.Namespace) -> int:
             elif options.what == "profiles":
                 checks, question = show_profiles(client, options.output), "Is it as closed forms have it?"
             elif options.what == "conformal":
-                checks, question = show_conformal(client, options.output), "Is it as the prototype had it?"
+                checks, question = show_conformal(client, options.bin, options.output), "Is it as the prototype had it?"
             else:
                 checks = [*show_steel_table(client), *show_cattaneo(client, options.output)]
                 question = "Is it as accurate as the paper?"

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 from conformal_picture import draw_conformal
+from section_meshes import SectionMesh, section_mesh
 from terminal import ProgressBar, say, section, styled, table
 
 from contactd import (
@@ -46,6 +47,7 @@ WAYS = {
     "fem": "curved, finite elements",
 }
 CORNER = {"rail_60e1": {"from": 20}}
+RIM = {"rim_s1002": {"from": 18}}
 BALL, LOAD, BLOCK, EDGE_SIZE = 50.0, 5e3, {"width": 100, "height": 50}, 0.25  # mm, N, mm, mm
 DISTANCES = {3.0: (0.003, 0.09), 0.5: (-0.22, 0.43), 0.0: (-0.45, 0.50)}  # of pmax and approach, by a prototype
 
@@ -70,13 +72,27 @@ class Edge:
     block: ContactSolution
 
 
-def show_conformal(client: Client, output: Path) -> list[Check]:
+def show_conformal(client: Client, binaries: Path, output: Path) -> list[Check]:
     throat = show_throat(client)
     edges = show_edges(client)
     output.parent.mkdir(parents=True, exist_ok=True)
-    draw_conformal(output, throat, edges)
+    draw_conformal(output, throat, edges, meshes(client, binaries))
     say(f"The picture: {styled(str(output), 'bold')}")
     return [*throat_checks(throat.solutions), *edge_checks(edges)]
+
+
+def meshes(client: Client, binaries: Path) -> dict[str, SectionMesh]:
+    """What finite elements make of the sections: of columns like those above."""
+    found = {}
+    for name, shape, columns, size in (
+        ("head of 60E1", CORNER, 64, SIZE),
+        ("rim of S1002", RIM, 64, SIZE),
+        ("block with an edge", {"edge_block": BLOCK}, 24, EDGE_SIZE),
+    ):
+        grid = Grid.centred(1, columns, size, columns * size)
+        frames = client.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=shape)).frames
+        found[name] = section_mesh(binaries, STEEL, grid, {"section": shape, "accuracy": 1e-2}, frames)
+    return found
 
 
 # --- a wheel's throat in a gauge corner ------------------------------------------------------------------------------

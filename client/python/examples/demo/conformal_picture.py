@@ -1,4 +1,4 @@
-"""The picture of the demo of cross-sections: bodies and columns, what a table knows of them, and pressures."""
+"""The picture of the demo of cross-sections: bodies and columns, meshes, what a table knows of them, and pressures."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from contactd.wheel_rail_pictures import draw_patches
 
 if TYPE_CHECKING:
     from conformal import Edge, Throat
+    from section_meshes import SectionMesh
 
     from contactd import ContactSolution
 
@@ -28,11 +29,13 @@ WAYS = {
 }
 
 
-def draw_conformal(path: Path, throat: Throat, edges: dict[float, Edge]) -> None:
+def draw_conformal(path: Path, throat: Throat, edges: dict[float, Edge], meshes: dict[str, SectionMesh]) -> None:
     with plt.rc_context({"font.size": 10}):
-        figure, ((bodies, along, columns), (first, second, cuts)) = plt.subplots(
-            2, 3, figsize=(16, 9.2), layout="constrained"
+        figure, ((bodies, along, columns), sections, (first, second, cuts)) = plt.subplots(
+            3, 3, figsize=(16, 13.8), layout="constrained"
         )
+        for axes, (name, mesh) in zip(sections, meshes.items(), strict=True):
+            draw_mesh(axes, name, mesh)
         draw_bodies(bodies, throat)
         draw_along(along, throat)
         draw_table(figure, columns, throat)
@@ -82,6 +85,20 @@ def draw_table(figure: Any, axes: Any, throat: Throat) -> None:
     figure.colorbar(shades, ax=axes, label="% of zz of an element on itself", shrink=0.85)
     axes.set(xlabel="loaded column", ylabel="observed column")
     axes.set_title("A_zz of the head: finite elements\nless rotated half-spaces")
+
+
+def draw_mesh(axes: Any, name: str, mesh: SectionMesh) -> None:
+    """The whole section, and its columns larger."""
+    for part in (axes, axes.inset_axes((0.62, 0.02, 0.4, 0.36))):
+        part.triplot(*mesh.points.T, mesh.triangles, color="0.45", lw=0.3)
+        part.plot(*mesh.columns.T, color="#c8401d", lw=1.6)
+        part.set_aspect("equal")
+    middle, reach = mesh.columns.mean(axis=0), 0.62 * np.ptp(mesh.columns, axis=0).max()
+    part.set(xlim=(middle[0] - reach, middle[0] + reach), ylim=(middle[1] - reach, middle[1] + reach))
+    part.set(xticks=[], yticks=[])
+    axes.set(xlabel="y (mm)", ylabel="z (mm), upwards")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_title(f"{name}: {len(mesh.triangles)} triangles,\n{len(mesh.columns)} columns (red)")
 
 
 def draw_pressure(axes: Any, edge: Edge, solution: ContactSolution, largest: float, title: str) -> Any:

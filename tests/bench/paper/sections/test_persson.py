@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from paper.persson import clearance, half_angle_of, pressure, solve
+from paper.sections.persson import clearance, half_angle_of, pressure, solve
 
 
 @pytest.mark.parametrize("degrees", [10, 30, 60, 80])

@@ -1,6 +1,4 @@
-"""A cylinder in a hole of nearly its own radius: pressures by finite elements against Persson's closed form, as a picture.
-
-    PYTHONPATH=client/python:bench python3 -m paper.persson --bin build/production/bin
+"""A cylinder in a hole of nearly its own radius, against Persson's closed form.
 
 Both tables are built by contactd-ic; wavenumber zero of their transforms is plane strain, which the closed form is for.
 The contact is solved here, by nothing but linear equations: it checks the tables, not contactd's solvers, which
@@ -9,10 +7,10 @@ tests/core/fem/section/test_conformal_cylinders.cpp holds to the same closed for
 
 from __future__ import annotations
 
-import argparse
 import json
 import subprocess
 import tempfile
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -20,17 +18,14 @@ import h5py
 import numpy as np
 import numpy.typing as npt
 
-from .drawing import BLUE, GREEN, INK, ORANGE, RED, finish, new_figure, save
-
 Array = npt.NDArray[np.float64]
 
-COLUMN = np.radians(1.5)  # lengths are over the width of a column
-RADIUS, COLUMNS, NU = 1 / COLUMN, 112, 0.28
+COLUMN = np.radians(1)  # lengths are over the width of a column
+RADIUS, COLUMNS, NU = 1 / COLUMN, 168, 0.28
 BODIES = {
     "disc": {"radius": RADIUS, "core": 0.005 * RADIUS},
     "plate_hole": {"radius": RADIUS, "plate_radius": 50 * RADIUS},
 }
-HALF_ANGLES = {30: BLUE, 45: GREEN, 60: ORANGE, 80: RED}  # degrees, of 20 columns or more
 
 
 def clearance(half_angle: float) -> float:
@@ -87,40 +82,32 @@ def half_angle_of(angles: Array, p: Array) -> float:
     return float(abs(angles[last - 1] + outer * (angles[last - 1] - angles[last - 3]) / (inner - outer)))
 
 
-def draw(binaries: Path, picture: Path) -> dict[int, tuple[float, float]]:
-    """Writes the picture; of each half angle in degrees the errors of the largest pressure and of the angle itself."""
-    with tempfile.TemporaryDirectory() as folder:
-        (angles, hole), (_, disc) = (plane_strain(binaries, Path(folder), shape) for shape in ("plate_hole", "disc"))
-    compliance = hole + disc[::-1, ::-1]  # the disc's columns run the other way
-    figure, (axes,) = new_figure(1, 6.4, 4.2)
-    errors: dict[int, tuple[float, float]] = {}
-    fine: Any = np.radians(np.linspace(-90, 90, 1801))
-    for degrees, colour in HALF_ANGLES.items():
+class Cylinders:
+    """Both bodies, built when they are first asked for."""
+
+    def __init__(self, programs: Path) -> None:
+        self._programs = programs
+
+    @cached_property
+    def _built(self) -> tuple[Array, Array]:
+        with tempfile.TemporaryDirectory() as folder:
+            (angles, hole), (_, disc) = (
+                plane_strain(self._programs, Path(folder), shape) for shape in ("plate_hole", "disc")
+            )
+        return angles, hole + disc[::-1, ::-1]  # the disc's columns run the other way
+
+    def measure(self, degrees: float) -> dict[str, Any]:
+        """In the clearance that belongs to a half angle: that angle and the largest pressure as found, and pressures
+        p R/Q of the columns in contact."""
+        angles, compliance = self._built
         half_angle = np.radians(degrees)
         gap = clearance(half_angle) * (1 - NU) / 2 * (1 - np.cos(angles))
         p = solve(compliance, np.cos(angles), gap)
-        largest = pressure(half_angle, np.zeros(1))[0]
-        errors[degrees] = (p.max() * RADIUS / largest - 1, half_angle_of(angles, p) / half_angle - 1)
-        inside = np.abs(fine) <= half_angle
-        axes.plot(np.degrees(fine[inside]), pressure(half_angle, fine[inside]), color=colour, linewidth=1.4)
-        axes.plot(np.degrees(angles[p > 0]), p[p > 0] * RADIUS, "o", color=colour, markersize=3.2, label=f"{degrees}°")
-    axes.plot([], [], color=INK, linewidth=1.4, label="Persson")
-    axes.legend(title="half angle", frameon=False, fontsize=9)
-    axes.set_xlabel("angle from the bottom (degrees)")
-    axes.set_ylim(0, None)
-    finish(axes, "a cylinder in a hole, columns of 1.5 degrees", "pressure $p R/Q$")
-    save(figure, picture)
-    return errors
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--bin", type=Path, required=True, help="folder with contactd-ic")
-    parser.add_argument("--picture", type=Path, default=Path("docs/sections-persson.png"))
-    arguments = parser.parse_args()
-    for degrees, (of_pressure, of_angle) in draw(arguments.bin, arguments.picture).items():
-        print(f"{degrees:3} degrees: largest pressure {of_pressure:+.2e}, half angle {of_angle:+.2e}")
-
-
-if __name__ == "__main__":
-    main()
+        touching = p > 0
+        return {
+            "p0": float(p.max() * RADIUS),
+            "p0_exact": float(pressure(half_angle, np.zeros(1))[0]),
+            "half_angle": float(np.degrees(half_angle_of(angles, p))),
+            "angles": " ".join(f"{angle:.6g}" for angle in np.degrees(angles[touching])),
+            "pressures": " ".join(f"{value:.6g}" for value in p[touching] * RADIUS),
+        }

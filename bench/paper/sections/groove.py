@@ -1,0 +1,50 @@
+"""A roller in a groove of nearly its own radius, by half-spaces and by sections."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from contactd import AnalyticIcs, Client, ContactColumns, FemIcs, Grid, Material
+
+STEEL = Material(G=82000, nu=0.28)
+ROLLER, ALONG_X, FORCE = 10.0, 460.0, 10e3  # radii across and along (mm), N
+COLUMNS, SIZE = 41, 0.5  # mm
+BODY = {"width": 120, "height": 70}  # around the groove; the roller ends a slab of 60 mm
+
+
+def bodies(radius: float, body: str) -> tuple[Any, Any]:
+    """Coefficients of roller and groove."""
+    if body == "half_space":
+        return AnalyticIcs(), AnalyticIcs()
+    roller = {"round_end": {"radius": ROLLER, "length": 60}}
+    groove = {"groove": {"radius": radius, "depth": radius, **BODY}}
+    if body == "rotated":
+        return AnalyticIcs(body="prism", section=roller), AnalyticIcs(body="prism", section=groove)
+    return FemIcs(body="prism", section=roller, accuracy=1e-2), FemIcs(body="prism", section=groove, accuracy=1e-2)
+
+
+def measure(client: Client, radius: float, body: str) -> dict[str, Any]:
+    grid = Grid.centred(35, COLUMNS, 35 * SIZE, COLUMNS * SIZE)
+    _, of_groove = bodies(radius, "rotated")
+    frames = client.get_ic(STEEL, Grid.centred(1, COLUMNS, SIZE, COLUMNS * SIZE), of_groove).frames
+    assert frames is not None
+    # From the groove along its normals to the roller, which touches it at the bottom.
+    angles, lower = np.asarray(frames)[:, 2], radius - ROLLER
+    across = radius - lower * np.cos(angles) - np.sqrt(ROLLER**2 - (lower * np.sin(angles)) ** 2)
+    gap = across[:, None] + grid.x[None, :] ** 2 / (2 * ALONG_X)
+    upper_ics, lower_ics = bodies(radius, body)
+    solution = client.solve(
+        grid=grid,
+        upper=STEEL,
+        lower=STEEL,
+        upper_ics=upper_ics,
+        lower_ics=lower_ics,
+        columns=ContactColumns(frames, 0.0, (0.0, -radius)),
+        gap=gap,
+        Fn=FORCE,
+    )
+    if not solution.converged:
+        return {"failure": "The contact did not converge."}
+    return {"pmax": solution.pmax, "approach": solution.approach}
