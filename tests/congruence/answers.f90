@@ -4,7 +4,7 @@ module answers
     use, intrinsic :: iso_fortran_env, only: int64
     implicit none
     private
-    public :: need, tell_step
+    public :: need, tell, tell_whole, digest, tell_step
 
 contains
 
@@ -146,5 +146,18 @@ contains
         end do
         call tell_warnings(contact)
         call tell_arrays(contact, nx, ny)
+        call tell_resultant(contact)
+    end subroutine
+
+    subroutine tell_resultant(contact)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t) :: code
+        real(c_double) :: forces(6)
+        integer :: i
+        forces = 0
+        code = contactd_get_resultant(contact, forces)
+        do i = 1, 6
+            call tell(forces(i), code)
+        end do
     end subroutine
 end module answers

@@ -2,54 +2,16 @@
 #ifndef ANSWERS_H
 #define ANSWERS_H
 
-#include <inttypes.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "contactd.h"
-
-static double* values(int32_t n) {
-    double* made = calloc((size_t)(n > 0 ? n : 1), sizeof *made);
-    if (made == NULL) exit(3);
-    return made;
-}
-
-static void tell(double value, int32_t code) {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    if (code == CONTACTD_OK)
-        printf(" %016" PRIX64, bits);
-    else
-        printf(" -");
-}
-
-static void tell_whole(int32_t value, int32_t code) {
-    if (code == CONTACTD_OK)
-        printf(" %" PRId32, value);
-    else
-        printf(" -");
-}
-
-static uint64_t digest(uint64_t so_far, uint64_t more) {
-    return (so_far * 65599 + more) % 4294967291u;
-}
+#include "telling.h"
 
 static void tell_arrays(contactd_contact* contact, int32_t elements) {
     double* array = values(elements);
     int32_t* division = calloc((size_t)elements, sizeof *division);
-    uint64_t bits, sum = 0;
     if (division == NULL || contactd_get_division(contact, division, elements) != CONTACTD_OK) exit(3);
-    for (int32_t i = 0; i < elements; ++i) sum = digest(sum, (uint64_t)division[i]);
-    printf(" %" PRIu64, sum);
+    tell_division(division, elements);
     for (int32_t which = CONTACTD_PRESSURE; which <= CONTACTD_SLIP_Y; ++which) {
         if (contactd_get_array(contact, which, array, elements) != CONTACTD_OK) exit(3);
-        sum = 0;
-        for (int32_t i = 0; i < elements; ++i) {
-            memcpy(&bits, &array[i], sizeof bits);
-            sum = digest(digest(sum, bits >> 32), bits & 0xFFFFFFFFu);
-        }
-        printf(" %" PRIu64, sum);
+        tell_digest(array, elements);
     }
     free(array);
     free(division);
@@ -83,6 +45,12 @@ static void tell_solvers(contactd_contact* contact) {
     for (int i = 0; i < 3; ++i) tell(v[i], code);
 }
 
+static void tell_resultant(contactd_contact* contact) {
+    double forces[6] = {0};
+    const int32_t code = contactd_get_resultant(contact, forces);
+    for (int i = 0; i < 6; ++i) tell(forces[i], code);
+}
+
 static void tell_step(contactd_contact* contact, int32_t elements) {
     double v[4] = {0};
     int32_t n[4] = {0}, code = contactd_get_step(contact, n);
@@ -112,6 +80,7 @@ static void tell_step(contactd_contact* contact, int32_t elements) {
         }
     tell_warnings(contact);
     tell_arrays(contact, elements);
+    tell_resultant(contact);
 }
 
 #endif

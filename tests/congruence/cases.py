@@ -17,6 +17,13 @@ SHIFT = "mu 0.4; shift 0.004 0 0"
 STEADY = "mu 0.3; rolling steady 0.004 -0.001 0.002"
 TRANSIENT = "mu 0.3; rolling transient 0.004 0 0"
 CREEP = "mu 0.3; rolling steady 0.001 0.0005 0.0001"
+STEEL_UNDER_A_RIGID_BODY = "grid 15 20 0.5 0.5 -3.75 -5; rigid upper; material lower 82000 0.28; gap 0.0009765625; Fn 3000"
+GROOVE = f"{STEEL_UNDER_A_RIGID_BODY}; section lower groove 20 20 120 70; section_accuracy lower 0"
+OUTLINE = (
+    f"{STEEL_UNDER_A_RIGID_BODY}; outline lower -20 0; spline lower 0 -10 0.625 0 0.875 10 0.625 20 0; line lower 20 -30 0;"
+    " line lower -20 -30 1; line lower -20 0 0; hole lower 5 -15; arc lower -5 -15 -5 0; arc lower 5 -15 -5 0;"
+    " first_column lower 0 0 15; section_accuracy lower 0"
+)
 LINE = "grid 96 1 0.02 1 -0.96 -0.5; material both 200 0.42; paraboloid 50 inf; Fn 5"
 
 CASES = {
@@ -46,6 +53,23 @@ CASES = {
     "a-layer-that-rolls": f"{WHEEL}; layers lower constant 82000 0.28 0.5 40000 0.3; {CREEP}; start; step",
     "a-line": f"{LINE}; line_contact 20; start; step",
     "a-line-that-rolls": f"{LINE}; line_contact 20; mu 0.3; rolling steady 0.001 0 0; start; step",
+    # sections, and curved columns
+    "a-groove": f"{GROOVE}; columns 0 0 0; start; step",
+    "a-groove-that-rolls": f"{GROOVE}; columns 0 0.5 -0.25; {CREEP}; start; step; Fn 2500; step",
+    "a-groove-that-shifts": f"{GROOVE}; columns 0.125 0 0; mu 0.4; shift 0.004 0.002 0.0001; start; step; step",
+    "half-a-groove-twice-as-large": f"{GROOVE}; section lower groove 40 40 240 140; section_place lower 0.5 0.125;"
+    " section_accuracy lower 0; columns 0.125 0 0; start; step",
+    "a-rail-head-from-aside": f"{STEEL_UNDER_A_RIGID_BODY}; section lower rail_60e1 0.025 1 16; section_accuracy lower 0;"
+    " columns 0.25 20 0; start; step",
+    "a-rim": f"{STEEL_UNDER_A_RIGID_BODY}; section lower rim_s1002 60 3; section_accuracy lower 0; columns 3.140625 0 0; start; step",
+    "a-disc-in-a-hole": f"{GROOVE}; material upper 200 0.42; section lower plate_hole 25 200; section upper disc 24 2;"
+    " section_accuracy both 0; columns 0 0 0; start; step",
+    "an-edge": f"{STEEL_UNDER_A_RIGID_BODY}; paraboloid 50 50; section lower edge_block 100 50 1; section_accuracy lower 0;"
+    f" {CREEP}; start; step",
+    "an-outline-with-a-hole": f"{OUTLINE}; columns 0 0 0; start; step",
+    "a-measured-profile": f"{STEEL_UNDER_A_RIGID_BODY}; profile lower rail 0.001953125 5 40 -5; section_accuracy lower 0;"
+    f" columns 0 0 0; {CREEP}; start; step",
+    "columns-of-half-spaces": f"{WHEEL}; gap 0.0009765625; flat_columns 0 0 0; {CREEP}; start; step",
     # shifts
     "shift": f"{SPHERE}; {SHIFT}; start; step",
     "shift-there-and-back": f"{SPHERE}; {SHIFT}; start; step; step; shift -0.006 0.001 0.001; step; step",
@@ -129,6 +153,13 @@ CASES = {
     "finite-elements-that-cannot-be": f"{SPHERE}; material upper 200 0.5; fem upper 0.01; start",
     "a-layer-without-thickness": f"{SPHERE}; layers upper constant 200 0.42 0 100 0.3; start",
     "a-layer-that-grows-when-pressed": f"{SPHERE}; layers lower constant 0 0 0.1 100 0.3 0.1 100 0.6; start",
+    "a-section-past-its-corner": f"{STEEL_UNDER_A_RIGID_BODY}; section lower edge_block 9 50 1; section_accuracy lower 0; start",
+    "a-disc-that-nothing-holds": f"{STEEL_UNDER_A_RIGID_BODY}; section lower disc 10 0; start",
+    "an-outline-that-is-open": f"{STEEL_UNDER_A_RIGID_BODY}; outline lower 0 0; line lower 30 0 0; line lower 30 -20 1;"
+    " line lower 0 -20 0; section_accuracy lower 0; start",
+    "a-cut-above-its-profile": f"{STEEL_UNDER_A_RIGID_BODY}; profile lower rail 0.001953125 0 1 0; section_accuracy lower 0; start",
+    "a-curved-section-without-columns": f"{GROOVE}; start",
+    "columns-that-lie-elsewhere": f"{GROOVE}; flat_columns 0 0 0; start",
     "a-line-on-an-area": f"{SPHERE}; line_contact 10; start",
     "a-quick-model-with-a-gap-of-its-own": f"{SPHERE}; model hertz; gap 0.001; start; step",
     "a-quick-model-that-is-transient": f"{WHEEL}; model fastsim; mu 0.3; rolling transient 0.001 0 0; start; step",

@@ -137,6 +137,8 @@ static int32_t set_up(void) {
     return -1;
 }
 
+#include "sections.h"
+
 static int32_t load(void) {
     const char* laws[] = {"linear", "exponential", NULL};
     const char* kinds[] = {"steady", "transient", NULL};
@@ -209,6 +211,7 @@ static void take(char* line) {
         call();
     } else {
         int32_t code = set_up();
+        if (code == -1) code = set_section();
         if (code == -1) code = load();
         if (code == -1) {
             fprintf(stderr, "%s: there is no %s\n", name, words[0]);

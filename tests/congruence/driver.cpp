@@ -12,6 +12,7 @@
 
 #include "contactd/client/session.hpp"
 #include "contactd/error.hpp"
+#include "sections.hpp"
 #include "teller.hpp"
 #include "words.hpp"
 
@@ -128,6 +129,10 @@ void Case::say(const Words& w) {
         spec_.lease_seconds = number(w[1]);
     else if (w[0] == "previous")
         spec_.load.previous = {ramp(w, 1), ramp(w, 5), ramp(w, 9)};
+    else if (is_of_sections(w[0]))
+        each_body(w[1], [&](Body& body) { change_section(body, w); });
+    else if (w[0] == "columns" || w[0] == "flat_columns")
+        setup.columns = columns(w, setup, client_);
     else
         load(w);
 }

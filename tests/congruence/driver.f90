@@ -138,6 +138,49 @@ contains
         case ("accept_unconverged"); code = contactd_set_accept_unconverged(contact, 1)
         case ("lease"); code = contactd_set_lease(contact, number(1))
         case ("previous"); code = contactd_set_previous(contact, ramp(1), ramp(5), ramp(9), nx * ny)
+        case default; code = set_section()
+        end select
+    end function
+
+    ! Cross-sections and curved columns.
+    integer(c_int32_t) function set_section() result(code)
+        real(c_double) :: y(100), z(100), angle(100)
+        integer(c_int32_t) :: i, many
+        select case (word(0))
+        case ("section")
+            do i = 3, words - 1
+                y(i - 2) = number(i)
+            end do
+            code = contactd_set_section(contact, body(1), place_of(2, [character(10) :: "outline", "rail_60e1", &
+                "rim_s1002", "edge_block", "groove", "round_end", "disc", "plate_hole", "slab"]), y, words - 3)
+        case ("section_place"); code = contactd_set_section_place(contact, body(1), number(2), number(3))
+        case ("section_accuracy"); code = contactd_set_section_accuracy(contact, body(1), number(2))
+        case ("outline"); code = contactd_set_outline(contact, body(1), number(2), number(3))
+        case ("line"); code = contactd_add_line(contact, body(1), number(2), number(3), whole(4))
+        case ("arc"); code = contactd_add_arc(contact, body(1), number(2), number(3), number(4), whole(5))
+        case ("spline") ! "body held y z y z ..."
+            many = (words - 3) / 2
+            do i = 1, many
+                y(i) = number(1 + 2 * i)
+                z(i) = number(2 + 2 * i)
+            end do
+            code = contactd_add_spline(contact, body(1), y, z, many, whole(2))
+        case ("hole"); code = contactd_add_hole(contact, body(1), number(2), number(3))
+        case ("first_column")
+            code = contactd_set_first_column(contact, body(1), whole(2), whole(3), number(4))
+        case ("profile") ! "body kind curvature smoothing depth from": a parabola
+            y(1:69) = [(real(i, c_double), i=-34, 34)]
+            z(1:69) = [(i * i * number(3), i=-34, 34)]
+            code = contactd_set_profile_points(contact, body(1), place_of(2, [character(5) :: "wheel", "rail"]), &
+                y, z, 69, number(4), number(5), number(6))
+        case ("columns", "flat_columns") ! "direction origin": of the lower body's section, or of a plane
+            y = [(real(i, c_double), i=0, 99)]
+            z = 0
+            angle = 0
+            code = contactd_ok
+            if (word(0) == "columns") code = contactd_get_frames(contact, contactd_lower, y, z, angle, ny)
+            if (code == contactd_ok) &
+                code = contactd_set_columns(contact, y, z, angle, ny, number(1), number(2), number(3))
         case default; code = -1
         end select
     end function

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from congruence.sections import Sections
 from congruence.telling import ARRAYS, told
 from contactd import (
     AnalyticIcs,
@@ -54,10 +55,11 @@ def answers(client: Client, cases: Path) -> Iterator[str]:
     case.close()
 
 
-class Case:
+class Case(Sections):
     """One contact: a method for each word of the file."""
 
     def __init__(self, client: Client, name: str) -> None:
+        super().__init__()
         self.client, self.name = client, name
         self.session: Any = None
         self.opening: dict[str, Any] = {}

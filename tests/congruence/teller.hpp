@@ -42,6 +42,8 @@ class Teller {
                 const auto bits = std::bit_cast<std::uint64_t>(value);
                 return std::vector{bits >> 32u, bits & 0xFFFFFFFFu};
             });
+        const std::optional<Resultant>& r = s.resultant;
+        r ? numbers({r->Fx, r->Fy, r->Fz, r->Mx, r->My, r->Mz}) : nothing(6);
     }
 
    private:

@@ -5,7 +5,8 @@ call, and
 * of a step: its number; Fn, Fx, Fy, Mz; approach; pmax; areas in contact, adhesion, slip; the elements of these, and at the
   border; creepages or shift; frictional work, and power; whether it converged; of each solver (normal, tangential, outer,
   force) iterations, residual, converged; elements across, errors of force, pmax, rolling; derivatives of Fx, Fy, Mz, Fn,
-  approach by x, y, turn, load, mu; the number and digest of warnings; digests of the arrays.
+  approach by x, y, turn, load, mu; the number and digest of warnings; digests of the arrays;
+  the resultant on curved columns.
 
 Numbers are the 16 digits of their bits, "-" stands for what there is not.
 """
@@ -78,6 +79,8 @@ def told(step: Any) -> Iterator[str]:
     for name in ARRAYS[1:]:
         array = getattr(step, name)
         yield str(digest(halves(np.zeros(step.pressure.shape) if array is None else array)))
+    for name in ("Fx", "Fy", "Fz", "Mx", "My", "Mz"):
+        yield bits(getattr(step.resultant, name, None))
 
 
 def derivatives(step: Any) -> Iterator[float | None]:

@@ -55,7 +55,7 @@ def recorded(shared_daemon: Any, tmp_path_factory: pytest.TempPathFactory) -> di
             (folder / name).write_text("\n".join([f"case {name}", *text.split(";")]) + "\n")
             client.calls.clear()
             list(answers(client, folder / name))
-            found[name] = [call for call in client.calls if call[0] not in ("server.info", "session.close")]
+            found[name] = [call for call in client.calls if call[0] not in ("server.info", "session.close", "ic.get")]
     return found
 
 

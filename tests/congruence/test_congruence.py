@@ -51,6 +51,9 @@ def python_in_process(where: str, cases: Path) -> list[str]:
         return list(answers(client, cases))
 
 
+SESSIONS = (contactd.AsyncSession, contactd.AsyncWheelRailSession)
+
+
 class Awaited:
     """What an AsyncClient or its session answers, for a driver that knows of no event loop."""
 
@@ -60,7 +63,7 @@ class Awaited:
     def __getattr__(self, name: str) -> Callable[..., Any]:
         def call(*args: Any, **keywords: Any) -> Any:
             answer = self._runner(getattr(self._of, name)(*args, **keywords))
-            return Awaited(self._runner, answer) if isinstance(answer, contactd.AsyncSession) else answer
+            return Awaited(self._runner, answer) if isinstance(answer, SESSIONS) else answer
 
         return call
 

@@ -25,6 +25,9 @@ module contactd
     integer(c_int32_t), parameter :: contactd_full = 0, contactd_hertz = 1, contactd_fastsim = 2
     integer(c_int32_t), parameter :: contactd_constant = 0, contactd_bilinear = 1
     integer(c_int32_t), parameter :: contactd_half_space = 0, contactd_block = 1
+    integer(c_int32_t), parameter :: contactd_cut = 0, contactd_foot = 1
+    integer(c_int32_t), parameter :: contactd_rail_60e1 = 1, contactd_rim_s1002 = 2, contactd_edge_block = 3, &
+        contactd_groove = 4, contactd_round_end = 5, contactd_disc = 6, contactd_plate_hole = 7, contactd_slab = 8
     integer(c_int32_t), parameter :: contactd_steady = 0, contactd_transient = 1
     integer(c_int32_t), parameter :: contactd_linear = 0, contactd_exponential = 1
     integer(c_int32_t), parameter :: contactd_normal = 0, contactd_tangential = 1, contactd_outer = 2, &
@@ -48,7 +51,7 @@ module contactd
         contactd_log_warning = 2, contactd_log_error = 3
 
     private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
-    private :: get_warning_c, get_origin_c, wheel_get_warning_c, wheel_set_file_c, strlen, text_of, copy_text
+    private :: get_warning_c, get_origin_c, set_profile_file_c, wheel_get_warning_c, wheel_set_file_c, strlen, text_of, copy_text
 
 contains
 
@@ -118,6 +121,15 @@ contains
         character(*), intent(in) :: path
         real(c_double), intent(in) :: smoothing_length
         code = wheel_set_file_c(wheel, body, trim(path) // c_null_char, smoothing_length)
+    end function
+
+    integer(c_int32_t) function contactd_set_profile_file(contact, body, kind, path, smoothing_length, depth, from) &
+        result(code)
+        type(c_ptr), intent(in) :: contact
+        integer(c_int32_t), intent(in) :: body, kind
+        character(*), intent(in) :: path
+        real(c_double), intent(in) :: smoothing_length, depth, from
+        code = set_profile_file_c(contact, body, kind, trim(path) // c_null_char, smoothing_length, depth, from)
     end function
 
     function text_of(pointer) result(text)

@@ -89,6 +89,62 @@ module contactd_calls
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, load_shape, count
             real(c_double), intent(in) :: thickness(*), G(*), nu(*); real(c_double), value :: base_G, base_nu
         end function
+        integer(c_int32_t) function contactd_set_section(contact, body, shape, numbers, count) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, shape, count
+            real(c_double), intent(in) :: numbers(*)
+        end function
+        integer(c_int32_t) function contactd_set_profile_points(contact, body, kind, y, z, count, smoothing_length, &
+                                                                depth, from) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, kind, count
+            real(c_double), intent(in) :: y(*), z(*); real(c_double), value :: smoothing_length, depth, from
+        end function
+        integer(c_int32_t) function set_profile_file_c(contact, body, kind, path, smoothing_length, depth, from) &
+            bind(c, name="contactd_set_profile_file")
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, kind
+            character(c_char), intent(in) :: path(*); real(c_double), value :: smoothing_length, depth, from
+        end function
+        integer(c_int32_t) function contactd_set_outline(contact, body, y, z) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body; real(c_double), value :: y, z
+        end function
+        integer(c_int32_t) function contactd_add_line(contact, body, y, z, held) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, held
+            real(c_double), value :: y, z
+        end function
+        integer(c_int32_t) function contactd_add_arc(contact, body, y, z, radius, held) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, held
+            real(c_double), value :: y, z, radius
+        end function
+        integer(c_int32_t) function contactd_add_spline(contact, body, y, z, count, held) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, count, held
+            real(c_double), intent(in) :: y(*), z(*)
+        end function
+        integer(c_int32_t) function contactd_add_hole(contact, body, y, z) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body; real(c_double), value :: y, z
+        end function
+        integer(c_int32_t) function contactd_set_first_column(contact, body, carrier, part, from) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, carrier, part
+            real(c_double), value :: from
+        end function
+        integer(c_int32_t) function contactd_set_section_place(contact, body, size, turn) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body
+            real(c_double), value :: size, turn
+        end function
+        integer(c_int32_t) function contactd_set_section_accuracy(contact, body, accuracy) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body
+            real(c_double), value :: accuracy
+        end function
+        integer(c_int32_t) function contactd_set_columns(contact, y, z, angle, count, direction, origin_y, origin_z) &
+            bind(c)
+            import; type(c_ptr), value :: contact; real(c_double), intent(in) :: y(*), z(*), angle(*)
+            integer(c_int32_t), value :: count; real(c_double), value :: direction, origin_y, origin_z
+        end function
+        integer(c_int32_t) function contactd_get_frames(contact, body, y, z, angle, length) bind(c)
+            import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, length
+            real(c_double), intent(out) :: y(*), z(*), angle(*)
+        end function
+        integer(c_int32_t) function contactd_get_resultant(contact, forces) bind(c)
+            import; type(c_ptr), value :: contact; real(c_double), intent(out) :: forces(*)
+        end function
         integer(c_int32_t) function contactd_set_model(contact, model) bind(c)
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: model
         end function

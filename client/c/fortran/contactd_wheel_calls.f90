@@ -135,10 +135,10 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_set_roller_pitch(wheel, pitch) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: pitch
         end function
-        integer(c_int32_t) function contactd_wheel_set_Fz(wheel, Fz) bind(c)
+        integer(c_int32_t) function contactd_wheel_set_Fz(wheel, Fz) bind(c, name="contactd_wheel_set_Fz")
             import; type(c_ptr), value :: wheel; real(c_double), value :: Fz
         end function
-        integer(c_int32_t) function contactd_wheel_set_Fx(wheel, Fx) bind(c)
+        integer(c_int32_t) function contactd_wheel_set_Fx(wheel, Fx) bind(c, name="contactd_wheel_set_Fx")
             import; type(c_ptr), value :: wheel; real(c_double), value :: Fx
         end function
         integer(c_int32_t) function contactd_wheel_clear_forces(wheel) bind(c)
@@ -223,6 +223,10 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_get_areas(wheel, patch, in_contact, adhesion, slip) bind(c)
             import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: patch
             real(c_double), intent(out) :: in_contact, adhesion, slip
+        end function
+        integer(c_int32_t) function contactd_wheel_get_frictional_power(wheel, patch, power) bind(c)
+            import; type(c_ptr), value :: wheel; integer(c_int32_t), value :: patch
+            real(c_double), intent(out) :: power
         end function
         integer(c_int32_t) function contactd_wheel_get_counts( &
             wheel, patch, in_contact, adhesion, slip, border) bind(c)

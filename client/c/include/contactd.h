@@ -64,8 +64,20 @@ enum {
 /* --- words --------------------------------------------------------------------------------------------------- */
 enum { CONTACTD_UPPER = 0, CONTACTD_LOWER = 1, CONTACTD_BOTH = 2, CONTACTD_PAIR = 3 };
 enum { CONTACTD_FULL = 0, CONTACTD_HERTZ = 1, CONTACTD_FASTSIM = 2 };
-enum { CONTACTD_CONSTANT = 0, CONTACTD_BILINEAR = 1 };  /* load_shape of coefficients */
-enum { CONTACTD_HALF_SPACE = 0, CONTACTD_BLOCK = 1 };   /* shape of a body by finite elements */
+enum { CONTACTD_CONSTANT = 0, CONTACTD_BILINEAR = 1 }; /* load_shape of coefficients */
+enum { CONTACTD_HALF_SPACE = 0, CONTACTD_BLOCK = 1 };  /* shape of a body by finite elements */
+enum { CONTACTD_CUT = 0, CONTACTD_FOOT = 1 };          /* what holds a rail */
+/* Ready-made cross-sections. */
+enum {
+    CONTACTD_RAIL_60E1 = 1,
+    CONTACTD_RIM_S1002 = 2,
+    CONTACTD_EDGE_BLOCK = 3,
+    CONTACTD_GROOVE = 4,
+    CONTACTD_ROUND_END = 5,
+    CONTACTD_DISC = 6,
+    CONTACTD_PLATE_HOLE = 7,
+    CONTACTD_SLAB = 8
+};
 enum { CONTACTD_STEADY = 0, CONTACTD_TRANSIENT = 1 };   /* kind of rolling */
 enum { CONTACTD_LINEAR = 0, CONTACTD_EXPONENTIAL = 1 }; /* law of kinetic friction */
 enum { CONTACTD_NORMAL = 0, CONTACTD_TANGENTIAL = 1, CONTACTD_OUTER = 2, CONTACTD_FORCE = 3 }; /* solvers */
@@ -136,8 +148,8 @@ CONTACTD_API int32_t contactd_close(contactd_connection* connection);
 /* Whether contacts can be solved there now. */
 CONTACTD_API int32_t contactd_ping(contactd_connection* connection);
 
-/* What follows holds for contacts made later. Seconds, > 0: of a call (60), of contactd_start where it may wait for
- * finite elements (3600), for somebody to listen (5). */
+/* What follows holds for contacts made later. Seconds, > 0: of a call (60), of contactd_start and wheels where they may
+ * wait for finite elements (3600), for somebody to listen (5). */
 CONTACTD_API int32_t contactd_set_timeout(contactd_connection* connection, double seconds);
 CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection, double seconds);
 CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection* connection, double seconds);
@@ -190,6 +202,55 @@ CONTACTD_API int32_t contactd_set_line_contact(contactd_contact* contact, double
 CONTACTD_API int32_t contactd_set_layers(contactd_contact* contact, int32_t body, int32_t load_shape,
                                          const double* thickness, const double* G, const double* nu, int32_t count,
                                          double base_G, double base_nu);
+/* Bodies that are uniform along x, by their cross-section (docs/sections.md): rows of the grid are columns of its
+ * surface, dy wide along the outline. y to the right, z up. Their coefficients are by finite elements, of an accuracy
+ * of 1e-3 until another one is said; their material stays. Ready-made ones, numbers[count] in this order (mm):
+ *     CONTACTD_RAIL_60E1   inclination (a slope), CONTACTD_CUT or _FOOT, from
+ *     CONTACTD_RIM_S1002   thickness, from
+ *     CONTACTD_EDGE_BLOCK  width, height, edge_distance
+ *     CONTACTD_GROOVE      radius, depth, width, height
+ *     CONTACTD_ROUND_END   radius, length
+ *     CONTACTD_DISC        radius, core
+ *     CONTACTD_PLATE_HOLE  radius, plate_radius
+ *     CONTACTD_SLAB        thickness, width */
+CONTACTD_API int32_t contactd_set_section(contactd_contact* contact, int32_t body, int32_t shape, const double* numbers,
+                                          int32_t count);
+/* What lies below the profile of a CONTACTD_RAIL, or above that of a CONTACTD_WHEEL, to a level cut at `depth` from its
+ * origin; the first column begins at `from`, along the outline from y = 0. Points and files as of
+ * contactd_wheel_set_points, _file: z of a profile is down. */
+CONTACTD_API int32_t contactd_set_profile_points(contactd_contact* contact, int32_t body, int32_t kind, const double* y,
+                                                 const double* z, int32_t count, double smoothing_length, double depth,
+                                                 double from);
+CONTACTD_API int32_t contactd_set_profile_file(contactd_contact* contact, int32_t body, int32_t kind, const char* path,
+                                               double smoothing_length, double depth, double from);
+/* An outline of one's own begins here, and is travelled with the body on its right; each part begins where the one
+ * before ended, and the last one ends at the beginning. held: 1, nothing moves along it. radius > 0: convex, < 0:
+ * hollow. Parts that are added behind contactd_add_hole are the hole's. */
+CONTACTD_API int32_t contactd_set_outline(contactd_contact* contact, int32_t body, double y, double z);
+CONTACTD_API int32_t contactd_add_line(contactd_contact* contact, int32_t body, double y, double z, int32_t held);
+CONTACTD_API int32_t contactd_add_arc(contactd_contact* contact, int32_t body, double y, double z, double radius,
+                                      int32_t held);
+CONTACTD_API int32_t contactd_add_spline(contactd_contact* contact, int32_t body, const double* y, const double* z,
+                                         int32_t count, int32_t held);
+CONTACTD_API int32_t contactd_add_hole(contactd_contact* contact, int32_t body, double y, double z);
+/* Where the columns begin: `from` along the curve from the beginning of its part `part`, both from 0. carrier 0 is the
+ * outside, i the hole i. */
+CONTACTD_API int32_t contactd_set_first_column(contactd_contact* contact, int32_t body, int32_t carrier, int32_t part,
+                                               double from);
+/* Of a section that was said: all its lengths times `size`, turned about the origin (rad); and the largest error, 1e-4
+ * to 0.1, or 0: without finite elements, by half-spaces that turn from column to column. */
+CONTACTD_API int32_t contactd_set_section_place(contactd_contact* contact, int32_t body, double size, double turn);
+CONTACTD_API int32_t contactd_set_section_accuracy(contactd_contact* contact, int32_t body, double accuracy);
+/* Contact on curved columns, those of the lower body: y[count] and z[count] of their middles (mm), angle[count] of
+ * their outward normals from +z towards +y (rad), count = ny; the direction that the upper body comes from, as an
+ * angle; the point that spin, shifts and moments are about. */
+CONTACTD_API int32_t contactd_set_columns(contactd_contact* contact, const double* y, const double* z,
+                                          const double* angle, int32_t count, double direction, double origin_y,
+                                          double origin_z);
+/* Where the columns of a body's section lie, also before contactd_start: length = ny. `body`: CONTACTD_UPPER, _LOWER.
+ */
+CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, int32_t body, double* y, double* z, double* angle,
+                                         int32_t length);
 CONTACTD_API int32_t contactd_set_model(contactd_contact* contact, int32_t model);
 /* `solver`: CONTACTD_NORMAL, _TANGENTIAL or _OUTER. */
 CONTACTD_API int32_t contactd_set_tolerance(contactd_contact* contact, int32_t solver, double tolerance,
@@ -243,6 +304,9 @@ CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double
 /* --- results of the last step -------------------------------------------------------------------------------- */
 CONTACTD_API int32_t contactd_get_step(contactd_contact* contact, int32_t* step); /* its number, 0 before the first */
 CONTACTD_API int32_t contactd_get_forces(contactd_contact* contact, double* Fn, double* Fx, double* Fy, double* Mz);
+/* On curved columns forces[6]: Fx, Fy, Fz (N), Mx, My, Mz (N mm) of all tractions, in the axes of the section, about
+ * the origin of the columns; CONTACTD_NOT_FOUND in a plane. */
+CONTACTD_API int32_t contactd_get_resultant(contactd_contact* contact, double* forces);
 CONTACTD_API int32_t contactd_get_approach(contactd_contact* contact, double* approach);
 CONTACTD_API int32_t contactd_get_pmax(contactd_contact* contact, double* pmax);
 CONTACTD_API int32_t contactd_get_areas(contactd_contact* contact, double* in_contact, double* adhesion, double* slip);
@@ -434,6 +498,8 @@ CONTACTD_API int32_t contactd_wheel_get_patch_forces(contactd_wheel* wheel, int3
 CONTACTD_API int32_t contactd_wheel_get_pressure(contactd_wheel* wheel, int32_t patch, double* approach, double* pmax);
 CONTACTD_API int32_t contactd_wheel_get_areas(contactd_wheel* wheel, int32_t patch, double* in_contact,
                                               double* adhesion, double* slip);
+/* Dissipated by rolling (N mm/s); CONTACTD_NOT_FOUND without friction. */
+CONTACTD_API int32_t contactd_wheel_get_frictional_power(contactd_wheel* wheel, int32_t patch, double* power);
 CONTACTD_API int32_t contactd_wheel_get_counts(contactd_wheel* wheel, int32_t patch, int32_t* in_contact,
                                                int32_t* adhesion, int32_t* slip, int32_t* border);
 /* Arrays that were wanted: length = nx*ny of the patch. Slip is all zero without friction, and CONTACTD_GAP is of model

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "backend.hpp"
+#include "contactd/column_frames.hpp"
 #include "contactd/status.hpp"
 #include "engine/engine.hpp"
 #include "engine/environment.hpp"
@@ -170,6 +171,12 @@ class LocalBackend final : public Backend {
         const auto timeout = may_build(spec.setup) ? settings.build_timeout : settings.timeout;
         auto steps = observed(control, timeout, [&](LocalObserver& observer) { return engine_->open(spec, observer); });
         return std::make_unique<LocalContact>(engine_, std::move(steps), settings.timeout);
+    }
+    std::vector<ColumnFrame> frames(const Section& section, int columns, double ds, const Settings&,
+                                    const Control&) const override {
+        const IcSpec spec = spec_of_frames(section, columns, ds);
+        validate(spec);
+        return column_frames(spec);
     }
     std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
         return std::make_unique<LocalWheel>(engine_, settings.timeout);

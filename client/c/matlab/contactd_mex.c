@@ -46,6 +46,16 @@ static const struct {
     {"bilinear", CONTACTD_BILINEAR},
     {"half_space", CONTACTD_HALF_SPACE},
     {"block", CONTACTD_BLOCK},
+    {"cut", CONTACTD_CUT},
+    {"foot", CONTACTD_FOOT},
+    {"rail_60e1", CONTACTD_RAIL_60E1},
+    {"rim_s1002", CONTACTD_RIM_S1002},
+    {"edge_block", CONTACTD_EDGE_BLOCK},
+    {"groove", CONTACTD_GROOVE},
+    {"round_end", CONTACTD_ROUND_END},
+    {"disc", CONTACTD_DISC},
+    {"plate_hole", CONTACTD_PLATE_HOLE},
+    {"slab", CONTACTD_SLAB},
     {"steady", CONTACTD_STEADY},
     {"transient", CONTACTD_TRANSIENT},
     {"linear", CONTACTD_LINEAR},
@@ -166,6 +176,7 @@ static void print_line(void* user, int32_t level, const char* text) {
 }
 
 #include "contactd_mex_calls.h"
+#include "contactd_mex_section_calls.h"
 #include "contactd_mex_wheel_calls.h"
 
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
@@ -190,7 +201,8 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         return;
     }
     handle = handle_in(prhs[1], 2);
-    if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_that_reads(command, nlhs, plhs) &&
-        !call_that_sets_wheel(command) && !call_that_reads_wheel(command, nlhs, plhs))
+    if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_of_section(command, nlhs, plhs) &&
+        !call_that_reads(command, nlhs, plhs) && !call_that_sets_wheel(command) &&
+        !call_that_reads_wheel(command, nlhs, plhs))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

@@ -114,6 +114,7 @@ static int call_that_reads_wheel(const char* command, int nlhs, mxArray* plhs[])
     FORCES(wheel_get_patch_forces, w, whole(0), whole(1), x)
     DOUBLES(wheel_get_pressure, 2, w, whole(0), x, x + 1)
     DOUBLES(wheel_get_areas, 3, w, whole(0), x, x + 1, x + 2)
+    DOUBLES(wheel_get_frictional_power, 1, w, whole(0), x)
     WHOLES(wheel_get_counts, 4, w, whole(0), n, n + 1, n + 2, n + 3)
     TEXT(wheel_get_warning, w, whole(0), text, longest_text)
     if (!strcmp(command, "wheel_get_evidence")) {

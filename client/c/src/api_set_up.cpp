@@ -1,27 +1,14 @@
 // contactd.h: the set-up of a contact.
+#include "bodies_said.hpp"
 #include "edge.hpp"
 
 using namespace contactd::c;
 using contactd::Body;
-using contactd::Coefficients;
 using contactd::Grid;
 using contactd::Ics;
 using contactd::Material;
 
 namespace {
-
-/// Calls `change` with the bodies that the word names.
-template <class Change>
-void each_body(Said& said, std::int32_t body, const Change& change) {
-    word(body, CONTACTD_BOTH, "body");
-    if (body != CONTACTD_LOWER) change(said.problem.bodies.upper);
-    if (body != CONTACTD_UPPER) change(said.problem.bodies.lower);
-}
-
-void set_coefficients(Said& said, std::int32_t body, const Coefficients& ics) {
-    each_body(said, body, [&](Body& changed) { changed.ics = ics; });
-    said.problem.bodies.pair.reset();
-}
 
 contactd::SolverSettings& settings_of(Said& said, std::int32_t solver) {
     word(solver, CONTACTD_OUTER, "solver");

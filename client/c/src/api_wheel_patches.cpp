@@ -110,6 +110,14 @@ std::int32_t contactd_wheel_get_areas(contactd_wheel* wheel, std::int32_t patch,
                 [&](const WheelRailPatch& one) { put_areas(one.solution.area, in_contact, adhesion, slip); });
 }
 
+std::int32_t contactd_wheel_get_frictional_power(contactd_wheel* wheel, std::int32_t patch, double* power) {
+    return read(wheel, patch, [&](const WheelRailPatch& one) {
+        given(power, "power");
+        if (!one.solution.frictional_power) throw nothing_of("frictional power: without friction");
+        *power = *one.solution.frictional_power;
+    });
+}
+
 std::int32_t contactd_wheel_get_counts(contactd_wheel* wheel, std::int32_t patch, std::int32_t* in_contact,
                                        std::int32_t* adhesion, std::int32_t* slip, std::int32_t* border) {
     return read(wheel, patch, [&](const WheelRailPatch& one) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "contactd/session.hpp"
 #include "contactd/wheel_rail_setup.hpp"
@@ -79,11 +80,26 @@ class Backend {
     /// Returns when the tables lie ready. `spec` has passed validate_opening.
     virtual std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
                                               const Control& control) const = 0;
+    /// Of so many columns of a section, each `ds` wide; refused as column_frames does, below "ics.section".
+    virtual std::vector<ColumnFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
+                                            const Control& control) const = 0;
     /// Sends nothing yet.
     virtual std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const = 0;
     /// Throws when no contact can be solved there now.
     virtual void ping(const Settings& settings) const = 0;
 };
+
+/// The shortest table that comes with these columns, of whatever material.
+inline IcSpec spec_of_frames(const Section& section, int columns, double ds) {
+    IcSpec spec;
+    spec.body = BodyShape::prism;
+    spec.section = section;
+    spec.material = {1, 0.25};
+    spec.dx = spec.dy = ds;
+    spec.nx = 1;
+    spec.ny = columns;
+    return spec;
+}
 
 /// Of a daemon at `endpoint`. Throws InvalidArgument ("where") when it is no endpoint.
 std::unique_ptr<Backend> make_remote_backend(const std::string& endpoint);

@@ -113,6 +113,12 @@ const IcUses& Contact::ics() const {
     return open_->ics();
 }
 
+std::vector<ColumnFrame> Contact::frames(const Section& section) {
+    const Grid& grid = said.problem.grid;
+    return controlled(
+        [&](Control& control) { return backend_->frames(section, grid.ny, grid.dy, settings_, control); });
+}
+
 std::int32_t Contact::step_number() const {
     require_started();
     return result_ ? static_cast<std::int32_t>(result_->reply.step) : 0;

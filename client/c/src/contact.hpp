@@ -43,6 +43,8 @@ class Contact : public Called {
     /// Of the last step. Throws StatusError (NO_RESULT) when there is none.
     const Result& result() const;
     const IcUses& ics() const;
+    /// Where the columns of a section lie that are the rows of the grid.
+    std::vector<ColumnFrame> frames(const Section& section);
     /// Of the last step, 0 before the first.
     std::int32_t step_number() const;
 

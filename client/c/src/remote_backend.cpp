@@ -118,6 +118,12 @@ class RemoteBackend final : public Backend {
         return std::make_unique<RemoteContact>(endpoint_, spec, settings, control);
     }
 
+    std::vector<ColumnFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
+                                    const Control& control) const override {
+        const IcSpec spec = spec_of_frames(section, columns, ds);
+        return client::Client(endpoint_, options_of(settings)).get_ic(spec, options_of(control)).frames;
+    }
+
     std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
         return std::make_unique<RemoteWheel>(endpoint_, settings);
     }

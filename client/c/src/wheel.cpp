@@ -17,7 +17,7 @@ void Wheel::solve() {
     if (!open_) open_ = backend_->open_wheel(settings_);
     Result result{{}, said.fields, said.gap, said.state.position.roll};
     result.solution = controlled([&](Control& control) {
-        control.timeout = timeout;
+        control.timeout = patience();
         return open_->solve(said, control);
     });
     take(std::move(result));

@@ -45,6 +45,11 @@ class Wheel : public Called {
         std::optional<SolverEvidence> roll_search{};
     };
     const Result& result() const;
+    /// Its own timeout, or that of builds where it may have to wait for tables by finite elements.
+    std::optional<std::chrono::milliseconds> patience() const {
+        const bool may_build = said.setup.conformal == Conformal::fem;
+        return !timeout && may_build ? std::optional(settings_.build_timeout) : timeout;
+    }
     /// As the last one; tells its warnings.
     void take(Result result);
 

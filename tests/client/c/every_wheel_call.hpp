@@ -94,6 +94,7 @@ inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
         {"contactd_wheel_get_patch_forces",
          [&a](W w) { return contactd_wheel_get_patch_forces(w, 0, CONTACTD_IN_RAIL, a.out); }},
         {"contactd_wheel_get_pressure", [&a](W w) { return contactd_wheel_get_pressure(w, 0, a.out, a.out + 1); }},
+        {"contactd_wheel_get_frictional_power", [&a](W w) { return contactd_wheel_get_frictional_power(w, 0, a.out); }},
         {"contactd_wheel_get_areas", [&a](W w) { return contactd_wheel_get_areas(w, 0, a.out, a.out + 1, a.out + 2); }},
         {"contactd_wheel_get_counts",
          [&a](W w) { return contactd_wheel_get_counts(w, 0, a.number, a.number + 1, a.number + 2, a.number + 3); }},

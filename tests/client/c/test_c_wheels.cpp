@@ -65,6 +65,7 @@ void read_patch(contactd_wheel* w, std::int32_t patch, Numbers& all) {
     require_ok(contactd_wheel_get_counts(w, patch, n, n + 1, n + 2, n + 3), w);
     all.insert(all.end(), x, x + 7);
     all.insert(all.end(), n, n + 4);
+    if (contactd_wheel_get_frictional_power(w, patch, x) == CONTACTD_OK) all.push_back(x[0]);
     for (const std::int32_t coordinates : {CONTACTD_IN_TRACK, CONTACTD_IN_RAIL, CONTACTD_IN_WHEELSET}) {
         require_ok(contactd_wheel_get_patch_forces(w, patch, coordinates, x), w);
         all.insert(all.end(), x, x + 6);
@@ -290,6 +291,13 @@ TEST_CASE("What is not there to be read is said", "[c]") {
     CHECK(contactd_wheel_get_array(w, 0, CONTACTD_PRESSURE, x, 6) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_last_field(w) == std::string("length"));
     CHECK(contactd_wheel_get_array(w, 0, CONTACTD_DIVISION, x, 6) == CONTACTD_INVALID_ARGUMENT);
+
+    require_ok(contactd_wheel_set_velocity(w, 2000, 0, 0, 0, 0, -4), w);
+    require_ok(contactd_wheel_solve(w), w);
+    CHECK(contactd_wheel_get_frictional_power(w, 0, x) == CONTACTD_OK);
+    require_ok(contactd_wheel_set_frictionless(w), w);
+    require_ok(contactd_wheel_solve(w), w);
+    CHECK(contactd_wheel_get_frictional_power(w, 0, x) == CONTACTD_NOT_FOUND);
 }
 
 TEST_CASE("A solve that is refused leaves the results of the one before", "[c]") {
