@@ -3,15 +3,19 @@
 import contextlib
 import importlib.util
 import json
+import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 import zmq
 
+import contactd
 from contactd import Cancelled, NotFound, Unavailable
 from support.daemons import BIN, CheckedClient, eventually, processes_with
+from support.faults import NAMESPACE, needs_namespaces
 from support.problems import CATTANEO, CATTANEO_PARAMS, GRID, LONG, QUICK, STEEL
 from support.raw import RawClient
 from support.sessions import open_session
@@ -137,3 +141,80 @@ def test_a_study_runs_on_two_dask_workers():
     assert all(force > 0 for force in forces)
     assert {row.split()[3] for row in rows} <= {"built", "disk", "memory"}
     assert sum(row.split()[3] == "built" for row in rows) == 4  # each table once, whoever asked first
+
+
+STUDY = """\
+problem:
+  grid: {nx: 20, ny: 20, dx: 0.12, dy: 0.12}
+  bodies: {upper: {G: 200, nu: 0.42}}
+  ics: {source: fem, preset: paper-test2, order: 1, L_over_h: 40}
+  gap: {paraboloid: {Rx: 50, Ry: 50}}
+vary: {approach: {from: 5e-3, to: 2e-2, count: 9}}
+answers: [forces.Fn, evidence.ics.upper.origin]
+"""
+
+
+@contextlib.contextmanager
+def a_store_with_one_table():
+    """A folder whose store has the table of the study, where users other than this one may read, too."""
+    with tempfile.TemporaryDirectory(prefix="study-", dir="/tmp") as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        (folder / "study.yaml").write_text(STUDY)
+        (folder / "rows").mkdir()
+        (folder / "rows").chmod(0o777)
+        with contactd.local(in_process=True, folder=folder) as client:
+            client.get_ic(contactd.Material(G=200, nu=0.42), contactd.Grid(20, 20, 0.12, 0.12),
+                          contactd.FemIcs(preset="paper-test2", order=1, L_over_h=40))  # fmt: skip
+        yield folder
+
+
+def by_permission(folder):
+    """Nobody may write there, root neither once it has put its powers down."""
+    (folder / "store").chmod(0o555)
+    return ["setpriv", "--inh-caps=-all", "--bounding-set=-all"] if os.geteuid() == 0 else []
+
+
+def by_mount(folder):
+    needs_namespaces()
+    return [*NAMESPACE, "sh", "-c", f'mount --bind -o ro "{folder}/store" "{folder}/store" && exec "$@"', "sh"]
+
+
+def state_of(folder):
+    """Its owner may still set the times of files."""
+    return {path.name: path.read_bytes() for path in (folder / "store").rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize("forbid", [by_permission, by_mount])
+def test_processes_that_may_only_read_the_store_solve_a_study_with_its_tables(monkeypatch, forbid):
+    monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(path for path in sys.path if path))
+    with a_store_with_one_table() as folder:
+        before = state_of(folder)
+        command = [*forbid(folder), sys.executable, "-m", "contactctl", "--local", "--json", "--folder", folder, "study",
+                   folder / "study.yaml", "--rows", folder / "rows" / "all"]  # fmt: skip
+        tasks = [subprocess.Popen([*command, "--share", f"{i}/3"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                 for i in range(3)]  # fmt: skip
+        ended = [task.communicate(timeout=50) for task in tasks]
+        assert [task.returncode for task in tasks] == [0, 0, 0], ended
+        rows = [row["answers"] for out, _ in ended for row in json.loads(out)["rows"]]
+        assert state_of(folder) == before
+        (folder / "store").chmod(0o755)
+    assert len({row["forces.Fn"] for row in rows}) == 9
+    assert {row["evidence.ics.upper.origin"] for row in rows} == {"disk", "memory"}
+
+
+def test_a_store_that_may_only_be_read_serves_new_tables_from_memory(monkeypatch):
+    monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(path for path in sys.path if path))
+    with a_store_with_one_table() as folder:
+        before = state_of(folder)
+        study = folder / "rows" / "other.yaml"
+        study.write_text(STUDY.replace("0.42", "0.3"))
+        command = [*by_permission(folder), sys.executable, "-m", "contactctl", "--local", "--json", "--folder", folder]
+        ended = subprocess.run([*command, "study", study], capture_output=True, text=True, timeout=50)
+        assert ended.returncode == 0, ended.stderr
+        rows = [row["answers"] for row in json.loads(ended.stdout)["rows"]]
+        assert state_of(folder) == before
+        (folder / "store").chmod(0o755)
+    assert {row["evidence.ics.upper.origin"] for row in rows} == {"built", "memory"}

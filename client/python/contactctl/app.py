@@ -14,6 +14,8 @@ from .codes import Code
 from .commands import bench, completion, info, jobs, keys, session, solve, study, tables, watch, wheelrail
 from .common import Group
 from .interrupts import heeded_signals
+from .output import note
+from .reporting import drop_output
 
 __all__ = ["app", "run"]
 
@@ -65,5 +67,12 @@ def _run(arguments: Sequence[str] | None) -> int:
         return Code.USAGE
     except (click.Abort, KeyboardInterrupt):
         return Code.INTERRUPTED
+    except SystemExit:  # of click's, where nobody reads its help
+        drop_output()
+        return Code.PIPE
+    except OSError as error:  # of its help, too
+        note(f"contactctl: {error.strerror or error}.")
+        drop_output()
+        return Code.DEFECT
     return ended if isinstance(ended, int) else Code.DONE
 

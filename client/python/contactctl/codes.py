@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from enum import IntEnum
 
 from contactd import (
@@ -17,6 +18,12 @@ from contactd import (
 )
 
 __all__ = ["Code", "Ended", "HungUp", "Terminated", "code_of"]
+
+
+#: Of a file or folder that was named, as opposed to a disk that is full or broken.
+_UNUSABLE = {
+    errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.EEXIST, errno.ELOOP, errno.ENAMETOOLONG,
+}  # fmt: skip
 
 
 class Code(IntEnum):
@@ -54,7 +61,7 @@ class Terminated(KeyboardInterrupt):
 
 
 def code_of(error: BaseException) -> Code:
-    """The exit code that an error of the client has."""
+    """The exit code that an error of the client, or of a file, has."""
     kinds: tuple[tuple[type[BaseException], Code], ...] = (
         (HungUp, Code.HUNG_UP),
         (Terminated, Code.TERMINATED),
@@ -75,4 +82,6 @@ def code_of(error: BaseException) -> Code:
         if error.reason == "NOT_CONVERGED":
             return Code.NOT_CONVERGED
         return Code.FAILED if error.reason == "BUILD_OUT_OF_MEMORY" else Code.REFUSED
+    if isinstance(error, OSError) and error.filename is not None and error.errno in _UNUSABLE:
+        return Code.USAGE
     return Code.DEFECT

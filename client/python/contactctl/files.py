@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Hashable, Iterable
@@ -12,7 +13,11 @@ from typing import Any
 import click
 import numpy as np
 
-__all__ = ["read_document", "read_object", "write_text"]
+from contactd.saving import write_whole
+
+__all__ = ["read_document", "read_named", "read_object", "with_arrays", "writable", "write_text"]
+
+_DEEPEST = 50  #: levels of fields; no request has a quarter of them
 
 
 def read_object(path: str) -> dict[str, Any]:
@@ -21,12 +26,21 @@ def read_object(path: str) -> dict[str, Any]:
     ``{"$file": "gap.npy"}`` stands for the array of that file, beside this one: .npy, or text with a row a line. Raises
     click.UsageError with the file and the line.
     """
+    found: dict[str, Any] = with_arrays(read_named(path), path)
+    return found
+
+
+def read_named(path: str) -> dict[str, Any]:
+    """As read_object, with the names of files in place of their arrays."""
     document = read_document(path)
     if not isinstance(document, dict):
         raise click.UsageError(f"{path} holds {_kind(document)}; it must hold an object, fields with their values.")
-    folder = Path() if path == "-" else Path(path).parent
-    found: dict[str, Any] = _with_arrays(document, folder, path)
-    return found
+    return document
+
+
+def with_arrays(document: Any, path: str) -> Any:
+    """What `path` holds, with the arrays of the files that it names."""
+    return _with_arrays(document, Path() if path == "-" else Path(path).parent, path)
 
 
 def read_document(path: str) -> Any:
@@ -42,14 +56,24 @@ def read_document(path: str) -> Any:
         raise click.UsageError(f"{path} is no {'JSON' if is_json else 'YAML'}: {error}") from None
 
 
+def writable(option: str, path: str | Path) -> Path:
+    """Asked before anything is solved: whether there can be such a file. Raises click.UsageError."""
+    place = Path(path)
+    folder = place.absolute().parent
+    if not folder.is_dir():
+        raise click.UsageError(f"{option} {path}: there is no folder {place.parent}.")
+    if place.is_dir():
+        raise click.UsageError(f"{option} {path} is a folder; it must be the name of a file.")
+    is_written_to = place.exists() and not place.is_file()  # others are put in place
+    needed = [place] if is_written_to else [folder, place] if place.exists() else [folder]
+    if not all(os.access(path, os.W_OK) for path in needed):
+        raise click.UsageError(f"{option} {path} cannot be written: permission is denied.")
+    return place
+
+
 def write_text(path: str | Path, text: str) -> None:
     """Whole or not at all."""
-    part = Path(f"{path}.part")
-    try:
-        part.write_text(text)
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
+    write_whole(path, lambda file: file.write(text.encode()))
 
 
 def _text(path: str) -> str:
@@ -122,24 +146,28 @@ def _yaml(text: str) -> Any:
         raise ValueError(f"{getattr(error, 'problem', None) or str(error)}{where}") from None
 
 
-def _with_arrays(value: Any, folder: Path, path: str) -> Any:
+def _with_arrays(value: Any, folder: Path, path: str, depth: int = 0) -> Any:
+    if depth > _DEEPEST:
+        raise click.UsageError(f"{path} is nested too deeply.")
     if isinstance(value, dict):
         if value.keys() == {"$file"}:
             return _array(folder / str(value["$file"]), path)
-        return {name: _with_arrays(member, folder, path) for name, member in value.items()}
+        return {name: _with_arrays(member, folder, path, depth + 1) for name, member in value.items()}
     if isinstance(value, list):
-        return [_with_arrays(member, folder, path) for member in value]
+        return [_with_arrays(member, folder, path, depth + 1) for member in value]
     return value
 
 
 def _array(file: Path, path: str) -> np.ndarray[Any, Any]:
     try:
         if file.suffix == ".npy":
-            loaded: np.ndarray[Any, Any] = np.load(file, allow_pickle=False)
-            return loaded
+            loaded = np.load(file, allow_pickle=False)
+            if isinstance(loaded, np.ndarray):
+                return loaded
+            raise ValueError("it is an archive of arrays, as .npz is")
         text = file.read_text()
         return np.loadtxt(text.splitlines(), delimiter="," if "," in text else None, ndmin=2)
     except OSError as error:
         raise click.UsageError(f"{path} names {file}, which cannot be read: {error.strerror or error}.") from None
-    except ValueError as error:
+    except (ValueError, EOFError) as error:
         raise click.UsageError(f"{path} names {file}, which holds no array of numbers: {error}.") from None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 from collections.abc import Iterator, Sequence
@@ -13,9 +14,17 @@ __all__ = ["main"]
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Runs the command that `arguments` name (those of the process), and ends the process with its exit code."""
+    _open_streams()
     with _killed_by_interrupts():
         from .app import run
     sys.exit(run(arguments))
+
+
+def _open_streams() -> None:
+    """Where the caller has closed one of the three: else what is opened next, such as a socket, would take its place."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, mode))
 
 
 @contextmanager

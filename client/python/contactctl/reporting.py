@@ -15,7 +15,7 @@ from .codes import Code, Ended, code_of
 from .interrupts import ignore_more
 from .output import note
 
-__all__ = ["reported", "sentence"]
+__all__ = ["drop_output", "reported", "sentence"]
 
 
 @contextmanager
@@ -27,7 +27,7 @@ def reported() -> Iterator[None]:
     except (click.ClickException, click.exceptions.Exit):
         raise
     except BrokenPipeError:
-        _drop_output()
+        drop_output()
         raise click.exceptions.Exit(Code.PIPE) from None
     except KeyboardInterrupt as error:
         ignore_more()
@@ -43,11 +43,12 @@ def reported() -> Iterator[None]:
     except OSError as error:
         where = f"{error.filename}: " if error.filename else ""
         note(f"contactctl: {where}{error.strerror or error}.")
-        _drop_output()
-        raise click.exceptions.Exit(Code.DEFECT) from None
+        if not where:  # it is the output that cannot be written
+            drop_output()
+        raise click.exceptions.Exit(code_of(error)) from None
 
 
-def _drop_output() -> None:
+def drop_output() -> None:
     """What is still to be written goes nowhere, so that the end of Python does not try again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 

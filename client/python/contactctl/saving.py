@@ -10,12 +10,13 @@ from typing import Any
 import click
 
 from contactd import ContactSolution, PartialSolution
+from contactd.saving import write_whole
 from contactd.wheel_rail import WheelRailSolution
 
-from .files import write_text
+from .files import writable, write_text
 from .output import plain_json
 
-__all__ = ["ARRAYS", "check_outputs", "save"]
+__all__ = ["ARRAYS", "check_outputs", "need", "save"]
 
 #: Arrays over the grid that an answer may have.
 ARRAYS = ("element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y")
@@ -24,20 +25,21 @@ _PICTURES = (".png", ".svg", ".pdf")
 
 def check_outputs(paths: Iterable[str]) -> list[Path]:
     """Before anything is solved: whether each can be written. Raises click.UsageError."""
-    checked = [Path(path) for path in paths]
-    for path in checked:
+    checked = []
+    for name in paths:
+        path = Path(name)
         if path.suffix not in (".json", ".h5", *_PICTURES):
             raise click.UsageError(f"--output {path}: the name must end in .json, .h5, .png, .svg or .pdf.")
-        if not path.absolute().parent.is_dir():
-            raise click.UsageError(f"--output {path}: there is no folder {path.parent}.")
+        checked.append(writable("--output", name))
         if path.suffix == ".h5":
-            _need("h5py", "HDF5 files", "python3-h5py")
+            need("h5py", "HDF5 files", "python3-h5py")
         elif path.suffix in _PICTURES:
-            _need("matplotlib", "pictures", "python3-matplotlib")
+            need("matplotlib", "pictures", "python3-matplotlib")
     return checked
 
 
-def _need(module: str, what: str, package: str) -> None:
+def need(module: str, what: str, package: str) -> None:
+    """Raises click.UsageError where the module is not installed."""
     try:
         __import__(module)
     except ImportError:
@@ -60,4 +62,4 @@ def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution 
         else:
             figure = Figure(figsize=(6.8, 5.4), layout="constrained")
             solution.plot(figure.subplots())
-        figure.savefig(path, dpi=150, bbox_inches="tight")
+        write_whole(path, lambda file: figure.savefig(file, format=path.suffix[1:], dpi=150, bbox_inches="tight"))

@@ -13,12 +13,14 @@ import numpy as np
 
 from contactd import AnalyticIcs, Client, FemIcs, Grid, IcTable, Material, TableIcs, load_table, save_table
 from contactd.reading import read
+from contactd.saving import write_whole
 from contactd.solution import IcSpec
 
 from .asking import ask
+from .files import writable
 from .output import facts, size
 
-__all__ = ["check_suffix", "import_files", "shown_file", "write_export"]
+__all__ = ["check_suffix", "import_files", "send_files", "shown_file", "write_export"]
 
 _STORED = re.compile(r"([0-9a-f]{64})\.(\d+)x(\d+)\.h5")
 
@@ -27,8 +29,7 @@ def check_suffix(output: str) -> None:
     """Before anything is built. Raises click.UsageError."""
     if not output.endswith((".h5", ".npz", ".txt")):
         raise click.UsageError(f"--output {output}: the name must end in .h5, .npz or .txt.")
-    if not Path(output).absolute().parent.is_dir():
-        raise click.UsageError(f"--output {output}: there is no folder {Path(output).parent}.")
+    writable("--output", output)
 
 
 def write_export(client: Client, params: dict[str, Any], output: str) -> int:
@@ -41,12 +42,7 @@ def write_export(client: Client, params: dict[str, Any], output: str) -> int:
         return os.path.getsize(output)
     said = ask(client, "ic.export", {**params, "format": "hdf5" if output.endswith(".h5") else "contact"}, "building")
     content = said["text"].encode() if "text" in said else np.asarray(said["file"], dtype=np.uint8).tobytes()
-    part = Path(f"{output}.part")
-    try:
-        part.write_bytes(content)
-        part.replace(output)
-    finally:
-        part.unlink(missing_ok=True)
+    write_whole(output, lambda file: file.write(content))
     return len(content)
 
 
@@ -98,6 +94,20 @@ def _extent(grid: Grid) -> str:
     return f"{grid.nx} x {grid.ny} of {grid.dx:g} x {grid.dy:g} mm"
 
 
+def send_files(client: Client, files: list[str]) -> list[dict[str, Any]]:
+    """Has the daemon import each file. Raises click.UsageError where one cannot be read, StatusError for what is none."""
+    done = []
+    for file in files:
+        try:
+            content = Path(file).read_bytes()
+        except OSError as error:
+            raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
+        imported = client.import_ic(content)
+        grid = imported.spec.grid
+        done.append({"key": imported.ics.key, "nx": grid.nx, "ny": grid.ny, "new": imported.new})
+    return done
+
+
 def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
     """Checks each file and copies it; it appears whole or not at all. Raises click.UsageError or TableFileError."""
     folder = Path(store)
@@ -124,8 +134,8 @@ def _checked(file: Path) -> tuple[Path, str, int, int]:
     matched = _STORED.fullmatch(file.name)
     if matched is None:
         raise click.UsageError(
-            f"{file} is no file of a store: those are called <key>.<nx>x<ny>.h5. What ic export writes is for other "
-            "programs, and for TableIcs."
+            f"{file} is no file of a store: those are called <key>.<nx>x<ny>.h5. Without --store the daemon imports what ic "
+            "export has written, too."
         )
     if not file.exists():
         raise click.UsageError(f"{file} is not there.")

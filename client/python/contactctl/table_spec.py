@@ -9,7 +9,7 @@ import click
 import typer
 
 from .files import read_object
-from .paths import changed
+from .paths import changed, get
 
 __all__ = ["DX", "DY", "NU", "NX", "NY", "Accuracy", "E", "G", "Set", "Spec", "as_given", "offsets_of", "table_params"]
 
@@ -35,7 +35,7 @@ def table_params(file: str | None, given: dict[str, Any], sets: Sequence[str] | 
     params = read_object(file) if file is not None else {}
     if file is None and not given and not sets:
         raise click.UsageError("Say which table: a FILE, or at least --G, --nu, --nx and --dx.")
-    material, grid, ics = (dict(params.get(name) or {}) for name in ("material", "grid", "ics"))
+    material, grid, ics = (_part(params, name) for name in ("material", "grid", "ics"))
     material |= _modulus(given, material)
     grid |= {name: given[name] for name in ("nx", "ny", "dx", "dy") if name in given}
     for other, same in (("ny", "nx"), ("dy", "dx")):
@@ -48,18 +48,24 @@ def table_params(file: str | None, given: dict[str, Any], sets: Sequence[str] | 
     return changed({**params, **{name: part for name, part in parts.items() if part}}, sets or ())
 
 
+def _part(params: dict[str, Any], name: str) -> dict[str, Any]:
+    found = params.get(name) or {}
+    if not isinstance(found, dict):
+        raise click.UsageError(f"{name} is {found!r:.60}; it must be an object, fields with their values.")
+    return dict(found)
+
+
 def _modulus(given: dict[str, Any], material: dict[str, Any]) -> dict[str, Any]:
     found = {name: given[name] for name in ("G", "nu") if name in given}
     if "E" not in given:
         return found
     nu = found.get("nu", material.get("nu"))
-    if "G" in given or not isinstance(nu, (int, float)):
-        raise click.UsageError("--E goes with --nu, and in place of --G.")
+    if "G" in given or not isinstance(nu, (int, float)) or not nu > -1:
+        raise click.UsageError("--E goes with --nu, which is above -1, and in place of --G.")
     return {**found, "G": given["E"] / (2 * (1 + nu))}
 
 
 def offsets_of(params: dict[str, Any]) -> int:
     """How many; 0 where that is not said rightly, which is the daemon's to refuse."""
-    grid = params.get("grid", {})
-    nx, ny = grid.get("nx"), grid.get("ny")
+    nx, ny = get(params, "grid.nx"), get(params, "grid.ny")
     return nx * ny if isinstance(nx, int) and isinstance(ny, int) and nx > 0 and ny > 0 else 0

@@ -118,6 +118,8 @@ def _steps_of_csv(path: Path) -> list[dict[str, Any]]:
         raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
     except UnicodeDecodeError:
         raise click.UsageError(f"{path} is no text in UTF-8.") from None
+    except csv.Error as error:
+        raise click.UsageError(f"{path} is no CSV: {error}.") from None
     return steps
 
 

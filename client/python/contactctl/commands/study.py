@@ -6,6 +6,7 @@ import csv
 import io
 import os
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,13 +15,16 @@ import typer
 
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
-from ..files import write_text
-from ..output import above_rounding, emit, listing, note
+from ..files import writable, write_text
+from ..output import above_rounding, emit, listing, note, warn
 from ..progress import Bar
+from ..saving import need
 from ..study.by_dask import run_by_dask
+from ..study.hdf5 import write_hdf5
 from ..study.here import run_here
 from ..study.journal import Journal
-from ..study.plan import Plan, read_plan
+from ..study.plan import Case, Plan, read_plan
+from ..study.shares import Rows, Share, best, check_ended, rows_beside, share_of
 
 __all__ = ["add_to"]
 
@@ -36,8 +40,10 @@ def study(
     file: Annotated[str, typer.Argument(help="JSON or YAML: problem, vary, together, answers, method.")],
     rows: Annotated[Path | None, typer.Option("--rows", help="Where rows are kept; else FILE.rows beside it.")] = None,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Requests at a time.")] = os.cpu_count() or 1,
+    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Only these rows: 0/16 to 15/16 are all.")] = None,
     dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="By the workers of a Dask cluster, such as tcp://host:8786.")] = None,
     table: Annotated[Path | None, typer.Option("--csv", help="Write all rows to a CSV file, too.")] = None,
+    arrays: Annotated[Path | None, typer.Option("--hdf5", help="Write all rows to an HDF5 file, as arrays over what varies.")] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all rows, also those that are there.")] = False,
     retry: Annotated[bool, typer.Option("--retry", help="Solve those again that failed or did not converge.")] = False,
 ) -> None:
@@ -52,33 +58,65 @@ def study(
         if file == "-":
             raise click.UsageError("A study from standard input needs --rows, where its rows are kept.")
         rows = Path(f"{file}.rows")
-    with Journal(rows) as journal:
-        keys = {case.key for case in plan.cases}
-        unwanted = keys if fresh else {key for key in keys if retry and journal.rows.get(key, {}).get("code")}
-        if unwanted & journal.rows.keys():
-            journal.forget(unwanted)
-        if before := len(keys & journal.rows.keys()):
-            note(f"{before} of {len(keys)} rows are in {rows}.")
-        try:
-            _solve(plan, journal, workers, dask)
-        except BaseException:
-            note(f"{len(keys & journal.rows.keys())} of {len(keys)} rows are in {rows}; the same command goes on.")
-            raise
-        found = [journal.rows[case.key] for case in plan.cases]
+    part = None if share is None else share_of(share)
+    _check_output(part, table, arrays)
+    cases = plan.cases if part is None else part.cases(plan.cases)
+    with Journal(rows if part is None else part.file(rows)) as journal:
+        if part is None:
+            check_ended(rows)
+        found = _solved(plan, cases, journal, {} if fresh else rows_beside(rows, journal.path), workers, dask, fresh, retry)
+    if arrays is not None:
+        write_hdf5(arrays, plan, found)
     _show(plan, found, table)
 
 
-def _solve(plan: Plan, journal: Journal, workers: int, dask: str | None) -> None:
-    todo = [case for case in plan.cases if case.key not in journal.rows]
+def _check_output(part: Share | None, table: Path | None, arrays: Path | None) -> None:
+    """Before anything is solved."""
+    for option, path in (("--csv", table), ("--hdf5", arrays)):
+        if path is None:
+            continue
+        if part is not None:
+            raise click.UsageError(f"{option} takes all rows: leave it to the command without --share, when all shares are done.")
+        writable(option, path)
+    if arrays is not None:
+        need("h5py", "HDF5 files", "python3-h5py")
+
+
+def _solved(
+    plan: Plan, cases: Sequence[Case], journal: Journal, beside: Rows, workers: int, dask: str | None, fresh: bool, retry: bool
+) -> list[dict[str, Any]]:
+    """The rows of these cases; `beside` has those of other files."""
+    keys = {case.key for case in cases}
+    there = best(journal.rows, beside)
+    unwanted = keys if fresh else {key for key in keys if retry and there.get(key, {}).get("code")}
+    if unwanted & journal.rows.keys():
+        journal.forget(unwanted)
+    there = {key: there[key] for key in (keys & there.keys()) - unwanted}
+
+    def told() -> str:
+        return f"{len(keys & (there.keys() | journal.rows.keys()))} of {len(keys)} rows are in {journal.path}"
+
+    if there:
+        note(f"{told()}{' and beside it' if there.keys() - journal.rows.keys() else ''}.")
+    try:
+        _solve(plan, [case for case in cases if case.key not in there], len(there), journal, workers, dask)
+    except BaseException:
+        note(f"{told()}; the same command goes on.")
+        raise
+    found = best(journal.rows, there)
+    return [found[case.key] for case in cases]
+
+
+def _solve(plan: Plan, todo: Sequence[Case], there: int, journal: Journal, workers: int, dask: str | None) -> None:
+    """`there` are the rows that are not to be solved."""
     if not todo:
         return
-    there = len(plan.cases) - len(todo)
     known = len(journal.rows)
     with Bar("study") as bar:
 
         def on_row() -> None:
             done = there + len(journal.rows) - known
-            bar.show(done / len(plan.cases), f"{done} of {len(plan.cases)} rows")
+            bar.show(done / (there + len(todo)), f"{done} of {there + len(todo)} rows")
 
         on_row()
         if dask is not None:
@@ -104,6 +142,8 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     said += f", {codes.total()} failed" if codes else ""
     more = [f"... {len(rows) - _SHOWN} more rows: --csv FILE writes them all"] if len(rows) > _SHOWN else []
     emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", said)
+    solved = [row["answers"] for row in rows if "answers" in row]
+    warn(f"no answer has {name}" for name in answers if solved and all(found[name] is None for found in solved))
     for row in [row for row in rows if "error" in row][:5]:
         note(f"failed: {row['values']}: {row['error']}")
     if codes:

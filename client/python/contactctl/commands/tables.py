@@ -14,7 +14,7 @@ from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
 from ..output import counted, emit, facts, listing, note, size, span, warn
-from ..table_files import check_suffix, import_files, shown_file, write_export
+from ..table_files import check_suffix, import_files, send_files, shown_file, write_export
 from ..table_spec import (
     DX,
     DY,
@@ -143,14 +143,18 @@ def export(
 
 
 def import_tables(
-    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files of another store.")],
-    store: Annotated[str, typer.Option("--store", help="The folder of the store, as the daemon's configuration names it.")],
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files of ic export (.h5), or of another store.")],
+    store: Annotated[str | None, typer.Option("--store", help="A folder: files of another store are copied there, without a daemon.")] = None,
 ) -> None:
-    """Put files of another store into a store.
+    """Put tables of files into the daemon's store, or into the folder of one.
 
     They are checked first. Daemons with this store find them at once.
     """
-    done = import_files(files, store)
+    if store is not None:
+        done = import_files(files, store)
+    else:
+        with connected() as client:
+            done = send_files(client, files)
     rows = [(entry["key"][:16], f"{entry['nx']} x {entry['ny']}", "new" if entry["new"] else "was there") for entry in done]
     emit(setting().json, {"tables": done}, listing(None, ["key", "offsets", "in the store"], rows))
 
@@ -176,6 +180,8 @@ def delete(
 
 def _whole_key(client: Client, beginning: str) -> str:
     """The one key that begins so. Raises Ended when there is none, click.UsageError when there are several."""
+    if not beginning:
+        raise click.UsageError("A key is empty; say at least its beginning, as ic list shows it.")
     entries: list[StoredIc | QuarantinedIc] = [*client.stored_ics(), *client.quarantined_ics()]
     found = sorted({entry.key for entry in entries if entry.key.startswith(beginning)})
     if not found:

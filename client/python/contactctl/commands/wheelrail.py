@@ -15,7 +15,7 @@ from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
 from ..files import read_object
 from ..output import emit, facts, listing, warn
-from ..paths import changed
+from ..paths import changed, get
 from ..saving import check_outputs, save
 from .solve import Fields, Outputs, Set, wanted_fields
 
@@ -87,8 +87,9 @@ def _params(
     given += [("state.Fz", force), ("state.velocity.x", speed), ("setup.side", side), ("setup.friction.mu", mu)]
     params = changed(params, [f"{path}={value}" for path, value in given if value is not None])
     if speed is not None:
-        radius = params.get("setup", {}).get("wheelset", {}).get("nominal_radius", RADIUS)
-        params["state"]["velocity"].setdefault("pitch", -speed / radius)
+        radius = get(params, "setup.wheelset.nominal_radius")
+        is_usable = isinstance(radius, (int, float)) and radius != 0  # else it is the daemon's to refuse
+        params["state"]["velocity"].setdefault("pitch", -speed / (radius if is_usable else RADIUS))
     return changed(params, sets or ())
 
 

@@ -60,7 +60,8 @@ def _solved(
 def _client(said: dict[str, Any]) -> Client:
     """Of this worker: it has an endpoint of its own where the command names none, and CONTACTD_ENDPOINT there does."""
     there = Setting(**{name: value for name, value in said.items() if value not in (None, False)})
-    identity = (there.local, there.endpoint or DEFAULT_ENDPOINT)
+    identity = (there.local, there.folder, there.endpoint or DEFAULT_ENDPOINT)
     if identity not in _CLIENTS:
-        _CLIENTS[identity] = _OPEN.enter_context(contactd.local()) if there.local else client_of(there)
+        here = contactd.local(folder=there.folder) if there.local else None
+        _CLIENTS[identity] = client_of(there) if here is None else _OPEN.enter_context(here)
     return _CLIENTS[identity]

@@ -18,7 +18,7 @@ from typing import Any
 from ..codes import Code, Ended
 from ..output import note
 
-__all__ = ["Journal"]
+__all__ = ["Journal", "rows_in"]
 
 _SYNC = 1.0  # seconds of work that a loss of power may cost
 
@@ -89,18 +89,28 @@ class Journal:
         whole = content.rfind(b"\n") + 1
         if whole < len(content):  # killed within a line
             os.ftruncate(self._file, whole)
-        damaged = 0
-        for line in content[:whole].splitlines():
-            row = _row(line)
-            if row is None:
-                damaged += 1
-            else:
-                self.rows.setdefault(row["key"], row)
-        if damaged and not self.rows:
+        try:
+            self.rows = rows_in(self.path, content)
+        except BaseException:
             os.close(self._file)
-            raise Ended(Code.USAGE, f"{self.path} is no file with rows of a study; name another one by --rows.")
-        if damaged:
-            note(f"warning: {damaged} damaged lines of {self.path} are left out, and their rows solved again.")
+            raise
+
+
+def rows_in(path: Path, content: bytes) -> dict[str, dict[str, Any]]:
+    """The whole lines of a file with this content. Raises Ended where none of them is a row."""
+    rows: dict[str, dict[str, Any]] = {}
+    damaged = 0
+    for line in content[: content.rfind(b"\n") + 1].splitlines():
+        row = _row(line)
+        if row is None:
+            damaged += 1
+        else:
+            rows.setdefault(row["key"], row)
+    if damaged and not rows:
+        raise Ended(Code.USAGE, f"{path} is no file with rows of a study; name another one by --rows.")
+    if damaged:
+        note(f"warning: {damaged} damaged lines of {path} are left out, and their rows solved again.")
+    return rows
 
 
 def _line(row: dict[str, Any]) -> bytes:

@@ -170,6 +170,20 @@ def test_a_table_of_another_store_is_imported(own, daemons):
     assert "was there" in own("ic", "import", file, "--store", other.store).out
 
 
+def test_an_exported_prism_is_imported_and_shown(own, daemons):
+    own.write("edge.json", {"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 3, "ny": 4, "dx": 1, "dy": 1},
+        "ics": {"source": "fem", "body": "prism", "accuracy": 1e-2, "section": {"slab": {"thickness": 4, "width": 30}}}})  # fmt: skip
+    own("ic", "export", "edge.json", "-o", "edge.h5")
+    assert "3 x 4 of 1 x 1 mm" in own("ic", "show", "edge.h5").out
+    own("ic", "export", "edge.json", "-o", "edge.npz")
+    assert load_table(own.folder / "edge.npz").frames.shape == (4, 3)
+    other = daemons.start("other", builds={"program": "/bin/false"})
+    (entry,) = own("ic", "import", "edge.h5", "-e", other.endpoint, "--json").json["tables"]
+    assert entry["new"]
+    assert own("ic", "build", "edge.json", "-e", other.endpoint, "--json").json["key"] == entry["key"]
+    assert "was there" in own("ic", "import", "edge.h5", "-e", other.endpoint).out
+
+
 def test_a_table_without_room_in_a_message_is_built_all_the_same(ctl):
     ctl.write("large.json", {"material": {"G": 1, "nu": 0.3}, "grid": {"nx": 1000, "ny": 900, "dx": 1, "dy": 1}, "ics": {"source": "analytic"}})
     assert "64.8 MB" in ctl("ic", "build", "large.json").err

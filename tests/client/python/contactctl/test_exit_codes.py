@@ -1,7 +1,10 @@
 """Every exit code, each with a sentence on standard error and nothing on standard output."""
 
 import json
+import os
+import shlex
 import signal
+import subprocess
 
 import pytest
 
@@ -42,7 +45,17 @@ def test_done_is_0(ctl):
         (["ic", "build", "--E", "2e5"], "--E goes with --nu"),
         (["ic", "export", "quick.json", "-o", "table.csv"], "must end in .h5, .npz or .txt"),
         (["ic", "import", "quick.json", "--store", "."], "is no file of a store"),
+        (["ic", "import", "missing.h5"], "cannot be read"),
         (["ic", "show", "nowhere.h5"], "nowhere.h5 cannot be read"),
+        (["solve", "."], ". cannot be read: Is a directory"),
+        (["solve", "contact.yaml", "-o", "folder.h5"], "folder.h5 is a folder"),
+        (["study", "study.yaml", "--csv", "nowhere/a.csv"], "--csv nowhere/a.csv: there is no folder nowhere"),
+        (["study", "study.yaml", "--rows", "folder.h5"], "folder.h5: Is a directory"),
+        (["ic", "build", "wrong.json"], "material is 5; it must be an object"),
+        (["ic", "build", "--E", "2e5", "--nu", "-1", "--nx", "3", "--dx", "1"], "--nu, which is above -1"),
+        (["ic", "delete", ""], "A key is empty"),
+        (["keys", "new", "alice", "--to", "contact.yaml"], "contact.yaml: File exists"),
+        (["session", "wide.yaml"], "wide.csv is no CSV: field larger than field limit"),
         (["cancel"], "Name the jobs to cancel, or say --all"),
         (["keys", "show", "contact.yaml"], "it is no key file"),
         (["keys", "new", "../bob"], "is no name of a file"),
@@ -52,7 +65,32 @@ def test_done_is_0(ctl):
     ],
 )
 def test_what_cannot_be_used_is_2(ctl, words, sentence):
+    (ctl.folder / "folder.h5").mkdir()
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1]}\n")
+    ctl.write("wrong.json", {"material": 5})
+    ctl.write("wide.yaml", "open: {}\nsteps: wide.csv\n")
+    ctl.write("wide.csv", "Fn\n" + 200_000 * "1")
     assert refused(ctl(*words), 2, sentence)
+
+
+@pytest.mark.parametrize("levels", [60, 600, 60_000])
+def test_what_is_nested_too_deeply_is_2(ctl, levels):
+    for name in ("deep.json", "deep.yaml"):
+        ctl.write(name, '{"approach": ' + levels * "[" + levels * "]" + "}")
+        assert refused(ctl("solve", name), 2, "is nested too deeply")
+
+
+@pytest.mark.parametrize(("forbidden", "name"), [("folder", "folder/new.json"), ("folder/old.json", "folder/old.json")])
+def test_what_must_not_be_written_is_2_before_anything_is_solved(lonely, monkeypatch, forbidden, name):
+    (lonely.folder / "folder").mkdir()
+    lonely.write("folder/old.json", "{}")
+    lonely.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1]}\n")
+    (lonely.folder / forbidden).chmod(0o555)
+    # Also for root, to whom nothing is forbidden.
+    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK or bool(os.stat(path).st_mode & 0o200))
+    assert refused(lonely("solve", "contact.yaml", "-o", name), 2, f"--output {name} cannot be written: permission is denied")
+    assert refused(lonely("study", "study.yaml", "--csv", name), 2, f"--csv {name} cannot be written")
+    (lonely.folder / forbidden).chmod(0o755)
 
 
 def test_no_daemon_is_3(lonely):
@@ -174,6 +212,28 @@ def test_a_disk_that_is_full_is_1(ctl):
         ended = ctl.start("info", stdout=full)
         _, err = ended.communicate(timeout=30)
     assert (ended.returncode, err) == (1, "contactctl: No space left on device.\n")
+
+
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["ic", "--help"], ["completion", "bash"], ["health"]])
+def test_help_that_cannot_be_written_is_an_end_in_order(ctl, words):
+    for stdout, code, said in (("/dev/full", 1, "contactctl: No space left on device.\n"), (None, 141, "")):
+        with open(stdout, "w") if stdout else _unread_pipe() as out, ctl.start(*words, stdout=out) as ended:
+            assert ended.communicate(timeout=30)[1] == said
+        assert ended.returncode == code
+
+
+def _unread_pipe():
+    reading, writing = os.pipe()
+    os.close(reading)
+    return os.fdopen(writing, "w")
+
+
+@pytest.mark.parametrize("closed", ["0<&-", "1>&-", "2>&-", "0<&- 1>&- 2>&-"])
+def test_streams_that_are_closed_are_missed_by_nobody(ctl, closed):
+    command = shlex.join([*ctl.command, "health"])
+    ended = subprocess.run(["bash", "-c", f"{command} {closed}"], env=ctl.environment, capture_output=True, text=True, timeout=30)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert ended.stdout == ("" if "1>" in closed else "serving\n")
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])

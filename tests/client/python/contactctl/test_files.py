@@ -51,9 +51,14 @@ def test_anchors_save_writing(file):
         ("a.json", "[" * 100_000, "nested too deeply|is no JSON"),
         ("a.yaml", "a: {$file: nowhere.npy}\n", "names .*nowhere.npy, which cannot be read"),
         ("a.yaml", "a: {$file: a.yaml}\n", "which holds no array of numbers"),
+        ("a.yaml", "a: {$file: empty.npy}\n", "names .*empty.npy, which holds no array of numbers"),
+        ("a.yaml", "a: {$file: archive.npy}\n", "it is an archive of arrays"),
     ],
 )
-def test_what_means_nothing_is_refused_with_its_place(file, name, text, sentence):
+def test_what_means_nothing_is_refused_with_its_place(tmp_path, file, name, text, sentence):
+    (tmp_path / "empty.npy").touch()
+    with (tmp_path / "archive.npy").open("wb") as archive:
+        np.savez(archive, a=1)
     with pytest.raises(click.UsageError, match=sentence):
         read_object(file(name, text))
 

@@ -7,6 +7,7 @@ import resource
 import signal
 import time
 
+import numpy as np
 import pytest
 
 from contactctl.codes import Ended
@@ -56,6 +57,26 @@ def test_fields_move_together_and_by_logarithms(ctl):
     assert [row[0] for row in values[::2]] == pytest.approx([1e-3, 1e-2, 1e-1])
 
 
+def test_arrays_that_vary_are_named_in_their_rows(ctl):
+    x = (np.arange(20) - 9.5) * 0.12
+    for number in (1, 2):
+        np.save(ctl.folder / f"gap{number}.npy", (x[:, None] ** 2 + x**2) / 100 * number)
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {gap: [{array: {$file: gap1.npy}}, {array: {$file: gap2.npy}}]}\nanswers: [forces.Fn]\n")
+    first, second = ctl("study", "study.yaml", "--json").json["rows"]
+    assert first["values"] == {"gap": {"array": {"$file": "gap1.npy"}}}
+    assert first["answers"]["forces.Fn"] == pytest.approx(ctl("solve", "contact.yaml", "--json").json["forces"]["Fn"], rel=1e-9)
+    assert second["answers"] != first["answers"]
+    np.save(ctl.folder / "gap2.npy", (x[:, None] ** 2 + x**2) / 100 * 3)
+    assert ctl("study", "study.yaml", "--json").json["rows"][1]["answers"] != second["answers"], "the file is another one now"
+    assert "gap2.npy" in ctl("study", "study.yaml").out
+
+
+def test_an_answer_that_no_row_has_is_told(ctl):
+    ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1]}\nanswers: [forces.Fm, pmax]\n")
+    ended = ctl("study", "study.yaml")
+    assert (ended.code, ended.err) == (0, "warning: no answer has forces.Fm\n")
+
+
 def test_a_range_by_steps_has_its_end(ctl):
     ctl.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: {from: 0.1, to: 0.3, step: 0.1}}\n")
     assert [row["values"]["friction.mu"] for row in ctl("study", "study.yaml", "--json").json["rows"]] == pytest.approx([0.1, 0.2, 0.3])
@@ -96,11 +117,16 @@ def test_a_row_that_fails_is_a_row_and_an_exit_code(ctl):
         ("problem: contact.yaml", "lacks vary"),
         ("problem: contact.yaml\nvary: {approach: 3}", "the values of approach must be a list"),
         ("problem: contact.yaml\nvary: {approach: {from: 1, to: x, count: 3}}", "finite numbers"),
+        ("problem: contact.yaml\nvary: {approach: {from: 1, to: 1" + 400 * "0" + ", count: 3}}", "finite numbers"),
         ("problem: contact.yaml\nvary: {approach: {from: 1, to: 2}}", "either count or"),
         ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, count: 3, scale: log}}", "between positive numbers"),
         ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, step: -1}}", "does not lead from 0 to 2"),
         ("problem: contact.yaml\nvary: {approach: {from: 0, to: 2, count: 0}}", "count of approach"),
         ("problem: contact.yaml\nvary: {approach: [1, 1]}", "has a row twice"),
+        ("problem: contact.yaml\nvary: {approach: [1, .nan]}", "the values of approach must be what JSON has; every number must be finite"),
+        ("problem: contact.yaml\nvary: {approach: [!!binary aGk=]}", "the values of approach must be what JSON has"),
+        ("problem: contact.yaml\nvary: {approach: {from: -1e308, to: 1e308, count: 3}}", "which is too far"),
+        ("problem: contact.yaml\nvary: {gap.array: [{$file: nowhere.npy}]}", "nowhere.npy, which cannot be read"),
         ("problem: contact.yaml\nvary: {approach.x: [1, 2]}", "approach.x cannot be set"),
         ("problem: contact.yaml\nvary: {a: [1]}\ntogether: {a: [1]}", "a is in vary and in together"),
         ("problem: contact.yaml\ntogether: {a: [1], b: [1, 2]}", "numbers of values that differ"),
@@ -202,7 +228,9 @@ def test_a_study_runs_on_a_dask_cluster(own):
     with scheduler:
         address = scheduler.stdout.readline().strip()
         by_dask = own.alone("study", "study.yaml", "--dask", address, "--json")
-        alone = own.alone("study", "study.yaml", "--dask", address, "--local", "--rows", "local.rows", "--json")
+        folder = own.folder / "tables"
+        alone = own.alone("study", "study.yaml", "--dask", address, "--local", "--folder", folder, "--rows", "local.rows", "--json")
+        assert (folder / "store").is_dir(), "tables lie where the command says, not in a folder that goes with the worker"
         scheduler.communicate("", timeout=60)
     assert by_dask.code == 0, by_dask.err
     here = own("study", "study.yaml", "--rows", "here.rows", "--json").json["rows"]

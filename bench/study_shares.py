@@ -1,0 +1,74 @@
+"""What two workers gain over one in a study: shares of the creep tables of the examples, by processes of contactctl that
+solve by themselves. Processor time of the processes and time by the clock, in turns.
+
+    python3 bench/study_shares.py [--rows 10000] [--rounds 3]     (the packages contactd, contactctl and contactd_local on PYTHONPATH)
+
+By the clock two workers gain what the machine has: another busy process takes it away. Processor time tells what they cost
+each other, and `gain` is what a quiet machine with two cores would make of that: twice one worker's time over both's.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+
+STUDY = Path(__file__).resolve().parent.parent / "client" / "python" / "examples" / "creep_tables" / "study.yaml"
+COMMAND = [sys.executable, "-m", "contactctl", "--local", "study", "--workers", "1"]
+
+
+def part_of(rows: int) -> str:
+    """The study with so many values of friction and creepage that it has `rows` rows at least."""
+    ellipses, creepages = 10, 100  # of the ellipses and spin, and of xi
+    count = max(1, round(rows / ellipses / creepages))
+    lines = []
+    for line in STUDY.read_text().splitlines():
+        if line.startswith("  friction.mu:"):
+            line = f"  friction.mu: {{from: 0.1, to: 0.5, count: {count}}}"
+        elif line.startswith("  friction.rolling.eta:"):
+            line = "  friction.rolling.eta: [1e-3]"
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def timed(study: Path, workers: int) -> tuple[float, float]:
+    """Seconds by the clock, and of processors."""
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    tasks = [
+        subprocess.Popen([*COMMAND, study, "--share", f"{index}/{workers}", "--rows", f"{study}.{workers}"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        for index in range(workers)
+    ]
+    for task in tasks:
+        _, err = task.communicate()
+        if task.returncode not in (0, 5):
+            raise SystemExit(err.decode())
+    seconds, after = time.perf_counter() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
+    for index in range(workers):
+        os.unlink(f"{study}.{workers}.{index}-of-{workers}")
+    return seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rows", type=int, default=10000, help="at least (default %(default)s)")
+    parser.add_argument("--rounds", type=int, default=3, help="default %(default)s")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix="study-shares-") as folder:
+        study = Path(folder) / "study.yaml"
+        study.write_text(part_of(options.rows))
+        found = [(timed(study, 1), timed(study, 2)) for _ in range(options.rounds)]
+    for (one, one_used), (two, two_used) in found:
+        print(f"one worker {one:6.1f} s, {one_used:6.1f} s of processors; two {two:6.1f} s, {two_used:6.1f} s: "
+              f"{one / two:.2f} by the clock, gain {2 * one_used / two_used:.2f} by processor time")  # fmt: skip
+    print(f"medians: {median(one[0] / two[0] for one, two in found):.2f} by the clock, "
+          f"gain {median(2 * one[1] / two[1] for one, two in found):.2f} by processor time")  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

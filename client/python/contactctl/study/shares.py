@@ -1,0 +1,74 @@
+"""Shares of a study, for processes that know nothing of each other: the tasks of an array of jobs, or two terminals."""
+
+from __future__ import annotations
+
+import fcntl
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..codes import Code, Ended
+from .journal import rows_in
+from .plan import Case
+
+__all__ = ["Rows", "Share", "best", "check_ended", "rows_beside", "share_of"]
+
+Rows = dict[str, dict[str, Any]]  #: by their keys
+
+
+@dataclass(frozen=True)
+class Share:
+    """Every `count`-th case from the `index`-th on, so that all shares have about as much to do."""
+
+    index: int
+    count: int
+
+    def cases(self, cases: Sequence[Case]) -> Sequence[Case]:
+        return cases[self.index :: self.count]
+
+    def file(self, rows: Path) -> Path:
+        """Of its rows; `rows` is that of the study."""
+        return Path(f"{rows}.{self.index}-of-{self.count}")
+
+
+def share_of(text: str) -> Share:
+    """The share that a text such as 0/16 stands for. Raises click.UsageError."""
+    found = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
+    if not found or not int(found[1]) < int(found[2]):
+        raise click.UsageError(f"--share is {text!r}; it must be INDEX/COUNT with INDEX below COUNT, such as 0/16 to 15/16.")
+    return Share(int(found[1]), int(found[2]))
+
+
+def rows_beside(rows: Path, own: Path) -> Rows:
+    """Those of the study's file and of all its shares, however many these were, but for the `own` file. Who writes them may
+    be at work: a line that is not whole is none."""
+    files = [path for path in (rows, *_files(rows)) if path != own and path.is_file()]
+    return best(*(rows_in(path, path.read_bytes()) for path in files))
+
+
+def best(*sources: Rows) -> Rows:
+    """Each row once: that of the first source, unless it failed and a later one is done."""
+    found: Rows = {}
+    for rows in sources:
+        found.update({key: row for key, row in rows.items() if key not in found or (found[key]["code"] and not row["code"])})
+    return found
+
+
+def check_ended(rows: Path) -> None:
+    """Raises Ended while a share is at work."""
+    for path in _files(rows):
+        with path.open("rb") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+            except OSError:
+                raise Ended(Code.USAGE, f"{path} belongs to a share that runs; wait for it, or solve a --share.") from None
+
+
+def _files(rows: Path) -> list[Path]:
+    """Of the shares that have rows."""
+    pattern = re.compile(re.escape(rows.name) + r"\.\d+-of-\d+")
+    return sorted(path for path in rows.parent.iterdir() if pattern.fullmatch(path.name)) if rows.parent.is_dir() else []
