@@ -1,4 +1,4 @@
-"""What is asked of programs and libraries: what they need, where they look for it, which glibc they take."""
+"""What is asked of programs and libraries: what they need, and where they look for it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
-__all__ = ["is_elf", "links", "newest_glibc", "own_folders"]
+__all__ = ["is_elf", "links", "own_folders"]
 
 
 def _said(*command: str | Path) -> str:
@@ -38,9 +38,3 @@ def own_folders(path: Path) -> list[str]:
     """Where it says itself that its libraries are (RPATH and RUNPATH)."""
     found = re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", _said("readelf", "-dW", path))
     return [folder for folders in found for folder in folders.split(":")]
-
-
-def newest_glibc(path: Path) -> tuple[int, ...]:
-    """The version of glibc that it takes at least; (0,) when it asks for none."""
-    asked = re.findall(r"\bGLIBC_(\d+(?:\.\d+)*)", _said("readelf", "-VW", path).partition("needs section")[2])
-    return max((tuple(int(part) for part in version.split(".")) for version in asked), default=(0,))

@@ -3,11 +3,15 @@
  * Whatever is linked into the module finds these functions before those of the library; nobody outside sees them.
  *
  * fmod 2.38 and hypot 2.35 no longer set errno by a wrapper. The others are strtol, sscanf and their kin as C23 has them,
- * which also read "0b1"; a program of C++20 wants them as they were. Compiled as C11, this file names the older ones. */
+ * which also read "0b1"; a program of C++20 wants them as they were. Compiled as C11, this file names the older ones.
+ * strlcpy came with 2.38 and arc4random with 2.36: ZeroMQ and std::random_device want them, in FMUs. */
 #undef _GNU_SOURCE
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
 
 #define HERE __attribute__((visibility("hidden")))
 
@@ -30,4 +34,21 @@ HERE int __isoc23_sscanf(const char* text, const char* format, ...) {
     const int count = vsscanf(text, format, values);
     va_end(values);
     return count;
+}
+
+HERE size_t strlcpy(char* to, const char* from, size_t size) {
+    const size_t length = strlen(from);
+    if (size > 0) {
+        const size_t copied = length < size ? length : size - 1;
+        memcpy(to, from, copied);
+        to[copied] = '\0';
+    }
+    return length;
+}
+
+HERE uint32_t arc4random(void) {
+    uint32_t value = 0;
+    while (getrandom(&value, sizeof value, 0) != (ssize_t)sizeof value) {
+    }
+    return value;
 }
