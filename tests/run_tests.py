@@ -21,7 +21,7 @@ TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 BUILD = ROOT / "build" / "development"
 #: What the Python tests run.
-PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd-cpp-example", "contactd-c-examples", "congruence-drivers")
+PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd-cpp-example", "contactd-c-examples", "contactd-fmus", "congruence-drivers")
 #: No test needs them.
 EXTRAS = ("fuzz", "benchmarks", "random_problems")
 PROCESSORS = len(os.sched_getaffinity(0))

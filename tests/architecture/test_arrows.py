@@ -11,9 +11,9 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 LIST = Path(__file__).with_name("arrows.txt")
-TARGETS = ("core", "proto", "client/c", "client/cpp", "client/cntc", "client/python/local", "server")
+TARGETS = ("core", "proto", "client/c", "client/cpp", "client/cntc", "client/fmu", "client/python/local", "server")
 #: Where #include "..." is looked for, beside the folder of the file itself.
-PLACES = ("core/include", "core/src", "core/fem", "core", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "server/src", "server/contactd_ic")  # fmt: skip
+PLACES = ("core/include", "core/src", "core/fem", "core", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "client/fmu", "server/src", "server/contactd_ic")  # fmt: skip
 PUBLIC = "core/include/contactd/"
 
 

@@ -1,0 +1,150 @@
+#include "instance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace contactd::fmu {
+namespace {
+
+constexpr std::size_t time_reference = 0;  // the first of every list
+
+std::string quoted(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+/// What is no number of this variable, in the words of the one who set it.
+void validate(const Variable& of, double value) {
+    if (!std::isfinite(value))
+        throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be a finite number.");
+    if (!of.enumeration || (value >= 0 && value < static_cast<double>(of.enumeration->words.size()))) return;
+    std::string words;
+    for (std::size_t word = 0; word < of.enumeration->words.size(); ++word)
+        words += (word ? ", " : "") + std::to_string(word) + " (" + std::string(of.enumeration->words[word]) + ")";
+    throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be one of " + words + ".");
+}
+
+}  // namespace
+
+Instance::Instance(const Kind& kind, const std::filesystem::path& resources, Log log)
+    : kind_(kind), resources_(resources), log_(std::move(log)), values_(kind.variables) {}
+
+void Instance::set_log(bool on, std::span<const std::string> categories) {
+    for (const Category category : {Category::warnings, Category::events})
+        tells_[static_cast<int>(category)] =
+            on && (categories.empty() || std::ranges::find(categories, name_of(category)) != categories.end());
+}
+
+void Instance::tell(Status status, Category category, const std::string& sentence) const {
+    if (tells_[static_cast<int>(category)]) log_(status, category, sentence);
+}
+
+void Instance::require(Phase phase, const char* what) const {
+    constexpr const char* names[] = {"instantiated", "in its initialization", "initialized", "terminated"};
+    if (phase_ == phase) return;
+    throw Failure(std::string(what) + " belongs to an instance that is " + names[static_cast<int>(phase)] +
+                  "; this one is " + names[static_cast<int>(phase_)] + ".");
+}
+
+double Instance::time() const {
+    return values_[time_reference];
+}
+
+void Instance::set_start(double time) {
+    require(Phase::instantiated, "The start time");
+    if (!std::isfinite(time)) throw Failure("The start time is " + quoted(time) + "; it must be a finite number.");
+    values_[time_reference] = time;
+}
+
+void Instance::enter_initialization() {
+    require(Phase::instantiated, "Entering the initialization");
+    phase_ = Phase::initialization;
+}
+
+void Instance::exit_initialization() {
+    require(Phase::initialization, "Leaving the initialization");
+    start(values_, {}, true);
+    phase_ = Phase::stepping;
+}
+
+void Instance::start(const Values& values, const Carried& from, bool anew) {
+    if (!anew) return model_->start(values, from);
+    auto made = kind_.make(
+        [this](Status status, const std::string& sentence) {
+            tell(status, status == Status::warning ? Category::warnings : Category::events, sentence);
+        },
+        resources_);
+    made->start(values, from);
+    model_ = std::move(made);
+}
+
+void Instance::step(double time, double size) {
+    require(Phase::stepping, "A step");
+    if (!std::isfinite(time) || !std::isfinite(size) || !(size > 0))
+        throw Failure("A step from " + quoted(time) + " by " + quoted(size) +
+                      " s is none; both must be finite, and the size more than 0.");
+    Values after = values_;
+    model_->step(after, size);
+    after[time_reference] = time + size;
+    values_ = std::move(after);
+}
+
+void Instance::terminate() {
+    require(Phase::stepping, "Terminating");
+    phase_ = Phase::terminated;
+}
+
+void Instance::reset() {
+    model_.reset();
+    values_ = Values(kind_.variables);
+    phase_ = Phase::instantiated;
+}
+
+void Instance::cancel() {
+    if (model_) model_->cancel();
+}
+
+const Variable& Instance::variable(std::uint32_t reference, std::initializer_list<Type> types) const {
+    if (reference >= kind_.variables.size())
+        throw Failure("There is no variable " + std::to_string(reference) + "; value references go up to " +
+                      std::to_string(kind_.variables.size() - 1) + ".");
+    const Variable& found = kind_.variables[reference];
+    if (std::ranges::find(types, found.type) == types.end())
+        throw Failure(std::string(found.name) + " is of another type than was asked for.");
+    return found;
+}
+
+const Variable& Instance::settable(std::uint32_t reference, std::initializer_list<Type> types) const {
+    const Variable& found = variable(reference, types);
+    const bool before = phase_ == Phase::instantiated || phase_ == Phase::initialization;
+    const bool any_time = found.role == Role::input || found.role == Role::tunable;
+    if (found.role == Role::output || found.role == Role::time)
+        throw Failure(std::string(found.name) + " cannot be set; the FMU computes it.");
+    if (phase_ == Phase::terminated || (!before && !any_time))
+        throw Failure(std::string(found.name) + " cannot be set any more; it is fixed with the initialization.");
+    return found;
+}
+
+double Instance::number(std::uint32_t reference, std::initializer_list<Type> types) const {
+    variable(reference, types);
+    return values_[reference];
+}
+
+const std::string& Instance::text(std::uint32_t reference) const {
+    variable(reference, {Type::text});
+    return values_.text(reference);
+}
+
+void Instance::set_number(std::uint32_t reference, std::initializer_list<Type> types, double value) {
+    validate(settable(reference, types), value);
+    values_[reference] = value;
+}
+
+void Instance::set_text(std::uint32_t reference, std::string_view value) {
+    settable(reference, {Type::text});
+    values_.texts[reference] = value;
+}
+
+}  // namespace contactd::fmu

@@ -1,0 +1,20 @@
+// States as bytes, which another instance of the same kind can go on from, also in another process.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "instance.hpp"
+
+namespace contactd::fmu {
+
+std::vector<std::byte> serialized(const Kind& kind, const State& state);
+/// The same into memory of the caller's. Throws Failure where it is too little.
+void put_serialized(const Kind& kind, const State& state, void* bytes, std::size_t size);
+
+/// Throws Failure for bytes that are no state of this kind, or are damaged.
+std::unique_ptr<State> deserialized(const Kind& kind, std::span<const std::byte> bytes);
+
+}  // namespace contactd::fmu

@@ -1,0 +1,17 @@
+// What the functions of FMI 2 have in common.
+#pragma once
+
+#include <fmi2Functions.h>
+
+#include "edge.hpp"
+
+namespace contactd::fmu {
+
+inline constexpr fmi2Status fmi2_statuses[] = {fmi2OK, fmi2Warning, fmi2Discard, fmi2Error};
+
+template <class Body>
+fmi2Status with(fmi2Component instance, const Body& body) noexcept {
+    return fmi2_statuses[static_cast<int>(guarded(static_cast<Instance*>(instance), body))];
+}
+
+}  // namespace contactd::fmu

@@ -1,0 +1,17 @@
+// What the functions of FMI 3 have in common.
+#pragma once
+
+#include <fmi3Functions.h>
+
+#include "edge.hpp"
+
+namespace contactd::fmu {
+
+inline constexpr fmi3Status fmi3_statuses[] = {fmi3OK, fmi3Warning, fmi3Discard, fmi3Error};
+
+template <class Body>
+fmi3Status with(fmi3Instance instance, const Body& body) noexcept {
+    return fmi3_statuses[static_cast<int>(guarded(static_cast<Instance*>(instance), body))];
+}
+
+}  // namespace contactd::fmu

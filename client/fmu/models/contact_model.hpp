@@ -1,0 +1,40 @@
+// A plain contact, step by step.
+#pragma once
+
+#include "handles.hpp"
+
+namespace contactd::fmu {
+
+class ContactModel final : public Model {
+   public:
+    explicit ContactModel(Tell tell) : tell_(std::move(tell)) {}
+
+    void start(const Values& values, const Carried& from) override;
+    void step(Values& values, double size) override;
+    Carried carried() override;
+    const DerivativePlaces& derivative_places() const override;
+    std::vector<double> derivatives() override;
+    void cancel() override;
+
+   private:
+    /// What differs from step to step: the inputs, and the parameters that may change.
+    static void say(contactd_contact* c, const Values& values, double size);
+    static void say_motion(contactd_contact* c, const Values& values, double size);
+    void read(Values& values);
+    std::vector<double> array(std::int32_t which);
+    /// The last step, solved anew for what it has to bring along. `what` for the sentence when that cannot be.
+    void step_again(const char* what);
+
+    Tell tell_;  // outlives the handles
+    ConnectionHandle connection_;
+    ContactHandle contact_;
+    std::size_t elements_ = 0;
+    bool has_history_ = false;  // quick models have none
+    bool wants_arrays_ = false, wants_derivatives_ = false;
+    bool by_force_ = true, shifts_ = false, force_is_prescribed_ = false;
+    double step_size_ = 0;
+    Carried from_;
+    bool made_ = false, failed_ = false;  // a step since the start; the last one
+};
+
+}  // namespace contactd::fmu

@@ -1,0 +1,11 @@
+// What a contact is told before it starts.
+#pragma once
+
+#include "handles.hpp"
+
+namespace contactd::fmu {
+
+/// All parameters but those that hold for a step. Throws Failure.
+void set_up(contactd_contact* contact, const Values& values);
+
+}  // namespace contactd::fmu

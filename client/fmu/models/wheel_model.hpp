@@ -1,0 +1,34 @@
+// A wheel on its rail, in one position after the other: nothing is carried from step to step.
+#pragma once
+
+#include "handles.hpp"
+
+namespace contactd::fmu {
+
+class WheelModel final : public Model {
+   public:
+    /// `resources`: where files of profiles are looked for that are named without a folder.
+    WheelModel(Tell tell, std::filesystem::path resources) : tell_(std::move(tell)), resources_(std::move(resources)) {}
+
+    void start(const Values& values, const Carried& from) override;
+    void step(Values& values, double size) override;
+    Carried carried() override { return {solved_, {}, {}, {}}; }
+    const DerivativePlaces& derivative_places() const override;
+    std::vector<double> derivatives() override;
+    void cancel() override;
+
+   private:
+    void say(const Values& values);
+    void read(Values& values);
+    void read_patches(Values& values);
+
+    Tell tell_;  // outlives the handles
+    const std::filesystem::path resources_;
+    ConnectionHandle connection_;
+    WheelHandle wheel_;
+    std::vector<double> solved_;  // the numbers of the last step
+    bool wants_derivatives_ = false;
+    bool has_derivatives_ = false;  // of the numbers above
+};
+
+}  // namespace contactd::fmu

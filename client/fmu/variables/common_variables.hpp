@@ -1,0 +1,53 @@
+// What contacts and wheels have in common: where they are solved, how long that may take, friction and accuracy.
+#pragma once
+
+#include <array>
+
+#include "variable.hpp"
+
+namespace contactd::fmu {
+
+inline constexpr std::string_view model_words[] = {"full", "hertz", "fastsim"};
+inline constexpr Enumeration models{"Model", model_words};
+inline constexpr std::string_view kinetic_words[] = {"none", "linear", "exponential"};
+inline constexpr Enumeration kinetic_laws{"KineticFriction", kinetic_words};
+
+inline constexpr auto common_variables = std::to_array<Variable>({
+    {.name = "time", .role = Role::time, .unit = "s", .says = "Time, at the end of the last step."},
+    text("endpoint", "",
+         "Of a daemon, such as ipc:///run/contactd/socket or tcp://host:5555. Empty: solved in process."),
+    text("server_key", "", "File with the daemon's public CURVE key. Empty: a connection without keys."),
+    text("own_key", "", "File with one's own secret CURVE key."),
+    real("limits.step", Role::parameter, "s", 60,
+         "A step that takes longer ends with an error; so does the end of an instance."),
+    real("limits.start", Role::parameter, "s", 3600,
+         "The same of the initialisation, which may wait for finite elements."),
+    real("limits.connect", Role::parameter, "s", 5,
+         "How long to wait for somebody to listen; never more than limits.step."),
+    word("model", models, 0,
+         "full: boundary elements. hertz: closed forms. fastsim: Hertz, and Kalker's simplified theory."),
+    real("friction.mu", Role::input, "", 0.3, "Coefficient of (static) friction."),
+    boolean("friction.none", Role::parameter, false, "No friction: nothing but normal contact is solved."),
+    word("friction.kinetic.law", kinetic_laws, 0, "How friction falls with the velocity of slip."),
+    real("friction.kinetic.mu", Role::tunable, "", 0.2,
+         "Coefficient at high velocities of slip, where there is a law."),
+    real("friction.kinetic.slip_velocity", Role::tunable, "mm/s", 1000, "The law's scale."),
+    real("tolerances.normal", Role::parameter, "", 1e-8, "Of the pressures."),
+    real("tolerances.tangential", Role::parameter, "", 1e-6, "Of the tractions."),
+    real("tolerances.outer", Role::parameter, "", 1e-6,
+         "Of the loop that unlike bodies, laws of slip and forces need."),
+    integer("tolerances.iterations", Role::parameter, 0,
+            "Most of each of these solvers; 0: 1000, and 100 of the outer loop."),
+});
+
+/// One list behind the other.
+template <std::size_t n, std::size_t m>
+consteval std::array<Variable, n + m> joined(const std::array<Variable, n>& first,
+                                             const std::array<Variable, m>& then) {
+    std::array<Variable, n + m> all;
+    for (std::size_t k = 0; k < n; ++k) all[k] = first[k];
+    for (std::size_t k = 0; k < m; ++k) all[n + k] = then[k];
+    return all;
+}
+
+}  // namespace contactd::fmu

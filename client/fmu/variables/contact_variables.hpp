@@ -1,0 +1,89 @@
+// The variables of a plain contact: two bodies on one grid, under a force or an approach, rolling or shifted.
+#pragma once
+
+#include "common_variables.hpp"
+
+namespace contactd::fmu {
+
+inline constexpr std::string_view gap_words[] = {"radii", "semi_axes"};
+inline constexpr Enumeration gaps{"Gap", gap_words};
+inline constexpr std::string_view load_words[] = {"force", "approach"};
+inline constexpr Enumeration loads{"Load", load_words};
+inline constexpr std::string_view motion_words[] = {"steady", "transient", "shift"};
+inline constexpr Enumeration motions{"Motion", motion_words};
+inline constexpr std::string_view coefficient_words[] = {"half_space", "half_space_by_elements", "block_by_elements",
+                                                         "layer"};
+inline constexpr Enumeration coefficients{"Coefficients", coefficient_words};
+
+namespace detail {
+inline constexpr auto contact_alone = std::to_array<Variable>({
+    integer("grid.nx", Role::parameter, 25, "Elements along x."),
+    integer("grid.ny", Role::parameter, 25, "Elements along y."),
+    real("grid.dx", Role::parameter, "mm", 0.56, "Size of an element along x. The middle of the grid is the origin."),
+    real("grid.dy", Role::parameter, "mm", 0.56, "Size of an element along y."),
+    real("upper.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the upper body."),
+    real("upper.nu", Role::parameter, "", 0.28, "Poisson's ratio of the upper body."),
+    boolean("upper.rigid", Role::parameter, false, "The upper body does not deform."),
+    word("upper.coefficients", coefficients, 0,
+         "What the upper body is: in closed form, by finite elements, or layered."),
+    real("upper.layer.thickness", Role::parameter, "mm", 1,
+         "Of the layer on the upper body, whose base has upper.G and upper.nu."),
+    real("upper.layer.G", Role::parameter, "N/mm2", 82000, "Shear modulus of this layer."),
+    real("upper.layer.nu", Role::parameter, "", 0.28, "Poisson's ratio of this layer."),
+    real("lower.G", Role::parameter, "N/mm2", 82000, "The same of the lower body."),
+    real("lower.nu", Role::parameter, "", 0.28, "The same of the lower body."),
+    boolean("lower.rigid", Role::parameter, false, "The same of the lower body."),
+    word("lower.coefficients", coefficients, 0, "The same of the lower body."),
+    real("lower.layer.thickness", Role::parameter, "mm", 1, "The same of the lower body."),
+    real("lower.layer.G", Role::parameter, "N/mm2", 82000, "The same of the lower body."),
+    real("lower.layer.nu", Role::parameter, "", 0.28, "The same of the lower body."),
+    real("elements.accuracy", Role::parameter, "", 1e-2, "Largest relative error of coefficients by finite elements."),
+    real("elements.L_over_h", Role::parameter, "", 640, "Of a block: half its width over the size of an element."),
+    boolean("accept_unconverged", Role::parameter, false,
+            "A step that missed a tolerance counts; otherwise it is discarded."),
+    word("gap.kind", gaps, 0, "radii: h = x^2/(2 Rx) + y^2/(2 Ry). semi_axes: that of a Hertzian contact with these."),
+    real("gap.Rx", Role::tunable, "mm", 460, "Combined radius of curvature along x."),
+    real("gap.Ry", Role::tunable, "mm", 300, "Combined radius of curvature along y."),
+    real("gap.a", Role::tunable, "mm", 6, "Semi-axis along x."),
+    real("gap.b", Role::tunable, "mm", 4, "Semi-axis along y."),
+    word("load.kind", loads, 0, "What is prescribed: the normal force, or the approach of the bodies."),
+    real("load.Fn", Role::input, "N", 50e3, "Normal force, where it is prescribed."),
+    real("load.approach", Role::input, "mm", 0.05, "Approach, where it is prescribed."),
+    word("motion.kind", motions, 0,
+         "steady: rolling in its steady state. transient: rolling on from the step before, by velocity times step "
+         "size. shift: sliding on from the step before."),
+    real("motion.xi", Role::input, "", 0, "Longitudinal creepage of rolling."),
+    real("motion.eta", Role::input, "", 0, "Lateral creepage of rolling."),
+    real("motion.phi", Role::input, "rad/mm", 0, "Spin of rolling."),
+    real("motion.velocity", Role::input, "mm/s", 20e3, "Of rolling."),
+    real("motion.chi", Role::tunable, "rad", 0, "Direction of rolling, from x to y."),
+    real("motion.shift_x", Role::input, "mm/s", 0,
+         "Velocity of a shift along x: of the upper body, against the lower."),
+    real("motion.shift_y", Role::input, "mm/s", 0, "Velocity of a shift along y."),
+    real("motion.shift_turn", Role::input, "rad/s", 0, "Angular velocity of a shift about z."),
+    boolean("force.prescribe_x", Role::parameter, false,
+            "The force along x is prescribed; the motion along x is the estimate of what is found."),
+    boolean("force.prescribe_y", Role::parameter, false, "The same along y."),
+    real("force.x", Role::input, "N", 0, "Force on the upper body along x, where it is prescribed."),
+    real("force.y", Role::input, "N", 0, "Force on the upper body along y, where it is prescribed."),
+    real("Fn", Role::output, "N", 0, "Normal force."),
+    real("Fx", Role::output, "N", 0, "Force on the upper body along x."),
+    real("Fy", Role::output, "N", 0, "Force on the upper body along y."),
+    real("Mz", Role::output, "N.mm", 0, "Moment on the upper body about z."),
+    real("approach", Role::output, "mm", 0, "Approach of the bodies, prescribed or found."),
+    real("pmax", Role::output, "N/mm2", 0, "Largest pressure."),
+    real("area.contact", Role::output, "mm2", 0, "Area in contact."),
+    real("area.adhesion", Role::output, "mm2", 0, "Area of adhesion."),
+    real("area.slip", Role::output, "mm2", 0, "Area of slip."),
+    real("xi", Role::output, "", 0, "Longitudinal creepage of rolling, as prescribed or found."),
+    real("eta", Role::output, "", 0, "Lateral creepage of rolling, as prescribed or found."),
+    real("power", Role::output, "N.mm/s", 0, "What friction takes in rolling."),
+    real("work", Role::output, "N.mm", 0, "What friction took in the last step of a shift."),
+    integer("patches", Role::output, 0, "1 in contact, 0 apart."),
+    boolean("converged", Role::output, false, "All solvers reached their tolerance. False before the first step."),
+});
+}  // namespace detail
+
+inline constexpr auto contact_variables = joined(common_variables, detail::contact_alone);
+
+}  // namespace contactd::fmu

@@ -1,0 +1,72 @@
+// The variables of an FMU: one list for each kind, which the model, both versions of FMI, the model descriptions and
+// the page docs/fmu.md read.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace contactd::fmu {
+
+enum class Type { real, integer, boolean, enumeration, text };
+
+/// parameter: set before the simulation, and fixed in it. tunable: a parameter that may change between steps.
+enum class Role { time, parameter, tunable, input, output };
+
+/// Words, the first of which stands for 0: the order is that of contactd.h where it has them.
+struct Enumeration {
+    std::string_view name;
+    std::span<const std::string_view> words;
+};
+
+/// A variable's value reference is its place in its list.
+struct Variable {
+    std::string_view name;
+    Role role = Role::parameter;
+    Type type = Type::real;
+    std::string_view unit{};                   ///< of reals; one of `units`, or none
+    double start = 0;                          ///< but of texts, which start empty unless `text` says otherwise
+    std::string_view text{};                   ///< what a text starts with
+    const Enumeration* enumeration = nullptr;  ///< of enumerations
+    std::string_view says{};                   ///< a sentence or two
+};
+
+/// In the base units of SI: kg^kg m^m s^s rad^rad, times the factor.
+struct Unit {
+    std::string_view name;
+    double factor;
+    int kg, m, s, rad;
+};
+
+/// N and mm, as everywhere in contactd; importers convert by the factors.
+inline constexpr Unit units[] = {
+    {"mm", 1e-3, 0, 1, 0, 0},      {"mm2", 1e-6, 0, 2, 0, 0},    {"rad", 1, 0, 0, 0, 1},
+    {"rad/mm", 1e3, 0, -1, 0, 1},  {"s", 1, 0, 0, 1, 0},         {"mm/s", 1e-3, 0, 1, -1, 0},
+    {"rad/s", 1, 0, 0, -1, 1},     {"N", 1, 1, 1, -2, 0},        {"N.mm", 1e-3, 1, 2, -2, 0},
+    {"N.mm/s", 1e-3, 1, 2, -3, 0}, {"N/mm2", 1e6, 1, -1, -2, 0},
+};
+
+constexpr Variable real(std::string_view name, Role role, std::string_view unit, double start, std::string_view says) {
+    return {.name = name, .role = role, .unit = unit, .start = start, .says = says};
+}
+constexpr Variable integer(std::string_view name, Role role, int start, std::string_view says) {
+    return {.name = name, .role = role, .type = Type::integer, .start = double(start), .says = says};
+}
+constexpr Variable boolean(std::string_view name, Role role, bool start, std::string_view says) {
+    return {.name = name, .role = role, .type = Type::boolean, .start = double(start), .says = says};
+}
+constexpr Variable text(std::string_view name, std::string_view start, std::string_view says) {
+    return {.name = name, .type = Type::text, .text = start, .says = says};
+}
+constexpr Variable word(std::string_view name, const Enumeration& of, int start, std::string_view says) {
+    return {.name = name, .type = Type::enumeration, .start = double(start), .enumeration = &of, .says = says};
+}
+
+/// The value reference of a name, while compiling: a name that is in no list is a mistake of ours.
+consteval std::size_t reference_of(std::span<const Variable> list, std::string_view name) {
+    for (std::size_t at = 0; at < list.size(); ++at)
+        if (list[at].name == name) return at;
+    throw "the list has no variable of this name";
+}
+
+}  // namespace contactd::fmu

@@ -1,0 +1,157 @@
+// The variables of a wheel on its rail: docs/wheel-rail.md has the coordinates and signs.
+#pragma once
+
+#include "common_variables.hpp"
+
+namespace contactd::fmu {
+
+inline constexpr std::string_view side_words[] = {"left", "right"};
+inline constexpr Enumeration sides{"Side", side_words};
+inline constexpr std::string_view coordinate_words[] = {"track", "rail", "wheelset"};
+inline constexpr Enumeration coordinate_systems{"Coordinates", coordinate_words};
+inline constexpr std::string_view conformal_words[] = {"off", "half_space", "rotated", "fem", "auto"};
+inline constexpr Enumeration conformal_kinds{"Conformal", conformal_words};
+inline constexpr std::string_view vertical_words[] = {"force", "position"};
+inline constexpr Enumeration verticals{"Vertical", vertical_words};
+
+/// How many patches have variables of their own.
+inline constexpr int patches_told = 3;
+
+namespace detail {
+inline constexpr auto wheel_alone = std::to_array<Variable>({
+    word("side", sides, 1, "Which wheel of the wheelset, in the direction of travel."),
+    text("wheel.profile", "S1002",
+         "S1002, cone, arc, or a file (.prw, .whl, or two columns): a path, or a name in the FMU's resources."),
+    real("wheel.radius", Role::parameter, "mm", -330, "Of an arc across the track; positive falls off to both sides."),
+    real("wheel.slope", Role::parameter, "", -0.05, "dz/dy of a cone, and of an arc at its origin."),
+    real("wheel.from", Role::parameter, "mm", -30, "Where a cone or an arc begins, across the track."),
+    real("wheel.to", Role::parameter, "mm", 30, "Where it ends."),
+    real("wheel.smoothing", Role::parameter, "mm", 0,
+         "Of a file: wavelength of which half the amplitude is smoothed away; 0: none."),
+    real("wheel.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the wheel."),
+    real("wheel.nu", Role::parameter, "", 0.28, "Poisson's ratio of the wheel."),
+    boolean("wheel.rigid", Role::parameter, false, "The wheel does not deform."),
+    text("rail.profile", "60E1",
+         "60E1, cone, arc, or a file (.prr, .ban, or two columns): a path, or a name in the FMU's resources."),
+    real("rail.inclination", Role::parameter, "", 0.025, "Slope of 60E1, leaning inwards."),
+    real("rail.radius", Role::parameter, "mm", 300, "Of an arc across the track."),
+    real("rail.slope", Role::parameter, "", 0, "dz/dy of a cone, and of an arc at its origin."),
+    real("rail.from", Role::parameter, "mm", -30, "Where a cone or an arc begins, across the track."),
+    real("rail.to", Role::parameter, "mm", 30, "Where it ends."),
+    real("rail.smoothing", Role::parameter, "mm", 0, "Of a file, as for the wheel."),
+    real("rail.G", Role::parameter, "N/mm2", 82000, "Shear modulus of the rail."),
+    real("rail.nu", Role::parameter, "", 0.28, "Poisson's ratio of the rail."),
+    boolean("rail.rigid", Role::parameter, false, "The rail does not deform."),
+    real("track.gauge", Role::parameter, "mm", 1435, "Between the rails' gauge faces."),
+    real("track.gauge_height", Role::parameter, "mm", 14, "Below the tops of the rails, where the gauge is measured."),
+    real("track.cant", Role::parameter, "rad", 0, "Of the rail's profile as given, leaning inwards."),
+    boolean("track.by_origin", Role::parameter, false,
+            "The rail lies where its origin is said to be, not by gauge and height."),
+    real("track.origin_y", Role::parameter, "mm", 750,
+         "Of the profile, from the centre of the track to the field side."),
+    real("track.origin_z", Role::parameter, "mm", 0, "Of the profile, downwards."),
+    real("track.roller_radius", Role::parameter, "mm", 0, "Of a roller in place of the rail; 0: a rail."),
+    real("wheelset.flange_back_distance", Role::parameter, "mm", 1360, "Between the backs of the flanges."),
+    real("wheelset.flange_back_position", Role::parameter, "mm", -70, "y of the flange's back in the wheel's profile."),
+    real("wheelset.nominal_radius", Role::parameter, "mm", 460, "Of the wheel where its profile has z = 0."),
+    real("elements.dx", Role::parameter, "mm", 0.2, "Size of an element along the track."),
+    real("elements.dy", Role::parameter, "mm", 0.2, "Size of an element across the track."),
+    real("elements.dq", Role::parameter, "mm", 0, "Step of rolling; 0: elements.dx."),
+    boolean("mesh_search", Role::parameter, false,
+            "Contacts are looked for on a mesh seen from above, not along a locus."),
+    word("conformal", conformal_kinds, 0, "Whether contacts are curved across the track, and with which coefficients."),
+    boolean("slip_of_surfaces", Role::parameter, false,
+            "Elements slip by the motion of both surfaces there, not by creepages."),
+    real("tolerances.force", Role::parameter, "", 1e-6, "Of the search for the height that brings load.Fz."),
+    word("vertical", verticals, 0, "What is prescribed: the vertical force, and the height is found; or the height."),
+    boolean("prescribe_Fx", Role::parameter, false, "The longitudinal force is prescribed, and the pitch rate found."),
+    word("coordinates", coordinate_systems, 0, "Those of the forces and moments, and their origin."),
+    real("position.x", Role::input, "mm", 0,
+         "Of the wheelset's centre along the track; of interest where the rail varies."),
+    real("position.y", Role::input, "mm", 0, "To the right, from the centre of the track."),
+    real("position.z", Role::input, "mm", 0,
+         "Downwards, from where the tape circles stand on the plane of the track; an estimate where the force is "
+         "prescribed."),
+    real("position.roll", Role::input, "rad", 0, "Turns y to z."),
+    real("position.yaw", Role::input, "rad", 0, "Turns x to y."),
+    real("velocity.x", Role::input, "mm/s", 20e3, "Of the wheelset's centre, forwards."),
+    real("velocity.y", Role::input, "mm/s", 0, "To the right."),
+    real("velocity.z", Role::input, "mm/s", 0, "Downwards."),
+    real("velocity.roll", Role::input, "rad/s", 0, "About the wheelset's own axes."),
+    real("velocity.yaw", Role::input, "rad/s", 0, "About its own axes."),
+    real("velocity.pitch", Role::input, "rad/s", -43.47826086956522,
+         "About its axle: rolling forwards is near -velocity.x over the radius."),
+    real("load.Fz", Role::input, "N", 80e3, "Vertical force on the rail, where it is prescribed."),
+    real("load.Fx", Role::input, "N", 0, "Longitudinal force on the rail, where it is prescribed."),
+    real("deviation.y", Role::input, "mm", 0, "Of the rail from where it should lie, in track coordinates."),
+    real("deviation.z", Role::input, "mm", 0, "The same downwards."),
+    real("deviation.roll", Role::input, "rad", 0, "The same, turned."),
+    real("deviation_rate.y", Role::input, "mm/s", 0, "How fast deviation.y changes."),
+    real("deviation_rate.z", Role::input, "mm/s", 0, "How fast deviation.z changes."),
+    real("deviation_rate.roll", Role::input, "rad/s", 0, "How fast deviation.roll changes."),
+    real("roller.pitch", Role::input, "rad/s", 0, "Of a roller."),
+    real("Fx", Role::output, "N", 0, "Force on the rail, all patches together."),
+    real("Fy", Role::output, "N", 0, "The same to the right."),
+    real("Fz", Role::output, "N", 0, "The same downwards."),
+    real("Mx", Role::output, "N.mm", 0, "Moment on the rail about the origin of the coordinates."),
+    real("My", Role::output, "N.mm", 0, "The same about y."),
+    real("Mz", Role::output, "N.mm", 0, "The same about z."),
+    real("z", Role::output, "mm", 0, "Height of the wheelset's centre, as prescribed or found."),
+    real("pitch_rate", Role::output, "rad/s", 0, "Of the wheelset, as prescribed or found."),
+    real("clearance", Role::output, "mm", 0,
+         "Least vertical distance of wheel and rail, negative where they overlap; 0 where they are not above each "
+         "other."),
+    real("pmax", Role::output, "N/mm2", 0, "Largest pressure of all patches."),
+    real("area.contact", Role::output, "mm2", 0, "Area in contact, of all patches."),
+    real("area.adhesion", Role::output, "mm2", 0, "Area of adhesion, of all patches."),
+    real("area.slip", Role::output, "mm2", 0, "Area of slip, of all patches."),
+    real("power", Role::output, "N.mm/s", 0, "What friction takes, of all patches."),
+    integer("patches", Role::output, 0,
+            "How many there are. The first three have variables of their own, from the right to the left."),
+    boolean("converged", Role::output, false,
+            "All solvers and searches reached their tolerance. False before the first step."),
+});
+
+inline constexpr std::string_view patch_names[][patches_told] = {
+    {"patch[1].x", "patch[2].x", "patch[3].x"},          {"patch[1].y", "patch[2].y", "patch[3].y"},
+    {"patch[1].z", "patch[2].z", "patch[3].z"},          {"patch[1].angle", "patch[2].angle", "patch[3].angle"},
+    {"patch[1].Fn", "patch[2].Fn", "patch[3].Fn"},       {"patch[1].Fx", "patch[2].Fx", "patch[3].Fx"},
+    {"patch[1].Fs", "patch[2].Fs", "patch[3].Fs"},       {"patch[1].Mn", "patch[2].Mn", "patch[3].Mn"},
+    {"patch[1].pmax", "patch[2].pmax", "patch[3].pmax"}, {"patch[1].area", "patch[2].area", "patch[3].area"},
+    {"patch[1].xi", "patch[2].xi", "patch[3].xi"},       {"patch[1].eta", "patch[2].eta", "patch[3].eta"},
+    {"patch[1].phi", "patch[2].phi", "patch[3].phi"},    {"patch[1].power", "patch[2].power", "patch[3].power"},
+};
+inline constexpr struct {
+    std::string_view unit, says;
+} patch_parts[] = {
+    {"mm", "Origin of its contact coordinates, on the rail in track coordinates."},
+    {"mm", "The same to the right."},
+    {"mm", "The same downwards."},
+    {"rad", "Angle of its plane."},
+    {"N", "Normal force."},
+    {"N", "Longitudinal force, in contact coordinates."},
+    {"N", "Lateral force, in contact coordinates."},
+    {"N.mm", "Moment about the normal."},
+    {"N/mm2", "Largest pressure."},
+    {"mm2", "Area in contact."},
+    {"", "Longitudinal creepage."},
+    {"", "Lateral creepage."},
+    {"rad/mm", "Spin."},
+    {"N.mm/s", "What friction takes."},
+};
+inline constexpr std::size_t patch_values = std::size(patch_parts);
+
+consteval auto patch_variables() {
+    std::array<Variable, patches_told * patch_values> all;
+    for (std::size_t patch = 0; patch < patches_told; ++patch)
+        for (std::size_t part = 0; part < patch_values; ++part)
+            all[patch * patch_values + part] =
+                real(patch_names[part][patch], Role::output, patch_parts[part].unit, 0, patch_parts[part].says);
+    return all;
+}
+}  // namespace detail
+
+inline constexpr auto wheel_variables =
+    joined(joined(common_variables, detail::wheel_alone), detail::patch_variables());
+
+}  // namespace contactd::fmu

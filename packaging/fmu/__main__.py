@@ -1,0 +1,75 @@
+"""The FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...].
+
+DESCRIBER is contactd-fmu-description, LIBRARY the shared object of all FMUs. For each kind and version of FMI an archive comes
+into FOLDER: contactd_contact_fmi2.fmu, ... With --complete the library must need nothing but the C library, and licences of
+what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh and zeromq.sh have made. ./dev fmu does
+all of it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from archive import write_fmu
+from model_description import model_description
+
+sys.path.append(str(Path(__file__).parents[1] / "wheels"))
+from inside import licenses_of, origins_of, refuse_links
+
+ROOT = Path(__file__).parents[2]
+#: Where FMI 2 and 3 look for the shared object.
+PLATFORMS = {2: "linux64", 3: "x86_64-linux"}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="fmu", description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("describer", type=Path)
+    parser.add_argument("library", type=Path)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--complete", type=Path, metavar="STATIC", nargs="+")
+    options = parser.parse_args()
+
+    said = json.loads(subprocess.run([options.describer.resolve()], capture_output=True, check=True).stdout)
+    licenses = {"contactd.txt": (ROOT / "LICENSE").read_text()}
+    if options.complete:
+        refuse_links(options.library)
+        sources = origins_of().sources()
+        for static in options.complete:
+            licenses |= licenses_of(static)
+            sources += (static / "sources.txt").read_text().splitlines()
+        licenses["sources.txt"] = "\n".join(sources) + "\n"
+    options.folder.mkdir(parents=True, exist_ok=True)
+    library = stripped(options.library)
+    for kind in said["kinds"]:
+        for fmi, platform in PLATFORMS.items():
+            description = model_description(kind, said["units"], said["version"], fmi)
+            files = {
+                "modelDescription.xml": description,
+                f"binaries/{platform}/{kind['name']}.so": library,
+                "resources/README.txt": b"Profiles that a parameter names without a folder are looked for here.\n",
+                "documentation/index.html": page_of(kind),
+                **{f"documentation/licenses/{name}": text.encode() for name, text in licenses.items()},
+            }
+            print(write_fmu(options.folder / f"{kind['name']}_fmi{fmi}.fmu", files))
+
+
+def stripped(library: Path) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(["strip", "-o", f"{folder}/stripped", library], check=True)
+        return Path(folder, "stripped").read_bytes()
+
+
+def page_of(kind: dict) -> bytes:
+    says = f"{kind['name']}: {kind['says']}. docs/fmu.md of contactd has the rest."
+    return (
+        f"<!DOCTYPE html>\n<html><head><title>{kind['name']}</title></head><body><p>{says}</p></body></html>\n".encode()
+    )
+
+
+if __name__ == "__main__":
+    main()

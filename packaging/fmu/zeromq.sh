@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# packaging/fmu/zeromq.sh FOLDER: ZeroMQ as an archive that FMUs have inside, to FOLDER/{include,lib,licenses}. Debian's is for
+# programs only, and wants Kerberos. The sources, ZeroMQ 4.3.5, lie in those of pyzmq on PyPI.
+set -euo pipefail
+
+pyzmq=25.1.2
+here=$(dirname "$(readlink -f "$0")")
+folder=$(realpath -m "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+python3 -m venv venv
+venv/bin/pip download --quiet --retries 1 --no-deps --no-binary pyzmq --dest . "pyzmq==$pyzmq"
+tar -xf "pyzmq-$pyzmq.tar.gz"
+sources=$scratch/pyzmq-$pyzmq/bundled/zeromq
+cmake -S "$here/zeromq" -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" -DSOURCES="$sources"
+cmake --build build ${CONTACTD_JOBS:+-j "$CONTACTD_JOBS"}
+rm -rf "$folder"
+cmake --install build
+mkdir "$folder/licenses"
+cat "$sources/COPYING" "$sources/COPYING.LESSER" >"$folder/licenses/zeromq"
+echo "pyzmq-$pyzmq.tar.gz, its folder bundled/zeromq" >"$folder/sources.txt"

@@ -1,0 +1,43 @@
+"""Fixtures of FMUs. Their tests are left out where ./dev found no PyPI to get FMI's headers from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from integration.conftest import daemons, shared_daemon  # noqa: F401
+from support.fmus import PACKAGES, VERSIONS, Fmu
+
+
+@pytest.fixture(autouse=True)
+def _fmpy() -> None:
+    if PACKAGES is None:
+        pytest.skip("this build has no FMUs: FMI's headers come from PyPI, which ./dev could not reach")
+
+
+@pytest.fixture(params=VERSIONS, ids=lambda version: f"FMI {version}")
+def fmi(request: pytest.FixtureRequest) -> int:
+    """Each version of FMI."""
+    version: int = request.param
+    return version
+
+
+@pytest.fixture
+def instances(tmp_path: Path) -> Iterator[Callable[..., Fmu]]:
+    """Makes instances, of a kind and a version, that are freed at the end."""
+    with ExitStack() as stack:
+        yield lambda kind, version, **options: stack.enter_context(Fmu(kind, version, tmp_path, **options))
+
+
+@pytest.fixture
+def contact(instances: Callable[..., Fmu], fmi: int) -> Callable[..., Fmu]:
+    return partial(instances, "contactd_contact", fmi)
+
+
+@pytest.fixture
+def wheel(instances: Callable[..., Fmu], fmi: int) -> Callable[..., Fmu]:
+    return partial(instances, "contactd_wheel", fmi)

@@ -1,0 +1,84 @@
+"""What the archives say of themselves."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import xml.etree.ElementTree as ET
+import zipfile
+
+import pytest
+
+from support.daemons import BIN
+from support.fmus import KINDS, PACKAGES, VERSIONS, archive
+
+ALL = [pytest.param(kind, fmi, id=f"{kind} FMI {fmi}") for kind in KINDS for fmi in VERSIONS]
+
+
+@pytest.mark.parametrize(("kind", "fmi"), ALL)
+def test_fmpy_finds_no_problem(kind, fmi):
+    from fmpy.validation import validate_fmu
+
+    assert validate_fmu(str(archive(kind, fmi))) == []
+
+
+@pytest.mark.parametrize(("kind", "fmi"), ALL)
+def test_everything_has_a_sentence_and_every_length_a_unit(kind, fmi):
+    from fmpy import read_model_description
+
+    description = read_model_description(str(archive(kind, fmi)))
+    units = {unit.name: unit.baseUnit for unit in description.unitDefinitions}
+    assert units["mm"].m == 1
+    assert units["mm"].factor == 1e-3
+    assert (units["N/mm2"].kg, units["N/mm2"].m, units["N/mm2"].s, units["N/mm2"].factor) == (1, -1, -2, 1e6)
+    for variable in description.modelVariables:
+        assert variable.description.endswith("."), variable.name
+    reals = {v.name: v.unit for v in description.modelVariables if v.type in ("Real", "Float64")}
+    assert (reals["Fx"], reals["pmax"], reals["power"], reals["friction.mu"]) == ("N", "N/mm2", "N.mm/s", None)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_both_versions_have_the_same_variables(kind):
+    from fmpy import read_model_description
+
+    def listed(fmi):
+        variables = read_model_description(str(archive(kind, fmi))).modelVariables
+        return [(v.name, v.valueReference, v.causality, v.unit, v.start, v.description) for v in variables]
+
+    two, three = listed(2), listed(3)
+    assert len(two) > 60
+    assert two == three[1:]
+    assert three[0][0] == "time"
+
+
+@pytest.mark.parametrize(("kind", "fmi"), ALL)
+def test_they_can_do_what_the_page_says(kind, fmi):
+    with zipfile.ZipFile(archive(kind, fmi)) as fmu:
+        of = ET.fromstring(fmu.read("modelDescription.xml")).find("CoSimulation")
+    can = {name for name, value in of.items() if value == "true"}
+    written = {
+        2: {"canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative"},
+        3: {"canGetAndSetFMUState", "canSerializeFMUState", "providesDirectionalDerivatives"},
+    }
+    assert can == written[fmi] | {"canHandleVariableCommunicationStepSize"}
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_the_shared_object_has_all_functions_of_the_headers_and_nothing_else(fmi):
+    """Importers look for functions that co-simulation does not need, too."""
+    header = (PACKAGES / "fmpy" / "c-code" / f"fmi{fmi}Functions.h").read_text()
+    declared = set(re.findall(rf"^ *FMI{fmi}_Export .* (fmi{fmi}\w+);", header, re.MULTILINE))
+    library = BIN.parent / "lib" / "fmu" / "contactd_fmu.so"
+    symbols = subprocess.run(["nm", "-D", "--defined-only", library], capture_output=True, text=True, check=True).stdout
+    exported = {line.split()[-1] for line in symbols.splitlines()}
+    assert {name for name in exported if name.startswith(f"fmi{fmi}")} == declared
+    assert all(name.startswith(("fmi2", "fmi3")) for name in exported)
+
+
+@pytest.mark.parametrize(("kind", "fmi"), ALL)
+def test_an_archive_is_the_same_whenever_it_is_made(kind, fmi):
+    with zipfile.ZipFile(archive(kind, fmi)) as fmu:
+        assert {entry.date_time for entry in fmu.infolist()} == {(1980, 1, 1, 0, 0, 0)}
+        platform = {2: "linux64", 3: "x86_64-linux"}[fmi]
+        assert f"binaries/{platform}/{kind}.so" in fmu.namelist()
+        assert "documentation/licenses/contactd.txt" in fmu.namelist()

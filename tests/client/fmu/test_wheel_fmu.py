@@ -1,0 +1,145 @@
+"""A wheel on its rail as an FMU."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from support import c_interface
+
+FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
+COARSE = {"elements.dx": 0.5, "elements.dy": 0.5}
+PITCH = -20e3 / 460
+
+
+def set_up(call, y):
+    call("set_elements", 0.5, 0.5, 0.0)
+    call("set_velocity", 20e3, 0.0, 0.0, 0.0, 0.0, PITCH)
+    call("set_Fz", 80e3)
+    call("set_position", float(y), 0.0, 0.0, 1e-3 * y)
+
+
+def values_at(y):
+    return {"position.y": float(y), "position.yaw": 1e-3 * y, "velocity.pitch": PITCH}
+
+
+def test_positions_across_the_track_answer_as_the_c_interface_to_the_last_bit(wheel):
+    fmu = wheel().start(COARSE)
+    with c_interface.wheel() as call:
+        for y in (-3, 0, 2, 5):
+            set_up(call, y)
+            call("solve")
+            outputs = fmu.step(values_at(y))
+            assert [outputs[name] for name in FORCES] == call("get_forces", 0, out="6")
+            assert [outputs["z"], outputs["pitch_rate"]] == call("get_motion", out="dd")
+            assert outputs["clearance"] == call("get_clearance", out="d")[0]
+            (patches,) = call("get_patches", out="i")
+            assert outputs["patches"] == patches >= 1
+            power = [call("get_frictional_power", patch, out="d")[0] for patch in range(patches)]
+            assert outputs["power"] == sum(power) > 0
+            assert outputs["pmax"] == max(call("get_pressure", patch, out="dd")[1] for patch in range(patches))
+            assert outputs["area.contact"] == sum(call("get_areas", patch, out="ddd")[0] for patch in range(patches))
+            place, of = call("get_place", 0, out="dddd"), call("get_contact_forces", 0, out="dddd")
+            assert [
+                outputs[f"patch[1].{name}"] for name in ("x", "y", "z", "angle", "Fn", "Fx", "Fs", "Mn")
+            ] == place + of
+            assert outputs["converged"]
+    assert outputs["Fz"] == pytest.approx(80e3, rel=1e-5)
+
+
+def test_patches_that_are_gone_leave_no_values_behind(wheel):
+    z = wheel(name="by force").start({**COARSE, "model": 2}).step(values_at(0))["z"]
+    fmu = wheel().start({**COARSE, "model": 2, "vertical": 1})
+    assert fmu.step({**values_at(0), "position.z": z})["patch[1].Fn"] > 0
+    apart = fmu.step({"position.z": z - 1})
+    assert apart["patches"] == 0
+    assert all(value == 0 for name, value in apart.items() if name.startswith(("patch[", "F", "pmax", "area", "power")))
+    assert apart["clearance"] > 0
+    assert apart["converged"]
+
+
+def test_forces_are_told_in_the_coordinates_that_are_asked_for(wheel):
+    told = [wheel(name=f"in {k}").start({**COARSE, "model": 2, "coordinates": k}).step(values_at(3)) for k in range(3)]
+    lengths = [math.hypot(one["Fx"], one["Fy"], one["Fz"]) for one in told]
+    assert lengths[1:] == pytest.approx(lengths[:1] * 2, rel=1e-12)
+    assert told[0]["My"] != told[2]["My"]
+
+
+def test_a_left_wheel_mirrors_a_right_one(wheel):
+    right = wheel(name="right").start({**COARSE, "model": 2}).step(values_at(2))
+    left = (
+        wheel(name="left")
+        .start({**COARSE, "model": 2, "side": 0})
+        .step({"position.y": -2.0, "position.yaw": -2e-3, "velocity.pitch": PITCH})
+    )
+    assert left["Fx"] == pytest.approx(right["Fx"], rel=1e-9)
+    assert left["Fy"] == pytest.approx(-right["Fy"], rel=1e-9)
+
+
+def write_arc(path, radius=300):
+    points = [(y / 2, radius - math.sqrt(radius**2 - y * y / 4)) for y in range(-60, 61)]
+    path.write_text("".join(f"{y:.17g} {z:.17g}\n" for y, z in points))
+
+
+ARC = {**COARSE, "model": 2, "wheel.profile": "cone", "track.by_origin": True}
+
+
+def test_profiles_come_from_a_path_or_the_resources(wheel, tmp_path):
+    write_arc(tmp_path / "arc.txt")
+    from_path = wheel(name="path").start({**ARC, "rail.profile": str(tmp_path / "arc.txt")}).step(values_at(0))
+    fmu = wheel(name="resources")
+    write_arc(tmp_path / f"contactd_wheel_fmi{fmu.fmi}" / "resources" / "my rail.txt")
+    assert fmu.start({**ARC, "rail.profile": "my rail.txt"}).step(values_at(0)) == from_path
+    by_name = wheel(name="arc").start({**ARC, "rail.profile": "arc"}).step(values_at(0))
+    assert by_name["patch[1].pmax"] == pytest.approx(from_path["patch[1].pmax"], rel=1e-2)
+
+
+def test_no_friction_no_forces_along_the_track(wheel):
+    outputs = wheel().start({**COARSE, "model": 2, "friction.none": True}).step(values_at(2))
+    assert outputs["patch[1].Fx"] == outputs["power"] == 0
+    assert outputs["Fz"] == pytest.approx(80e3, rel=1e-5)
+
+
+def test_derivatives_are_those_of_the_c_interface(wheel):
+    z = wheel(name="by force").start({**COARSE, "model": 2}).step(values_at(1))["z"]
+    fmu = wheel().start({**COARSE, "model": 2, "vertical": 1})
+    position = {**values_at(1), "position.z": z}
+    before = fmu.step(position)
+    names = [f"position.{part}" for part in ("y", "z", "roll", "yaw")]
+    names += [f"velocity.{part}" for part in ("x", "y", "z", "roll", "yaw", "pitch")]
+    told = {name: fmu.derivatives(FORCES, name) for name in names}
+    assert fmu.outputs() == before
+    with c_interface.wheel() as call:
+        set_up(call, 1)
+        call("clear_forces")
+        call("set_model", 2)
+        call("set_position", 1.0, z, 0.0, 1e-3)
+        call("want_derivatives", 1)
+        call("solve")
+        assert told == {name: call("get_derivative", k, out="6") for k, name in enumerate(names)}
+    step = fmu.step(position)
+    assert step == before
+
+
+def test_ten_wheels_at_once_do_not_meet(wheel):
+    several = [wheel(name=f"wheel {k}").start({**COARSE, "model": 2}) for k in range(10)]
+    alone = [wheel(name="alone").start({**COARSE, "model": 2}).step(values_at(0.5 * k))["Fy"] for k in range(10)]
+    for _ in range(2):
+        assert [fmu.step(values_at(0.5 * k))["Fy"] for k, fmu in enumerate(several)] == alone
+    assert len(set(alone)) == 10
+
+
+def test_derivatives_under_a_force_hold_the_force(wheel):
+    """And not the height: those of steps beside each other."""
+    fmu = wheel().start({**COARSE, "model": 2, "tolerances.force": 1e-10})
+    position = {**values_at(1), "load.Fz": 80e3}
+    fmu.step(position)
+    told = {name: fmu.derivatives(FORCES, name) for name in ("position.yaw", "velocity.pitch", "load.Fz", "position.z")}
+    steps = {"position.yaw": 1e-5, "velocity.pitch": 1e-3, "load.Fz": 10.0}
+    for name, h in steps.items():
+        more, less = (fmu.step({**position, name: position[name] + sign * h}) for sign in (1, -1))
+        measured = [(more[one] - less[one]) / (2 * h) for one in FORCES]
+        assert told[name] == pytest.approx(measured, rel=0.03, abs=0.01 * max(map(abs, measured))), name
+    assert told["load.Fz"][2] == pytest.approx(1, rel=1e-9)
+    assert told["position.z"] == [0] * 6
