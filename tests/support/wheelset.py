@@ -1,4 +1,4 @@
-"""The modules of client/python/examples/wheelset, which are no package: a program's."""
+"""The modules of client/python/examples/wheelset and bogie, which are no packages: programs', and the package they share."""
 
 from __future__ import annotations
 
@@ -10,15 +10,32 @@ from types import SimpleNamespace
 
 import pytest
 
-EXAMPLE = Path(__file__).parents[2] / "client" / "python" / "examples" / "wheelset"
-NAMES = ("vehicle", "track", "runge_kutta", "contact", "stability", "runs")
+EXAMPLES = Path(__file__).parents[2] / "client" / "python" / "examples"
+EXAMPLE, BOGIE = EXAMPLES / "wheelset", EXAMPLES / "bogie"
+RAILWAY = ("motion", "track", "wheels")
+NAMES = ("vehicle", "runge_kutta", "contact", "runs")
+BOGIE_NAMES = ("vehicle", "line", "equations", "rolling", "runs", "energy")
 
 
 @pytest.fixture
 def wheelset(monkeypatch: pytest.MonkeyPatch) -> Iterator[SimpleNamespace]:
-    """Its modules by their names; `module` imports one more."""
-    monkeypatch.syspath_prepend(EXAMPLE)
+    """Modules by their names; `module` imports one more."""
+    yield from _modules(monkeypatch, EXAMPLE, NAMES)
+
+
+@pytest.fixture
+def bogie(monkeypatch: pytest.MonkeyPatch) -> Iterator[SimpleNamespace]:
+    """As `wheelset`."""
+    yield from _modules(monkeypatch, BOGIE, BOGIE_NAMES)
+
+
+def _modules(monkeypatch: pytest.MonkeyPatch, folder: Path, names: tuple[str, ...]) -> Iterator[SimpleNamespace]:
+    monkeypatch.syspath_prepend(EXAMPLES)
+    monkeypatch.syspath_prepend(folder)
     before = set(sys.modules)
-    yield SimpleNamespace({name: importlib.import_module(name) for name in NAMES}, module=importlib.import_module)
-    for name in {*NAMES, "multibody", "pictures"} - before:
-        sys.modules.pop(name, None)
+    found = {name: importlib.import_module(f"railway.{name}") for name in RAILWAY}
+    found |= {name: importlib.import_module(name) for name in names}
+    yield SimpleNamespace(found, railway=importlib.import_module("railway.stability"), module=importlib.import_module)
+    for name in set(sys.modules) - before:
+        if str(getattr(sys.modules[name], "__file__", None)).startswith(str(EXAMPLES)):
+            sys.modules.pop(name)

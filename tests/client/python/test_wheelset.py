@@ -37,7 +37,7 @@ def disturbed(body):
 
 def test_springs_push_back(wheelset):
     vehicle = wheelset.vehicle.Vehicle(stiffness=(1500, 500, 1200), damping=(0, 0, 0))
-    motion = wheelset.vehicle.Motion(0, 2, 0.5, 0, 1e-5, 2e4, 0, 0, 0, 0, 0)
+    motion = wheelset.motion.Motion(0, 2, 0.5, 0, 1e-5, 2e4, 0, 0, 0, 0, 0)
     force, moment = wheelset.vehicle.suspension(vehicle, 0.3, 0.5, motion, 2e4)
     assert force == pytest.approx((-2 * 1500 * 0.3, -2 * 500 * 2, 109e3 - 1.813 * 9810))
     assert moment[2] == pytest.approx(-2 * 1500 * 1000**2 * 1e-5, rel=1e-6)
@@ -48,7 +48,7 @@ def test_a_wheelset_without_springs_runs_along_klingels_wave(wheelset):
     # conicity/b, which moves the contact points by r/b of that more.
     vehicle = wheelset.vehicle.Vehicle(stiffness=(0, 0, 0), damping=(0, 0, 0))
     body = at_speed(wheelset, 0.5, vehicle, conicity=0.05, angle=0, creep=np.diag(np.diag(CREEP) * (1, 1, 0)))
-    swing = wheelset.stability.hunting(body)
+    swing = wheelset.module("stability").hunting(body)
     assert swing.imag / 500 == pytest.approx(math.sqrt(0.05 / (460 * 750) / (1 + 0.05 * 460 / 750)), rel=5e-4)
 
 
@@ -70,7 +70,7 @@ def test_a_body_that_nothing_holds_keeps_its_energy_and_its_angular_momentum(whe
     def momentum(state):
         motion = body.motion(0, state)
         rates = np.array([motion.roll_rate, motion.pitch_rate, motion.yaw_rate])
-        return wheelset.vehicle.axes(motion.roll, motion.yaw) @ (inertia * rates), rates @ (inertia * rates)
+        return wheelset.motion.axes(motion.roll, motion.yaw) @ (inertia * rates), rates @ (inertia * rates)
 
     before, after = momentum(states[0]), momentum(states[-1])
     assert abs(states[-1, 3]) > 0.01
@@ -80,20 +80,20 @@ def test_a_body_that_nothing_holds_keeps_its_energy_and_its_angular_momentum(whe
 
 
 def test_hunting_grows_above_the_speed_that_eigenvalues_tell(wheelset):
-    stability = wheelset.stability
-    critical = stability.critical_speed(lambda v: stability.hunting(at_speed(wheelset, v)).real, 40, 100, 0.01)
+    stability, hunting = wheelset.railway, wheelset.module("stability").hunting
+    critical = stability.critical_speed(lambda v: hunting(at_speed(wheelset, v)).real, 40, 100, 0.01)
     assert 50 < critical < 90
     for part in (0.85, 1.15):
         body = at_speed(wheelset, part * critical)
         times, states = wheelset.runge_kutta.integrate(body, body.start(y=0.1), 1.5, 2e-3)
         growth = stability.growth_of_swing(times, states[:, 1])
-        assert growth == pytest.approx(stability.hunting(body).real, rel=0.15)
+        assert growth == pytest.approx(hunting(body).real, rel=0.15)
         assert (growth > 0) == (part > 1)
 
 
 def test_speeds_on_one_side_are_refused(wheelset):
     with pytest.raises(ValueError, match="between 40 and 50 m/s; give speeds further apart"):
-        wheelset.stability.critical_speed(lambda speed: -1.0, 40, 50, 1)
+        wheelset.railway.critical_speed(lambda speed: -1.0, 40, 50, 1)
 
 
 def test_a_track_is_smooth_and_the_same_for_the_same_seed(wheelset):

@@ -10,14 +10,19 @@ from __future__ import annotations
 
 import argparse
 import math
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 
-from contact import SETUPS, WheelRailContact
+sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
+
+from contact import WheelRailContact
+from railway.stability import critical_speed, growth_of_swing
+from railway.track import IrregularTrack
+from railway.wheels import SETUPS
 from runge_kutta import Wheelset
 from runs import Integrate, Run, simulate
-from stability import critical_speed, growth_of_swing, hunting
-from track import IrregularTrack
+from stability import hunting
 from vehicle import Vehicle
 
 from contactd import Client, LocalDaemon
@@ -77,7 +82,7 @@ def _search(client: Client, options: argparse.Namespace, integrate: Integrate) -
         of_small_motions = ", ".join(f"{value:+.2f}/s at {speed:g} m/s" for speed, value in curves[contact][::4])
         print(f"{contact}: small motions grow by {of_small_motions}", flush=True)
     if options.output is not None:
-        from pictures import draw_growth
+        from railway.pictures import draw_growth
 
         draw_growth(curves, critical, options.output / "wheelset-critical.png")
 

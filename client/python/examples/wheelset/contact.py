@@ -5,29 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from track import Side, Track
-from vehicle import Array, Motion, axes
+from railway.motion import Array, Motion, axes, cross
+from railway.track import Track
+from railway.wheels import SIDES, height_under, on_wheelset, wheel_state
 
 from contactd import Client, InvalidArgument
-from contactd.wheel_rail import (
-    RailDeviation,
-    WheelRailFriction,
-    WheelRailSetup,
-    WheelRailState,
-    WheelsetPosition,
-    WheelsetVelocity,
-)
-
-SIDES: tuple[Side, Side] = ("left", "right")
-ELEMENT = 1.0  # mm: some 200 elements in contact
-
-#: The kinds of contact, from the simplest on. "linear" is Kalker's simplified theory with friction that knows no bound:
-#: without slip it is his linear theory, on the true profiles.
-SETUPS = {
-    "linear": WheelRailSetup(model="fastsim", friction=WheelRailFriction(1000.0), dx=ELEMENT, dy=ELEMENT),
-    "fastsim": WheelRailSetup(model="fastsim", friction=WheelRailFriction(0.3), dx=ELEMENT, dy=ELEMENT),
-    "full": WheelRailSetup(model="full", friction=WheelRailFriction(0.3), dx=ELEMENT, dy=ELEMENT),
-}
+from contactd.wheel_rail import WheelRailSetup
 
 
 class WheelRailContact:
@@ -44,35 +27,19 @@ class WheelRailContact:
         force, moment = np.zeros(3), np.zeros(3)
         for side, setup in self._setups.items():
             try:
-                solution = self._client.wheel_rail(setup, self._state(side, motion), fields=[])
+                solution = self._client.wheel_rail(setup, wheel_state(side, motion, self._track), fields=[])
             except InvalidArgument:
                 self.derailed = True
                 raise
             self.solves += 1
-            track, wheelset = solution.forces.track, solution.forces.wheelset
-            # Those of the answer act on the rails.
-            force -= (track.Fx, track.Fy, track.Fz)
-            moment -= (wheelset.Mx, wheelset.My, wheelset.Mz)
+            wheel = on_wheelset(solution)
+            force += wheel.force
+            moment += wheel.moment
         return force, moment
 
     def rest(self, axle_load: float) -> float:
         """The z at which the wheelset in the middle bears its load (mm)."""
-        heights = []
-        for setup in self._setups.values():
-            state = WheelRailState(velocity=WheelsetVelocity(x=1000, pitch=-1000 / 460), Fz=axle_load / 2)
-            heights.append(self._client.wheel_rail(setup, state, fields=[]).z)
-        return float(np.mean(heights))
-
-    def _state(self, side: Side, motion: Motion) -> WheelRailState:
-        y, z, y_slope, z_slope = self._track.deviation(side, motion.distance)
-        return WheelRailState(
-            position=WheelsetPosition(y=motion.y, z=motion.z, roll=motion.roll, yaw=motion.yaw),
-            velocity=WheelsetVelocity(
-                x=motion.vx, y=motion.vy, z=motion.vz,
-                roll=motion.roll_rate, pitch=motion.pitch_rate, yaw=motion.yaw_rate,
-            ),
-            rail=RailDeviation(y=y, z=z, y_velocity=y_slope * motion.vx, z_velocity=z_slope * motion.vx),
-        )  # fmt: skip
+        return height_under(self._client, list(self._setups.values()), axle_load)
 
 
 @dataclass(frozen=True)
@@ -115,9 +82,9 @@ class LinearContact:
             fn = max(self.load / np.cos(self.angle) + self.normal_stiffness * lower, 0.0)
 
             forwards, across = np.array([1.0, 0, 0]), np.array([0, np.cos(self.angle), -sign * np.sin(self.angle)])
-            normal = np.cross(forwards, across)
+            normal = cross(forwards, across)
             arm = turned @ (0.0, sign * self.half_distance, self.radius + larger)
-            wheel = np.array([motion.vx, motion.vy, motion.vz]) + np.cross(rates, arm)
+            wheel = np.array([motion.vx, motion.vy, motion.vz]) + cross(rates, arm)
             rail = motion.vx * np.array([0.0, y_slope, z_slope])
             rolling = abs(motion.vx)
             creepages = np.array([(rail - wheel) @ forwards, (rail - wheel) @ across, -rates @ normal]) / rolling
@@ -125,5 +92,5 @@ class LinearContact:
             fx, fy, mz = (length, length, length**2) * (self.creep @ ((length, length, length**2) * creepages))
             on_rail = fx * forwards + fy * across + fn * normal
             force -= on_rail
-            moment -= turned.T @ (np.cross(arm, on_rail) + mz * normal)
+            moment -= turned.T @ (cross(arm, on_rail) + mz * normal)
         return force, moment

@@ -20,8 +20,9 @@ from exudyn.itemInterface import (
     ObjectRigidBody,
     SensorBody,
 )
+from railway.motion import GRAVITY, Array, Motion, axes
 from runge_kutta import Wheelset
-from vehicle import GRAVITY, Array, Motion, axes, frame_load
+from vehicle import frame_load
 
 TO_EXUDYN = np.array([2, 0, 1])  # (x, y, z) of the track -> (z, x, y)
 TO_TRACK = np.array([1, 2, 0])

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from vehicle import GRAVITY, Array, Motion, Vehicle, suspension
+from railway import runge_kutta
+from railway.motion import GRAVITY, Array, Motion, cross
+from vehicle import Vehicle, suspension
 
 #: Force on the wheelset in track coordinates (N), moment about its centre along its own axes (N mm)
 Contact = Callable[[Motion], tuple[Array, Array]]
@@ -46,21 +48,11 @@ class Wheelset:
         turning = np.array([motion.roll_rate, motion.pitch_rate, motion.yaw_rate])
         of_axes = np.array([motion.roll_rate, motion.yaw_rate * np.tan(motion.roll), motion.yaw_rate])
         momentum = inertia * turning
-        angular = (moment_on_rails + moment_on_springs - np.cross(of_axes, momentum)) / inertia
+        angular = (moment_on_rails + moment_on_springs - cross(of_axes, momentum)) / inertia
         angles = (motion.roll_rate, motion.yaw_rate / np.cos(motion.roll))
         return np.concatenate([state[5:8], angles, acceleration, angular])
 
 
 def integrate(wheelset: Wheelset, state: Array, duration: float, step: float) -> tuple[Array, Array]:
     """Times (s), shape [n], and states, shape [n, 11], from `state` on. The contact is asked four times a step."""
-    count = round(duration / step)
-    states = np.empty((count + 1, len(state)))
-    states[0] = state
-    for i in range(count):
-        time = i * step
-        k1 = wheelset.rates(time, state)
-        k2 = wheelset.rates(time + step / 2, state + step / 2 * k1)
-        k3 = wheelset.rates(time + step / 2, state + step / 2 * k2)
-        k4 = wheelset.rates(time + step, state + step * k3)
-        states[i + 1] = state = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-    return step * np.arange(count + 1, dtype=float), states
+    return runge_kutta.integrate(wheelset.rates, state, duration, step)

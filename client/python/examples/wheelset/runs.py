@@ -7,10 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from contact import SETUPS, WheelRailContact
+from contact import WheelRailContact
+from railway.motion import Array
+from railway.track import Track
+from railway.wheels import SETUPS
 from runge_kutta import Wheelset
-from track import Track
-from vehicle import Array, Vehicle
+from vehicle import Vehicle
 
 from contactd import Client
 

@@ -8,13 +8,9 @@ masses, so that forces are in N.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
-
-Array = npt.NDArray[np.float64]
-GRAVITY = 9810.0  # mm/s^2
+from railway.motion import GRAVITY, Array, Motion, axes, cross
 
 
 @dataclass(frozen=True)
@@ -44,35 +40,6 @@ class Vehicle:
     damping: tuple[float, float, float] = (5.0, 0.0, 20.0)
 
 
-class Motion(NamedTuple):
-    """Of the wheelset, in the words and signs of `contactd.wheel_rail`.
-
-    Attributes:
-        distance: That the centre has gone along the track (mm).
-        y, z, roll, yaw: Its place (mm, rad).
-        vx, vy, vz: Velocity of the centre over the track (mm/s).
-        roll_rate, pitch_rate, yaw_rate: About its own axes, which do not turn with its pitch (rad/s).
-    """
-
-    distance: float
-    y: float
-    z: float
-    roll: float
-    yaw: float
-    vx: float
-    vy: float
-    vz: float
-    roll_rate: float
-    pitch_rate: float
-    yaw_rate: float
-
-
-def axes(roll: float, yaw: float) -> Array:
-    """The wheelset's axes as columns, in track coordinates."""
-    cr, sr, cy, sy = np.cos(roll), np.sin(roll), np.cos(yaw), np.sin(yaw)
-    return np.array([[cy, -sy * cr, sy * sr], [sy, cy * cr, -cy * sr], [0, sr, cr]])
-
-
 def frame_load(vehicle: Vehicle) -> float:
     """What the frame adds to the wheelset's own weight, on one axle box (N)."""
     return (vehicle.axle_load - vehicle.mass * GRAVITY) / 2
@@ -91,9 +58,9 @@ def suspension(vehicle: Vehicle, x: float, rest: float, motion: Motion, speed: f
         box = np.array([0.0, side * vehicle.half_base, 0.0])
         arm = turned @ box
         moved = np.array([x, motion.y, motion.z - rest]) + arm - box
-        velocity = np.array([motion.vx - speed, motion.vy, motion.vz]) + np.cross(rates, arm)
+        velocity = np.array([motion.vx - speed, motion.vy, motion.vz]) + cross(rates, arm)
         at_box = -np.multiply(vehicle.stiffness, moved) - np.multiply(vehicle.damping, velocity)
         at_box[2] += frame_load(vehicle)
         force += at_box
-        moment += turned.T @ np.cross(arm, at_box)
+        moment += turned.T @ cross(arm, at_box)
     return force, moment

@@ -1,0 +1,62 @@
+"""The critical speed of the bogie: by eigenvalues of small motions, and by simulations from a disturbance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from equations import Equations
+from line import Line
+from railway.motion import Array
+from railway.stability import critical_speed, growth_of_swing, least_damped
+from railway.track import Track
+from railway.wheels import SessionWheels
+from rolling import Rolling
+from runs import Integrate, simulate, start, wheel_setups
+from vehicle import bogie
+
+from contactd import Client
+
+DISTURBANCE = 3.0  # mm, where the search for the critical speed starts from
+
+#: Place in the state of a body of what takes part in motion across the track, and the step of its difference quotient: small
+#: against what friction and the profiles' curvature bend, large against rounding (mm, rad, mm/s, rad/s).
+ACROSS = {1: 0.05, 3: 1e-5, 5: 2e-5, 7: 2.0, 9: 1e-3, 11: 1e-3}
+FASTER = 12.0  # 1/s: the coach sways more slowly, whatever the speed
+ELEMENT = 0.5  # mm: differences of small motions show when elements come into contact
+
+
+def small_motions(client: Client, contact: str) -> Callable[[float], complex]:
+    """A function of the speed (m/s): growth (1/s) and angular frequency (1/s) of what is damped least across the track."""
+    vehicle = bogie()
+    setups = wheel_setups(contact, vehicle, ELEMENT)
+    steps = {12 * body + place: step for body in range(len(vehicle.bodies)) for place, step in ACROSS.items()}
+
+    def of_speed(speed: float) -> complex:
+        with SessionWheels(client, setups) as wheels:
+            equations = Equations(Rolling(vehicle, wheels, Line(), Track()))
+
+            def rates(state: Array) -> Array:
+                return equations.rates(0, state)
+
+            return least_damped(rates, start(client, equations, setups[0], speed), steps, above=FASTER)
+
+    return of_speed
+
+
+def simulated(
+    client: Client, contact: str, low: float, high: float, seconds: float, integrate: Integrate,
+    tell: Callable[[str], None], tolerance: float = 0.5,
+) -> float:  # fmt: skip
+    """The speed (m/s) from which on the swing of the leading wheelset grows, started at DISTURBANCE on straight track.
+
+    Raises ValueError where it is not between `low` and `high`.
+    """
+
+    def growth(speed: float) -> float:
+        run = simulate(client, contact, speed, seconds, integrate=integrate, y=DISTURBANCE)
+        value = math.inf if run.derailed else growth_of_swing(run.times, run.places[:, 0])
+        tell(f"  {contact:8} {speed:6.2f} m/s: swing changes by {value:+.2f}/s")
+        return value
+
+    return critical_speed(growth, low, high, tolerance)

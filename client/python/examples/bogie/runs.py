@@ -1,0 +1,140 @@
+"""Simulations of the bogie, with what they cost."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+
+import numpy as np
+from equations import Equations
+from line import Line
+from railway import runge_kutta
+from railway.motion import Array
+from railway.track import Track
+from railway.wheels import SETUPS, SIDES, SessionWheels, Wheels
+from rolling import Rolling
+from vehicle import Vehicle, bogie
+
+from contactd import Client
+from contactd.wheel_rail import WheelRailSetup, WheelsetPosition, WheelsetState, WheelsetVelocity
+
+#: `by_numpy` or that of multibody: equations, state, duration and step (s) -> times and states
+Integrate = Callable[[Equations, Array, float, float], tuple[Array, Array]]
+
+#: Who solves the wheels of these set-ups; the client may have no part in it.
+OpenWheels = Callable[[Client, Sequence[WheelRailSetup]], AbstractContextManager[Wheels]]
+
+STEP = 1e-3  # s: a wheelset bounces on its contacts by 1.3 rad in it, and 2.8 is what the method bears
+PIECE = 0.1  # s
+OFF_TRACK = 15.0  # mm: a flange runs on top of its rail
+
+
+def by_numpy(equations: Equations, state: Array, duration: float, step: float) -> tuple[Array, Array]:
+    return runge_kutta.integrate(equations.rates, state, duration, step)
+
+
+@dataclass(frozen=True)
+class Run:
+    """One simulation.
+
+    Attributes:
+        contact: Which kind.
+        speed: At the start (m/s).
+        line: That it went along.
+        times: (s), shape [n].
+        states: Of all bodies, shape [n, bodies, 12].
+        places: y of the wheelsets from the middle of the track (mm), shape [n, wheelsets].
+        solves: Of wheels.
+        seconds: What it took, by the clock.
+        processor_seconds: What it took of this process' processors: all of it in process, the client's part with a daemon.
+        derailed: Whether it ended as a wheelset left the track.
+    """
+
+    contact: str
+    speed: float
+    line: Line
+    times: Array
+    states: Array
+    places: Array
+    solves: int
+    seconds: float
+    processor_seconds: float
+    derailed: bool
+
+    @property
+    def cost(self) -> tuple[float, float]:
+        """Seconds, and processor seconds, by simulated second."""
+        duration = max(float(self.times[-1]), STEP)
+        return self.seconds / duration, self.processor_seconds / duration
+
+
+def wheel_setups(contact: str, vehicle: Vehicle, element: float | None = None) -> list[WheelRailSetup]:
+    """Of all wheels in their order: those of the leading wheelset first, left before right. `element` is another size (mm)."""
+    setup = SETUPS[contact] if element is None else SETUPS[contact].replace(dx=element, dy=element)
+    return [setup.replace(side=side) for _ in range(vehicle.wheelsets) for side in SIDES]
+
+
+def simulate(
+    client: Client,
+    contact: str,
+    speed: float,
+    duration: float,
+    *,
+    integrate: Integrate = by_numpy,
+    line: Line | None = None,
+    track: Track | None = None,
+    y: float = 0.0,
+    vehicle: Vehicle | None = None,
+    step: float = STEP,
+    element: float | None = None,
+    open_wheels: OpenWheels = SessionWheels,
+) -> Run:
+    """The bogie at a speed (m/s), from y (mm) on; nothing pulls it. contact is one of SETUPS. A derailment ends it.
+
+    The client finds the height to start at, and solves the wheels unless `open_wheels` has others do that.
+    """
+    vehicle, line = vehicle or bogie(), line or Line()
+    setups = wheel_setups(contact, vehicle, element)
+    began, worked = time.perf_counter(), time.process_time()
+    with open_wheels(client, setups) as wheels:
+        rolling = Rolling(vehicle, wheels, line, track or Track())
+        equations = Equations(rolling)
+        times: Array = np.zeros(1)
+        states: Array = start(client, equations, setups[0], speed, y)[np.newaxis]
+        places = places_of(rolling, states)
+        while times[-1] < duration - step / 2 and not rolling.derailed:
+            # Piece by piece, so that what was before a derailment is kept.
+            piece = min(PIECE, duration - float(times[-1]))
+            try:
+                later, more = integrate(equations, states[-1], piece, step)
+            except Exception:  # Exudyn has its own for what went wrong in a user function
+                if not rolling.derailed:
+                    raise
+            else:
+                times, states = np.append(times, times[-1] + later[1:]), np.vstack([states, more[1:]])
+                places = np.vstack([places, places_of(rolling, more[1:])])
+                rolling.derailed |= bool(np.abs(places).max() > OFF_TRACK)
+    return Run(
+        contact, speed, line, times, states.reshape(len(times), -1, 12), places, rolling.solves,
+        time.perf_counter() - began, time.process_time() - worked, rolling.derailed,
+    )  # fmt: skip
+
+
+def start(client: Client, equations: Equations, setup: WheelRailSetup, speed: float, y: float = 0.0) -> Array:
+    """The state of a bogie that runs straight at a speed (m/s), y to the right (mm), on wheels that bear their load."""
+    vehicle = equations.vehicle
+    rolling = WheelsetVelocity(x=1000 * speed, pitch=-1000 * speed / vehicle.radius)
+    load = vehicle.axle_load / 2
+    borne = client.wheelset(
+        setup.replace(side="right"),
+        WheelsetState(Fz_left=load, Fz_right=load, position=WheelsetPosition(y=y), velocity=rolling), fields=[],
+    )  # fmt: skip
+    return equations.start(1000 * speed, borne.z, y, borne.roll)
+
+
+def places_of(rolling: Rolling, states: Array) -> Array:
+    """y of the wheelsets from the middle of the track (mm), shape [n, wheelsets]."""
+    bodies = states.reshape(len(states), -1, 12)[:, : rolling.vehicle.wheelsets]
+    return np.array([[rolling.motion(i, body).y for i, body in enumerate(row)] for row in bodies])
