@@ -21,7 +21,8 @@ copyright = ""
 html_show_copyright = html_show_sphinx = False
 
 extensions = [
-    "myst_nb", "breathe", "sphinx.ext.autodoc", "sphinx.ext.graphviz", "sphinx.ext.napoleon", "roads", "mermaid", "reference"
+    "myst_nb", "breathe", "sphinx.ext.autodoc", "sphinx.ext.graphviz", "sphinx.ext.napoleon", "roads", "mermaid", "reference",
+    "theme_scripts",
 ]  # fmt: skip
 root_doc = "docs/index"
 include_patterns = [

@@ -103,7 +103,17 @@ def adapt(_app: Any, _what: str, _name: str, _object: object, _options: object, 
     lines[:] = [re.sub(r"(?<![\w/`])docs/(\w[\w-]*)\.md", r":doc:`docs/\1.md </docs/\1>`", line) for line in lines]
 
 
+def without_names_that_are_there_twice(_app: Any, doctree: Any) -> None:
+    """Breathe gives the kinds of members of each class the same anchors as those of all others; nothing links to them."""
+    from docutils import nodes  # tests read the parts without Sphinx
+
+    for title in doctree.findall(nodes.rubric):
+        if "breathe-sectiondef-title" in title["classes"]:
+            title["ids"] = []
+
+
 def setup(app: Any) -> dict[str, Any]:
     app.connect("autodoc-process-docstring", adapt)
     app.connect("source-read", write)
+    app.connect("doctree-read", without_names_that_are_there_twice)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -19,6 +19,7 @@ class Page(HTMLParser):
     titles: list[str] = field(default_factory=list)
     headings: list[str] = field(default_factory=list)
     anchors: set[str] = field(default_factory=set)
+    ids: list[str] = field(default_factory=list)
     links: list[str] = field(default_factory=list)
     loaded: list[str] = field(default_factory=list)  # scripts, styles, pictures
     images: list[tuple[str, str]] = field(default_factory=list)  # source and what stands for it
@@ -32,6 +33,8 @@ class Page(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         given: dict[str, Any] = dict(attrs)
         self.anchors |= {given[key] for key in ("id", "name") if given.get(key)}
+        if given.get("id"):
+            self.ids.append(given["id"])
         if tag == "html":
             self.language = given.get("lang", "")
         elif tag == "a" and given.get("href"):

@@ -53,12 +53,25 @@ def test_nothing_is_loaded_from_the_network(site):
         assert not re.findall(r"(?:url\(|@import)\s*[\"']?(?:https?:)?//", file.read_text()), file
 
 
+def test_scripts_run_in_pages_that_are_opened_as_files(site):
+    for path in site.pages:
+        assert 'type="module"' not in path.read_text(), path
+    scripts = [site.folder / "_static" / "scripts" / name for name in ("gumshoe-patched.js", "furo.js")]
+    assert not [script for script in scripts if re.search(r"^(import|export) ", script.read_text(), re.MULTILINE)]
+    loaded = [Path(source.partition("?")[0]).name for source in site.pages[site.folder / "README.html"].loaded]
+    assert loaded.index("gumshoe-patched.js") < loaded.index("furo.js")
+
+
 def test_every_page_has_a_language_a_title_of_its_own_and_one_heading(site):
     pages = list(site.documents())
     assert {page.language for page in pages} == {"en"}
     titles = [page.titles[0] for page in pages if page.path.stem != "README" or page.path.parent != site.folder]
     assert len(set(titles)) == len(titles)
     assert not [page.path for page in pages if len(page.headings) != 1]
+
+
+def test_no_page_has_an_anchor_twice(site):
+    assert not [page.path for page in site.documents() if len(page.ids) > len(set(page.ids))]
 
 
 def test_every_picture_has_words_in_its_place(site):

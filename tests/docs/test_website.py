@@ -118,3 +118,19 @@ def test_the_types_that_clients_meet_are_those_that_cmake_installs(part):
     assert {"contactd/client/client.hpp", "contactd/contact.hpp", "contactd/grid.hpp"} <= set(headers)
     assert "contactd/solve_wheel_rail.hpp" not in headers
     assert all(part("headers").path_of(header).exists() for header in headers)
+
+
+def test_a_script_of_the_theme_that_is_another_one_is_told(part):
+    plain = part("theme_scripts").plain
+    assert plain('import * as Gumshoe from "./gumshoe-patched.js";\nvar header;\n') == "var header;\n"
+    with pytest.raises(ValueError, match="see whether it still needs theme_scripts"):
+        plain("var header;\n")
+
+
+def test_kinds_of_members_have_no_anchors_of_one_name(part):
+    nodes = pytest.importorskip("docutils.nodes")
+    title = nodes.rubric("", "Public Functions", classes=["breathe-sectiondef-title"], ids=["breathe-section-title-public-functions"])
+    other = nodes.rubric("", "Notes", ids=["notes"])
+    document = nodes.container("", title, other)
+    part("reference").without_names_that_are_there_twice(None, document)
+    assert (title["ids"], other["ids"]) == ([], ["notes"])

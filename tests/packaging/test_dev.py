@@ -163,10 +163,10 @@ def test_help_says_what_the_root_sees(machine):
 
 
 def test_the_readme_names_the_clients_that_there_are():
-    (clients,) = re.findall(r"for clients in (.*?)\. ", (ROOT / "README.md").read_text())
-    in_process = {"cntc"}  # needs no daemon
-    names = {"c": "C", "cpp": "C++", "python": "Python"}
-    folders = {path.name for path in (ROOT / "client").iterdir() if path.is_dir()} - in_process
-    *others, last = [names[folder] for folder in sorted(folders)]
-    assert clients == f"{', '.join(others)} and {last}"
+    (clients,) = re.findall(r"call it from (.*?) terminal:", (ROOT / "README.md").read_text(), re.DOTALL)
+    names = {"c": "C, Fortran or MATLAB", "cpp": "C++", "fmu": "FMUs", "python": "Python"}
+    another_program = {"cntc"}  # whose calls it has
+    folders = {path.name for path in (ROOT / "client").iterdir() if path.is_dir()} - another_program
+    assert folders == set(names)
+    assert [folder for folder in folders if names[folder] not in clients] == []
     assert not re.search(r"client \(.*shell\)", (ROOT / "docs" / "architecture.md").read_text())
