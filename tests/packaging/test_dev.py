@@ -163,7 +163,7 @@ def test_help_says_what_the_root_sees(machine):
 
 
 def test_the_readme_names_the_clients_that_there_are():
-    (clients,) = re.findall(r"call it from (.*?) terminal:", (ROOT / "README.md").read_text(), re.DOTALL)
+    (clients,) = re.findall(r"call it from (.*?)\s+terminal:", (ROOT / "README.md").read_text(), re.DOTALL)
     names = {"c": "C, Fortran or MATLAB", "cpp": "C++", "fmu": "FMUs", "python": "Python"}
     another_program = {"cntc"}  # whose calls it has
     folders = {path.name for path in (ROOT / "client").iterdir() if path.is_dir()} - another_program
