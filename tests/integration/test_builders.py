@@ -65,6 +65,13 @@ def test_a_launcher_that_does_not_exist_is_named(daemons):
         assert "builds.launcher begins with no-such-launcher; it cannot be started" in build_failure(client)
 
 
+def test_a_builder_that_its_launcher_does_not_find_is_named(daemons):
+    with daemons.start(builds={"program": "no-such-builder", "launcher": ["setsid", "--wait"]}).client() as client:
+        message = build_failure(client)
+    assert "builds.program is no-such-builder behind setsid; it cannot be started: " in message
+    assert "CONTACTD_IC" in message
+
+
 def test_the_words_of_a_failing_builder_reach_the_caller(daemons):
     program = script(daemons.folder, "echo chatter", 'echo "the licence has expired" >&2', "exit 3")
     with daemons.start(builds={"program": str(program)}).client() as client:

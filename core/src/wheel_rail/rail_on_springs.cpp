@@ -17,6 +17,7 @@ namespace {
 
 constexpr double farthest = 20;            // mm: to the side, from where the other forces have the rail
 constexpr double deepest_penetration = 5;  // mm: as of a rail that is held
+constexpr double most_usual_shift = 20;    // mm: rails on their sleepers give way by one or two
 
 /// The state with the rail shifted and held there, the wheel at its height or under its force.
 WheelRailState shifted(WheelRailState state, const RailShift& shift) {
@@ -73,6 +74,10 @@ class Balance {
             solution_.warnings.push_back("No shift of the rail balances its springs: at y = " + short_text(shift_.y) +
                                          " mm and z = " + short_text(shift_.z) + " mm " + short_text(left) +
                                          " of the force is left after " + std::to_string(solves_) + " solves.");
+        if (const double most = std::max(std::abs(shift_.y), std::abs(shift_.z)); most > most_usual_shift)
+            solution_.warnings.push_back("The rail gives way by " + short_text(most) +
+                                         " mm, where rails give way by one or two: stiffnesses of track.springs are in "
+                                         "N/mm.");
         return std::move(solution_);
     }
 

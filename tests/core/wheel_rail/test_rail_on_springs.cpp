@@ -222,6 +222,18 @@ TEST_CASE("A wheelset rolls where the rails below it give way unlike") {
     CHECK_THAT(solution.z, WithinAbs(held.z, 1e-5));
 }
 
+TEST_CASE("A rail that gives way by more than rails do is told") {
+    const auto told = [](double z) {
+        const WheelRailSolution solution = solve(on_springs({}, z), under_force(0));
+        REQUIRE(solution.converged());
+        for (const std::string& warning : solution.warnings)
+            if (warning.starts_with("The rail gives way by 800 mm") && warning.ends_with("are in N/mm.")) return true;
+        return false;
+    };
+    CHECK(told(100));  // meant as kN/mm
+    CHECK_FALSE(told(1e5));
+}
+
 TEST_CASE("Mistakes in springs and loads are refused by name") {
     const auto refused = [](const WheelRailSetup& setup, const WheelRailState& state, const std::string& sentence) {
         Observer observer;

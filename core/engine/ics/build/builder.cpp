@@ -138,6 +138,17 @@ std::string first_program(const BuilderCommand& command) {
     return "builds.launcher begins with " + command.launcher.front();
 }
 
+/// Of the first program, or of the one behind a launcher.
+std::string cannot_be_started(const std::string& what, const std::string& reason) {
+    return what + "; it cannot be started: " + reason +
+           " The builder is contactd-ic; builds.program says where it is, in process CONTACTD_IC.";
+}
+
+/// A launcher's word for a program that it did not find, or may not run, as shells have it.
+bool is_of_launcher(int status) {
+    return status == 126 || status == 127;
+}
+
 }  // namespace
 
 BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const std::filesystem::path& output,
@@ -159,7 +170,7 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
     const long long ended_before = ended_by_kernel();
     reproc::process child;
     if (const std::error_code error = child.start(arguments_of(command, output), options))
-        throw BuilderUnusable(first_program(command) + "; it cannot be started: " + error.message() + ".");
+        throw BuilderUnusable(cannot_be_started(first_program(command), error.message() + "."));
     BuilderListener listener(!command.launcher.empty(), on_progress);
     const Watch watch(command, listener, job, on_tick);
     int status = 0;
@@ -178,6 +189,9 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
         throw InvalidArgument(field, complaint.substr(field.size() + 1));
     if (status == 128 + SIGKILL && ended_by_kernel() > ended_before)
         throw BuilderOutOfMemory("The build ran out of memory: the kernel ended it, as the machine had no more.", "");
+    if (!command.launcher.empty() && is_of_launcher(status) && !complaint.empty())
+        throw BuilderUnusable(cannot_be_started(
+            "builds.program is " + command.program.string() + " behind " + command.launcher.front(), complaint));
     throw Error("The builder " + ending(status) + (complaint.empty() ? "." : ": " + complaint));
 }
 
