@@ -102,7 +102,9 @@ contains
     subroutine tell_wheel(wheel)
         type(c_ptr), intent(in) :: wheel
         real(c_double) :: v(6)
-        integer(c_int32_t) :: in, by, search, n, converged, patch, code
+        integer(c_int32_t), parameter :: searches(3) = [contactd_force, contactd_pitch, contactd_rail_shift]
+        integer(c_int32_t) :: in, by, n, converged, patch, code
+        integer :: search
         code = contactd_wheel_get_motion(wheel, v(1), v(2))
         call tell_numbers(v(:2), code)
         code = contactd_wheel_get_clearance(wheel, v(1))
@@ -117,8 +119,10 @@ contains
         end do
         code = contactd_wheel_get_converged(wheel, converged)
         call tell_whole(converged, code)
-        do search = contactd_force, contactd_pitch
-            code = contactd_wheel_get_evidence(wheel, search, n, v(1), converged)
+        code = contactd_wheel_get_rail_shift(wheel, v(1), v(2))
+        call tell_numbers(v(:2), code)
+        do search = 1, size(searches)
+            code = contactd_wheel_get_evidence(wheel, searches(search), n, v(1), converged)
             call tell_whole(n, code)
             call tell(v(1), code)
             call tell_whole(converged, code)

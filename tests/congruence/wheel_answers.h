@@ -71,6 +71,7 @@ static void tell_wheel_warnings(contactd_wheel* wheel) {
 }
 
 static void tell_wheel(contactd_wheel* wheel) {
+    const int32_t searches[] = {CONTACTD_FORCE, CONTACTD_PITCH, CONTACTD_RAIL_SHIFT};
     double v[6] = {0};
     int32_t n = 0, converged = 0, code = contactd_wheel_get_motion(wheel, v, v + 1);
     tell_numbers(v, 2, code);
@@ -86,8 +87,10 @@ static void tell_wheel(contactd_wheel* wheel) {
     }
     code = contactd_wheel_get_converged(wheel, &converged);
     tell_whole(converged, code);
-    for (int32_t search = CONTACTD_FORCE; search <= CONTACTD_PITCH; ++search) {
-        code = contactd_wheel_get_evidence(wheel, search, &n, v, &converged);
+    code = contactd_wheel_get_rail_shift(wheel, v, v + 1);
+    tell_numbers(v, 2, code);
+    for (int search = 0; search < 3; ++search) {
+        code = contactd_wheel_get_evidence(wheel, searches[search], &n, v, &converged);
         tell_whole(n, code);
         tell(v[0], code);
         tell_whole(converged, code);

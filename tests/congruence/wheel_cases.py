@@ -15,6 +15,9 @@ ASIDE = f"{COARSE}; {ROLLS}; position 3 0 0.0005 0.0072"
 FLANGE = f"{COARSE}; {ROLLS}; position 7.5 0 0.0005 0.0168"
 HERTZ = f"{COARSE}; model hertz; frictionless; Fz 80000"
 ARCS = f"{COARSE}; cone wheel -0.05 -40 40; arc rail 300 0.05 -30 30; rail_origin 750 0; wheelset 1360 -70 450; {ROLLS}"
+LEVEL = "points wheel -40 {0} 0 {0} 40 {0}; add_wheel_slice"
+FLAT = "; ".join(f"{LEVEL.format(z)} {angle}" for angle, z in ((-0.1, 0), (-0.05, 0), (-0.03, -0.3), (0, -0.5), (0.03, -0.3), (0.05, 0), (0.1, 0)))
+ON_FLAT = f"{ARCS}; arc rail 300 0 -30 30; {FLAT}"
 POINTS = "points rail -30 8 -20 1.4 -10 0.2 0 0 10 0.2 20 1.4 30 8; rail_origin 750 0"
 
 EVERYWHERE = {
@@ -38,6 +41,14 @@ EVERYWHERE = {
     "points": f"{COARSE}; {POINTS}; {ROLLS}; solve",
     "a-roller": f"{COARSE}; roller 600; roller_pitch 33; velocity 0 0 0 0 0 -43.4; Fz 60000; solve",
     "a-rail-that-varies": f"{ARCS}; add_slice -100; arc rail 200 0.05 -30 30; add_slice 100; x 20; solve",
+    # wheels that are not round, rails on springs
+    "on-its-flat": f"{ON_FLAT}; solve; pitch_angle 0.02; solve; pitch_angle 6.3; position 1 0 0 0.002; solve",
+    "round-again": f"{ON_FLAT}; pitch_angle 0.01; solve; clear_wheel_slices; solve",
+    "a-left-wheel-with-a-flat": f"side left; {ON_FLAT}; pitch_angle -0.03; derivatives 1; solve",
+    "on-springs": f"{FLANGE}; springs 10000 100000; solve; track 1434 14 0; solve; springs 0 50000; solve; springs 0 0; solve",
+    "on-springs-with-forces": f"{ASIDE}; springs 20000 200000; rail_forces -2000 1000; deviation 0.5 0.1 0; derivatives 1; solve",
+    "on-springs-at-a-height": f"{COARSE}; velocity 20000 0 0 0 0 -43.4; springs 0 200000; position 0 0.5 0 0; solve",
+    "a-flat-on-springs": f"{ON_FLAT}; springs 20000 100000; solve; model fastsim; Fx 3000; solve",
     # bodies, models, friction
     "another-wheel-material": f"{ASIDE}; material wheel 60000 0.3; solve",
     "a-rigid-rail": f"{ASIDE}; rigid rail; solve",
@@ -67,6 +78,10 @@ EVERYWHERE = {
     "hertz-with-friction": f"{ASIDE}; model hertz; solve",
     "one-slice": f"{ARCS}; add_slice 0; solve",
     "points-that-cross": f"{COARSE}; points rail -10 0 10 1 10 0 -10 1 -20 3; {ROLLS}; solve",
+    "one-wheel-slice": f"{ASIDE}; add_wheel_slice 0; solve",
+    "wheel-slices-in-degrees": f"{ASIDE}; add_wheel_slice 0; add_wheel_slice 90; solve",
+    "a-spring-that-pushes": f"{ASIDE}; springs -1 0; solve",
+    "a-force-on-a-rigid-rail": f"{ASIDE}; rail_forces 0 100; solve",
     "rules-in-no-order": f"{ASIDE}; patch_rules 1.5 4 8 12 0.3; solve",
 }
 REFUSED = {name for name in EVERYWHERE if list(EVERYWHERE).index(name) >= list(EVERYWHERE).index("no-gauge")}

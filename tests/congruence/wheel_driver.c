@@ -69,6 +69,8 @@ static int32_t set_profile(void) {
         return contactd_wheel_set_points(wheel, body(1), y, z, n, 0);
     }
     if (is("add_slice")) return contactd_wheel_add_slice(wheel, number(1));
+    if (is("add_wheel_slice")) return contactd_wheel_add_wheel_slice(wheel, number(1));
+    if (is("clear_wheel_slices")) return contactd_wheel_clear_wheel_slices(wheel);
     return -1;
 }
 
@@ -84,6 +86,7 @@ static int32_t set_up(void) {
     if (is("track")) return contactd_wheel_set_track(wheel, number(1), number(2), number(3));
     if (is("rail_origin")) return contactd_wheel_set_rail_origin(wheel, number(1), number(2));
     if (is("roller")) return contactd_wheel_set_roller(wheel, number(1));
+    if (is("springs")) return contactd_wheel_set_springs(wheel, number(1), number(2));
     if (is("wheelset")) return contactd_wheel_set_wheelset(wheel, number(1), number(2), number(3));
     if (is("material")) return contactd_wheel_set_material(wheel, body(1), number(2), number(3));
     if (is("rigid")) return contactd_wheel_set_rigid(wheel, body(1));
@@ -109,10 +112,12 @@ static int32_t set_up(void) {
 static int32_t move(void) {
     if (is("position")) return contactd_wheel_set_position(wheel, number(1), number(2), number(3), number(4));
     if (is("x")) return contactd_wheel_set_x(wheel, number(1));
+    if (is("pitch_angle")) return contactd_wheel_set_pitch_angle(wheel, number(1));
     if (is("velocity"))
         return contactd_wheel_set_velocity(wheel, number(1), number(2), number(3), number(4), number(5), number(6));
     if (is("deviation")) return contactd_wheel_set_deviation(wheel, number(1), number(2), number(3));
     if (is("deviation_rate")) return contactd_wheel_set_deviation_rate(wheel, number(1), number(2), number(3));
+    if (is("rail_forces")) return contactd_wheel_set_rail_forces(wheel, number(1), number(2));
     if (is("roller_pitch")) return contactd_wheel_set_roller_pitch(wheel, number(1));
     if (is("Fz")) return contactd_wheel_set_Fz(wheel, number(1));
     if (is("Fx")) return contactd_wheel_set_Fx(wheel, number(1));

@@ -59,6 +59,10 @@ bool Wheel::set_profile(const Words& w) {
         profile(w[1]).shape = points;
     } else if (w[0] == "add_slice") {
         setup_.rail_slices.push_back({number(w[1]), setup_.rail});
+    } else if (w[0] == "add_wheel_slice") {
+        setup_.wheel_slices.push_back({number(w[1]), setup_.wheel});
+    } else if (w[0] == "clear_wheel_slices") {
+        setup_.wheel_slices.clear();
     } else {
         return false;
     }
@@ -76,6 +80,10 @@ bool Wheel::set_track(const Words& w) {
         track.rail_origin = ProfilePoint{number(w[1]), number(w[2])};
     } else if (w[0] == "roller") {
         track.roller_radius = number(w[1]);
+    } else if (w[0] == "springs") {
+        const auto spring = [](double k) { return k == 0 ? std::nullopt : std::optional(k); };
+        track.springs = RailSprings{spring(number(w[1])), spring(number(w[2]))};
+        if (*track.springs == RailSprings{}) track.springs.reset();
     } else if (w[0] == "wheelset") {
         setup_.wheelset = {number(w[1]), number(w[2]), number(w[3])};
     } else {
@@ -152,9 +160,12 @@ bool Wheel::set_up(const Words& w) {
 
 bool Wheel::move(const Words& w) {
     if (w[0] == "position") {
-        state_.position = {number(w[1]), number(w[2]), number(w[3]), number(w[4]), state_.position.x};
+        const WheelsetPosition& now = state_.position;
+        state_.position = {number(w[1]), number(w[2]), number(w[3]), number(w[4]), now.x, now.pitch};
     } else if (w[0] == "x") {
         state_.position.x = number(w[1]);
+    } else if (w[0] == "pitch_angle") {
+        state_.position.pitch = number(w[1]);
     } else if (w[0] == "velocity") {
         state_.velocity = {number(w[1]), number(w[2]), number(w[3]), number(w[4]), number(w[5]), number(w[6])};
     } else if (w[0] == "deviation") {
@@ -165,6 +176,9 @@ bool Wheel::move(const Words& w) {
         state_.rail.y_velocity = number(w[1]);
         state_.rail.z_velocity = number(w[2]);
         state_.rail.roll_velocity = number(w[3]);
+    } else if (w[0] == "rail_forces") {
+        state_.rail.Fy = number(w[1]);
+        state_.rail.Fz = number(w[2]);
     } else if (w[0] == "roller_pitch") {
         state_.roller_pitch = number(w[1]);
     } else if (w[0] == "Fz") {

@@ -95,6 +95,8 @@ contains
             code = contactd_wheel_set_points(wheel, body(1), each_second(2), each_second(3), &
                 int(size(each_second(3)), c_int32_t), 0d0)
         case ("add_slice"); code = contactd_wheel_add_slice(wheel, number(1))
+        case ("add_wheel_slice"); code = contactd_wheel_add_wheel_slice(wheel, number(1))
+        case ("clear_wheel_slices"); code = contactd_wheel_clear_wheel_slices(wheel)
         case default; code = -1
         end select
     end function
@@ -105,6 +107,7 @@ contains
         case ("track"); code = contactd_wheel_set_track(wheel, number(1), number(2), number(3))
         case ("rail_origin"); code = contactd_wheel_set_rail_origin(wheel, number(1), number(2))
         case ("roller"); code = contactd_wheel_set_roller(wheel, number(1))
+        case ("springs"); code = contactd_wheel_set_springs(wheel, number(1), number(2))
         case ("wheelset"); code = contactd_wheel_set_wheelset(wheel, number(1), number(2), number(3))
         case ("material"); code = contactd_wheel_set_material(wheel, body(1), number(2), number(3))
         case ("rigid"); code = contactd_wheel_set_rigid(wheel, body(1))
@@ -137,10 +140,12 @@ contains
         select case (word(0))
         case ("position"); code = contactd_wheel_set_position(wheel, number(1), number(2), number(3), number(4))
         case ("x"); code = contactd_wheel_set_x(wheel, number(1))
+        case ("pitch_angle"); code = contactd_wheel_set_pitch_angle(wheel, number(1))
         case ("velocity")
             code = contactd_wheel_set_velocity(wheel, number(1), number(2), number(3), number(4), number(5), number(6))
         case ("deviation"); code = contactd_wheel_set_deviation(wheel, number(1), number(2), number(3))
         case ("deviation_rate"); code = contactd_wheel_set_deviation_rate(wheel, number(1), number(2), number(3))
+        case ("rail_forces"); code = contactd_wheel_set_rail_forces(wheel, number(1), number(2))
         case ("roller_pitch"); code = contactd_wheel_set_roller_pitch(wheel, number(1))
         case ("Fz"); code = contactd_wheel_set_Fz(wheel, number(1))
         case ("Fx"); code = contactd_wheel_set_Fx(wheel, number(1))

@@ -18,12 +18,12 @@ from contactd.wheel_rail import (
     ProfilePoints,
     Rail60E1,
     RailDeviation,
+    RailSprings,
     Track,
     WheelRailFriction,
     WheelRailSetup,
     WheelRailState,
     Wheelset,
-    WheelsetPosition,
     WheelsetVelocity,
 )
 
@@ -90,6 +90,12 @@ class Wheel:
     def add_slice(self, x: str) -> None:
         self._set(rail_slices=[*(self._setup.rail_slices or ()), (float(x), self._profiles["rail"])])
 
+    def add_wheel_slice(self, angle: str) -> None:
+        self._set(wheel_slices=[*(self._setup.wheel_slices or ()), (float(angle), self._profiles["wheel"])])
+
+    def clear_wheel_slices(self) -> None:
+        self._set(wheel_slices=None)
+
     def _place(self, **fields: Any) -> None:
         self._set(track=replace(self._setup.track or Track(), **fields))
 
@@ -101,6 +107,10 @@ class Wheel:
 
     def roller(self, radius: str) -> None:
         self._place(roller_radius=float(radius))
+
+    def springs(self, *stiffnesses: str) -> None:
+        y, z = (float(stiffness) or None for stiffness in stiffnesses)
+        self._place(springs=None if y is None and z is None else RailSprings(y=y, z=z))
 
     def wheelset(self, distance: str, position: str, radius: str) -> None:
         self._set(wheelset=Wheelset(float(distance), float(position), float(radius)))
@@ -160,11 +170,13 @@ class Wheel:
         self._state = replace(self._state, **fields)
 
     def position(self, y: str, z: str, roll: str, yaw: str) -> None:
-        x = self._state.position.x
-        self._move(position=WheelsetPosition(y=float(y), z=float(z), roll=float(roll), yaw=float(yaw), x=x))
+        self._move(position=replace(self._state.position, y=float(y), z=float(z), roll=float(roll), yaw=float(yaw)))
 
     def x(self, x: str) -> None:
         self._move(position=replace(self._state.position, x=float(x)))
+
+    def pitch_angle(self, pitch: str) -> None:
+        self._move(position=replace(self._state.position, pitch=float(pitch)))
 
     def velocity(self, *values: str) -> None:
         x, y, z, roll, yaw, pitch = map(float, values)
@@ -176,6 +188,9 @@ class Wheel:
     def deviation_rate(self, y: str, z: str, roll: str) -> None:
         rates = {"y_velocity": float(y), "z_velocity": float(z), "roll_velocity": float(roll)}
         self._move(rail=RailDeviation(**{**vars(self._state.rail), **rates}))
+
+    def rail_forces(self, Fy: str, Fz: str) -> None:
+        self._move(rail=replace(self._state.rail, Fy=float(Fy), Fz=float(Fz)))
 
     def roller_pitch(self, pitch: str) -> None:
         self._move(roller_pitch=float(pitch))

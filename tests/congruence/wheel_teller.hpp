@@ -20,7 +20,8 @@ class WheelTeller {
         forces(wheel.forces);
         derivatives(wheel.derivatives);
         whole(wheel.converged());
-        for (const auto& search : {wheel.force, wheel.pitch_search}) {
+        wheel.rail_shift ? numbers({wheel.rail_shift->y, wheel.rail_shift->z}) : nothing(2);
+        for (const auto& search : {wheel.force, wheel.pitch_search, wheel.rail_search}) {
             if (!search) {
                 nothing(3);
                 continue;

@@ -42,7 +42,8 @@ module contactd
     integer(c_int32_t), parameter :: contactd_left = 0, contactd_right = 1
     integer(c_int32_t), parameter :: contactd_wheel = 0, contactd_rail = 1
     integer(c_int32_t), parameter :: contactd_in_track = 0, contactd_in_rail = 1, contactd_in_wheelset = 2
-    integer(c_int32_t), parameter :: contactd_pitch = 4, contactd_roll = 5, contactd_gap = 6
+    integer(c_int32_t), parameter :: contactd_pitch = 4, contactd_roll = 5, contactd_rail_shift = 6
+    integer(c_int32_t), parameter :: contactd_gap = 6
     integer(c_int32_t), parameter :: contactd_by_position_y = 0, contactd_by_position_z = 1, &
         contactd_by_position_roll = 2, contactd_by_position_yaw = 3, contactd_by_velocity_x = 4, &
         contactd_by_velocity_y = 5, contactd_by_velocity_z = 6, contactd_by_velocity_roll = 7, &

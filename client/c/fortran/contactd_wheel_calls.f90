@@ -55,6 +55,12 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_clear_slices(wheel) bind(c)
             import; type(c_ptr), value :: wheel
         end function
+        integer(c_int32_t) function contactd_wheel_add_wheel_slice(wheel, angle) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), value :: angle
+        end function
+        integer(c_int32_t) function contactd_wheel_clear_wheel_slices(wheel) bind(c)
+            import; type(c_ptr), value :: wheel
+        end function
         integer(c_int32_t) function contactd_wheel_set_track(wheel, gauge, gauge_height, cant) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: gauge, gauge_height, cant
         end function
@@ -63,6 +69,9 @@ module contactd_wheel_calls
         end function
         integer(c_int32_t) function contactd_wheel_set_roller(wheel, radius) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: radius
+        end function
+        integer(c_int32_t) function contactd_wheel_set_springs(wheel, y, z) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), value :: y, z
         end function
         integer(c_int32_t) function contactd_wheel_set_wheelset( &
             wheel, flange_back_distance, flange_back_position, nominal_radius) bind(c)
@@ -123,6 +132,9 @@ module contactd_wheel_calls
         integer(c_int32_t) function contactd_wheel_set_x(wheel, x) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: x
         end function
+        integer(c_int32_t) function contactd_wheel_set_pitch_angle(wheel, pitch) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), value :: pitch
+        end function
         integer(c_int32_t) function contactd_wheel_set_velocity(wheel, x, y, z, roll, yaw, pitch) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: x, y, z, roll, yaw, pitch
         end function
@@ -131,6 +143,9 @@ module contactd_wheel_calls
         end function
         integer(c_int32_t) function contactd_wheel_set_deviation_rate(wheel, y, z, roll) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: y, z, roll
+        end function
+        integer(c_int32_t) function contactd_wheel_set_rail_forces(wheel, Fy, Fz) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), value :: Fy, Fz
         end function
         integer(c_int32_t) function contactd_wheel_set_roller_pitch(wheel, pitch) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: pitch
@@ -155,6 +170,9 @@ module contactd_wheel_calls
         end function
         integer(c_int32_t) function contactd_wheel_get_roll(wheel, roll) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), intent(out) :: roll
+        end function
+        integer(c_int32_t) function contactd_wheel_get_rail_shift(wheel, y, z) bind(c)
+            import; type(c_ptr), value :: wheel; real(c_double), intent(out) :: y, z
         end function
         integer(c_int32_t) function contactd_wheel_get_clearance(wheel, clearance) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), intent(out) :: clearance

@@ -101,8 +101,9 @@ enum { CONTACTD_BY_X = 0, CONTACTD_BY_Y = 1, CONTACTD_BY_TURN = 2, CONTACTD_BY_L
 enum { CONTACTD_LEFT = 0, CONTACTD_RIGHT = 1 };
 enum { CONTACTD_WHEEL = 0, CONTACTD_RAIL = 1 };
 enum { CONTACTD_IN_TRACK = 0, CONTACTD_IN_RAIL = 1, CONTACTD_IN_WHEELSET = 2 };
-enum { CONTACTD_PITCH = 4, CONTACTD_ROLL = 5 }; /* the searches for a pitch rate, and for the roll of a wheelset */
-enum { CONTACTD_GAP = 6 };                      /* undeformed distances */
+/* The searches for a pitch rate, for the roll of a wheelset, and for where a rail on springs is. */
+enum { CONTACTD_PITCH = 4, CONTACTD_ROLL = 5, CONTACTD_RAIL_SHIFT = 6 };
+enum { CONTACTD_GAP = 6 }; /* undeformed distances */
 /* Inputs of their derivatives: parts of the position, and of the velocity. */
 enum {
     CONTACTD_BY_POSITION_Y = 0,
@@ -392,12 +393,20 @@ CONTACTD_API int32_t contactd_wheel_set_file(contactd_wheel* wheel, int32_t body
 /* The rail varies along the track: what its profile is set to now, it has at x. By ascending x, two or more. */
 CONTACTD_API int32_t contactd_wheel_add_slice(contactd_wheel* wheel, double x);
 CONTACTD_API int32_t contactd_wheel_clear_slices(contactd_wheel* wheel);
+/* The wheel is not round: what its profile is set to now, it has at this angle about the axle, from z to x. By
+ * ascending angles within a turn, two or more; after the last one the first one comes again.
+ * contactd_wheel_set_pitch_angle says how far the wheel has turned. */
+CONTACTD_API int32_t contactd_wheel_add_wheel_slice(contactd_wheel* wheel, double angle);
+CONTACTD_API int32_t contactd_wheel_clear_wheel_slices(contactd_wheel* wheel); /* of the wheel only */
 /* Where the rails lie: by their gauge, measured gauge_height below their tops, and the cant of the profiles; or where
- * the profile's origin is, from the centre of the track to the field side. */
+ * the profile's origin is, from the centre of the track to the field side. What is said last holds; roller and springs
+ * stay. */
 CONTACTD_API int32_t contactd_wheel_set_track(contactd_wheel* wheel, double gauge, double gauge_height, double cant);
 CONTACTD_API int32_t contactd_wheel_set_rail_origin(contactd_wheel* wheel, double y, double z);
 /* A roller in place of the rail; 0: a rail. */
 CONTACTD_API int32_t contactd_wheel_set_roller(contactd_wheel* wheel, double radius);
+/* Springs hold a rail without mass against the ground (N/mm); 0, as at first: it is rigid in this direction. */
+CONTACTD_API int32_t contactd_wheel_set_springs(contactd_wheel* wheel, double y, double z);
 /* Between the backs of the flanges; y of a flange's back in its profile; radius of the wheel where its profile has
  * z = 0. */
 CONTACTD_API int32_t contactd_wheel_set_wheelset(contactd_wheel* wheel, double flange_back_distance,
@@ -433,22 +442,28 @@ CONTACTD_API int32_t contactd_wheel_set_conformal(contactd_wheel* wheel, int32_t
 CONTACTD_API int32_t contactd_wheel_set_tolerance(contactd_wheel* wheel, int32_t solver, double tolerance,
                                                   int32_t max_iterations);
 
-/* The state. Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the
- * track; roll turns y to z, yaw x to y. */
+/* The state; each function leaves alone what the others say. Of the wheelset's centre, from where it stands in the
+ * middle with its tape circles on the plane of the track; roll turns y to z, yaw x to y. */
 CONTACTD_API int32_t contactd_wheel_set_position(contactd_wheel* wheel, double y, double z, double roll, double yaw);
 CONTACTD_API int32_t contactd_wheel_set_x(contactd_wheel* wheel, double x); /* along the track, where the rail varies */
+/* How far the wheelset has turned about its axle, where a wheel is not round: with the slice of angle -pitch below. Not
+ * how fast: that is of contactd_wheel_set_velocity. */
+CONTACTD_API int32_t contactd_wheel_set_pitch_angle(contactd_wheel* wheel, double pitch);
 /* Of the centre (mm/s) and about its own axes (rad/s): rolling forwards has a pitch rate near -x/nominal_radius. */
 CONTACTD_API int32_t contactd_wheel_set_velocity(contactd_wheel* wheel, double x, double y, double z, double roll,
                                                  double yaw, double pitch);
 /* Of the rail from where it should lie, in track coordinates; and how fast that changes. */
 CONTACTD_API int32_t contactd_wheel_set_deviation(contactd_wheel* wheel, double y, double z, double roll);
 CONTACTD_API int32_t contactd_wheel_set_deviation_rate(contactd_wheel* wheel, double y, double z, double roll);
+/* What acts on a rail on springs beside wheel and springs, in track coordinates; 0 where it is rigid. */
+CONTACTD_API int32_t contactd_wheel_set_rail_forces(contactd_wheel* wheel, double Fy, double Fz);
 CONTACTD_API int32_t contactd_wheel_set_roller_pitch(contactd_wheel* wheel, double pitch); /* of a roller (rad/s) */
 /* Forces prescribed: the vertical one on the rail, which z is found for, and the longitudinal one, which the pitch rate
  * is found for. */
 CONTACTD_API int32_t contactd_wheel_set_Fz(contactd_wheel* wheel, double Fz);
 CONTACTD_API int32_t contactd_wheel_set_Fx(contactd_wheel* wheel, double Fx);
-CONTACTD_API int32_t contactd_wheel_clear_forces(contactd_wheel* wheel); /* z and pitch rate are prescribed */
+/* z and pitch rate are prescribed; what acts on the rail beside stays. */
+CONTACTD_API int32_t contactd_wheel_clear_forces(contactd_wheel* wheel);
 /* Whether patches bring this array along, CONTACTD_GAP, too (1), or not (0, as at first). */
 CONTACTD_API int32_t contactd_wheel_want(contactd_wheel* wheel, int32_t array, int32_t wanted);
 CONTACTD_API int32_t contactd_wheel_want_derivatives(contactd_wheel* wheel, int32_t wanted);
@@ -456,6 +471,9 @@ CONTACTD_API int32_t contactd_wheel_want_derivatives(contactd_wheel* wheel, int3
 /* Results of the last solve. Height and pitch rate of the wheelset, as prescribed or found. */
 CONTACTD_API int32_t contactd_wheel_get_motion(contactd_wheel* wheel, double* z, double* pitch);
 CONTACTD_API int32_t contactd_wheel_get_roll(contactd_wheel* wheel, double* roll); /* the same of the roll */
+/* By how much a rail on springs has given way, beside its deviation, in track coordinates; CONTACTD_NOT_FOUND: it has
+ * no springs. */
+CONTACTD_API int32_t contactd_wheel_get_rail_shift(contactd_wheel* wheel, double* y, double* z);
 /* Least vertical distance of wheel and rail, < 0 where they overlap; CONTACTD_NOT_FOUND where they are not above each
  * other. */
 CONTACTD_API int32_t contactd_wheel_get_clearance(contactd_wheel* wheel, double* clearance);
@@ -466,8 +484,8 @@ CONTACTD_API int32_t contactd_wheel_get_forces(contactd_wheel* wheel, int32_t co
  * none: not wanted, no contact, not converged. */
 CONTACTD_API int32_t contactd_wheel_get_derivative(contactd_wheel* wheel, int32_t by, double* forces);
 CONTACTD_API int32_t contactd_wheel_get_converged(contactd_wheel* wheel, int32_t* converged);
-/* Of a search, CONTACTD_FORCE, _PITCH or _ROLL: solves, what was left (of a roll mm between the heights of the wheels),
- * whether that is enough; CONTACTD_NOT_FOUND: it did not run. */
+/* Of a search, CONTACTD_FORCE, _PITCH, _ROLL or _RAIL_SHIFT: solves, what was left (of a roll mm between the heights of
+ * the wheels), whether that is enough; CONTACTD_NOT_FOUND: it did not run. */
 CONTACTD_API int32_t contactd_wheel_get_evidence(contactd_wheel* wheel, int32_t solver, int32_t* iterations,
                                                  double* residual, int32_t* converged);
 CONTACTD_API int32_t contactd_wheel_get_warnings(contactd_wheel* wheel, int32_t* count);

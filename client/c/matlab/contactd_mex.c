@@ -79,6 +79,7 @@ static const struct {
     {"in_wheelset", CONTACTD_IN_WHEELSET},
     {"pitch", CONTACTD_PITCH},
     {"roll", CONTACTD_ROLL},
+    {"rail_shift", CONTACTD_RAIL_SHIFT},
     {"gap", CONTACTD_GAP},
     {"by_position_y", CONTACTD_BY_POSITION_Y},
     {"by_position_z", CONTACTD_BY_POSITION_Z},

@@ -38,14 +38,22 @@ std::int32_t contactd_wheel_cancel(contactd_wheel* wheel) {
 
 std::int32_t contactd_wheel_set_position(contactd_wheel* wheel, double y, double z, double roll, double yaw) {
     return state(wheel, [&](WheelRailState& changed) {
-        contactd::WheelsetPosition& now = changed.position;
-        now = {finite(y, "state.position.y"), finite(z, "state.position.z"), finite(roll, "state.position.roll"),
-               finite(yaw, "state.position.yaw"), now.x};
+        contactd::WheelsetPosition position = changed.position;  // x and pitch stay
+        position.y = finite(y, "state.position.y");
+        position.z = finite(z, "state.position.z");
+        position.roll = finite(roll, "state.position.roll");
+        position.yaw = finite(yaw, "state.position.yaw");
+        changed.position = position;
     });
 }
 
 std::int32_t contactd_wheel_set_x(contactd_wheel* wheel, double x) {
     return state(wheel, [&](WheelRailState& changed) { changed.position.x = finite(x, "state.position.x"); });
+}
+
+std::int32_t contactd_wheel_set_pitch_angle(contactd_wheel* wheel, double pitch) {
+    return state(wheel,
+                 [&](WheelRailState& changed) { changed.position.pitch = finite(pitch, "state.position.pitch"); });
 }
 
 std::int32_t contactd_wheel_set_velocity(contactd_wheel* wheel, double x, double y, double z, double roll, double yaw,
@@ -59,25 +67,21 @@ std::int32_t contactd_wheel_set_velocity(contactd_wheel* wheel, double x, double
 
 std::int32_t contactd_wheel_set_deviation(contactd_wheel* wheel, double y, double z, double roll) {
     return state(wheel, [&](WheelRailState& changed) {
-        contactd::RailDeviation& now = changed.rail;
-        now = {finite(y, "state.rail.y"),
-               finite(z, "state.rail.z"),
-               finite(roll, "state.rail.roll"),
-               now.y_velocity,
-               now.z_velocity,
-               now.roll_velocity};
+        contactd::RailDeviation rail = changed.rail;  // its velocity and what acts on it stay
+        rail.y = finite(y, "state.rail.y");
+        rail.z = finite(z, "state.rail.z");
+        rail.roll = finite(roll, "state.rail.roll");
+        changed.rail = rail;
     });
 }
 
 std::int32_t contactd_wheel_set_deviation_rate(contactd_wheel* wheel, double y, double z, double roll) {
     return state(wheel, [&](WheelRailState& changed) {
-        contactd::RailDeviation& now = changed.rail;
-        now = {now.y,
-               now.z,
-               now.roll,
-               finite(y, "state.rail.y_velocity"),
-               finite(z, "state.rail.z_velocity"),
-               finite(roll, "state.rail.roll_velocity")};
+        contactd::RailDeviation rail = changed.rail;
+        rail.y_velocity = finite(y, "state.rail.y_velocity");
+        rail.z_velocity = finite(z, "state.rail.z_velocity");
+        rail.roll_velocity = finite(roll, "state.rail.roll_velocity");
+        changed.rail = rail;
     });
 }
 

@@ -75,12 +75,13 @@ std::int32_t contactd_wheel_get_evidence(contactd_wheel* wheel, std::int32_t sol
                                          double* residual, std::int32_t* converged) {
     return with(wheel, [&](Wheel& asked) {
         given(iterations, "iterations"), given(residual, "residual"), given(converged, "converged");
-        if (word(solver, CONTACTD_ROLL, "solver") < CONTACTD_FORCE)
+        if (word(solver, CONTACTD_RAIL_SHIFT, "solver") < CONTACTD_FORCE)
             throw contactd::InvalidArgument("solver", "is " + std::to_string(solver) +
-                                                          "; it must be CONTACTD_FORCE, "
-                                                          "CONTACTD_PITCH or CONTACTD_ROLL");
-        const std::array<const std::optional<SolverEvidence>*, 3> searches{
-            &asked.solution().force, &asked.solution().pitch_search, &asked.roll_search()};
+                                                          "; it must be CONTACTD_FORCE, CONTACTD_PITCH, "
+                                                          "CONTACTD_ROLL or CONTACTD_RAIL_SHIFT");
+        const std::array<const std::optional<SolverEvidence>*, 4> searches{
+            &asked.solution().force, &asked.solution().pitch_search, &asked.roll_search(),
+            &asked.solution().rail_search};
         const std::optional<SolverEvidence>& search = *searches[static_cast<std::size_t>(solver - CONTACTD_FORCE)];
         if (!search) throw nothing_of("evidence of this search: it did not run");
         *iterations = search->iterations;

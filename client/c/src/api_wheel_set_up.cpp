@@ -123,10 +123,24 @@ std::int32_t contactd_wheel_clear_slices(contactd_wheel* wheel) {
     return setup(wheel, [](WheelRailSetup& changed) { changed.rail_slices.clear(); });
 }
 
+std::int32_t contactd_wheel_add_wheel_slice(contactd_wheel* wheel, double angle) {
+    return setup(wheel, [&](WheelRailSetup& changed) {
+        changed.wheel_slices.push_back({finite(angle, "setup.wheel_slices.angle"), changed.wheel});
+    });
+}
+
+std::int32_t contactd_wheel_clear_wheel_slices(contactd_wheel* wheel) {
+    return setup(wheel, [](WheelRailSetup& changed) { changed.wheel_slices.clear(); });
+}
+
 std::int32_t contactd_wheel_set_track(contactd_wheel* wheel, double gauge, double gauge_height, double cant) {
     return setup(wheel, [&](WheelRailSetup& changed) {
-        changed.track = {finite(gauge, "setup.track.gauge"), finite(gauge_height, "setup.track.gauge_height"),
-                         finite(cant, "setup.track.cant"), std::nullopt, changed.track.roller_radius};
+        contactd::Track track = changed.track;  // roller and springs stay
+        track.gauge = finite(gauge, "setup.track.gauge");
+        track.gauge_height = finite(gauge_height, "setup.track.gauge_height");
+        track.cant = finite(cant, "setup.track.cant");
+        track.rail_origin.reset();
+        changed.track = track;
     });
 }
 

@@ -65,6 +65,7 @@ inline Numbers solved(contactd_wheel* w) {
     std::int32_t n = 0, patches = 0;
     require_ok(contactd_wheel_get_motion(w, &all[0], &all[1]), w);
     if (contactd_wheel_get_clearance(w, x) == CONTACTD_OK) all.push_back(x[0]);
+    if (contactd_wheel_get_rail_shift(w, x, x + 1) == CONTACTD_OK) all.insert(all.end(), x, x + 2);
     for (const std::int32_t coordinates : {CONTACTD_IN_TRACK, CONTACTD_IN_RAIL, CONTACTD_IN_WHEELSET}) {
         require_ok(contactd_wheel_get_forces(w, coordinates, x), w);
         all.insert(all.end(), x, x + 6);

@@ -2,13 +2,77 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import pytest
 
-from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
-from support.c_programs import needs, octave, run
+from contactd.wheel_rail import (
+    ProfilePoints,
+    RailDeviation,
+    RailSprings,
+    Track,
+    WheelRailSetup,
+    WheelRailState,
+    WheelsetPosition,
+    WheelsetVelocity,
+)
+from support.c_programs import LIBRARY, ROOT, STRICT, needs, octave, run
 from support.daemons import BIN
+
+FLAT_ON_SPRINGS = """
+#include <contactd.h>
+#include <math.h>
+#include <stdio.h>
+
+int main(int argc, char **argv) {{
+    contactd_connection *connection;
+    contactd_wheel *wheel;
+    double y, z, residual, forces[6];
+    int32_t solves, converged;
+    int i;
+    if (argc != 2 || contactd_open(argv[1], &connection) || contactd_wheel_new(connection, &wheel)) return 1;
+    contactd_wheel_set_elements(wheel, 0.5, 0.5, 0);
+    contactd_wheel_set_velocity(wheel, 20e3, 0, 0, 0, 0, -20e3 / 460);
+    contactd_wheel_set_Fz(wheel, 8e4);
+    {flat}
+    {springs}
+    if (contactd_wheel_get_forces(wheel, CONTACTD_IN_TRACK, forces)) return 1;
+    printf("%.9g %.9g %.9g %d\\n", y, z, forces[1], (int)converged);
+    contactd_wheel_free(wheel);
+    return contactd_close(connection);
+}}
+"""
+
+
+def test_the_flat_and_the_springs_on_the_page_are_those_of_python(shared_daemon, tmp_path):
+    snippets = re.findall(r"^```c\n(.*?)^```", (ROOT / "docs" / "c.md").read_text(), re.MULTILINE | re.DOTALL)
+    (flat,) = (code for code in snippets if "add_wheel_slice" in code)
+    (springs,) = (code for code in snippets if "set_springs" in code)
+    source = tmp_path / "flat.c"
+    source.write_text(FLAT_ON_SPRINGS.format(flat=flat, springs=springs))
+    include = ROOT / "client" / "c" / "include"
+    made = run("cc", *STRICT, f"-I{include}", source, f"-L{LIBRARY}", "-lcontactd-local", "-lm", "-o", tmp_path / "flat")
+    assert made.returncode == 0, made.stderr
+
+    in_process, ended = run(tmp_path / "flat", "local"), run(tmp_path / "flat", shared_daemon.endpoint)
+
+    assert ended.returncode == 0, ended.stderr
+    assert in_process.stdout == ended.stdout
+    y, z, Fy, converged = (float(number) for number in ended.stdout.split())
+    assert converged == 1
+    assert Fy - 500 == pytest.approx(2e4 * y, abs=0.1)
+    assert z == pytest.approx((8e4 + 2e3) / 1e5, rel=1e-5)
+    slices = []
+    for angle in (0.0047 * i for i in range(-20, 21)):
+        depth = min(0.0, (460 - 0.5) / math.cos(angle) - 460)
+        slices.append((angle, ProfilePoints([[-20, depth], [50, depth]])))
+    setup = WheelRailSetup(wheel_slices=slices, track=Track(springs=RailSprings(y=2e4, z=1e5)), dx=0.5, dy=0.5)
+    rolling = WheelsetVelocity(x=20e3, pitch=-20e3 / 460)
+    state = WheelRailState(position=WheelsetPosition(pitch=0.02), velocity=rolling, rail=RailDeviation(Fy=-500, Fz=2e3), Fz=8e4)
+    with shared_daemon.client() as client:
+        shift = client.wheel_rail(setup, state, fields=[]).rail_shift
+    assert (y, z) == pytest.approx((shift.y, shift.z), rel=1e-8)
 
 
 def test_the_sweep_in_c_is_that_in_python_and_in_process(shared_daemon):
@@ -50,6 +114,26 @@ def test_octave_solves_a_wheelset(shared_daemon):
     left, right = ([float(number) for number in line.split()] for line in ended.stdout.splitlines())
     assert left == pytest.approx([1e4, 0], abs=1e-1)
     assert left[1] == right[1]
+
+
+@needs("octave-cli")
+@pytest.mark.timeout(120)
+def test_octave_has_wheels_that_are_not_round_and_rails_on_springs(shared_daemon):
+    ended = octave(
+        f"c = contactd('open', '{shared_daemon.endpoint}'); w = contactd('wheel_new', c);"
+        "contactd('wheel_set_elements', w, 1, 1, 0); contactd('wheel_set_Fz', w, 1e4);"
+        "contactd('wheel_set_springs', w, 1e4, 5e4); contactd('wheel_set_rail_forces', w, 0, 2e3);"
+        "for k = -3:3, d = max(0, 0.4 - 0.2 * abs(k)); contactd('wheel_set_points', w, 'wheel', [-20 50], [-d -d], 0);"
+        "contactd('wheel_add_wheel_slice', w, 0.03 * k); end;"
+        "for pitch = [0 1], contactd('wheel_set_pitch_angle', w, pitch); contactd('wheel_solve', w);"
+        "[y, z] = contactd('wheel_get_rail_shift', w); [n, left, good] = contactd('wheel_get_evidence', w, 'rail_shift');"
+        "printf('%.10g %.10g %d\\n', contactd('wheel_get_motion', w), z, good); end;"
+        "contactd('wheel_clear_wheel_slices', w); contactd('wheel_free', w); contactd('close', c);"
+    )
+    assert ended.returncode == 0, ended.stderr
+    flat, round_ = ([float(number) for number in line.split()] for line in ended.stdout.splitlines())
+    assert flat[0] - round_[0] == pytest.approx(0.4, abs=0.1)
+    assert flat[1:] == round_[1:] == pytest.approx([1.2e4 / 5e4, 1])
 
 
 @needs("octave-cli")

@@ -114,9 +114,12 @@ TEST_CASE("Of a wheel, what is no number is refused by the name that it has on t
         refused(contactd_wheel_set_cone(w, CONTACTD_RAIL, 0, bad, 1), "setup.rail.cone.ends");
         refused(contactd_wheel_set_points(w, CONTACTD_RAIL, points, points, 2, 0), "setup.rail.points");
         refused(contactd_wheel_add_slice(w, bad), "setup.rail_slices.x");
+        refused(contactd_wheel_add_wheel_slice(w, bad), "setup.wheel_slices.angle");
         refused(contactd_wheel_set_track(w, bad, 14, 0), "setup.track.gauge");
         refused(contactd_wheel_set_rail_origin(w, 0, bad), "setup.track.rail_origin.z");
         refused(contactd_wheel_set_roller(w, bad), "setup.track.roller_radius");
+        refused(contactd_wheel_set_springs(w, bad, 1), "setup.track.springs.y");
+        refused(contactd_wheel_set_springs(w, 1, bad), "setup.track.springs.z");
         refused(contactd_wheel_set_wheelset(w, 1, 1, bad), "setup.wheelset.nominal_radius");
         refused(contactd_wheel_set_material(w, CONTACTD_WHEEL, bad, 0.3), "G");
         refused(contactd_wheel_set_mu(w, bad), "setup.friction.mu");
@@ -127,9 +130,12 @@ TEST_CASE("Of a wheel, what is no number is refused by the name that it has on t
         refused(contactd_wheel_set_tolerance(w, CONTACTD_FORCE, bad, 9), "tolerance");
         refused(contactd_wheel_set_position(w, 0, 0, bad, 0), "state.position.roll");
         refused(contactd_wheel_set_x(w, bad), "state.position.x");
+        refused(contactd_wheel_set_pitch_angle(w, bad), "state.position.pitch");
         refused(contactd_wheel_set_velocity(w, 0, 0, 0, 0, 0, bad), "state.velocity.pitch");
         refused(contactd_wheel_set_deviation(w, bad, 0, 0), "state.rail.y");
         refused(contactd_wheel_set_deviation_rate(w, 0, bad, 0), "state.rail.z_velocity");
+        refused(contactd_wheel_set_rail_forces(w, bad, 0), "state.rail.Fy");
+        refused(contactd_wheel_set_rail_forces(w, 0, bad), "state.rail.Fz");
         refused(contactd_wheel_set_roller_pitch(w, bad), "state.roller_pitch");
         refused(contactd_wheel_set_Fz(w, bad), "state.Fz");
         refused(contactd_wheel_set_Fx(w, bad), "state.Fx");
@@ -169,6 +175,14 @@ TEST_CASE("What makes no sense together is refused before anything is sent", "[c
     require_ok(contactd_wheel_add_slice(w, 0), w);
     refused("setup.rail_slices");
     require_ok(contactd_wheel_clear_slices(w), w);
+    require_ok(contactd_wheel_add_wheel_slice(w, 1), w);
+    refused("setup.wheel_slices");
+    require_ok(contactd_wheel_add_wheel_slice(w, 0), w);
+    refused("setup.wheel_slices[1].angle");
+    require_ok(contactd_wheel_clear_wheel_slices(w), w);
+    require_ok(contactd_wheel_set_springs(w, 0, -1), w);
+    refused("setup.track.springs.z");
+    require_ok(contactd_wheel_set_springs(w, 0, 0), w);
     require_ok(contactd_wheel_set_Fz(w, -1), w);
     refused("state.Fz");
 }
