@@ -23,7 +23,10 @@ double slope_between(double before_that, double before, double behind, double be
     const auto weight = [](double near, double far) { return std::abs(far - near) + 0.5 * std::abs(far + near); };
     const double of_before = weight(behind, behind_that), of_behind = weight(before_that, before);
     const double sum = of_before + of_behind;
-    return sum > 0 ? (of_before * before + of_behind * behind) / sum : 0;
+    if (sum == 0) return 0;
+    // Steeper than that, a cubic leaves what its slices have between them, the farther the longer it is.
+    const double steepest = 3 * std::min(std::abs(before), std::abs(behind));
+    return std::clamp((of_before * before + of_behind * behind) / sum, -steepest, steepest);
 }
 
 }  // namespace

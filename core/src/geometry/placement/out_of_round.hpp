@@ -11,9 +11,10 @@ namespace contactd::geometry {
 /// Radii by the angle about the axle and along the profile of the first slice, beside the radii of that profile.
 ///
 /// Round the wheel they go through the slices by cubics whose slopes are those of the modified method of Akima (J. ACM
-/// 17, 1970, with the weights that also count how steep both sides are): they depend on five slices only and do not
-/// swing beyond a flat's edges, and slices that are equal are equal all between. Along the profile they are cubic
-/// splines through points 0.5 mm apart.
+/// 17, 1970, with the weights that also count how steep both sides are), and no steeper than three times the lesser
+/// chord beside (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980): they depend on five slices only and do not swing
+/// beyond a flat's edges, and slices that are equal are equal all between, also over the long way round from the last
+/// one to the first. Along the profile they are cubic splines through points 0.5 mm apart.
 class OutOfRound {
    public:
     struct Place {

@@ -99,6 +99,32 @@ TEST_CASE("Beside the edge of a flat the wheel is as round as its slices") {
         CHECK_THAT(beside.at(angle, 40).radius, WithinAbs((R - depth) / std::cos(angle) - R, 0.03 * depth));
 }
 
+TEST_CASE("A flat that few slices tell of leaves the rest of the wheel round") {
+    std::vector<double> angles;
+    std::vector<ProfileCurve> slices;
+    for (int i = -2; i <= 2; ++i) {
+        angles.push_back(0.03 * i);
+        slices.push_back(line(0.2 * std::abs(i) - 0.4));
+    }
+    const OutOfRound beside(angles, slices);
+    for (double angle = 0.06; angle < 2 * pi - 0.06; angle += 1e-3)
+        CHECK_THAT(beside.at(angle, 40).radius, WithinAbs(0, 1e-12));
+    CHECK_THAT(beside.at(0, 40).radius, WithinAbs(-0.4, 1e-12));
+}
+
+TEST_CASE("Radii stay between their slices, however far these are from each other") {
+    const std::vector<double> angles{-1, -0.99, -0.5, 0, 2, 2.01, 3}, radii{0, 0.3, 0.3, 0.35, 0.4, 0.5, 0.7};
+    std::vector<ProfileCurve> slices;
+    for (const double radius : radii) slices.push_back(line(radius));
+    const OutOfRound beside(angles, slices);
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+        for (double share = 0; share <= 1; share += 0.01) {
+            const double radius = beside.at(std::lerp(angles[i], angles[i + 1], share), 40).radius;
+            CHECK(radius >= radii[i] - 1e-12);
+            CHECK(radius <= radii[i + 1] + 1e-12);
+        }
+}
+
 TEST_CASE("Along the profile a slice is compared at equal y") {
     const ProfileCurve first = line(0, -0.05), second = line(0.4, -0.02);
     const OutOfRound beside({0, pi}, {first, second});
