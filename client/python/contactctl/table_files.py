@@ -12,6 +12,7 @@ import click
 import numpy as np
 
 from contactd import AnalyticIcs, Client, FemIcs, Grid, IcTable, Material, TableIcs, load_table, save_table
+from contactd.hdf5 import stored_extent
 from contactd.reading import read
 from contactd.saving import write_whole
 from contactd.solution import IcSpec
@@ -140,8 +141,6 @@ def _checked(file: Path) -> tuple[Path, str, int, int]:
     if not file.exists():
         raise click.UsageError(f"{file} is not there.")
     key, nx, ny = matched[1], int(matched[2]), int(matched[3])
-    table = load_table(file)
-    if table.array.shape[2:] != (ny, nx):
-        found = " x ".join(map(str, reversed(table.array.shape[2:])))
-        raise click.UsageError(f"{file} holds {found} offsets; its name says {nx} x {ny}.")
+    if (found := stored_extent(file)) != (ny, nx):
+        raise click.UsageError(f"{file} holds {found[1]} x {found[0]} offsets; its name says {nx} x {ny}.")
     return file, key, nx, ny

@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import io
 import os
+from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -17,15 +18,29 @@ from .ics import AnalyticIcs, FemIcs
 from .materials import Layer, LayeredBody, Material, RigidBody
 from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
 
-__all__ = ["read_hdf5"]
+__all__ = ["read_hdf5", "stored_extent"]
 
 _USER_BLOCK = 512
 _DIGEST = b"sha256 of the bytes after this block: "
 _FORMAT = 2
+_MOST_ELEMENTS = 4_000_000  #: of any grid
+
+
+T = TypeVar("T")
 
 
 def read_hdf5(path: str | os.PathLike[str]) -> IcTable:
     """The table of an IC file: in mm^3/N when it came from Client.export_ic, for dx = 1 and G = 1 from the store."""
+    return _read(path, _table)
+
+
+def stored_extent(path: str | os.PathLike[str]) -> tuple[int, int]:
+    """(ny, nx) of what a file of the store holds: a table, a family of them, or the transform of a prism, which serves as
+    many elements along x as any grid has. Raises TableFileError, also for what is no file of a store."""
+    return _read(path, _stored_extent)
+
+
+def _read(path: str | os.PathLike[str], read: Callable[[Any, str], T]) -> T:
     try:
         import h5py
     except ImportError:
@@ -37,7 +52,9 @@ def read_hdf5(path: str | os.PathLike[str]) -> IcTable:
     _check_digest(name, content)
     try:
         with h5py.File(io.BytesIO(content[_USER_BLOCK:]), "r") as file:
-            return _table(file, name)
+            if _attributes(file).get("contactd_format") != _FORMAT:
+                raise TableFileError(f"{name} has another format than {_FORMAT}, which this version reads")
+            return read(file, name)
     except (OSError, KeyError, ValueError, TypeError, IndexError, RuntimeError) as error:
         if isinstance(error, TableFileError):
             raise
@@ -53,8 +70,6 @@ def _check_digest(name: str, content: bytes) -> None:
 
 
 def _table(file: Any, name: str) -> IcTable:
-    if _attributes(file).get("contactd_format") != _FORMAT:
-        raise TableFileError(f"{name} has another format than {_FORMAT}, which this version reads")
     spec, evidence = _attributes(file["spec"]), file["evidence"]
     if spec.get("any_nu"):
         raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
@@ -73,6 +88,20 @@ def _table(file: Any, name: str) -> IcTable:
     layers = file["spec"].get("layers")
     material = Material(spec.get("G", 1.0), spec["nu"]) if layers is None else _layered(_attributes(layers))
     return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(evidence), frames)
+
+
+def _stored_extent(file: Any, name: str) -> tuple[int, int]:
+    spec = _attributes(file["spec"])
+    if "dx" in spec:
+        raise TableFileError(f"{name} is in mm^3/N, as ic.export writes it; a store's files are for dx = 1 and G = 1")
+    if spec.get("body") != "prism":
+        ny, nx = file["influence_coefficients"].shape[2:]
+        return ny, nx
+    transform, columns = np.asarray(file["transform"], dtype=np.float64), len(file["frames"])
+    pairs = 3 * columns * (3 * columns + 1) // 2
+    if columns < 1 or transform.ndim != 2 or transform.shape[1] != pairs or not np.isfinite(transform).all():
+        raise TableFileError(f"{name} holds no transform of {columns} columns: of {pairs} finite numbers for each wavenumber")
+    return columns, _MOST_ELEMENTS // columns
 
 
 def _frames(file: Any, grid: Grid, name: str) -> Any:
