@@ -7,6 +7,7 @@
 
 #include "contactd/error.hpp"
 #include "geometry/section/place_text.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -47,8 +48,8 @@ double low(const Chord& chord, Coordinate along) {
 double high(const Chord& chord, Coordinate along) {
     return std::max(chord.a.*along, chord.b.*along);
 }
-bool apart(const Chord& p, const Chord& q, Coordinate along) {
-    return high(p, along) < low(q, along) || high(q, along) < low(p, along);
+bool apart(const Chord& p, const Chord& q, Coordinate along, double by = 0) {
+    return high(p, along) + by < low(q, along) || high(q, along) + by < low(p, along);
 }
 
 double side(const SectionPoint& a, const SectionPoint& b, const SectionPoint& point) {
@@ -75,6 +76,22 @@ std::optional<SectionPoint> common_point(const Chord& p, const Chord& q) {
     return {};
 }
 
+double distance(const SectionPoint& point, const Chord& chord) {
+    const double dy = chord.b.y - chord.a.y, dz = chord.b.z - chord.a.z, y = point.y - chord.a.y,
+                 z = point.z - chord.a.z, t = std::clamp((y * dy + z * dz) / (dy * dy + dz * dz), 0.0, 1.0);
+    return std::hypot(y - t * dy, z - t * dz);
+}
+
+// Where two chords that do not meet are nearer to each other than `least`.
+std::optional<SectionPoint> close_point(const Chord& p, const Chord& q, double least) {
+    if (apart(p, q, &SectionPoint::y, least) || apart(p, q, &SectionPoint::z, least)) return {};
+    for (const SectionPoint& end : {p.a, p.b})
+        if (distance(end, q) < least) return end;
+    for (const SectionPoint& end : {q.a, q.b})
+        if (distance(end, p) < least) return end;
+    return {};
+}
+
 void check_corners(const ClosedCurve& curve, const std::string& name) {
     for (std::size_t i = 0; i < curve.pieces().size(); ++i)
         if (std::abs(curve.turn_before(i)) > std::numbers::pi - 1e-6)
@@ -88,18 +105,24 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
         for (std::size_t i = 0; i < polygons[curve].size(); ++i)
             chords.push_back({polygons[curve][i], polygons[curve][(i + 1) % polygons[curve].size()], curve, i});
     // Along the axis where they overlap less.
+    const auto extent = [&](Coordinate along) {
+        const auto [first, last] = std::minmax_element(
+            chords.begin(), chords.end(), [&](const Chord& p, const Chord& q) { return p.a.*along < q.a.*along; });
+        return last->a.*along - first->a.*along;
+    };
     const auto spread = [&](Coordinate along) {
         double sum = 0;
         for (const Chord& chord : chords) sum += high(chord, along) - low(chord, along);
-        const auto [first, last] = std::minmax_element(
-            chords.begin(), chords.end(), [&](const Chord& p, const Chord& q) { return p.a.*along < q.a.*along; });
-        return sum / (last->a.*along - first->a.*along);
+        return sum / extent(along);
     };
+    // Of what is between two curves, over the body: with less the stiffness of the section is lost in rounding.
+    constexpr double least_bridge = 2e-6;
+    const double least = least_bridge * std::max(extent(&SectionPoint::y), extent(&SectionPoint::z));
     const Coordinate along = spread(&SectionPoint::y) < spread(&SectionPoint::z) ? &SectionPoint::y : &SectionPoint::z;
     std::sort(chords.begin(), chords.end(),
               [&](const Chord& p, const Chord& q) { return low(p, along) < low(q, along); });
     for (std::size_t i = 0; i < chords.size(); ++i)
-        for (std::size_t k = i + 1; k < chords.size() && low(chords[k], along) <= high(chords[i], along); ++k) {
+        for (std::size_t k = i + 1; k < chords.size() && low(chords[k], along) <= high(chords[i], along) + least; ++k) {
             const Chord &p = chords[i], &q = chords[k];
             const std::size_t between = p.index > q.index ? p.index - q.index : q.index - p.index;
             const bool neighbours = between == 1 || between + 1 == polygons[p.curve].size();
@@ -112,6 +135,12 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
                                       "crosses or touches " + names[std::min(p.curve, q.curve)] + " at " +
                                           place_text(*at) + "; there must be some of the body between them");
             }
+            if (p.curve == q.curve) continue;
+            if (const auto at = close_point(p, q, least))
+                throw InvalidArgument(names[std::max(p.curve, q.curve)],
+                                      "leaves less than " + short_text(least) + " mm of the body between it and " +
+                                          names[std::min(p.curve, q.curve)] + " at " + place_text(*at) +
+                                          ", 2e-6 of its extent; leave more, or let the curves be one");
         }
 }
 

@@ -80,6 +80,9 @@ TEST_CASE("Holes that do not lie in the body are refused with coordinates", "[se
     refuses({section}, "section.outline.holes[1]", "overlaps section.outline.holes[0]");
     section.holes = {square_hole(20, -5, 5)};
     refuses({section}, "section.outline.holes[0]", "lies outside of the body, at (y, z) = (20, -5)");
+    section.holes = {square_hole(-2, -2e-5, 3)};
+    refuses({section}, "section.outline.holes[0]",
+            "leaves less than 4e-05 mm of the body between it and section.outline.outside at (y, z) = (");
     section.holes = {square_hole(8, -5, 5)};
     refuses({section}, "section.outline.holes[0]", "crosses or touches section.outline.outside at (y, z) = (10, ");
     section.holes = {square_hole(-8, -5, 2)};
