@@ -23,6 +23,11 @@ if TYPE_CHECKING:
 __all__ = ["TableIcs", "check_finite", "combined_modulus"]
 
 _AXES = "xyz"
+#: What to do with the table of a prism.
+_IMPORT = (
+    "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
+    "section asks for it"
+)
 #: Largest relative difference of element sizes that counts as rounding.
 _SIZE_TOLERANCE = 1e-6
 
@@ -44,10 +49,7 @@ def check_finite(array: Array) -> None:
 
 def _require_offsets(table: IcTable) -> None:
     if table.frames is not None:
-        raise ValueError(
-            "the table is a prism's, of columns instead of offsets: export it (export_ic) and give it to the daemon that "
-            "solves (import_ic), where FemIcs with its section asks for it"
-        )
+        raise ValueError(f"the table is a prism's, of columns instead of offsets; {_IMPORT}")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -77,6 +79,8 @@ class TableIcs(Shown):
 
     def __post_init__(self) -> None:
         array = np.asarray(whole(array_of(self.array), "array"), dtype=np.float64)
+        if array.ndim == 5:
+            raise ValueError(f"array has shape {list(array.shape)}, that of a prism's columns; {_IMPORT}")
         if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
             raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
         for name, size in (("dx", self.dx), ("dy", self.dy), ("G", 1.0 if self.G is None else self.G)):

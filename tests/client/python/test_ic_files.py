@@ -93,6 +93,11 @@ def test_an_array_of_another_shape_is_no_table(shape):
         TableIcs(np.ones(shape), DX, DY)
 
 
+def test_a_table_of_columns_is_to_be_imported():
+    with pytest.raises(ValueError, match=r"\[3, 3, 4, 4, 2\], that of a prism's columns; export it .* \(import_ic\)"):
+        TableIcs(np.ones((3, 3, 4, 4, 2)), DX, DY)
+
+
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 def test_coefficients_are_finite(value):
     with pytest.raises(ValueError, match=r"for xz at the offset \(1, 2\); every coefficient must be finite"):
