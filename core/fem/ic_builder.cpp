@@ -28,11 +28,11 @@ int process_count() {
 
 /// What is factorised, refined, or a product along axes is done by one process as quickly as by several.
 bool is_built_alone(const IcSpec& spec) {
-    return process_count() > 1 &&
+    return process_count() > 1 && !spec.section &&
            (predicted_size(spec, 1).solver == Solver::direct || is_adaptive(spec) || is_corrected_block(spec));
 }
 
-/// Of a dimensionless spec without a section.
+/// Of a dimensionless spec.
 BuildSize size_of(const IcSpec& spec) {
     return predicted_size(spec, is_built_alone(spec) ? 1 : process_count());
 }
@@ -49,9 +49,8 @@ IcRecord build(MPI_Comm comm, const IcSpec& spec, Observer& first_observer) {
 
 }  // namespace
 
-std::optional<double> predicted_memory(const IcSpec& spec) {
+double predicted_memory(const IcSpec& spec) {
     validate(spec);
-    if (spec.section) return std::nullopt;
     return size_of(dimensionless(spec)).bytes;
 }
 
@@ -67,8 +66,8 @@ IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64
         throw InvalidArgument("ics.source", "is analytic; only a spec of source fem is built by finite elements");
     validate(requested);
     const IcSpec spec = dimensionless(requested);
-    if (spec.section) return build_prism(MPI_COMM_WORLD, spec, observer, max_memory_bytes);
     require_room(spec, size_of(spec), max_memory_bytes);
+    if (spec.section) return build_prism(MPI_COMM_WORLD, spec, observer, max_memory_bytes);
     if (!is_built_alone(spec)) return build(MPI_COMM_WORLD, spec, observer);
     return on_first_process(MPI_COMM_WORLD, [&] { return build(MPI_COMM_SELF, spec, observer); });
 }

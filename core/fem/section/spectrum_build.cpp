@@ -16,27 +16,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// What is chosen for an accuracy; found good by measurement on rails, edges, grooves and layers (docs/sections.md).
-struct Level {
-    int order, edges_a_column, nodes;
-    double corner_share;
-};
-
 constexpr int finest_order = 6, most_nodes = 129;
 /// Of the accuracy asked for, what each kind of error may take.
 constexpr double mesh_share = 0.4, wavenumber_share = 0.35, end_share = 0.25;
-/// Elements of order three lock from this Poisson's ratio on.
-constexpr double nearly_incompressible = 0.4;
 /// Expected of a mesh, and of its matrices (s).
 constexpr double mesh_seconds = 2;
 constexpr double last_wavenumber = 6, farthest_wavenumber = 12;
-
-Level first_level(double accuracy, double nu) {
-    const bool stiff = nu > nearly_incompressible;  // against a change of volume, which takes finer elements
-    if (accuracy >= 5e-3) return stiff ? Level{4, 3, 13, 1e-2} : Level{3, 4, 13, 1e-2};
-    if (accuracy >= 5e-4) return {4, stiff ? 6 : 4, 21, 1e-3};
-    return {5, stiff ? 6 : 4, 25, 1e-4};
-}
 
 /// Offsets, as long as they are wide, at which errors of a table are looked for.
 constexpr int offsets_looked_at = 64;
@@ -276,7 +261,7 @@ class Builder {
     double nu_, accuracy_;
     CollectiveObserver observer_;
     std::uint64_t max_memory_bytes_;
-    Level level_;
+    SpectrumLevel level_;
     SpectrumBuild result_;
     std::vector<Defect> defects_;
 };
@@ -286,14 +271,6 @@ class Builder {
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes) {
     return Builder(comm, outline, nu, accuracy, observer, max_memory_bytes).build();
-}
-
-MeshDensity density_for(double accuracy, double nu) {
-    const Level level = first_level(accuracy, nu);
-    MeshDensity density;
-    density.edges_a_column = level.edges_a_column;
-    density.corner_share = level.corner_share;
-    return density;
 }
 
 std::vector<ColumnFrame> column_frames(const SectionOutline& outline) {

@@ -11,6 +11,7 @@
 #include "collective_observer.hpp"
 #include "contactd/column_spectrum.hpp"
 #include "section_model.hpp"
+#include "spectrum_level.hpp"
 
 namespace contactd::fem {
 
@@ -38,9 +39,6 @@ struct SpectrumBuild {
 /// `errors` says what was reached.
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes = 0);
-
-/// Of the mesh that build_spectrum takes for an accuracy; only the order of its elements may grow.
-MeshDensity density_for(double accuracy, double nu);
 
 /// Of the columns, lengths over ds; angles run on continuously.
 std::vector<ColumnFrame> column_frames(const SectionOutline& outline);

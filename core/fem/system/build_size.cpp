@@ -9,6 +9,9 @@
 #include "build/block_build.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_family.hpp"
+#include "geometry/section/section_geometry.hpp"
+#include "section/section_outline.hpp"
+#include "section/spectrum_level.hpp"
 
 namespace contactd::fem {
 namespace {
@@ -80,6 +83,15 @@ Nodes mesh_nodes(const IcSpec& spec) {
     return adaptive_nodes(spec.fem);
 }
 
+/// Every process has all of a section.
+BuildSize section_size(const IcSpec& spec, int processes) {
+    const geometry::SectionGeometry section(*spec.section, spec.ny, spec.dy, "ics.section");
+    const SpectrumSize one = predicted_spectrum(outline_of(section), spec.material.nu, spec.accuracy);
+    constexpr double with_mesher = 110e6;
+    const double bytes = processes * (with_mesher + one.model_bytes + one.spectrum_bytes);
+    return {static_cast<long long>(one.unknowns), Solver::direct, bytes};
+}
+
 double table_bytes(const IcSpec& spec) {
     constexpr int components = 9;
     const double one = components * sizeof(double) * static_cast<double>(spec.nx) * spec.ny;
@@ -103,6 +115,7 @@ bool fits(IcSpec spec, double most, const auto& change) {
 /// What to ask for instead.
 std::string advice(const IcSpec& spec, const BuildSize& size, double most) {
     char text[200];
+    if (spec.section) return "take a coarser accuracy, or fewer columns";
     if (table_bytes(spec) > size.bytes / 2) return "take a grid of fewer elements";
     if (spec.accuracy > 0) return "take a coarser accuracy";
     if (spec.fem.mesh == MeshKind::adaptive) {
@@ -119,6 +132,7 @@ std::string advice(const IcSpec& spec, const BuildSize& size, double most) {
 }
 
 const char* field_of(const IcSpec& spec, const BuildSize& size) {
+    if (spec.section) return "ics.accuracy";
     if (table_bytes(spec) > size.bytes / 2) return "grid";
     if (spec.accuracy > 0) return "ics.accuracy";
     return spec.fem.mesh == MeshKind::adaptive ? "ics.max_dofs" : "ics";
@@ -142,6 +156,7 @@ Solver solver_for(const FemSpec& fem, long long dofs, int processes) {
 }
 
 BuildSize predicted_size(const IcSpec& spec, int processes) {
+    if (spec.section) return section_size(spec, processes);
     BuildSize size;
     if (spec.accuracy == 0) {
         size = size_of(spec.fem, mesh_nodes(spec), processes);

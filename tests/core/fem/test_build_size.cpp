@@ -62,6 +62,70 @@ TEST_CASE("Unknowns and memory are predicted from the mesh", "[fem][size]") {
     CHECK(size.bytes < measured.megabytes * 1048576 * 1.5);
 }
 
+namespace {
+
+struct MeasuredSection {
+    SectionShape shape;
+    double accuracy;
+    int columns;
+    double ds;
+    double dofs;
+    double megabytes;  ///< of 10^6 bytes, 0: not measured, largest resident memory of contactd-ic
+    double nu = 0.28;
+};
+
+IcSpec spec_of(const MeasuredSection& measured) {
+    IcSpec spec;
+    spec.material = {1, measured.nu};
+    spec.body = BodyShape::prism;
+    spec.source = IcSource::fem;
+    spec.accuracy = measured.accuracy;
+    spec.ny = measured.columns;
+    spec.nx = 10;
+    spec.dx = spec.dy = measured.ds;
+    spec.section.emplace();
+    spec.section->shape = measured.shape;
+    return spec;
+}
+
+}  // namespace
+
+TEST_CASE("What sections take is predicted from their outlines, rather too much than too little", "[fem][size]") {
+    RailSection head, wide;
+    head.from = 2;
+    wide.from = -20;
+    const MeasuredSection measured = GENERATE_COPY(
+        MeasuredSection{head, 1e-2, 80, 0.5, 38808, 373}, MeasuredSection{head, 1e-3, 80, 0.5, 78318, 739},
+        MeasuredSection{head, 1e-4, 80, 0.5, 139440, 1408}, MeasuredSection{wide, 1e-2, 300, 0.2, 128034, 0},
+        MeasuredSection{EdgeBlock{100, 50, 0}, 1e-3, 20, 0.5, 23364, 281},
+        MeasuredSection{EdgeBlock{100, 50, 0}, 1e-4, 40, 0.5, 85575, 863, 0.49},
+        MeasuredSection{Groove{10, 10, 120, 70}, 1e-3, 41, 0.5, 42378, 448},
+        MeasuredSection{Disc{10, 0.05}, 1e-3, 60, 0.5, 60930, 594},
+        MeasuredSection{PlateHole{10, 500}, 1e-2, 360, 0.1745, 156168, 0},
+        MeasuredSection{Slab{4, 30}, 1e-3, 20, 1, 19752, 0}, MeasuredSection{Slab{1, 300}, 1e-3, 60, 1, 33930, 0});
+    CAPTURE(measured.dofs, measured.megabytes);
+    const fem::BuildSize size = fem::predicted_size(dimensionless(spec_of(measured)), 1);
+    CHECK(static_cast<double>(size.dofs) > 0.99 * measured.dofs);
+    CHECK(static_cast<double>(size.dofs) < 1.5 * measured.dofs);
+    if (measured.megabytes > 0) {
+        CHECK(size.bytes > 1e6 * measured.megabytes);
+        CHECK(size.bytes < 1.5e6 * measured.megabytes);
+    }
+    CHECK(fem::predicted_size(dimensionless(spec_of(measured)), 2).bytes == 2 * size.bytes);
+}
+
+TEST_CASE("A section that needs far more memory than it may use is refused before it is meshed", "[fem][size]") {
+    Observer observer;
+    const IcSpec spec = spec_of(MeasuredSection{Slab{100, 1000}, 1e-4, 900, 1, 0, 0});
+    try {
+        fem::build_ic_table(spec, observer, 1'000'000'000);
+        FAIL("It was built.");
+    } catch (const OutOfMemory& error) {
+        CHECK(error.field() == "ics.accuracy");
+        CHECK_THAT(error.what(), ContainsSubstring("builds.max_memory_bytes") && ContainsSubstring("fewer columns"));
+    }
+}
+
 TEST_CASE("A build that needs far more memory than it may use is refused before it begins", "[fem][size]") {
     const auto refusal = [](const IcSpec& spec, std::uint64_t limit) -> std::pair<std::string, std::string> {
         Observer observer;

@@ -39,9 +39,9 @@ class Runtime {
 std::string fem_version();
 
 /// Largest resident memory (bytes), of all processes together, that building the table of `spec` is expected to take;
-/// within a factor of 1.5 on meshes that were measured. None for sections, which must be meshed first. Throws as
-/// build_ic_table does. A Runtime must exist.
-std::optional<double> predicted_memory(const IcSpec& spec);
+/// within a factor of 1.5 on meshes that were measured, of two on sections. Throws as build_ic_table does. A Runtime
+/// must exist.
+double predicted_memory(const IcSpec& spec);
 
 /// Builds the dimensionless table of `spec` (source fem): mesh, one assembly, three load cases, sampling, comparison
 /// with the closed form. With dx = dy the y case is the x case mirrored and not solved again. Every process gets the
