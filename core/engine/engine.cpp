@@ -26,15 +26,16 @@ class Awaited {
                 {.client = {}, .abandoned = [self] { return self->given_up(); }}};
     }
 
-    /// Throws StatusError where there is no table, and Cancelled, when the build ends with its last caller.
-    IcAnswer wait(JobTable& jobs, Observer& observer) {
+    /// Throws StatusError where there is no table, and Cancelled, when the build ends with its last caller, unless it
+    /// `keeps_building`.
+    IcAnswer wait(JobTable& jobs, Observer& observer, bool keeps_building) {
         std::unique_lock lock(mutex_);
         while (!changed_.wait_for(lock, 50ms, [this] { return settled_; })) {
             const JobProgress last = progress_;
             const std::string job = job_;
             lock.unlock();
             if (!job.empty()) tell(last, observer);
-            if (observer.cancelled()) give_up(jobs, job);
+            if (observer.cancelled()) give_up(jobs, keeps_building ? "" : job);
             lock.lock();
         }
         if (!status_.ok()) throw StatusError(status_);
@@ -123,7 +124,7 @@ IcAnswer Engine::fetch(const IcSpec& spec, Observer& observer) {
     }
     const auto awaited = std::make_shared<Awaited>();
     tables().request(spec, awaited->caller(awaited));
-    return awaited->wait(jobs_, observer);
+    return awaited->wait(jobs_, observer, settings_.keeps_building);
 }
 
 IcAnswers Engine::fetch(const ContactSetup& setup, Observer& observer) {

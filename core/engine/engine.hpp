@@ -28,6 +28,7 @@ struct EngineSettings {
     std::size_t influence_budget_bytes = std::size_t{1} << 28;  ///< of operators that are kept between solves
     std::size_t most_patch_elements = 200'000;                  ///< of a patch between wheel and rail
     IcService::Settings tables{};
+    bool keeps_building = false;  ///< a build goes on for the store when nobody waits for its table any more
 };
 
 /// Safe to use from several threads at once. What waits, waits in the thread that calls, and ends when its observer

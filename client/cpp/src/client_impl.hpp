@@ -28,6 +28,14 @@ inline Wait wait_of(const IcSpec& spec) {
     return spec.source == IcSource::fem ? Wait::for_build : Wait::for_answer;
 }
 
+inline Wait wait_of(const WheelRailSetup& setup) {
+    return setup.model == Model::full && setup.conformal == Conformal::fem ? Wait::for_build : Wait::for_answer;
+}
+
+inline Wait wait_of(const WheelsetSetup& setup) {
+    return setup.left && wait_of(*setup.left) == Wait::for_build ? Wait::for_build : wait_of(setup.setup);
+}
+
 class Client::Impl {
    public:
     Impl(const std::string& endpoint, ClientOptions options)

@@ -15,8 +15,8 @@ constexpr const char* in_use =
 
 }  // namespace
 
-AnySession::Impl::Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step)
-    : client_(client), grid_(grid), told_(std::move(told)), step_(step), process_(::getpid()) {}
+AnySession::Impl::Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step, Wait wait)
+    : client_(client), grid_(grid), told_(std::move(told)), wait_(wait), step_(step), process_(::getpid()) {}
 
 std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const SessionSpec& spec,
                                                            const CallOptions& options) {
@@ -34,7 +34,8 @@ std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     json params = proto::encode_session_spec(spec, arrays);
     const Reply reply = client.impl_->call("session.open", std::move(params), arrays.take_frames(), options);
-    return std::make_unique<Impl>(client, std::nullopt, proto::decode_session_reply(reply.result), 0);
+    return std::make_unique<Impl>(client, std::nullopt, proto::decode_session_reply(reply.result), 0,
+                                  wait_of(spec.setup));
 }
 
 std::unique_ptr<AnySession::Impl> AnySession::Impl::joined(Client& client, const std::string& name, Kind kind,
@@ -100,7 +101,7 @@ AnyStepOrStatus AnySession::Impl::step(std::variant<const StepInput*, const Whee
     const proto::StepAsked step = asked({*this, input});
     const json params = proto::encode_step(step, arrays);
     const std::vector<std::string> frames = arrays.take_frames();
-    const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options); });
+    const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options, wait_); });
     AnyStepOrStatus answer = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, step); });
     note(step, answer);
     return answer;
@@ -127,7 +128,10 @@ std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> s
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
     const json params = proto::encode_steps(all, arrays);
     const std::vector<std::string> frames = arrays.take_frames();
-    const Reply reply = insist([&] { return client.impl_->call("session.step_many", params, frames, options); });
+    const bool builds =
+        std::ranges::any_of(steps, [](const Step& step) { return step.session.wait_ == Wait::for_build; });
+    const Wait wait = builds ? Wait::for_build : Wait::for_answer;
+    const Reply reply = insist([&] { return client.impl_->call("session.step_many", params, frames, options, wait); });
     std::vector<AnyStepOrStatus> answers =
         decoded([&] { return proto::decode_step_replies(reply.result, reply.frames, all); });
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].session.note(all[i], answers[i]);

@@ -18,7 +18,7 @@ namespace contactd::client {
 class AnySession::Impl {
    public:
     /// `grid` is that of a contact.
-    Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step);
+    Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step, Wait wait = Wait::for_answer);
 
     static std::unique_ptr<Impl> opened(Client& client, const SessionSpec& spec, const CallOptions& options);
     static std::unique_ptr<Impl> opened(Client& client, const WheelRailSessionSpec& spec, const CallOptions& options);
@@ -55,6 +55,7 @@ class AnySession::Impl {
     Client& client_;
     const std::optional<Grid> grid_;
     const SessionReply told_;
+    const Wait wait_;  // of its steps
     long long step_;
     long long asked_ = step_;  // the number that was asked for last
     bool open_ = true;

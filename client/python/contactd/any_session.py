@@ -56,6 +56,7 @@ class AnySession(Shown):
     """The steps of a session, whatever they are of, and whether they are waited for or awaited."""
 
     _joins: ClassVar[str]  #: the method of Client that joins such a session
+    _builds = False  #: whether a step may have to wait for tables by finite elements
 
     def __init__(self, client: Caller, steps: Steps, told: dict[str, Any]) -> None:
         self.lease_seconds = told_number(told, "lease_seconds", float)
@@ -126,7 +127,7 @@ class AnySession(Shown):
     ) -> Answering[Any]:
         with self._steps.alone():
             params = self._steps.params(self._steps.number_of(step), step)
-            result = yield from self._insist("session.step", params, timeout, on_progress, progress)
+            result = yield from self._insist("session.step", params, timeout, on_progress, progress, self._builds)
             return self._steps.read(params, result)
 
     def _insist(
@@ -136,11 +137,14 @@ class AnySession(Shown):
         timeout: float | None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
+        builds: bool = False,
     ) -> Answering[dict[str, Any]]:
         """Asks again when no answer came: the daemon tells a request that it has answered by its number."""
 
         def ask() -> Answering[dict[str, Any]]:
-            return self._client.asked(method, params, timeout=timeout, on_progress=on_progress, progress=progress)
+            return self._client.asked(
+                method, params, timeout=timeout, on_progress=on_progress, progress=progress, builds=builds
+            )
 
         return insist(ask, self.retries)
 

@@ -34,8 +34,9 @@ def stepped_sessions(
         params = [own.params(number, step) for number, (own, step) in zip(numbers, steps)]
 
         def ask() -> Answering[dict[str, Any]]:
-            return client.asked("session.step_many", {"steps": params}, timeout=timeout)
+            return client.asked("session.step_many", {"steps": params}, timeout=timeout, builds=builds)
 
+        builds = any(session._builds for session, _ in pairs)
         result = yield from insist(ask, min(session.retries for session, _ in pairs))
         readers = [partial(own.read, asked) for asked, (own, _) in zip(params, steps)]
         return outcomes("session.step_many", result, "steps", readers)

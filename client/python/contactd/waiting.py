@@ -7,7 +7,7 @@ from typing import Any
 
 from .errors import StatusError, TimeoutExpired
 
-__all__ = ["LONGEST", "may_build", "say_that_the_build_goes_on", "seconds_of", "spin_of"]
+__all__ = ["LONGEST", "may_build", "say_that_the_build_goes_on", "seconds_of", "spin_of", "wheel_may_build"]
 
 LONGEST = 86_400.0  #: seconds that a call may take
 
@@ -38,8 +38,15 @@ def spin_of(value: Any) -> float:
 
 def may_build(params: dict[str, Any]) -> bool:
     """Whether a request with these parameters may have to wait for tables by finite elements."""
+    if "state" in params:  # of a wheel on its rail, or of both
+        return any(wheel_may_build(params.get(setup)) for setup in ("setup", "left"))
     problems = params.get("problems", [params])
     return any(_asks_for_finite_elements(problem) for problem in problems if isinstance(problem, dict))
+
+
+def wheel_may_build(setup: Any) -> bool:
+    """Whether a wheel on its rail with this set-up may have to wait for tables by finite elements."""
+    return isinstance(setup, dict) and setup.get("conformal") == "fem" and setup.get("model", "full") == "full"
 
 
 def _asks_for_finite_elements(problem: dict[str, Any]) -> bool:

@@ -29,9 +29,10 @@ class AnyWheelRailSession(AnySession):
 
     _joins = "join_wheel_rail_session"
 
-    def __init__(self, client: Caller, name: str, told: dict[str, Any], side: Side) -> None:
+    def __init__(self, client: Caller, name: str, told: dict[str, Any], side: Side, builds: bool = False) -> None:
         super().__init__(client, WheelRailSteps(name, told_number(told, "step", int)), told)
         self.side: Side = side
+        self._builds = builds
 
     def _common(self) -> Rows:
         return [("wheel", self.side)]

@@ -41,7 +41,8 @@ inline std::shared_ptr<Job> job_of(const CallPtr& call, const std::string& kind,
 }
 
 inline JobProgress to_job_progress(const Progress& progress) {
-    return {std::string(progress.stage), progress.fraction, progress.iteration, progress.residual};
+    return {std::string(progress.stage), progress.fraction, progress.iteration, progress.residual,
+            progress.seconds_left};
 }
 
 /// Passes a job's progress on to its caller. Short work needs none: the first message comes after this time, and then

@@ -3,12 +3,17 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <chrono>
+
 #include "contactd/client/client.hpp"
+#include "contactd/client/session.hpp"
+#include "contactd/proto/session.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "fake_solver.hpp"
 
 using namespace contactd;
 using namespace contactd::client;
+using namespace std::chrono_literals;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::MessageMatches;
 using fake::Frames, fake::message_of;
@@ -25,6 +30,36 @@ WheelRailPatch patch_with(std::size_t pressures) {
 }
 
 }  // namespace
+
+TEST_CASE("Calls that may need tables of sections wait as long as builds do", "[client]") {
+    std::vector<std::string> heard;
+    fake::Daemon daemon([&](const json& request, const Frames&) -> std::vector<Frames> {
+        heard.push_back(request["method"].get<std::string>() + " " + request["timeout_ms"].dump());
+        if (request["method"] != "session.open")
+            return {{fake::failure(request, {{"code", 5}, {"name", "NOT_FOUND"}, {"message", "No."}})}};
+        const SessionReply told{std::string(32, 's'), 60, 0, {}};
+        return {{fake::reply(request, proto::encode_session_reply(told))}};
+    });
+    Client client(daemon.endpoint(), {.timeout = 5000ms, .build_timeout = 7000ms});
+    WheelRailSessionSpec spec;
+    spec.setup.conformal = Conformal::fem;
+    WheelRailSession session(client, spec);
+    WheelRailStepInput input;
+    input.state.Fz = 7;
+    WheelsetState state;
+    state.Fz_left = state.Fz_right = 7;
+    const std::vector<AnySessionStep> steps{WheelRailSessionStep{session, input}};
+
+    CHECK_THROWS_AS(client.wheel_rail(spec.setup, input.state), StatusError);
+    CHECK_THROWS_AS(client.wheelset({.setup = {}, .left = spec.setup}, state), StatusError);
+    CHECK_THROWS_AS(client.wheel_rail_geometry(spec.setup, std::vector{input.state}), StatusError);
+    CHECK_THROWS_AS(session.step(input), StatusError);
+    CHECK_THROWS_AS(step_many(steps), StatusError);
+    static_cast<void>(session.release());
+
+    CHECK(heard == std::vector<std::string>{"session.open 5000", "wheelrail.solve 7000", "wheelrail.wheelset 7000",
+                                            "wheelrail.geometry 5000", "session.step 7000", "session.step_many 7000"});
+}
 
 TEST_CASE("A wheel on a rail is asked for and read", "[client]") {
     std::size_t pressures = 2;

@@ -12,10 +12,12 @@ from contactd import (
     FemIcs,
     Grid,
     Material,
+    NotFound,
     Paraboloid,
     Progress,
     TimeoutExpired,
 )
+from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetState
 from support import answers
 from support.fake_server import FakeServer
 
@@ -52,6 +54,36 @@ def test_what_may_build_waits_an_hour_and_all_else_a_minute(tmp_path, call):
     assert waits(tmp_path, CALLS[call](FemIcs())) == 3600
     assert waits(tmp_path, CALLS[call](AnalyticIcs())) == 60
     assert waits(tmp_path, CALLS[call](FemIcs()), timeout=2, build_timeout=7) == 7
+
+
+WHEELS = {
+    "wheel_rail": lambda setup: lambda client: client.wheel_rail(setup, WheelRailState()),
+    "wheelset": lambda setup: lambda client: client.wheelset(setup, WheelsetState(Fz_left=1e4, Fz_right=1e4)),
+    "the left wheel": lambda left: lambda client: client.wheelset(WheelRailSetup(), WheelsetState(Fz_left=1e4, Fz_right=1e4), left=left),
+}
+
+
+@pytest.mark.parametrize("call", WHEELS)
+def test_wheels_on_rails_wait_for_builds_with_sections_only(tmp_path, call):
+    assert waits(tmp_path, WHEELS[call](WheelRailSetup(conformal="fem"))) == 3600
+    assert waits(tmp_path, WHEELS[call](WheelRailSetup(conformal="rotated"))) == 60
+    assert waits(tmp_path, WHEELS[call](WheelRailSetup(conformal="fem", model="fastsim"))) == 60
+    assert waits(tmp_path, lambda client: client.wheel_rail_geometry(WheelRailSetup(conformal="fem"), [WheelRailState()])) == 60
+
+
+@pytest.mark.parametrize(("conformal", "seconds"), [("fem", 3600), ("rotated", 60)])
+def test_steps_of_wheels_wait_as_long_as_their_session_needs(tmp_path, conformal, seconds):
+    def script(request):
+        told = {"session": "s" * 20, "lease_seconds": 60, "bytes": 0, "step": 0, "ics": {}}
+        return [request.result(told) if request.method == "session.open" else request.failure(5, "No.")]
+
+    with FakeServer(tmp_path, script) as server, Client(server.endpoint) as client:
+        wheel = client.wheel_rail_session(WheelRailSetup(conformal=conformal))
+        for act in (lambda: wheel.step(WheelRailState()), lambda: client.step_many([(wheel, {"state": WheelRailState()})])):
+            with pytest.raises(NotFound):
+                act()
+    methods = {request.method: request.envelope["timeout_ms"] / 1000 for request in server.requests}
+    assert methods == {"session.open": 60, "session.step": seconds, "session.step_many": seconds}
 
 
 def test_a_quick_model_builds_nothing(tmp_path):

@@ -89,9 +89,11 @@ class Caller(Shown):
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
+        builds: bool = False,
     ) -> Answering[dict[str, Any]]:
-        """The steps of `call`, for other calls to be made of."""
-        builds = may_build(params or {})
+        """The steps of `call`, for other calls to be made of; `builds`: it may have to wait for finite elements, which its
+        parameters do not tell."""
+        builds = builds or may_build(params or {})
         usual = self.build_timeout if builds else self.timeout
         seconds = seconds_of("timeout", usual if timeout is None else timeout)
         deadline = time.monotonic() + seconds

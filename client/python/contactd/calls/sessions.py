@@ -12,6 +12,7 @@ from ..grid import Grid
 from ..problem import ContactProblem
 from ..reading import read
 from ..session import AnyContactSession, SessionSummary, opening
+from ..waiting import wheel_may_build
 from ..wheel_rail import WheelRailSetup
 from ..wheel_rail_session import AnyWheelRailSession, wheel_rail_opening
 from .asking import Answering, asks
@@ -95,11 +96,14 @@ class SessionCalls(Caller, Generic[S, W]):
         """
         params = wheel_rail_opening(setup, lease, accept_unconverged)
         told = yield from self.asked("session.open", params, timeout=timeout)
-        return self._wheel_rail_session_kind(self, _name_in(told), told, setup.side or "right")
+        builds = wheel_may_build(params["wheelrail"]["setup"])
+        return self._wheel_rail_session_kind(self, _name_in(told), told, setup.side or "right", builds)
 
     @asks
     def join_wheel_rail_session(self, name: str, *, timeout: float | None = None) -> Answering[W]:
-        """As join_session, of a wheel on its rail."""
+        """As join_session, of a wheel on its rail. Steps that may have to wait for finite elements need a `timeout` of their
+        own: only who has opened the session knows it.
+        """
         told = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if (side := told.get("side")) not in ("left", "right"):
             raise invalid("name", "is that of the session of a contact; take join_session")
