@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "contactd/error.hpp"
+#include "influence/columns/offset_rows.hpp"
 #include "influence/columns/screened_half_space.hpp"
 #include "influence/columns/wavenumber_rule.hpp"
 #include "influence/half_space_model.hpp"
@@ -17,9 +18,22 @@ namespace {
 using std::numbers::pi;
 using Block = Eigen::Matrix3d;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-constexpr std::array axes{Axis::x, Axis::y, Axis::z};
 /// Of how a difference falls where it is 1/xi^2 between the last two wavenumbers.
 constexpr double least_doubt = 0.25;
+
+struct Component {
+    Axis i, j;
+};
+/// By parity along x.
+constexpr std::array even_components{Component{Axis::x, Axis::x}, Component{Axis::y, Axis::y},
+                                     Component{Axis::y, Axis::z}, Component{Axis::z, Axis::y},
+                                     Component{Axis::z, Axis::z}};
+constexpr std::array odd_components{Component{Axis::x, Axis::y}, Component{Axis::x, Axis::z},
+                                    Component{Axis::y, Axis::x}, Component{Axis::z, Axis::x}};
+
+double of(const Block& block, const Component& component) {
+    return block(static_cast<int>(component.i), static_cast<int>(component.j));
+}
 
 /// Displacements of the half-space for G = 1 from its kernels. Of transforms, the symmetric form: there a load along x
 /// turns the sign of what is odd in x, and displacements from tractions along x have it once more.
@@ -41,59 +55,84 @@ class Turn {
         half_ << 1, 0, 0, 0, c, -s, 0, s, c;
     }
     Block operator()(const Block& flat) const { return half_ * flat * half_; }
+    /// How much of a flat component is in a turned one.
+    double share(const Component& turned, const Component& flat) const {
+        return half_(static_cast<int>(turned.i), static_cast<int>(flat.i)) *
+               half_(static_cast<int>(flat.j), static_cast<int>(turned.j));
+    }
 
    private:
     Block half_;
 };
 
-/// At offsets of either sign across the section: the kernels x y and y are odd there.
-KernelIntegrals across(KernelIntegrals k, int l) {
-    if (l < 0) {
-        k.xy = -k.xy;
-        k.y = -k.y;
-    }
-    return k;
-}
+/// Functions of the offset, [function, k], of which coefficients are made: those of the wavenumbers first.
+struct Functions {
+    RowMajor even, odd;
+};
 
-bool is_odd(Axis i, Axis j) {
-    return (i == Axis::x) != (j == Axis::x);
-}
-
+/// Pairs of columns (I, J), I >= J; the others follow by reciprocity.
 class TableMaker {
    public:
     TableMaker(const ColumnSpectrum& spectrum, double dx, int nx, double shift)
-        : spectrum_(spectrum), columns_(spectrum.columns), dx_(dx), nx_(nx), shift_(shift) {}
+        : spectrum_(spectrum), columns_(spectrum.columns), dx_(dx), nx_(nx), shift_(shift) {
+        for (const double node : spectrum.nodes)
+            for (int l = 0; l < columns_; ++l)
+                references_.push_back(half_space(screened_transforms(node, spectrum.xi0, l), spectrum.nu, true));
+    }
 
     ColumnTable make(double factor) const {
+        Functions functions = interpolation(1);
+        const Eigen::Index nodes = functions.even.rows();
+        functions.even.conservativeResize(nodes + static_cast<Eigen::Index>(even_components.size()), nx_);
+        functions.odd.conservativeResize(nodes + static_cast<Eigen::Index>(odd_components.size()), nx_);
+        functions.even *= factor;
+        functions.odd *= factor;
         ColumnTable table(nx_, columns_);
-        add_interpolated(table, spectrum_.nodes, 1);
-        add_half_space(table);
-        for (double& value : table.values) value *= factor;
+        for (int l = 0; l < columns_; ++l) {
+            for (int k = 0; k < nx_; ++k) {
+                const Block flat = factor * screened_half_space(k, l);
+                for (Eigen::Index c = 0; c < functions.even.rows() - nodes; ++c)
+                    functions.even(nodes + c, k) = of(flat, even_components[static_cast<std::size_t>(c)]);
+                for (Eigen::Index c = 0; c < functions.odd.rows() - nodes; ++c)
+                    functions.odd(nodes + c, k) = of(flat, odd_components[static_cast<std::size_t>(c)]);
+            }
+            fill(l, functions, [&](const Component& component, int J) {
+                const auto& [i, j] = component;
+                return OffsetRows{&table(i, j, J + l, J, 0), l > 0 ? &table(j, i, J, J + l, 0) : nullptr};
+            });
+        }
         return table;
     }
 
-    /// What the interpolation between all wavenumbers is more than that between every other one.
-    ColumnTable nested() const {
-        ColumnTable table(nx_, columns_);
-        add_interpolated(table, spectrum_.nodes, 1);
-        for (double& value : table.values) value = -value;
-        std::vector<double> coarse;
-        for (std::size_t node = 0; node < spectrum_.nodes.size(); node += 2) coarse.push_back(spectrum_.nodes[node]);
-        add_interpolated(table, coarse, 2);
-        return table;
+    /// The largest change when every other wavenumber is left out.
+    double nested() const {
+        Functions functions = interpolation(2);
+        const Functions all = interpolation(1);
+        functions.even -= all.even;
+        functions.odd -= all.odd;
+        double largest = 0;
+        for (int l = 0; l < columns_; ++l) {
+            const auto nx = static_cast<std::size_t>(nx_), components = even_components.size() + odd_components.size();
+            std::vector<double> changes(components * static_cast<std::size_t>(columns_ - l) * nx);
+            std::size_t at = 0;
+            fill(l, functions, [&](const Component&, int) { return OffsetRows{&changes[nx * at++], nullptr}; });
+            for (const double change : changes) largest = std::max(largest, std::abs(change));
+        }
+        return largest;
     }
 
     double beyond() const {
         const std::size_t last = spectrum_.nodes.size() - 1;
-        std::vector<double> before;
-        for_differences(last - 1, [&](int, int, int, int, double value) { before.push_back(std::abs(value)); });
         const double step = std::log(spectrum_.nodes[last] / spectrum_.nodes[last - 1]);
         double largest = 0;
-        std::size_t at = 0;
-        for_differences(last, [&](int, int, int, int, double value) {
-            const double size = std::abs(value), power = std::log(before[at++] / std::max(size, 1e-300)) / step;
-            largest = std::max(largest, size * std::clamp(std::abs(power - 2), least_doubt, 1.0));
-        });
+        for (int I = 0; I < columns_; ++I)
+            for (int J = 0; J <= I; ++J) {
+                const Turn turn(angle(I, J));
+                const Eigen::Array33d before = difference(last - 1, I, J, turn).array().abs(),
+                                      size = difference(last, I, J, turn).array().abs(),
+                                      power = (before / size.max(1e-300)).log() / step;
+                largest = std::max(largest, (size * (power - 2).abs().max(least_doubt).min(1.0)).maxCoeff());
+            }
         // What the alternating half waves of sin(xi dx/2) leave of a difference that falls as 1/xi, not as 1/xi^2.
         return largest * 2 / (pi * dx_ * spectrum_.nodes.back());
     }
@@ -102,69 +141,94 @@ class TableMaker {
     double angle(int I, int J) const { return spectrum_.frames[I].angle - spectrum_.frames[J].angle; }
 
     /// Transforms at a node, less those of the screened half-space.
-    template <class Visit>
-    void for_differences(std::size_t node, const Visit& visit) const {
-        std::vector<KernelIntegrals> reference;
-        for (int l = 0; l < columns_; ++l)
-            reference.push_back(screened_transforms(spectrum_.nodes[node], spectrum_.xi0, l));
-        for (int I = 0; I < columns_; ++I)
-            for (int J = 0; J < columns_; ++J) {
-                const KernelIntegrals kernels = across(reference[static_cast<std::size_t>(std::abs(I - J))], I - J);
-                const Block block = Turn(angle(I, J))(half_space(kernels, spectrum_.nu, true));
-                for (int i = 0; i < 3; ++i)
-                    for (int j = 0; j < 3; ++j)
-                        visit(I, J, i, j, spectrum_.values[spectrum_.index(node, 3 * I + i, 3 * J + j)] - block(i, j));
-            }
+    Block difference(std::size_t node, int I, int J, const Turn& turn) const {
+        Block block = -turn(references_[node * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(I - J)]);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) block(i, j) += spectrum_.values[spectrum_.index(node, 3 * I + i, 3 * J + j)];
+        return block;
     }
 
-    /// Of the difference to the screened half-space, at every `stride`-th node.
-    void add_interpolated(ColumnTable& table, const std::vector<double>& nodes, std::size_t stride) const {
+    Block screened_half_space(int k, int l) const {
+        const double x = k * dx_ + shift_;
+        KernelIntegrals kernels = constant_load_integrals(x, l, dx_, 1);
+        const KernelIntegrals change = screening(spectrum_.xi0, x, l, dx_);
+        kernels = {kernels.xx + change.xx, kernels.yy + change.yy, kernels.xy + change.xy, kernels.x + change.x,
+                   kernels.y + change.y};
+        return half_space(kernels, spectrum_.nu, false);
+    }
+
+    /// Of each node, between every `stride`-th of them.
+    Functions interpolation(std::size_t stride) const {
+        std::vector<double> nodes;
+        for (std::size_t node = 0; node < spectrum_.nodes.size(); node += stride)
+            nodes.push_back(spectrum_.nodes[node]);
         const WavenumberRule rule = wavenumber_rule(nodes, spectrum_.xi0, dx_, nx_, shift_);
-        const auto count = static_cast<Eigen::Index>(nodes.size()),
-                   pairs = static_cast<Eigen::Index>(columns_) * columns_;
-        std::array<RowMajor, 9> difference;
-        difference.fill(RowMajor(pairs, count));
-        for (Eigen::Index node = 0; node < count; ++node)
-            for_differences(static_cast<std::size_t>(node) * stride, [&](int I, int J, int i, int j, double value) {
-                difference[static_cast<std::size_t>(3 * i + j)](I * columns_ + J, node) = value;
-            });
-        for (const Axis i : axes)
-            for (const Axis j : axes) {
-                const auto& weights = is_odd(i, j) ? rule.odd : rule.even;
-                // A load along cos(xi x) instead of sin: what it moves across turns its sign.
-                const double sign = j == Axis::x && i != Axis::x ? -1 : 1;
-                Eigen::Map<RowMajor>(&table(i, j, 0, 0, 0), pairs, nx_).noalias() +=
-                    sign * difference[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j)] *
-                    Eigen::Map<const RowMajor>(weights.data(), count, nx_);
-            }
+        const auto spread = [&](const std::vector<double>& weights) {
+            RowMajor all = RowMajor::Zero(static_cast<Eigen::Index>(spectrum_.nodes.size()), nx_);
+            for (std::size_t node = 0; node < nodes.size(); ++node)
+                all.row(static_cast<Eigen::Index>(node * stride)) =
+                    Eigen::Map<const Eigen::RowVectorXd>(weights.data() + node * static_cast<std::size_t>(nx_), nx_);
+            return all;
+        };
+        return {spread(rule.even), spread(rule.odd)};
     }
 
-    void add_half_space(ColumnTable& table) const {
-        std::vector<Block> ahead(static_cast<std::size_t>(nx_)), behind(ahead.size());
-        for (int l = 0; l < columns_; ++l) {
-            for (int k = 0; k < nx_; ++k) {
-                const double x = k * dx_ + shift_;
-                KernelIntegrals kernels = constant_load_integrals(x, l, dx_, 1);
-                const KernelIntegrals change = screening(spectrum_.xi0, x, l, dx_);
-                kernels = {kernels.xx + change.xx, kernels.yy + change.yy, kernels.xy + change.xy, kernels.x + change.x,
-                           kernels.y + change.y};
-                ahead[static_cast<std::size_t>(k)] = half_space(kernels, spectrum_.nu, false);
-                behind[static_cast<std::size_t>(k)] = half_space(across(kernels, -l), spectrum_.nu, false);
-            }
-            for (int J = 0; J + l < columns_; ++J) {
-                add(table, J + l, J, ahead);
-                if (l > 0) add(table, J, J + l, behind);
+    /// Columns that are l apart, each component of J + l and J to where `rows` says. Behind the functions of the nodes
+    /// may be those of the half-space.
+    void fill(int l, const Functions& functions, const auto& rows) const {
+        RowMajor even = shares(l, even_components, functions.even), odd = shares(l, odd_components, functions.odd);
+        for (int J = 0; J + l < columns_; ++J) {
+            const Turn turn(angle(J + l, J));
+            for (std::size_t node = 0; node < spectrum_.nodes.size(); ++node) {
+                const Block block = difference(node, J + l, J, turn);
+                put_waves(even, J, node, block, even_components);
+                put_waves(odd, J, node, block, odd_components);
             }
         }
+        multiply(even, functions.even, rows_of(l, even_components, rows), 1);
+        multiply(odd, functions.odd, rows_of(l, odd_components, rows), -1);
     }
-    void add(ColumnTable& table, int I, int J, const std::vector<Block>& flat) const {
-        const Turn turn(angle(I, J));
-        for (std::size_t k = 0; k < flat.size(); ++k) {
-            const Block block = turn(flat[k]);
-            for (const Axis i : axes)
-                for (const Axis j : axes)
-                    table(i, j, I, J, static_cast<int>(k)) += block(static_cast<int>(i), static_cast<int>(j));
+
+    /// Of each function in the coefficients, [component + components J, function], those of the half-space so far.
+    template <std::size_t count>
+    RowMajor shares(int l, const std::array<Component, count>& components, const RowMajor& functions) const {
+        const auto nodes = static_cast<Eigen::Index>(spectrum_.nodes.size());
+        RowMajor result(static_cast<Eigen::Index>(count) * (columns_ - l), functions.rows());
+        for (int J = 0; J + l < columns_; ++J) {
+            const Turn turn(angle(J + l, J));
+            for (std::size_t c = 0; c < count; ++c)
+                for (Eigen::Index flat = 0; nodes + flat < functions.rows(); ++flat)
+                    result(row_of<count>(J, c), nodes + flat) =
+                        turn.share(components[c], components[static_cast<std::size_t>(flat)]);
         }
+        return result;
+    }
+    template <std::size_t count>
+    static Eigen::Index row_of(int J, std::size_t component) {
+        return static_cast<Eigen::Index>(count) * J + static_cast<Eigen::Index>(component);
+    }
+    template <std::size_t count>
+    static void put_waves(RowMajor& shares, int J, std::size_t node, const Block& block,
+                          const std::array<Component, count>& components) {
+        for (std::size_t c = 0; c < count; ++c)
+            shares(row_of<count>(J, c), static_cast<Eigen::Index>(node)) = of_wave(block, components[c]);
+    }
+    template <std::size_t count>
+    std::vector<OffsetRows> rows_of(int l, const std::array<Component, count>& components, const auto& rows) const {
+        std::vector<OffsetRows> result;
+        for (int J = 0; J + l < columns_; ++J)
+            for (const Component& component : components) result.push_back(rows(component, J));
+        return result;
+    }
+    static void multiply(const RowMajor& shares, const RowMajor& functions, const std::vector<OffsetRows>& rows,
+                         double parity) {
+        add_up(rows, parity, shares.data(), functions.data(), static_cast<std::size_t>(functions.rows()),
+               static_cast<std::size_t>(functions.cols()));
+    }
+    /// A load along cos(xi x) instead of sin: what it moves across turns its sign.
+    static double of_wave(const Block& block, const Component& component) {
+        const double value = of(block, component);
+        return component.j == Axis::x && component.i != Axis::x ? -value : value;
     }
 
     const ColumnSpectrum& spectrum_;
@@ -172,6 +236,7 @@ class TableMaker {
     double dx_;
     int nx_;
     double shift_;
+    std::vector<Block> references_;  ///< [node, l]
 };
 
 /// zz of the half-space under an element dx x 1.
@@ -187,10 +252,7 @@ ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, doub
 }
 
 double nested_change(const ColumnSpectrum& spectrum, double dx, int nx) {
-    const ColumnTable change = TableMaker(spectrum, dx, nx, 0).nested();
-    double largest = 0;
-    for (const double value : change.values) largest = std::max(largest, std::abs(value));
-    return largest / self_compliance(spectrum, dx);
+    return TableMaker(spectrum, dx, nx, 0).nested() / self_compliance(spectrum, dx);
 }
 
 double beyond_the_end(const ColumnSpectrum& spectrum) {

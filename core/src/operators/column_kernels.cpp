@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "wide.hpp"
+#include "influence/wide.hpp"
 
 namespace contactd {
 namespace {

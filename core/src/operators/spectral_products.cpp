@@ -1,6 +1,6 @@
 #include "spectral_products.hpp"
 
-#include "wide.hpp"
+#include "influence/wide.hpp"
 
 namespace contactd {
 

@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Beyond this argument the functions are smaller than rounding.
-constexpr double far = 600;
+/// Beyond this argument the functions are smaller than rounding, even of what is near.
+constexpr double far = 45;
 
 KernelIntegrals transforms(double xi, double xi0, double s) {
     const double kappa = std::hypot(xi, xi0), argument = kappa * std::abs(s);
@@ -43,9 +43,10 @@ KernelIntegrals screening_at(double xi0, double x, double s) {
 }  // namespace
 
 KernelIntegrals screened_transforms(double xi, double xi0, int l) {
-    static const auto rule = gauss_legendre(20);
+    // The functions are the smoother, the farther their singularity is.
+    static const auto around = gauss_legendre(20), beside = gauss_legendre(12), away = gauss_legendre(8);
     KernelIntegrals sum;
-    for (const auto& [node, weight] : rule) {
+    for (const auto& [node, weight] : l == 0 ? around : std::abs(l) == 1 ? beside : away) {
         if (l != 0) {
             add(sum, weight, transforms(xi, xi0, l - 0.5 + node));
             continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "influence/layered/gauss_legendre.hpp"
 
@@ -11,6 +12,7 @@ namespace contactd {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using std::numbers::pi;
 
 /// Second derivatives of the splines of the unit vectors on knots 0, 1, 2, ...
@@ -34,21 +36,21 @@ Matrix curvatures(Eigen::Index count, bool even) {
     return system.partialPivLu().solve(right);
 }
 
-/// A point of a quadrature over wavenumbers, between the knots `knot` and `knot + 1`, or beyond the last one.
+/// A point of a quadrature over wavenumbers, behind a knot.
 struct Point {
     double xi, weight;
-    Eigen::Index knot;
     double share;  ///< of the way to the next knot; of the last one, what is left of its value
 };
 
 /// Where what falls as 1/xi^2 has become small, over the last knot.
 constexpr double end_of_tail = 12;
 
-std::vector<Point> quadrature(const std::vector<double>& nodes, double xi0, double longest) {
+/// Those of each knot, one knot behind the other.
+std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, double xi0, double longest) {
     static const auto rule = gauss_legendre(8);
     constexpr int least_panels = 2;
     const double step = std::asinh(nodes[1] / xi0);
-    std::vector<Point> points;
+    std::vector<std::vector<Point>> points(nodes.size());
     for (std::size_t knot = 0; knot + 1 < nodes.size(); ++knot) {
         const double width = nodes[knot + 1] - nodes[knot];
         // Half a wave a panel.
@@ -56,8 +58,8 @@ std::vector<Point> quadrature(const std::vector<double>& nodes, double xi0, doub
         for (int panel = 0; panel < panels; ++panel)
             for (const auto& [node, weight] : rule) {
                 const double xi = nodes[knot] + width * (panel + node) / panels;
-                points.push_back({xi, weight * width / panels, static_cast<Eigen::Index>(knot),
-                                  std::asinh(xi / xi0) / step - static_cast<double>(knot)});
+                points[knot].push_back(
+                    {xi, weight * width / panels, std::asinh(xi / xi0) / step - static_cast<double>(knot)});
             }
     }
     const double last = nodes.back();
@@ -66,10 +68,50 @@ std::vector<Point> quadrature(const std::vector<double>& nodes, double xi0, doub
         for (const auto& [node, weight] : rule) {
             // Panels even in xi: the waves are.
             const double width = (end_of_tail - 1) * last / panels, xi = last + width * (panel + node);
-            points.push_back(
-                {xi, weight * width, static_cast<Eigen::Index>(nodes.size()) - 1, last * last / (xi * xi)});
+            points.back().push_back({xi, weight * width, last * last / (xi * xi)});
         }
     return points;
+}
+
+/// cos and sin of xi (k dx + shift) at some points, turned on from offset to offset: cosines of all would take most of
+/// the time of a table.
+struct Waves {
+    Matrix cosines, sines;  ///< [point, k]
+
+    Waves(std::span<const Point> points, double dx, int nx, double shift)
+        : cosines(static_cast<Eigen::Index>(points.size()), nx), sines(cosines.rows(), nx) {
+        Eigen::ArrayXd turn_cosine(cosines.rows()), turn_sine(cosines.rows());
+        for (Eigen::Index q = 0; q < cosines.rows(); ++q) {
+            const double xi = points[static_cast<std::size_t>(q)].xi;
+            turn_cosine[q] = std::cos(xi * dx);
+            turn_sine[q] = std::sin(xi * dx);
+            cosines(q, 0) = std::cos(xi * shift);
+            sines(q, 0) = std::sin(xi * shift);
+        }
+        for (Eigen::Index k = 0; k + 1 < nx; ++k) {
+            const auto cosine = cosines.col(k).array(), sine = sines.col(k).array();
+            cosines.col(k + 1) = cosine * turn_cosine - sine * turn_sine;
+            sines.col(k + 1) = sine * turn_cosine + cosine * turn_sine;
+        }
+    }
+};
+
+/// What the spline of a value at a knot takes from it, from the next one, and from the curvatures of both.
+using Shares = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+
+Shares shares(std::span<const Point> points, double dx, bool beyond) {
+    Shares result(4, static_cast<Eigen::Index>(points.size()));
+    for (Eigen::Index q = 0; q < result.cols(); ++q) {
+        const auto& [xi, weight, share] = points[static_cast<std::size_t>(q)];
+        const double half = xi * dx / 2, element = half < 1e-8 ? dx : 2 * std::sin(half) / xi;
+        const double a = 1 - share, b = share;
+        if (beyond)
+            result.col(q) << share, 0, 0, 0;
+        else
+            result.col(q) << a, b, (a * a * a - a) / 6, (b * b * b - b) / 6;
+        result.col(q) *= weight * element / pi;
+    }
+    return result;
 }
 
 }  // namespace
@@ -83,50 +125,29 @@ std::vector<double> wavenumber_nodes(double xi0, double last, int count) {
 
 WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift) {
     const auto count = static_cast<Eigen::Index>(nodes.size());
-    const Matrix even_curvatures = curvatures(count, true), odd_curvatures = curvatures(count, false);
-    const std::vector<Point> points = quadrature(nodes, xi0, nx * dx + std::abs(shift));
-    // Weights of the wave at each point of the quadrature are gathered in blocks, which are multiplied as matrices.
-    constexpr Eigen::Index block = 256;
-    Matrix even = Matrix::Zero(count, nx), odd = even;
-    Matrix even_values(count, block), odd_values(count, block), cosines(block, nx), sines(block, nx);
-    for (std::size_t begin = 0; begin < points.size(); begin += block) {
-        const auto used = std::min<Eigen::Index>(block, static_cast<Eigen::Index>(points.size() - begin));
-        for (Eigen::Index q = 0; q < used; ++q) {
-            const auto& [xi, weight, knot, share] = points[begin + static_cast<std::size_t>(q)];
-            const double half = xi * dx / 2, element = half < 1e-8 ? dx : 2 * std::sin(half) / xi;
-            const double a = 1 - share, b = share, c = (a * a * a - a) / 6, d = (b * b * b - b) / 6;
-            const auto spline = [&](const Matrix& second) {
-                if (knot + 1 == count)
-                    return Eigen::VectorXd(share * weight * element / pi * Eigen::VectorXd::Unit(count, knot));
-                Eigen::VectorXd values = c * second.row(knot) + d * second.row(knot + 1);
-                values[knot] += a;
-                values[knot + 1] += b;
-                return Eigen::VectorXd(values * (weight * element / pi));
-            };
-            even_values.col(q) = spline(even_curvatures);
-            odd_values.col(q) = spline(odd_curvatures);
-            // The wave is turned on from offset to offset: cosines of all would take most of the time of a table.
-            const double turn_cosine = std::cos(xi * dx), turn_sine = std::sin(xi * dx);
-            double cosine = std::cos(xi * shift), sine = std::sin(xi * shift);
-            for (int k = 0; k < nx; ++k) {
-                cosines(q, k) = cosine;
-                sines(q, k) = sine;
-                const double next = cosine * turn_cosine - sine * turn_sine;
-                sine = sine * turn_cosine + cosine * turn_sine;
-                cosine = next;
-            }
+    // Of values and of curvatures; the last row is nobody's.
+    RowMajor even = RowMajor::Zero(count + 1, nx), even_bent = even, odd = even, odd_bent = even;
+    const auto points = quadrature(nodes, xi0, nx * dx + std::abs(shift));
+    for (Eigen::Index knot = 0; knot < count; ++knot) {
+        constexpr std::size_t block = 64;  // whose waves stay near the processor
+        std::span<const Point> left = points[static_cast<std::size_t>(knot)];
+        while (!left.empty()) {
+            const auto now = left.first(std::min(block, left.size()));
+            left = left.subspan(now.size());
+            const Waves waves(now, dx, nx, shift);
+            const Shares weights = shares(now, dx, knot + 1 == count);
+            even.middleRows(knot, 2).noalias() += weights.topRows(2) * waves.cosines;
+            odd.middleRows(knot, 2).noalias() += weights.topRows(2) * waves.sines;
+            if (knot + 1 == count) continue;
+            even_bent.middleRows(knot, 2).noalias() += weights.bottomRows(2) * waves.cosines;
+            odd_bent.middleRows(knot, 2).noalias() += weights.bottomRows(2) * waves.sines;
         }
-        even.noalias() += even_values.leftCols(used) * cosines.topRows(used);
-        odd.noalias() += odd_values.leftCols(used) * sines.topRows(used);
     }
+    even.topRows(count) += curvatures(count, true).transpose() * even_bent.topRows(count);
+    odd.topRows(count) += curvatures(count, false).transpose() * odd_bent.topRows(count);
     odd.row(0).setZero();
-    WavenumberRule rule;
-    rule.even.resize(static_cast<std::size_t>(count * nx));
-    rule.odd.resize(rule.even.size());
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<RowMajor>(rule.even.data(), count, nx) = even;
-    Eigen::Map<RowMajor>(rule.odd.data(), count, nx) = odd;
-    return rule;
+    const auto values = [&](const RowMajor& all) { return std::vector<double>(all.data(), all.data() + count * nx); };
+    return {values(even), values(odd)};
 }
 
 }  // namespace contactd

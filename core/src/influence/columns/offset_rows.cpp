@@ -1,0 +1,49 @@
+#include "offset_rows.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "influence/wide.hpp"
+
+namespace contactd {
+namespace {
+
+// Of the sums that stay in registers.
+constexpr std::size_t rows_at_once = 4, offsets_at_once = 8;
+
+}  // namespace
+
+/// `nx` is a multiple of offsets_at_once.
+CONTACTD_WIDE
+static void add_up_block(std::size_t count, std::size_t nx, const double* __restrict shares,
+                         const double* __restrict functions, double* __restrict sums) {
+    for (std::size_t k = 0; k < nx; k += offsets_at_once) {
+        double sum[rows_at_once][offsets_at_once] = {};
+        for (std::size_t n = 0; n < count; ++n)
+            for (std::size_t r = 0; r < rows_at_once; ++r)
+                for (std::size_t i = 0; i < offsets_at_once; ++i)
+                    sum[r][i] += shares[r * count + n] * functions[n * nx + k + i];
+        for (std::size_t r = 0; r < rows_at_once; ++r)
+            for (std::size_t i = 0; i < offsets_at_once; ++i) sums[r * nx + k + i] = sum[r][i];
+    }
+}
+
+void add_up(std::span<const OffsetRows> rows, double parity, const double* shares, const double* functions,
+            std::size_t count, std::size_t nx) {
+    const std::size_t whole = (nx + offsets_at_once - 1) / offsets_at_once * offsets_at_once;
+    std::vector<double> padded(count * whole), some(rows_at_once * count), sums(rows_at_once * whole);
+    for (std::size_t n = 0; n < count; ++n) std::copy_n(functions + n * nx, nx, padded.data() + n * whole);
+    for (std::size_t first = 0; first < rows.size(); first += rows_at_once) {
+        const std::size_t now = std::min(rows_at_once, rows.size() - first);
+        std::copy_n(shares + first * count, now * count, some.data());
+        add_up_block(count, whole, some.data(), padded.data(), sums.data());
+        for (std::size_t r = 0; r < now; ++r) {
+            const double* sum = sums.data() + r * whole;
+            std::copy_n(sum, nx, rows[first + r].own);
+            if (double* mirrored = rows[first + r].mirrored)
+                std::transform(sum, sum + nx, mirrored, [&](double value) { return parity * value; });
+        }
+    }
+}
+
+}  // namespace contactd
