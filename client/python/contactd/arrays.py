@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .errors import InvalidArgument, ProtocolError, Violation
+from .messages import Buffer
 
 __all__ = ["Frames", "array_of", "decode", "encode", "invalid", "plain", "whole"]
 
@@ -99,7 +100,7 @@ def _bytes_of(array: np.ndarray[Any, Any], field: str) -> bytes:
     return data.tobytes()
 
 
-def decode(value: Any, frames: Sequence[bytes]) -> Any:
+def decode(value: Any, frames: Sequence[Buffer]) -> Any:
     """The inverse of `encode` for answers: each reference to a frame becomes a read-only array on its bytes."""
     if isinstance(value, dict):
         if value.keys() == {"$array"}:
@@ -110,7 +111,7 @@ def decode(value: Any, frames: Sequence[bytes]) -> Any:
     return value
 
 
-def _decode_array(reference: Any, frames: Sequence[bytes]) -> np.ndarray[Any, Any]:
+def _decode_array(reference: Any, frames: Sequence[Buffer]) -> np.ndarray[Any, Any]:
     try:
         number, dtype, shape = reference["frame"], _DTYPES[reference["dtype"]], reference["shape"]
         if not all(type(n) is int and n >= 0 for n in [number, *shape]):

@@ -12,8 +12,19 @@ import zmq
 
 from .curve import CurveKeys, Handshakes
 from .errors import ConnectionFailed, ProtocolError
-from .messages import Reply, Request, parsed, reply_of
-from .sockets import Event, ZmqContext, close, connected_socket, give_up, next_event, no_daemon, too_late, went_away
+from .messages import Buffer, Reply, Request, parsed, reply_of
+from .sockets import (
+    Event,
+    ZmqContext,
+    close,
+    connected_socket,
+    give_up,
+    next_event,
+    no_daemon,
+    received,
+    too_late,
+    went_away,
+)
 
 __all__ = ["Connection"]
 
@@ -65,7 +76,7 @@ class Connection:
             raise
         return reply_of(answer, arrays)
 
-    def _await(self, request: Request) -> tuple[dict[str, Any], Sequence[bytes]]:
+    def _await(self, request: Request) -> tuple[dict[str, Any], Sequence[Buffer]]:
         while True:
             message = self._receive(request.deadline, request.method)
             answer = parsed(message[0])
@@ -114,14 +125,14 @@ class Connection:
             self._lost = event.kind == zmq.EVENT_DISCONNECTED
         return event
 
-    def _receive(self, deadline: float, method: str) -> list[bytes]:
+    def _receive(self, deadline: float, method: str) -> list[Buffer]:
         poller = zmq.Poller()
         poller.register(self._socket, zmq.POLLIN)
         poller.register(self._monitor, zmq.POLLIN)
         awake = min(deadline, time.monotonic() + self._spin)
         while time.monotonic() < awake:
             if self._socket.poll(0):
-                return self._socket.recv_multipart()
+                return received(self._socket)
             give_way()  # to the daemon, where it shares this processor
         while True:
             remaining = deadline - time.monotonic()
@@ -133,6 +144,6 @@ class Connection:
             # The answer first: a daemon that is ending answers and then hangs up.
             event = self._next_event()
             if self._socket.poll(0):
-                return self._socket.recv_multipart()
+                return received(self._socket)
             if event is not None and event.kind != zmq.EVENT_HANDSHAKE_SUCCEEDED:
                 raise went_away(self.endpoint, method)

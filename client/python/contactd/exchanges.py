@@ -13,8 +13,19 @@ import zmq
 
 from .curve import CurveKeys, Handshakes
 from .errors import ConnectionFailed, ContactdError, ProtocolError, StatusError
-from .messages import Reply, Request, parsed, reply_of
-from .sockets import Event, ZmqContext, close, connected_socket, give_up, next_event, no_daemon, too_late, went_away
+from .messages import Buffer, Reply, Request, parsed, reply_of
+from .sockets import (
+    Event,
+    ZmqContext,
+    close,
+    connected_socket,
+    give_up,
+    next_event,
+    no_daemon,
+    received,
+    too_late,
+    went_away,
+)
 
 __all__ = ["Exchanges"]
 
@@ -29,7 +40,7 @@ class _Open:
         self.request = request
         self.waits_for_turn = not request.method.startswith(_AT_ONCE)
         self.is_sent = False
-        self.arrived: asyncio.Queue[list[bytes] | ContactdError] = asyncio.Queue()
+        self.arrived: asyncio.Queue[list[Buffer] | ContactdError] = asyncio.Queue()
 
 
 class Exchanges:
@@ -173,7 +184,7 @@ class Exchanges:
     def _receive(self) -> None:
         while not self.is_closed:
             try:
-                message = self._socket.recv_multipart(zmq.DONTWAIT)
+                message = received(self._socket, zmq.DONTWAIT)
             except zmq.Again:
                 return
             try:
@@ -211,6 +222,6 @@ class Exchanges:
             self._patience.cancel()
             self._patience = None
 
-    def _end(self, exchanges: Iterable[_Open], why: Callable[[_Open], list[bytes] | ContactdError]) -> None:
+    def _end(self, exchanges: Iterable[_Open], why: Callable[[_Open], list[Buffer] | ContactdError]) -> None:
         for one in [*exchanges]:
             one.arrived.put_nowait(why(one))

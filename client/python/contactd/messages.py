@@ -10,10 +10,13 @@ from typing import Any
 from ._version import __version__
 from .errors import ProtocolError, StatusError, Violation, status_error
 
-__all__ = ["CLIENT", "PROTOCOL_VERSION", "Reply", "Request", "cancellation", "parsed", "reply_of", "status_error_of"]
+__all__ = ["CLIENT", "PROTOCOL_VERSION", "Buffer", "Reply", "Request", "cancellation", "parsed", "reply_of", "status_error_of"]
 
 PROTOCOL_VERSION = 1
 CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
+
+
+Buffer = bytes | memoryview  #: what arrays and envelopes come in
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,7 @@ class Reply:
     """
 
     result: dict[str, Any]
-    frames: Sequence[bytes]
+    frames: Sequence[Buffer]
 
 
 def cancellation(name: str) -> bytes:
@@ -69,15 +72,15 @@ def cancellation(name: str) -> bytes:
     return json.dumps(request).encode()
 
 
-def parsed(text: bytes) -> dict[str, Any]:
+def parsed(text: Buffer) -> dict[str, Any]:
     """The envelope of an answer. Raises ProtocolError."""
     try:
-        answer = json.loads(text)
+        answer = json.loads(bytes(text))
     except (ValueError, RecursionError):
-        raise ProtocolError(f"The answer is no JSON: {text[:80]!r}") from None
+        raise ProtocolError(f"The answer is no JSON: {bytes(text[:80])!r}") from None
     version = answer.get("contactd") if isinstance(answer, dict) else None
     if type(version) is not int:
-        raise ProtocolError(f"The answer is no message of contactd's protocol: {text[:80]!r}")
+        raise ProtocolError(f"The answer is no message of contactd's protocol: {bytes(text[:80])!r}")
     if version != PROTOCOL_VERSION:
         side = "client (the Python package contactd)" if version > PROTOCOL_VERSION else "daemon"
         raise ProtocolError(
@@ -87,7 +90,7 @@ def parsed(text: bytes) -> dict[str, Any]:
     return dict(answer)
 
 
-def reply_of(answer: dict[str, Any], frames: Sequence[bytes]) -> Reply:
+def reply_of(answer: dict[str, Any], frames: Sequence[Buffer]) -> Reply:
     """What an envelope with a status and its frames say. Raises StatusError or ProtocolError."""
     if (error := status_error_of(answer["status"])) is not None:
         raise error

@@ -9,7 +9,7 @@ import zmq
 
 from .curve import HANDSHAKE_EVENTS, CurveKeys
 from .errors import ConnectionFailed, TimeoutExpired
-from .messages import cancellation
+from .messages import Buffer, cancellation
 
 __all__ = [
     "Event",
@@ -20,6 +20,7 @@ __all__ = [
     "give_up",
     "next_event",
     "no_daemon",
+    "received",
     "too_late",
     "went_away",
 ]
@@ -73,6 +74,15 @@ def next_event(monitor: ZmqSocket) -> Event | None:
     if not monitor.poll(0):
         return None
     return Event(*struct.unpack("=hi", monitor.recv_multipart()[0]))
+
+
+def received(socket: ZmqSocket, flags: int = 0) -> list[Buffer]:
+    """The parts of a message: the envelope, and frames, which stay where ZeroMQ has put them: a table may have a hundred
+    megabytes. Raises zmq.Again."""
+    parts: list[Buffer] = [socket.recv(flags)]
+    while socket.getsockopt(zmq.RCVMORE):
+        parts.append(socket.recv(copy=False).buffer.toreadonly())
+    return parts
 
 
 def give_up(socket: ZmqSocket, request: str) -> None:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 namespace contactd::server {
@@ -17,20 +18,32 @@ std::size_t bytes_of(const Answer& answer) {
     return bytes;
 }
 
+/// Of large frames the memory itself is handed over; ZeroMQ frees it when they are sent.
+zmq::message_t message_of(std::string bytes) {
+    constexpr std::size_t large = 1 << 16;
+    if (bytes.size() < large) return zmq::message_t(bytes);
+    auto kept = std::make_unique<std::string>(std::move(bytes));
+    const auto free = [](void*, void* of) { delete static_cast<std::string*>(of); };
+    zmq::message_t message(kept->data(), kept->size(), free, kept.get());
+    (void)kept.release();
+    return message;
+}
+
 }  // namespace
 
-Outbox::Sent Outbox::try_send(const Answer& answer) {
+Outbox::Sent Outbox::try_send(Answer& answer) {
     // ROUTER answers for the whole message at its first part: EAGAIN when the client's queue is full, EHOSTUNREACH when
     // the client has gone. Later parts follow without waiting.
-    const auto part = [&](const std::string& bytes, bool more) {
-        socket_.send(zmq::buffer(bytes), more ? zmq::send_flags::sndmore : zmq::send_flags::none);
+    const auto part = [&](std::string bytes, bool more) {
+        socket_.send(message_of(std::move(bytes)), more ? zmq::send_flags::sndmore : zmq::send_flags::none);
     };
     try {
         const auto first = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
         if (!socket_.send(zmq::buffer(answer.route.identity), first)) return Sent::later;
         if (answer.route.empty_delimiter) part("", true);
-        part(answer.envelope, !answer.frames.empty());
-        for (std::size_t n = 0; n < answer.frames.size(); ++n) part(answer.frames[n], n + 1 < answer.frames.size());
+        part(std::move(answer.envelope), !answer.frames.empty());
+        for (std::size_t n = 0; n < answer.frames.size(); ++n)
+            part(std::move(answer.frames[n]), n + 1 < answer.frames.size());
         return Sent::yes;
     } catch (const zmq::error_t& error) {
         if (error.num() == EAGAIN) return Sent::later;
@@ -71,8 +84,10 @@ void Outbox::flush() {
     for (auto client = backlogs_.begin(); client != backlogs_.end();) {
         Backlog& kept = client->second;
         Sent sent = Sent::yes;
-        while (!kept.answers.empty() && (sent = try_send(kept.answers.front())) == Sent::yes) {
+        while (!kept.answers.empty()) {
             const std::size_t bytes = bytes_of(kept.answers.front());
+            sent = try_send(kept.answers.front());
+            if (sent != Sent::yes) break;
             kept.bytes -= bytes;
             bytes_ -= bytes;
             kept.answers.pop_front();

@@ -34,7 +34,8 @@ class Outbox {
     };
     using Backlogs = std::map<std::string, Backlog>;  // by client identity
 
-    Sent try_send(const Answer& answer);
+    /// Takes what it sends; of an answer for later nothing.
+    Sent try_send(Answer& answer);
     void keep(Answer answer);
     Backlogs::iterator drop(Backlogs::iterator client);
 
