@@ -96,6 +96,8 @@ SAME = [
     ("ic.list.result", "tables", "StoredIc", "StoredIc"),
     ("ic.list.result", "quarantined", "QuarantinedIc", "QuarantinedIc"),
     ("job.list.result", "jobs", "Job", "Job"),
+    ("solves.recent.result", "solves", "RecentSolve", "RecentSolve"),
+    ("solves.pressures.result", "patches", "RecentPatch", "RecentPatch"),
     ("progress", "progress", "Progress", "Progress"),
     ("server.info.result", "", "ServerInfo", "ServerInfo"),
     ("server.info.result", "limits", "ServerLimits", "Limits"),

@@ -49,6 +49,8 @@ def test_every_parameter_is_described(document):
         ("server.describe", None),
         ("server.metrics", None),
         ("job.list", None),
+        ("server.config", None),
+        ("solves.recent", None),
         ("ic.get", TABLE),
         ("ic.get", {**TABLE, "components": ["zz"]}),
         ("ic.export", {**TABLE, "format": "hdf5"}),
@@ -69,6 +71,26 @@ def test_every_parameter_is_described(document):
 def test_every_answer_is_as_described(peer, method, params, arrays):
     # The suite holds each message that came against the description when it ends.
     assert peer.ask(method, params, arrays=arrays).code == OK
+
+
+@pytest.mark.parametrize("arrays", ["frame", "list"])
+def test_the_last_solve_and_its_pressures_are_as_described(peer, arrays):
+    solved = peer.ask("contact.solve", SOLVE)
+    last = peer.ask("solves.recent").result["solves"][0]
+    assert (last["method"], last["id"]) == ("contact.solve", solved.id)
+    assert last["pmax"] == solved.result["pmax"]
+    reply = peer.ask("solves.pressures", {"number": last["number"]}, arrays=arrays)
+    assert reply.code == OK
+    assert len(reply.result["patches"]) == 1
+
+
+def test_tables_of_the_store_come_with_evidence(peer):
+    assert peer.ask("ic.list", {"evidence": True}).code == OK
+
+
+def test_a_solve_that_is_not_kept_is_not_found(peer):
+    reply = peer.ask("solves.pressures", {"number": 999_999})
+    assert (reply.code, reply.reason) == (NOT_FOUND, "SOLVE_UNKNOWN")
 
 
 def test_a_job_that_does_not_exist_is_not_found(peer):

@@ -7,8 +7,8 @@ import zmq
 import zmq.auth
 
 from conformance.queues import line_up
-from conformance.requests import ENDLESS, STRESS
-from conformance.wire import OK, RESOURCE_EXHAUSTED, UNAUTHENTICATED, Daemon, Keys
+from conformance.requests import ENDLESS, SOLVE, STRESS
+from conformance.wire import NOT_FOUND, OK, RESOURCE_EXHAUSTED, UNAUTHENTICATED, Daemon, Keys
 
 
 def test_a_user_who_asks_too_often_is_told_when_to_ask_again(start):
@@ -64,6 +64,19 @@ def test_a_revoked_key_ends_what_is_open_and_what_comes_after(guarded):
         reply = alice.ask("server.health")
         assert (reply.code, reply.reason) == (UNAUTHENTICATED, "KEY_REVOKED")
         assert bob.ask("server.health").code == OK
+
+
+def test_nobody_is_told_of_the_solves_of_others(guarded):
+    daemon, _, users = guarded
+    with daemon.peer(keys=users["alice"]) as alice, daemon.peer(keys=users["bob"]) as bob:
+        assert alice.ask("contact.solve", SOLVE).code == OK
+        (own,) = alice.ask("solves.recent").result["solves"]
+        assert alice.ask("solves.pressures", {"number": own["number"]}).code == OK
+        assert bob.ask("solves.recent").result["solves"] == []
+        refused = bob.ask("solves.pressures", {"number": own["number"]})
+        assert (refused.code, refused.reason) == (NOT_FOUND, "SOLVE_UNKNOWN")
+        with daemon.peer(keys=users["alice"]) as again:
+            assert again.ask("solves.recent").result["solves"] == [own]
 
 
 def test_users_take_turns_however_many_sockets_they_have(guarded):

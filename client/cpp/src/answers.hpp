@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "contactd/client/server_info.hpp"
+#include "contactd/proto/codec.hpp"
+#include "contactd/proto/grid.hpp"
 
 namespace contactd::client {
 
@@ -22,8 +24,44 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(MetricSample, labels, value, cou
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Metric, name, type, help, samples)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionSummary, age_seconds, idle_seconds, lease_seconds, step, states, bytes,
                                    elements)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StoredIc, key, nx, ny, bytes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(QuarantinedIc, key, nx, ny, failures, message, seconds)
+
+inline void from_json(const nlohmann::json& source, StoredIc& table) {
+    source["key"].get_to(table.key);
+    source["nx"].get_to(table.nx);
+    source["ny"].get_to(table.ny);
+    source["bytes"].get_to(table.bytes);
+    if (source.contains("evidence")) table.evidence = proto::decode_evidence(source["evidence"]);
+}
+
+inline void from_json(const nlohmann::json& source, RecentSolve& solve) {
+    source["number"].get_to(solve.number);
+    source["method"].get_to(solve.method);
+    source["id"].get_to(solve.id);
+    source["at"].get_to(solve.at);
+    source["seconds"].get_to(solve.seconds);
+    if (source.contains("grid")) solve.grid = proto::decode_grid(source["grid"]);
+    source["elements"].get_to(solve.elements);
+    source["patches"].get_to(solve.patches);
+    source["converged"].get_to(solve.converged);
+    source["iterations"].get_to(solve.iterations);
+    source["residual"].get_to(solve.residual);
+    source["forces"].get_to(solve.forces);
+    source["pmax"].get_to(solve.pmax);
+    source["has_pressures"].get_to(solve.has_pressures);
+}
+
+/// Throws StatusError for arrays that do not fit their grids.
+inline std::vector<RecentPatch> read_patches(const nlohmann::json& source, const std::vector<std::string>& frames) {
+    std::vector<RecentPatch> patches;
+    for (const nlohmann::json& patch : source) {
+        const Grid grid = proto::decode_grid(patch["grid"]);
+        const std::vector<std::size_t> shape{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
+        patches.push_back({grid, proto::read_array(patch["pressure"], frames, shape, "pressure"),
+                           proto::read_byte_array(patch["element_division"], frames, shape, "element_division")});
+    }
+    return patches;
+}
 
 inline void from_json(const nlohmann::json& source, Job& job) {
     source["job"].get_to(job.job);

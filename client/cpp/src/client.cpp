@@ -62,6 +62,10 @@ std::vector<Metric> Client::metrics(const CallOptions& options) {
     return impl_->quick("server.metrics", options)["metrics"].get<std::vector<Metric>>();
 }
 
+std::string Client::config(const CallOptions& options) {
+    return impl_->quick("server.config", options)["config"].dump();
+}
+
 IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
     validate(spec);
     const json params = proto::encode_ic_spec(spec);
@@ -90,9 +94,10 @@ IcImport Client::import_ic(std::string_view file, const CallOptions& options) {
     return decoded([&] { return proto::decode_import_reply(reply.result); });
 }
 
-std::vector<StoredIc> Client::stored_ics(const CallOptions& options) {
+std::vector<StoredIc> Client::stored_ics(const CallOptions& options, bool evidence) {
     std::vector<StoredIc> tables;
     json page, params = json::object();
+    if (evidence) params = {{"evidence", true}, {"limit", 100}};
     do {
         page = impl_->quick("ic.list", options, params);
         for (const json& table : page["tables"]) tables.push_back(table.get<StoredIc>());
@@ -200,6 +205,15 @@ SubsurfaceReply Client::subsurface(const SubsurfaceRequest& request, const CallO
 
 std::vector<SessionSummary> Client::sessions(const CallOptions& options) {
     return impl_->quick("session.list", options)["sessions"].get<std::vector<SessionSummary>>();
+}
+
+std::vector<RecentSolve> Client::recent_solves(const CallOptions& options) {
+    return impl_->quick("solves.recent", options)["solves"].get<std::vector<RecentSolve>>();
+}
+
+std::vector<RecentPatch> Client::recent_pressures(std::int64_t number, const CallOptions& options) {
+    const Reply reply = impl_->call("solves.pressures", {{"number", number}}, {}, options);
+    return decoded([&] { return read_patches(reply.result["patches"], reply.frames); });
 }
 
 std::vector<Job> Client::jobs(const CallOptions& options) {

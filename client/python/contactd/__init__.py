@@ -54,6 +54,7 @@ from .materials import Layer, LayeredBody, Material, RigidBody
 from .partial import PartialSolution
 from .plain_values import from_dict, to_dict
 from .problem import ContactColumns, ContactProblem, Estimate, SolverSettings
+from .recent import RecentPatch, RecentSolve
 from .saving import load, save
 from .session import SavedState, Session, SessionSummary
 from .solution import (
@@ -119,6 +120,8 @@ __all__ = [
     "Progress",
     "ProtocolError",
     "QuarantinedIc",
+    "RecentPatch",
+    "RecentSolve",
     "ResourceExhausted",
     "RigidBody",
     "Rolling",

@@ -143,13 +143,16 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         """Whether close() was called."""
         return self._is_closed
 
-    async def stored_ics(self, *, timeout: float | None = None) -> AsyncIterator[StoredIc]:
-        """The tables in the daemon's store, by name; asked for a thousand at a time: ``async for``."""
-        tables, after = await self._run(self.stored_asked(None, timeout))
+    async def stored_ics(self, *, evidence: bool = False, timeout: float | None = None) -> AsyncIterator[StoredIc]:
+        """The tables in the daemon's store, by name; asked for a thousand at a time: ``async for``.
+
+        With `evidence` each says how it was made, which takes its file to be read: asked for a hundred at a time.
+        """
+        tables, after = await self._run(self.stored_asked(None, evidence, timeout))
         for table in tables:
             yield table
         while after is not None:
-            tables, after = await self._run(self.stored_asked(after, timeout))
+            tables, after = await self._run(self.stored_asked(after, evidence, timeout))
             for table in tables:
                 yield table
 

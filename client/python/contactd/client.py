@@ -108,12 +108,15 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         """Whether close() was called."""
         return self._connections.is_closed
 
-    def stored_ics(self, *, timeout: float | None = None) -> Iterator[StoredIc]:
-        """The tables in the daemon's store, by name; asked for a thousand at a time."""
-        tables, after = self._run(self.stored_asked(None, timeout))
+    def stored_ics(self, *, evidence: bool = False, timeout: float | None = None) -> Iterator[StoredIc]:
+        """The tables in the daemon's store, by name; asked for a thousand at a time.
+
+        With `evidence` each says how it was made, which takes its file to be read: asked for a hundred at a time.
+        """
+        tables, after = self._run(self.stored_asked(None, evidence, timeout))
         yield from tables
         while after is not None:
-            tables, after = self._run(self.stored_asked(after, timeout))
+            tables, after = self._run(self.stored_asked(after, evidence, timeout))
             yield from tables
 
     @overload

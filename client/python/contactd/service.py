@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from .ic_table import IcEvidence
+
 __all__ = [
     "Job",
     "Limits",
@@ -138,12 +140,14 @@ class StoredIc:
         nx: Offsets along x.
         ny: Offsets along y.
         bytes: Size of its file.
+        evidence: How it was made, where that was asked for and its file can be read; else None.
     """
 
     key: str
     nx: int
     ny: int
     bytes: int
+    evidence: IcEvidence | None = None
 
 
 @dataclass(frozen=True)

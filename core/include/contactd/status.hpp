@@ -58,6 +58,7 @@ inline constexpr std::string_view request_unknown = "REQUEST_UNKNOWN";
 inline constexpr std::string_view answer_too_large = "ANSWER_TOO_LARGE";
 inline constexpr std::string_view deadline_passed = "DEADLINE_PASSED";
 inline constexpr std::string_view job_unknown = "JOB_UNKNOWN";
+inline constexpr std::string_view solve_unknown = "SOLVE_UNKNOWN";
 inline constexpr std::string_view session_unknown = "SESSION_UNKNOWN";
 inline constexpr std::string_view session_expired = "SESSION_EXPIRED";
 inline constexpr std::string_view session_limit = "SESSION_LIMIT";

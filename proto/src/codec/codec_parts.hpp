@@ -16,6 +16,7 @@
 #include "contactd/ic_table.hpp"
 #include "contactd/material.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/grid.hpp"
 
 namespace contactd::proto {
 
@@ -62,11 +63,8 @@ ContactColumns decode_columns(const nlohmann::json& source, const std::vector<st
 nlohmann::json encode_resultant(const Resultant& resultant);
 Resultant decode_resultant(const nlohmann::json& source);
 
-nlohmann::json encode_grid(const Grid& grid);
-/// Throws StatusError naming the field, before anything of the grid's size is allocated.
 /// nx or ny of a grid. Throws StatusError when no grid has so many elements.
 int decode_count(const nlohmann::json& grid, const char* name);
-Grid decode_grid(const nlohmann::json& json);
 
 /// The shape that an array, which has passed its schema, claims to have; of a nested list, by the first entry at each
 /// depth, down to `most_axes`.

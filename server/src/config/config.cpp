@@ -109,6 +109,7 @@ Config config_from_json(const json& given) {
     const json& sessions = all["sessions"];
     config.sessions = {sessions["max_sessions"], sessions["max_bytes"], sessions["max_states"],
                        sessions["lease_seconds"], sessions["max_lease_seconds"]};
+    config.recent_solves = {all["recent_solves"]["count"], all["recent_solves"]["max_bytes"]};
     config.log = {all["log"]["level"], all["log"]["format"], all["log"]["file"].get<std::string>()};
     config.http = {all["http"]["address"]};
     config.shutdown = {all["shutdown"]["drain_seconds"]};
@@ -180,9 +181,21 @@ json to_json(const Config& config) {
               {"max_states", config.sessions.max_states},
               {"lease_seconds", config.sessions.lease_seconds},
               {"max_lease_seconds", config.sessions.max_lease_seconds}}},
+            {"recent_solves", {{"count", config.recent_solves.count}, {"max_bytes", config.recent_solves.max_bytes}}},
             {"log", {{"level", config.log.level}, {"format", config.log.format}, {"file", config.log.file.string()}}},
             {"http", {{"address", config.http.address}}},
             {"shutdown", {{"drain_seconds", config.shutdown.drain_seconds}}}};
+}
+
+json public_part(const Config& config) {
+    json all = to_json(config);
+    for (const char* secret : {"/endpoint", "/security/curve", "/store/folder", "/builds/launcher", "/builds/program",
+                               "/builds/environment", "/log/file", "/http"}) {
+        const json::json_pointer place(secret);
+        all.at(place.parent_pointer()).erase(place.back());
+    }
+    all["security"]["encrypted"] = !config.security.curve.secret_key_file.empty();
+    return all;
 }
 
 }  // namespace contactd::server

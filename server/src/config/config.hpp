@@ -22,6 +22,12 @@ struct SessionLimits {
     double max_lease_seconds;
 };
 
+/// What is kept of the last solves.
+struct RecentSolvesLimits {
+    std::size_t count;      ///< solves; 0: none
+    std::size_t max_bytes;  ///< of the pressures of all together; the oldest go first
+};
+
 /// Field by field as in configs/schema.json, where every default stands too.
 struct Config {
     std::string endpoint;
@@ -65,6 +71,7 @@ struct Config {
     std::size_t max_queue_per_client;
     std::size_t max_queue_bytes;
     SessionLimits sessions;
+    RecentSolvesLimits recent_solves;
     struct {
         std::string level;
         std::string format;
@@ -86,5 +93,7 @@ Config config_from_file(const std::filesystem::path& path, const nlohmann::json&
 
 /// The configuration with its defaults filled in, as config_from_json reads it.
 nlohmann::json to_json(const Config& config);
+/// The same for those who use the daemon: without what names files, programs, variables and addresses.
+nlohmann::json public_part(const Config& config);
 
 }  // namespace contactd::server

@@ -25,10 +25,11 @@ struct DaemonParts {
     engine::IcService& ics;  ///< of the engine, as jobs
     engine::JobTable& jobs;
     SessionTable& sessions;
+    RecentSolves& recent_solves;
     WorkerPool& workers;
     const Call::Clock::time_point started = Call::Clock::now();
 
-    SolveTools solve_tools() const { return {engine, workers}; }
+    SolveTools solve_tools() const { return {engine, workers, recent_solves}; }
     /// Of an answer that goes out. One thread at a time.
     void note(const Answer& answer) const {
         if (answer.status != "OK") ++counters.requests_failed;

@@ -2,15 +2,29 @@
 
 #include <algorithm>
 
+#include "contactd/proto/codec.hpp"
+
 namespace contactd::server {
 
 using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t most_with_evidence = 100;  // of one answer: each takes a file to be read
+
 /// Whole names, so that a page may end between two extents of one key.
 std::string name_of(const StoredTable& table) {
     return table.path.stem().string();
+}
+
+json to_json(const StoredTable& table, bool with_evidence) {
+    json entry{{"key", table.key}, {"nx", table.nx}, {"ny", table.ny}, {"bytes", table.bytes}};
+    if (with_evidence) try {
+            entry["evidence"] = proto::encode_evidence(read_ic_file(table.path).evidence);
+        } catch (const StoreError&) {
+            // Damaged, or gone meanwhile: whoever wants the table will hear of it.
+        }
+    return entry;
 }
 
 json to_json(const engine::BuildQuarantine::Entry& entry) {
@@ -29,7 +43,9 @@ void list_tables(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     const json& params = call->request.params;
     const std::string after = params.value("after", "");
-    const auto limit = params.value("limit", std::size_t(1000));
+    const bool with_evidence = params.value("evidence", false);
+    std::size_t limit = params.value("limit", std::size_t(1000));
+    if (with_evidence) limit = std::min(limit, most_with_evidence);
     const std::vector<StoredTable> tables = parts.ics.store().list();
     json result{{"tables", json::array()}, {"count", tables.size()}, {"bytes", 0}, {"quarantined", json::array()}};
     std::uintmax_t bytes = 0;
@@ -41,7 +57,9 @@ void list_tables(const CallPtr& call, const DaemonParts& parts) {
             result["next"] = last;
             continue;
         }
-        result["tables"].push_back({{"key", table.key}, {"nx", table.nx}, {"ny", table.ny}, {"bytes", table.bytes}});
+        call->check_deadline();
+        if (call->answered()) return;
+        result["tables"].push_back(to_json(table, with_evidence));
         last = name_of(table);
     }
     result["bytes"] = bytes;

@@ -76,6 +76,10 @@ void watch(const CallPtr& call, const DaemonParts& parts) {
     parts.health.watch(call);
 }
 
+void config(const CallPtr& call, const DaemonParts& parts) {
+    call->succeed({{"config", public_part(parts.config)}});
+}
+
 }  // namespace
 
 void add_server_methods(MethodTable& methods) {
@@ -83,6 +87,7 @@ void add_server_methods(MethodTable& methods) {
     methods.add({.name = "server.health", .is_quick = true, .handle = health});
     methods.add({.name = "server.describe", .is_quick = true, .handle = describe});
     methods.add({.name = "server.metrics", .is_quick = true, .handle = metrics});
+    methods.add({.name = "server.config", .is_quick = true, .handle = config});
     methods.add({.name = "health.watch", .is_quick = true, .counts = true, .handle = watch});
 }
 

@@ -86,9 +86,9 @@ void step(const CallPtr& call, const DaemonParts& parts) {
         job->end();
         return call->succeed(answer.result, answer.frames);
     };
-    session->step(
-        {call->request.params, call, job, [&](const JobProgress& p) { reporter.report(p); }, check_rest, send},
-        parts.engine);
+    session->step({call->request.params, call, job, [&](const JobProgress& p) { reporter.report(p); }, check_rest, send,
+                   parts.recent_solves},
+                  parts.engine);
 }
 
 bool is_small_step(const CallPtr& call, const DaemonParts& parts) {

@@ -57,9 +57,14 @@ proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
     };
     try {
         if (!batch.sessions[index]) throw session_unknown();
-        batch.sessions[index]->step(
-            {batch.params(index), batch.call, job, [&](const JobProgress& p) { job->set_progress(p); }, {}, send},
-            batch.parts.engine);
+        batch.sessions[index]->step({batch.params(index),
+                                     batch.call,
+                                     job,
+                                     [&](const JobProgress& p) { job->set_progress(p); },
+                                     {},
+                                     send,
+                                     batch.parts.recent_solves},
+                                    batch.parts.engine);
     } catch (const std::exception& error) {
         result = status_of(error);
     }

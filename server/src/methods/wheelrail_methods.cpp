@@ -56,7 +56,9 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     const WheelRailState state = proto::decode_wheel_rail_state(params.at("state"));
     ++parts.counters.solves;
     WorkOnCall work(call, parts);
+    const auto begun = RecentSolves::Clock::now();
     const WheelRailSolution solution = parts.engine.solve(setup, state, work.observer());
+    parts.recent_solves.add(*call, begun, solution);
     proto::ArrayWriter arrays(call->request.arrays);
     const nlohmann::json result =
         proto::encode_wheel_rail_solution(solution, proto::decode_patch_fields(params), arrays);
@@ -69,7 +71,9 @@ void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {
     const WheelsetState state = proto::decode_wheelset_state(request.params.at("state"));
     ++parts.counters.solves;
     WorkOnCall work(call, parts);
+    const auto begun = RecentSolves::Clock::now();
     const WheelsetSolution solution = parts.engine.solve(setup, state, work.observer());
+    parts.recent_solves.add(*call, begun, solution);
     proto::ArrayWriter arrays(request.arrays);
     const nlohmann::json result =
         proto::encode_wheelset_solution(solution, proto::decode_patch_fields(request.params), arrays);

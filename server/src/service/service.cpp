@@ -47,8 +47,9 @@ Service::Service(const Config& config, Host host)
       request_metrics_(methods_.names()),
       engine_(engine_settings(config, host_)),
       sessions_(config.sessions),
-      parts_{config,           host_,          open_calls_, counters_, request_metrics_, health_, engine_,
-             engine_.tables(), engine_.jobs(), sessions_,   workers_},
+      recent_solves_(config.recent_solves),
+      parts_{config,           host_,          open_calls_, counters_,      request_metrics_, health_, engine_,
+             engine_.tables(), engine_.jobs(), sessions_,   recent_solves_, workers_},
       workers_(config.workers, config.spin) {
     engine::count_store(engine_.counters(), config.store.folder);
     for (const std::string& problem : building_problems(config)) engine::Log(host_.log).warn(problem);

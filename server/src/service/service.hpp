@@ -55,6 +55,7 @@ class Service {
     std::atomic<bool> stopping_ = false;
     engine::Engine engine_;
     SessionTable sessions_;
+    RecentSolves recent_solves_;
     const DaemonParts parts_;
     WorkerPool workers_;  // last: its threads use everything above
 };

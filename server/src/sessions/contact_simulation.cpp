@@ -29,7 +29,9 @@ class ContactSimulation final : public Simulation {
             proto::apply_step(request.params, request.call->request.frames, last, problem);
             if (request.check_rest) request.check_rest();
         };
+        const auto begun = RecentSolves::Clock::now();
         ContactSolution solution = engine.solve(*steps_, before, statement, observer);
+        request.recent.add(*request.call, begun, solution, opened().grid);
         nlohmann::json result = proto::encode_step_reply(before.step + 1, solution, opened().grid,
                                                          proto::decode_fields(request.params, {}), arrays);
         return {std::move(result), engine::ContactSteps::after(before, std::move(solution))};

@@ -10,6 +10,7 @@
 #include "contactd/proto/session.hpp"
 #include "engine/engine.hpp"
 #include "jobs/job_reports.hpp"
+#include "solves/recent_solves.hpp"
 
 namespace contactd::server {
 
@@ -28,6 +29,7 @@ struct StepRequest {
     std::function<void(const JobProgress&)> report;
     std::function<void()> check_rest;             ///< of the request, once the step's own fields have been read
     std::function<bool(const StepAnswer&)> send;  ///< false when nobody wants the answer any more
+    RecentSolves& recent;
 };
 
 /// Used in the turns of its session only, but for what is const.

@@ -31,8 +31,10 @@ class WheelRailSimulation final : public Simulation {
         if (request.check_rest) request.check_rest();
         const WheelRailStepInput input = proto::decode_wheel_rail_step(request.params);
         Solved solved;
+        const auto begun = RecentSolves::Clock::now();
         const WheelRailSolution solution =
             below_wheel_rail([&] { return engine.solve(*steps_, before, input, solved.after, observer); });
+        request.recent.add(*request.call, begun, solution);
         solved.result = proto::encode_step_reply(before.step + 1, solution, {input.fields, input.gap}, arrays);
         return solved;
     }

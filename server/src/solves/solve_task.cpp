@@ -15,6 +15,7 @@ using engine::IcAnswers;
 struct Solve {
     SolveTask task;
     engine::Engine& engine;
+    RecentSolves& recent;
     IcAnswers ics;
 };
 using SolvePtr = std::shared_ptr<Solve>;
@@ -25,7 +26,10 @@ void solve(const SolvePtr& work) {
         JobObserver observer(task.call, task.job, task.progress);
         observer.throw_if_cancelled();
         task.job->set_running();
-        task.done(work->engine.solve(task.problem, work->ics, observer));
+        const auto begun = RecentSolves::Clock::now();
+        const SolveReply reply = work->engine.solve(task.problem, work->ics, observer);
+        work->recent.add(*task.call, begun, reply.solution, task.problem.grid);
+        task.done(reply);
     } catch (const std::exception& error) {
         task.failed(status_of(error));
     }
@@ -34,7 +38,7 @@ void solve(const SolvePtr& work) {
 }  // namespace
 
 void start(const SolveTools& tools, SolveTask task) {
-    const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.engine, {}});
+    const auto work = std::make_shared<Solve>(Solve{std::move(task), tools.engine, tools.recent, {}});
     // A worker that finds the tables at hand goes on by itself: another one would have to wake up first.
     const auto caller = work->task.in_caller ? std::this_thread::get_id() : std::thread::id();
     const auto queue = [work, caller, &workers = tools.workers] {

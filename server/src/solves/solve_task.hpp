@@ -8,6 +8,7 @@
 #include "contactd/solve_reply.hpp"
 #include "engine/engine.hpp"
 #include "jobs/call.hpp"
+#include "recent_solves.hpp"
 
 namespace contactd::server {
 
@@ -15,6 +16,7 @@ namespace contactd::server {
 struct SolveTools {
     engine::Engine& engine;
     WorkerPool& workers;
+    RecentSolves& recent;
 };
 
 struct SolveTask {

@@ -220,6 +220,42 @@ TEST_CASE("What the daemon says of itself is read", "[client]") {
         CHECK(sessions[0].step == 7);
         CHECK(sessions[0].elements == 1600);
     }
+    SECTION("its last solves") {
+        answer = example("solves.recent.result");
+        answer["solves"].push_back(answer["solves"][0]);
+        answer["solves"][1].erase("grid");
+        const std::vector<RecentSolve> solves = client.recent_solves();
+        REQUIRE(solves.size() == 2);
+        CHECK(solves[0].number == 17);
+        CHECK(solves[0].method == "contact.solve");
+        CHECK(solves[0].grid == Grid::centred(40, 40, 0.06, 0.06));
+        CHECK(solves[0].forces == std::array{3.1, 0.0, 10.5});
+        CHECK(solves[0].has_pressures);
+        CHECK_FALSE(solves[1].grid);
+    }
+    SECTION("the pressures of a solve") {
+        answer = example("solves.pressures.result");
+        const std::vector<RecentPatch> patches = client.recent_pressures(17);
+        REQUIRE(patches.size() == 1);
+        CHECK(patches[0].grid.nx == 2);
+        CHECK(patches[0].pressure == std::vector{5.25, 0.0});
+        CHECK(patches[0].element_division == std::vector<unsigned char>{1, 0});
+        CHECK(params == json{{"number", 17}});
+    }
+    SECTION("its configuration") {
+        answer = example("server.config.result");
+        CHECK(json::parse(client.config()) == answer["config"]);
+    }
+    SECTION("tables with their evidence") {
+        answer = example("ic.list.result");
+        answer["tables"].push_back(answer["tables"][0]);
+        answer["tables"][1]["evidence"] = {{"source", "fem"}, {"version", "contactd 0.1.0"}};
+        const std::vector<StoredIc> tables = client.stored_ics({}, true);
+        REQUIRE(tables.size() == 2);
+        CHECK_FALSE(tables[0].evidence);
+        CHECK(tables[1].evidence->version == "contactd 0.1.0");
+        CHECK(params == json{{"evidence", true}, {"limit", 100}});
+    }
     SECTION("its jobs") {
         answer = example("job.list.result");
         answer["jobs"].push_back(answer["jobs"][0]);

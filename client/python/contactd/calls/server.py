@@ -7,15 +7,16 @@ from typing import Any
 
 from ..errors import ProtocolError
 from ..reading import read
+from ..recent import RecentPatch, RecentSolve
 from ..solution import Job, Progress, ServerInfo
 from .asking import Answering, asks
-from .caller import Caller
+from .caller import Caller, check_shapes
 
 __all__ = ["ServerCalls"]
 
 
 class ServerCalls(Caller):
-    """The methods server.*, health.* and job.* of the daemon."""
+    """The methods server.*, health.*, job.* and solves.* of the daemon."""
 
     @asks
     def info(self, *, timeout: float | None = None) -> Answering[ServerInfo]:
@@ -65,6 +66,15 @@ class ServerCalls(Caller):
         return (yield from self.asked("server.describe", timeout=timeout))
 
     @asks
+    def config(self, *, timeout: float | None = None) -> Answering[dict[str, Any]]:
+        """The configuration of the daemon (docs/configuration.md) with its defaults, but for secrets and what names
+        files, programs, variables and addresses."""
+        config = (yield from self.asked("server.config", timeout=timeout)).get("config")
+        if not isinstance(config, dict):
+            raise ProtocolError("The answer to server.config lacks the configuration.")
+        return config
+
+    @asks
     def jobs(self, *, timeout: float | None = None) -> Answering[tuple[Job, ...]]:
         """Work that waits or runs."""
         jobs = (yield from self.asked("job.list", timeout=timeout)).get("jobs")
@@ -76,3 +86,26 @@ class ServerCalls(Caller):
     def cancel_job(self, job: str, *, timeout: float | None = None) -> Answering[None]:
         """Ends a job; every call that waits for it raises Cancelled."""
         yield from self.asked("job.cancel", {"job": job}, timeout=timeout)
+
+    @asks
+    def recent_solves(self, *, timeout: float | None = None) -> Answering[tuple[RecentSolve, ...]]:
+        """The last solves of the same user, the latest first: a user is a key or, without keys, an address or, over ipc,
+        a user of the machine. The daemon's `recent_solves` bounds how many it keeps of all users."""
+        solves = (yield from self.asked("solves.recent", timeout=timeout)).get("solves")
+        if not isinstance(solves, list):
+            raise ProtocolError("The answer to solves.recent lacks its solves.")
+        return tuple(read(RecentSolve, solve, f"result.solves[{i}]") for i, solve in enumerate(solves))
+
+    @asks
+    def recent_pressures(self, number: int, *, timeout: float | None = None) -> Answering[tuple[RecentPatch, ...]]:
+        """The pressures of one of recent_solves, whose number it is: of each of its grids.
+
+        Raises NotFound when the daemon has them not, or not any more.
+        """
+        patches = (yield from self.asked("solves.pressures", {"number": number}, timeout=timeout)).get("patches")
+        if not isinstance(patches, list):
+            raise ProtocolError("The answer to solves.pressures lacks its patches.")
+        found = tuple(read(RecentPatch, patch, f"result.patches[{i}]") for i, patch in enumerate(patches))
+        for patch in found:
+            check_shapes(patch, ["pressure", "element_division"], (patch.grid.ny, patch.grid.nx))
+        return found

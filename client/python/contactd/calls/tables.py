@@ -99,9 +99,13 @@ class TableCalls(Caller):
             raise TypeError(f"file is {file!r}; it must be the bytes of a file, such as Path(name).read_bytes()")
         return read(ImportedIc, (yield from self.asked("ic.import", {"file": bytes(file)}, timeout=timeout)))
 
-    def stored_asked(self, after: str | None, timeout: float | None) -> Answering[tuple[list[StoredIc], str | None]]:
+    def stored_asked(
+        self, after: str | None, evidence: bool, timeout: float | None
+    ) -> Answering[tuple[list[StoredIc], str | None]]:
         """A thousand tables of the store that follow `after`, and what the next ones follow; None: there are none."""
-        params = {} if after is None else {"after": after}
+        params: dict[str, Any] = {} if after is None else {"after": after}
+        if evidence:
+            params |= {"evidence": True, "limit": 100}
         result = yield from self.asked("ic.list", params, timeout=timeout)
         tables = result.get("tables")
         if not isinstance(tables, list):

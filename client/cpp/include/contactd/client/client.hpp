@@ -92,6 +92,9 @@ class Client {
     std::string describe(const CallOptions& options = {});
     /// What is measured of the daemon.
     std::vector<Metric> metrics(const CallOptions& options = {});
+    /// The configuration of the daemon but for secrets and what names files, programs, variables and addresses, JSON as
+    /// text.
+    std::string config(const CallOptions& options = {});
 
     /// The influence coefficients of one body in mm^3/N. Waits for a build when the daemon has no such table. One that
     /// is too large for a message comes in several, each with the same timeout.
@@ -107,8 +110,9 @@ class Client {
     /// form.
     IcImport import_ic(std::string_view file, const CallOptions& options = {});
 
-    /// The tables in the daemon's store, by name; asked for a thousand at a time.
-    std::vector<StoredIc> stored_ics(const CallOptions& options = {});
+    /// The tables in the daemon's store, by name; asked for a thousand at a time. With `evidence` each says how it was
+    /// made, which takes its file to be read: asked for a hundred at a time.
+    std::vector<StoredIc> stored_ics(const CallOptions& options = {}, bool evidence = false);
     /// Tables whose builds failed too often, the latest first: requests for them throw StatusError
     /// (FAILED_PRECONDITION).
     std::vector<QuarantinedIc> quarantined_ics(const CallOptions& options = {});
@@ -161,6 +165,13 @@ class Client {
 
     /// The open sessions, oldest first.
     std::vector<SessionSummary> sessions(const CallOptions& options = {});
+
+    /// The last solves of the same user, the latest first: a user is a key or, without keys, an address or, over ipc, a
+    /// user of the machine.
+    std::vector<RecentSolve> recent_solves(const CallOptions& options = {});
+    /// The pressures of one of them, by its number: of each of its grids. Throws StatusError (NOT_FOUND) when the
+    /// daemon has them not, or not any more.
+    std::vector<RecentPatch> recent_pressures(std::int64_t number, const CallOptions& options = {});
 
     std::vector<Job> jobs(const CallOptions& options = {});
     /// Ends a job; everyone waiting for it gets CANCELLED. Throws StatusError (NOT_FOUND) when there is none.

@@ -1,12 +1,15 @@
 // What the daemon says of itself: names as docs/protocol.md has them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "contactd/grid.hpp"
+#include "contactd/ic_reply.hpp"
 #include "contactd/message_limits.hpp"
 
 namespace contactd::client {
@@ -108,9 +111,10 @@ struct SessionSummary {
 
 /// A table in the daemon's store.
 struct StoredIc {
-    std::string key;        ///< what delete_ic takes
-    int nx = 0, ny = 0;     ///< offsets along x and y
-    std::size_t bytes = 0;  ///< of its file
+    std::string key;                       ///< what delete_ic takes
+    int nx = 0, ny = 0;                    ///< offsets along x and y
+    std::size_t bytes = 0;                 ///< of its file
+    std::optional<IcEvidence> evidence{};  ///< how it was made, where that was asked for and its file can be read
 };
 
 /// A table whose builds failed too often; it and larger ones with its key are not tried again for now.
@@ -120,6 +124,32 @@ struct QuarantinedIc {
     int failures = 0;     ///< builds that failed
     std::string message;  ///< how the last one failed
     double seconds = 0;   ///< until it may be tried again
+};
+
+/// One of the last solves of the user who asks.
+struct RecentSolve {
+    std::int64_t number = 0;     ///< what recent_pressures takes; of all solves of all users since the daemon started
+    std::string method;          ///< by which it was asked for
+    std::string id;              ///< of the request
+    double at = 0;               ///< when it ended (s since 1970)
+    double seconds = 0;          ///< from its start to its end
+    std::optional<Grid> grid{};  ///< of a contact; not of wheels on rails
+    std::int64_t elements = 0;   ///< of its grid; of wheels on rails those of all patches
+    std::int64_t patches = 0;    ///< grids: one, and of wheels on rails as many as places of contact
+    bool converged = false;      ///< whether every solver reached its tolerance
+    int iterations = 0;          ///< of the normal and the tangential solvers together
+    double residual = 0;         ///< the largest figure that one of its solvers compared with its tolerance
+    std::array<double, 3>
+        forces{};     ///< Fx, Fy, Fn on the upper body; of wheels Fx, Fy, Fz on the rails, in track coordinates (N)
+    double pmax = 0;  ///< (N/mm^2)
+    bool has_pressures = false;  ///< whether recent_pressures has them
+};
+
+/// The pressures of one grid of a solve, rounded to single precision; arrays have shape [ny, nx].
+struct RecentPatch {
+    Grid grid;                                      ///< of wheels on rails in contact coordinates (mm)
+    std::vector<double> pressure{};                 ///< (N/mm^2)
+    std::vector<unsigned char> element_division{};  ///< 0 exterior, 1 adhesion, 2 slip
 };
 
 }  // namespace contactd::client

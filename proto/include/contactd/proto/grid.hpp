@@ -1,0 +1,15 @@
+// Grids as JSON: parts of many messages.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/grid.hpp"
+
+namespace contactd::proto {
+
+nlohmann::json encode_grid(const Grid& grid);
+/// Of an object that has passed its schema. Throws StatusError naming the field, before anything of the grid's size is
+/// allocated.
+Grid decode_grid(const nlohmann::json& json);
+
+}  // namespace contactd::proto
