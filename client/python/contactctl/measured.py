@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import time
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Reading", "difference"]
+__all__ = ["Reading", "difference", "quantile"]
 
 Labels = tuple[tuple[str, str], ...]
+_DURATION = "contactd_request_duration_seconds"
+#: Methods of those who look at the daemon, which are no work of its users.
+_LOOKS = {
+    "health.watch", "job.list", "server.config", "server.health", "server.info", "server.metrics", "session.list",
+    "solves.pressures", "solves.recent",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -19,11 +26,13 @@ class Reading:
         at: When it was taken (s, monotonic).
         values: Of counters and gauges.
         histograms: Count and sum.
+        buckets: Of histograms: upper bounds, and how many observations are not above them.
     """
 
     at: float
     values: dict[tuple[str, Labels], float] = field(default_factory=dict)
     histograms: dict[tuple[str, Labels], tuple[int, float]] = field(default_factory=dict)
+    buckets: dict[tuple[str, Labels], dict[float, int]] = field(default_factory=dict)
 
     @staticmethod
     def of(metrics: list[dict[str, Any]]) -> Reading:
@@ -36,6 +45,8 @@ class Reading:
                     reading.values[key] = sample["value"]
                 else:
                     reading.histograms[key] = sample["count"], sample["sum"]
+                    bounds = {bucket["le"]: bucket["count"] for bucket in sample["buckets"]}
+                    reading.buckets[key] = {**bounds, math.inf: sample["count"]}
         return reading
 
     def value(self, name: str, **labels: str) -> float:
@@ -78,11 +89,34 @@ def _methods(before: Reading, now: Reading, elapsed: float) -> dict[str, dict[st
     """Those that were asked for meanwhile, apart from the looking itself."""
     found = {}
     for key, (count, total) in now.histograms.items():
-        name, labels = key
-        method = dict(labels).get("method", "")
         earlier_count, earlier_total = before.histograms.get(key, (0, 0.0))
         new = count - earlier_count
-        if name != "contactd_request_duration_seconds" or new <= 0 or method in ("server.metrics", "job.list"):
-            continue
-        found[method] = {"per_second": new / elapsed, "mean_seconds": (total - earlier_total) / new}
+        if new > 0 and _is_work(key):
+            found[dict(key[1])["method"]] = {"per_second": new / elapsed, "mean_seconds": (total - earlier_total) / new}
     return dict(sorted(found.items()))
+
+
+def _is_work(key: tuple[str, Labels]) -> bool:
+    name, labels = key
+    return name == _DURATION and dict(labels)["method"] not in _LOOKS
+
+
+def quantile(before: Reading, now: Reading, part: float) -> float | None:
+    """The time (s) in which that part of the requests between the two was answered, all methods together but for the
+    looking itself; None when there were none. Between the bounds of the histogram it is interpolated, beyond the last one
+    it is that one."""
+    counts: dict[float, int] = {}
+    for key, buckets in now.buckets.items():
+        if _is_work(key):
+            earlier = before.buckets.get(key, {})
+            for bound, count in buckets.items():
+                counts[bound] = counts.get(bound, 0) + count - earlier.get(bound, 0)
+    wanted = part * counts.get(math.inf, 0)
+    if wanted <= 0:
+        return None
+    below, reached = 0.0, 0
+    for bound, count in sorted(counts.items()):
+        if count >= wanted:
+            return below if bound == math.inf else below + (bound - below) * (wanted - reached) / (count - reached)
+        below, reached = bound, count
+    return below

@@ -18,7 +18,7 @@ from unittest import mock
 import pytest
 
 from contactctl.app import run
-from integration.conftest import daemon, daemons, shared_daemon  # noqa: F401
+from integration.conftest import background, client, daemon, daemons, shared, shared_daemon  # noqa: F401
 from support.daemons import BIN
 from support.patience import SLOWER
 
@@ -135,6 +135,12 @@ def _interrupts() -> Iterator[None]:
 def ctl(shared_daemon: Any, tmp_path: Path) -> Ctl:  # noqa: F811
     """With the daemon of the file."""
     return _with_files(tmp_path, shared_daemon.endpoint)
+
+
+@pytest.fixture(scope="module")
+def shared_ctl(shared_daemon: Any, tmp_path_factory: pytest.TempPathFactory) -> Ctl:  # noqa: F811
+    """With the daemon of the file, for what a file starts once."""
+    return Ctl(tmp_path_factory.mktemp("shared"), shared_daemon.endpoint)
 
 
 @pytest.fixture

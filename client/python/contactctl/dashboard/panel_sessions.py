@@ -1,0 +1,34 @@
+"""The open sessions."""
+
+from __future__ import annotations
+
+from nicegui import ui
+
+from ..output import size, span
+from .panel import Panel, column, table
+from .view import View
+from .watcher import Watcher
+
+__all__ = ["SessionsPanel"]
+
+_COLUMNS = (column("age", "open for"), column("idle", "idle for"), column("lease", "lease"), column("step", "step"),
+            column("states", "saved states"), column("elements", "elements"), column("bytes", "memory"))  # fmt: skip
+
+
+class SessionsPanel(Panel):
+    """A line each. Their names, which are the keys to them, are told to nobody."""
+
+    def __init__(self, watcher: Watcher) -> None:
+        super().__init__(watcher)
+        self._table = table(_COLUMNS, "number", "No session is open.")
+        ui.label("The name of a session is the key to it and is not shown.").classes("text-gray-600 text-sm")
+
+    async def show(self, view: View) -> None:
+        self._table.rows = [
+            {
+                "number": number, "age": span(session.age_seconds), "idle": span(session.idle_seconds),
+                "lease": span(session.lease_seconds), "step": session.step, "states": session.states,
+                "elements": session.elements, "bytes": size(session.bytes),
+            }
+            for number, session in enumerate(view.sessions)
+        ]  # fmt: skip

@@ -1,0 +1,218 @@
+"""The page of contactctl dashboard, in a headless Chromium. Left out where NiceGUI could not be had from PyPI."""
+
+import os
+import re
+import signal
+import socket
+import urllib.error
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+from support.browser import PROGRAM, Browser
+from support.daemons import eventually
+from support.patience import SLOWER
+from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
+
+PACKAGES = [*Path(os.environ.get("CONTACTD_DASHBOARD", "/nowhere")).glob("lib/python3*/site-packages")]
+
+pytestmark = [
+    pytest.mark.skipif(not PACKAGES, reason="NiceGUI could not be had from PyPI"),
+    pytest.mark.skipif(PROGRAM is None, reason="there is no Chromium"),
+    pytest.mark.timeout(120 * SLOWER),
+]
+
+
+def with_packages(ctl):
+    """In front of Debian's own, which are older."""
+    ctl.environment["PYTHONPATH"] = f"{PACKAGES[0]}{os.pathsep}{ctl.environment['PYTHONPATH']}"
+    return ctl
+
+
+class Dashboard:
+    """A running one."""
+
+    def __init__(self, ctl, *words):
+        self.process = with_packages(ctl).start("dashboard", "--port", "0", "--interval", "0.2", *words)
+        self.link = self.process.stdout.readline().strip()
+        assert self.link, self.process.stderr.read()
+
+    def end(self):
+        """Its exit code, after Ctrl-C, and what it has said."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        _, said = self.process.communicate(timeout=30 * SLOWER)
+        return self.process.returncode, said
+
+
+@pytest.fixture(scope="module")
+def dashboard(shared_ctl):
+    """Of the daemon that the tests of this file share."""
+    made = Dashboard(shared_ctl)
+    yield made
+    assert made.end() == (130, "")
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    with Browser(tmp_path_factory.mktemp("browser")) as driven:
+        yield driven
+        assert driven.problems == []
+
+
+@pytest.fixture
+def page(dashboard, browser):
+    browser.open(dashboard.link)
+    browser.wait_for("serving", ".state")
+    return browser
+
+
+@pytest.fixture
+def page_of_own(own, daemon, browser):
+    """Of a daemon that nobody else has."""
+    made = Dashboard(own)
+    browser.open(made.link)
+    browser.wait_for("serving", ".state")
+    yield browser
+    assert made.end() == (130, "")
+
+
+def show(page, tab):
+    page.click(".q-tab", tab)
+
+
+def test_a_build_is_followed_and_cancelled(page, shared, background):
+    waiting = background(shared.get_ic, STEEL, GRID, LONG)
+    page.wait_for("build-", ".job")
+    build = page.text(".job").split()[0]
+    eventually(lambda: re.search(r"[1-9]\d* %", page.text(".job .part")))
+    bar = "document.querySelector('.job .q-linear-progress').getAttribute('aria-valuenow')"
+    assert float(page.evaluate(bar)) > 0
+    page.click(".job .cancel")
+    page.wait_for(f"{build} is cancelled.")
+    page.wait_for("There are none.", ".jobs")
+    assert waiting.exception(30).name == "CANCELLED"
+    assert build not in page.text(".jobs")
+
+
+def test_the_picture_of_a_solve_is_drawn(page, shared):
+    solution = shared.solve(CATTANEO)
+    show(page, "Solves")
+    page.wait_for("contact.solve", ".solves tbody")
+    row = page.text(".solves tbody tr")
+    assert f"{solution.pmax:.5g}" in row
+    assert f"{solution.Fn:.5g}" in row
+    assert "40 x 40" in row
+    page.click(".solves tbody tr")
+    picture = "document.querySelector('.picture img')"
+    eventually(lambda: page.evaluate(f"{picture}?.complete && {picture}.naturalWidth > 0"))
+    size, colours = page.evaluate(
+        f"""(() => {{
+            const image = {picture}, canvas = document.createElement('canvas');
+            [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
+            const context = canvas.getContext('2d');
+            context.drawImage(image, 0, 0);
+            const pixels = new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+            return [[canvas.width, canvas.height], new Set(pixels).size];
+        }})()"""
+    )
+    assert min(size) > 300
+    assert colours > 100  # pressures, and not an empty frame
+    page.wait_for(", contact.solve at ", ".q-dialog")
+
+
+def test_a_daemon_that_goes_away_and_comes_back(page_of_own, daemon, daemons, client):
+    page = page_of_own
+    client.solve(CATTANEO)
+    show(page, "Solves")
+    page.wait_for("contact.solve", ".solves")
+    daemon.stop()
+    page.wait_for("away", ".state")
+    page.wait_for("It is asked again and again.", ".away")
+    daemons.start()
+    page.wait_for("serving", ".state")
+    eventually(lambda: "has not answered" not in page.text())
+    eventually(lambda: "contact.solve" not in page.text(".solves"))  # it has forgotten them, and so has the page
+
+
+def test_it_may_begin_before_its_daemon(daemons, browser, own, daemon):
+    daemon.stop()
+    made = Dashboard(own)
+    browser.open(made.link)
+    browser.wait_for("away", ".state")
+    daemons.start()
+    browser.wait_for("serving", ".state")
+    assert made.end() == (130, "")
+
+
+def test_tables_sessions_and_configuration_are_shown(page, shared):
+    table = shared.get_ic(STEEL, GRID, QUICK)
+    show(page, "Tables")
+    page.wait_for(table.key[:16])
+    page.wait_for("against the closed form")
+    with shared.session(CATTANEO) as session:
+        session.step()
+        show(page, "Sessions")
+        page.wait_for("1600")
+    page.wait_for("No session is open.")
+    show(page, "Configuration")
+    page.wait_for("recent_solves.count")
+    assert shared.endpoint not in page.text(".q-tab-panel")
+
+
+def test_rates_are_drawn(page, shared):
+    shared.solve(CATTANEO)
+    eventually(lambda: page.evaluate("document.querySelectorAll('canvas').length") == 2)
+    page.wait_for("0 of 2 busy", ".figures")
+
+
+def status_of(link, **headers):
+    try:
+        with urllib.request.urlopen(urllib.request.Request(link, headers=headers), timeout=20) as answer:
+            return answer.status, answer.read().decode()
+    except urllib.error.HTTPError as error:
+        with error:
+            return error.code, error.read().decode()
+
+
+def test_who_has_not_the_token_sees_nothing(dashboard):
+    base, _, token = dashboard.link.partition("?token=")
+    for link in (base, f"{base}?token=", f"{base}?token={token}x", f"{base}_nicegui_ws/socket.io/?EIO=4&transport=polling"):
+        status, said = status_of(link)
+        assert status == 403
+        assert said.startswith("Open the address that contactctl dashboard has printed")
+    assert status_of(base, Cookie="contactd_dashboard=guess")[0] == 403
+    assert status_of(base, Cookie=f"contactd_dashboard={token}")[0] == 200
+
+
+def test_it_listens_on_the_loopback_only(dashboard):
+    port = int(re.search(r":(\d+)/", dashboard.link)[1])
+    assert dashboard.link.startswith("http://127.0.0.1:")
+    with socket.socket() as other:
+        other.settimeout(1)
+        assert other.connect_ex(("127.0.0.2", port)) != 0
+
+
+def test_a_port_that_is_taken_is_told(dashboard, lonely):
+    port = re.search(r":(\d+)/", dashboard.link)[1]
+    ended = with_packages(lonely).alone("dashboard", "--port", port)
+    assert ended.code == 2
+    assert f"127.0.0.1 port {port}: Address already in use." in ended.err
+
+
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 143), (signal.SIGINT, 130)])
+def test_signals_end_it(lonely, number, code):
+    made = Dashboard(lonely)
+    made.process.send_signal(number)
+    assert made.process.wait(30 * SLOWER) == code
+    made.end()
+    with pytest.raises(urllib.error.URLError):
+        status_of(made.link)
+
+
+def test_its_address_can_be_read_by_scripts(lonely):
+    with with_packages(lonely).start("dashboard", "--port", "0", "--json") as process:
+        assert re.fullmatch(r'\{"address": "http://127\.0\.0\.1:\d+/\?token=[\w-]+"\}\n', process.stdout.readline())
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(30) == 143
