@@ -14,13 +14,14 @@ from pathlib import Path
 
 import pytest
 
-from contactd import SolverSettings
+from contactd import NotFound, SolverSettings
 from support.daemons import BIN, Daemons, eventually
 from support.metrics import metric, parse
 from support.problems import CATTANEO, ENDLESS, GRID, QUICK, STEEL
 
 HTTP = {"address": "127.0.0.1:0"}
 OPERATIONS = Path(__file__).parents[2] / "docs" / "operations.md"
+GRAFANA = Path(__file__).parents[2] / "configs" / "grafana.json"
 
 
 @pytest.fixture(scope="module")
@@ -210,3 +211,33 @@ def test_an_http_address_that_is_taken_ends_the_daemon_with_a_message(tmp_path):
         )
     assert ended.returncode == 1
     assert config["http"]["address"] in ended.stderr
+
+
+def test_grafana_asks_for_metrics_and_labels_that_there_are(client):
+    client.solve(CATTANEO)
+    with pytest.raises(NotFound):
+        client.cancel_job("build-99")  # so that there is a reason
+    found = {family["name"]: family for family in client.metrics()}
+    labels = {name: {"instance", *found[name]["samples"][0]["labels"]} for name in found}
+    panels = json.loads(GRAFANA.read_text())["panels"]
+    asked = set()
+    for expression in (target["expr"] for panel in panels for target in panel["targets"]):
+        for name, given in re.findall(r"\b((?:contactd|process)_\w+)\{([^}]*)\}", expression):
+            base = name if name in found else name.removesuffix("_bucket")
+            assert set(re.findall(r"(\w+)=", given)) <= labels[base], expression
+            asked.add(base)
+        grouped = [word for words in re.findall(r"by \(([^)]+)\)", expression) for word in words.split(", ")]
+        assert set(grouped) <= {"le"}.union(*(labels[name] for name in asked)), expression
+    assert asked <= set(found)
+    assert len(asked) > 20
+
+
+def test_panels_of_grafana_do_not_lie_on_each_other():
+    panels = json.loads(GRAFANA.read_text())["panels"]
+    covered = [
+        (place["x"] + across, place["y"] + down)
+        for place in (panel["gridPos"] for panel in panels) for across in range(place["w"]) for down in range(place["h"])
+    ]  # fmt: skip
+    assert len(set(covered)) == len(covered)
+    assert max(across for across, _ in covered) < 24
+    assert len({panel["id"] for panel in panels}) == len(panels)
