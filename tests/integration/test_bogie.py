@@ -13,6 +13,7 @@ import pytest
 
 import contactd
 from support.daemons import BIN
+from support.fmus import PACKAGES, VERSIONS, archive
 from support.wheelset import BOGIE, bogie
 
 __all__ = ["bogie"]
@@ -32,6 +33,38 @@ def test_the_bogie_goes_the_same_way_in_process_and_by_a_daemon(bogie, shared):
             largest = np.abs(one.states).max(axis=0)
             assert np.all(np.abs(one.states - other.states).max(axis=0) <= 1e-9 * largest)
             assert one.solves == other.solves == 1000 * duration * 4 * 4
+
+
+needs_fmpy = pytest.mark.skipif(PACKAGES is None, reason="this build has no FMUs: ./dev could not reach PyPI")
+
+
+@needs_fmpy
+@pytest.mark.parametrize("fmi", VERSIONS, ids=lambda version: f"FMI {version}")
+def test_the_bogie_goes_the_same_way_by_fmus(bogie, shared, fmi):
+    track = bogie.track.IrregularTrack(seed=2, scale=3)
+    fmus = bogie.module("fmu_wheels").FmuWheels
+    for contact, duration in (("linear", 0.02), ("fastsim", 0.02), ("full", 0.01)):
+        one, other = (
+            bogie.runs.simulate(shared, contact, 50, duration, track=track, y=2, open_wheels=opened)
+            for opened in (bogie.wheels.SessionWheels, lambda _, setups: fmus(archive("contactd_wheel", fmi), setups))
+        )
+        largest = np.abs(one.states).max(axis=0)
+        # What a session searches from its last step differs in the last digits. The integrator errs by up to 0.3 of the
+        # largest of those that hardly move.
+        assert np.all(np.abs(one.states - other.states).max(axis=0) <= 1e-5 * largest)
+        assert other.places == pytest.approx(one.places, abs=1e-6)
+        assert one.solves == other.solves
+
+
+@needs_fmpy
+def test_fmus_know_where_no_elastic_contact_is(bogie, shared):
+    setups = bogie.runs.wheel_setups("fastsim", bogie.vehicle.bogie())
+    state = bogie.wheels.wheel_state("left", bogie.motion.Motion(0, 0, 50, 0, 0, 5e4, 0, 0, 0, -5e4 / 460, 0), bogie.track.Track())
+    fmus = bogie.module("fmu_wheels").FmuWheels
+    with fmus(archive("contactd_wheel", 3), setups) as wheels, pytest.raises(contactd.InvalidArgument, match="no elastic contact"):
+        wheels(4 * [state])
+    with pytest.raises(ValueError, match="says dq"):
+        fmus(archive("contactd_wheel", 3), [setups[0].replace(dq=0.5)])
 
 
 def test_its_energy_goes_to_dampers_and_rails(bogie, shared):
@@ -94,6 +127,19 @@ def test_the_example_runs_and_draws(tmp_path):
     assert (tmp_path / "bogie.gif").read_bytes()[:6] == b"GIF89a"
 
 
+@needs_fmpy
+def test_the_example_runs_with_an_fmu():
+    ended = run(
+        "--integrator", "runge-kutta", "--contacts", "fastsim", "--speeds", "50", "--seconds", "0.01",
+        "--fmu", archive("contactd_wheel", 2),
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stderr
+    assert "160 solves" in ended.stdout
+    ended = run("--integrator", "runge-kutta", "--fmu", archive("contactd_contact", 2))
+    assert ended.returncode == 1
+    assert "it must be contactd_wheel" in ended.stderr
+
+
 def test_without_exudyn_the_example_says_how_to_install_it(tmp_path):
     (tmp_path / "exudyn.py").write_text("raise ModuleNotFoundError('No module named exudyn')")
     ended = run(path=[tmp_path])
@@ -109,6 +155,8 @@ def test_without_exudyn_the_example_says_how_to_install_it(tmp_path):
         (["--seconds", "0"], "--seconds must be positive"),
         (["--element", "0"], "--element must be 0.1 to 2 mm"),
         (["--output", "/no/where"], "is no folder"),
+        (["--fmu", "/no/where"], "is no file"),
+        (["--fmu", BOGIE / "__main__.py", "--curve"], "--fmu goes with --speeds"),
         (["--contacts", "elastic"], "invalid choice: 'elastic'"),
     ],
 )

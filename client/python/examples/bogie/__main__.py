@@ -1,6 +1,7 @@
 """A bogie on a track: two wheelsets, four wheels on rails by contactd, in a multibody simulation. docs/bogie.md tells of it.
 
 Run: python3 client/python/examples/bogie [--daemon] [--integrator runge-kutta] [--output FOLDER] [--curve] [--search 60 100]
+     python3 client/python/examples/bogie --fmu build/fmu/contactd_wheel_fmi3.fmu
 
 It solves in its own process where the extension contactd_local is installed, and otherwise starts a daemon. It needs Exudyn
 and matplotlib: pip install './client/python[wheelset]'. With --integrator runge-kutta it needs no Exudyn, without --output
@@ -18,8 +19,8 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1]))  # railway, which the examples share
 
 from railway.track import IrregularTrack
-from railway.wheels import SETUPS
-from runs import Integrate, Run, by_numpy, simulate
+from railway.wheels import SETUPS, SessionWheels
+from runs import Integrate, OpenWheels, Run, by_numpy, simulate
 from tasks import run_curve, search, tell_energy
 
 import contactd
@@ -28,18 +29,18 @@ from contactd import Client
 
 def main() -> None:
     options = _options()
-    integrate = _integrator(options.integrator)
+    integrate, open_wheels = _integrator(options.integrator), _opener(options.fmu)
     with _client(options) as client:
         track = IrregularTrack(seed=options.seed)
         runs = []
         for speed in options.speeds:
             for contact in options.contacts:
-                runs.append(
-                    simulate(
-                        client, contact, speed, options.seconds, integrate=integrate, track=track, element=options.element
-                    )
-                )
-                _tell(runs[-1])
+                run = simulate(
+                    client, contact, speed, options.seconds,
+                    integrate=integrate, track=track, element=options.element, open_wheels=open_wheels,
+                )  # fmt: skip
+                _tell(run)
+                runs.append(run)
         if runs and options.output is not None:
             from animation import animate
             from pictures import draw_motion
@@ -94,10 +95,27 @@ def _integrator(name: str) -> Integrate:
     return integrate
 
 
+def _opener(fmu: Path | None) -> OpenWheels:
+    if fmu is None:
+        return SessionWheels
+    try:
+        from fmu_wheels import FmuWheels, described
+    except ModuleNotFoundError as error:
+        if error.name != "fmpy":
+            raise
+        raise SystemExit("--fmu needs FMPy: pip install fmpy") from None
+    try:
+        described(fmu)
+    except ValueError as error:
+        raise SystemExit(f"--fmu: {error}") from None
+    return lambda _, setups: FmuWheels(fmu, setups)
+
+
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bogie", description=(__doc__ or "").split("\n")[0])
     parser.add_argument("--endpoint", help="of a daemon that runs; default: solves in this process, or starts a daemon")
     parser.add_argument("--daemon", action="store_true", help="start a daemon also where this process could solve")
+    parser.add_argument("--fmu", type=Path, metavar="FILE", help="contactd_wheel of ./dev fmu, to solve the wheels at --speeds")
     parser.add_argument("--integrator", choices=("exudyn", "runge-kutta"), default="exudyn", help="default: %(default)s")
     parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
     parser.add_argument("--speeds", nargs="*", type=float, default=[50.0, 90.0], help="m/s; default: 50 90")
@@ -113,6 +131,10 @@ def _options() -> argparse.Namespace:
         parser.error("--seconds must be positive, and --speeds at least 30 m/s: slower ones need a smaller step")
     if options.element is not None and not 0.1 <= options.element <= 2:
         parser.error("--element must be 0.1 to 2 mm")
+    if options.fmu is not None and not options.fmu.is_file():
+        parser.error(f"--fmu: {options.fmu} is no file; ./dev fmu makes build/fmu/contactd_wheel_fmi3.fmu")
+    if options.fmu is not None and (options.curve or options.energy or options.search):
+        parser.error("--fmu goes with --speeds, not with --curve, --energy or --search")
     if options.output is not None and not options.output.is_dir():
         parser.error(f"--output: {options.output} is no folder")
     return options
