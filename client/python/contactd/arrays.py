@@ -17,6 +17,8 @@ __all__ = ["Frames", "array_of", "decode", "encode", "invalid", "plain", "whole"
 # What may come back: double precision and bytes. Both are little-endian on every machine.
 _DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
 
+_JSON = frozenset({int, str, bool, type(None)})  # floats, too, where they are finite
+
 
 def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidArgument:
     """An InvalidArgument for one field, worded as the daemon words it."""
@@ -73,15 +75,24 @@ def encode(value: Any, field: str, frames: Frames) -> Any:
         return {"$array": {"frame": len(frames), "dtype": "|u1", "shape": [len(value)]}}
     if isinstance(value, np.generic):
         value = value.item()
-    if isinstance(value, Mapping):
-        return {key: encode(item, f"{field}.{key}" if field else str(key), frames) for key, item in value.items()}
+    if isinstance(value, (dict, Mapping)):  # dict first: most are, and Mapping takes its time
+        return {
+            key: item if _is_json(item) else encode(item, f"{field}.{key}" if field else str(key), frames)
+            for key, item in value.items()
+        }
     if isinstance(value, (list, tuple)):
-        return [encode(item, f"{field}[{i}]", frames) for i, item in enumerate(value)]
+        return [item if _is_json(item) else encode(item, f"{field}[{i}]", frames) for i, item in enumerate(value)]
     if isinstance(value, float) and not math.isfinite(value):
         raise invalid(field, f"is {value}; it must be finite")
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
     raise invalid(field, f"is a {type(value).__name__}, which has no form in JSON")
+
+
+def _is_json(value: Any) -> bool:
+    """Whether a value, as most of a request are, is JSON as it is: its path need not be told."""
+    kind = type(value)
+    return math.isfinite(value) if kind is float else kind in _JSON
 
 
 def _encode_array(array: np.ndarray[Any, Any], field: str, frames: Frames) -> Any:

@@ -42,6 +42,7 @@ from contactd.solution import (
     IcEvidence,
     IcSpec,
     ServerInfo,
+    SolverEvidence,
 )
 from support import answers
 from support.fake_server import FakeServer
@@ -234,6 +235,24 @@ def test_a_lacking_field_is_named():
 def test_a_field_of_the_wrong_type_is_named():
     with pytest.raises(ProtocolError, match=r"result\.counters\.requests is a str"):
         read(ServerInfo, {**answers.INFO, "counters": {"requests": "many"}})
+
+
+def test_a_field_of_a_part_of_a_list_is_named_by_its_number():
+    kind = dataclasses.make_dataclass("kind", [("solvers", tuple[SolverEvidence, ...])])
+    told = {"iterations": 3, "residual": 1e-9, "converged": True, "seconds": 1}
+    with pytest.raises(ProtocolError, match=r"^The answer's here\.solvers\[1\]\.converged is a str, which"):
+        read(kind, {"solvers": [told, {**told, "converged": "yes"}]}, "here")
+
+
+def test_what_is_read_is_what_its_class_makes():
+    told = {"iterations": 3, "residual": 1, "converged": True, "seconds": 0.5}
+    made = SolverEvidence(iterations=3, residual=1.0, converged=True, seconds=0.5)
+    assert read(SolverEvidence, told) == made
+    assert vars(read(SolverEvidence, told)) == vars(made)
+    shape = {"elements_across": 7, "force_error": 0.01, "pmax_error": 0.02, "source": "hertz"}
+    assert vars(read(Discretisation, shape)) == vars(Discretisation(**shape))
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        read(Discretisation, shape).source = "estimate"
 
 
 def test_evidence_of_finite_elements_is_read_to_its_depth():
