@@ -1,8 +1,8 @@
 """What a simulated second costs: one wheelset with linear creep forces, and the bogie of the examples by each kind of contact,
-in process and by a daemon. All in turns, each a piece of a run; seconds by the clock and of processors, the daemon's, too.
+in process, by a daemon and by FMUs. All in turns, each a piece of a run; seconds by the clock and of processors, the daemon's, too.
 
-    python3 bench/bogie_cost.py [--seconds 0.1] [--rounds 3] [--integrator exudyn]    (CONTACTD_BIN names contactd; contactd_local
-                                                                                       on PYTHONPATH, and exudyn for the latter)
+    python3 bench/bogie_cost.py [--seconds 0.1] [--rounds 3] [--integrator exudyn] [--fmu FILE]    (CONTACTD_BIN names contactd;
+                                                           contactd_local on PYTHONPATH, exudyn and fmpy for the latter two)
 """
 
 from __future__ import annotations
@@ -52,11 +52,13 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=0.1, help="simulated at a time (default %(default)s)")
     parser.add_argument("--rounds", type=int, default=3, help="default %(default)s")
     parser.add_argument("--integrator", choices=("runge-kutta", "exudyn"), default="runge-kutta", help="default %(default)s")
+    parser.add_argument("--fmu", type=Path, help="contactd_wheel of ./dev fmu")
     options = parser.parse_args()
     sys.path.insert(0, str(EXAMPLES))
     rows: dict[str, Callable[[], None]] = {"one wheelset, linear theory": one_wheelset(options.integrator, options.seconds)}
     sys.path.insert(0, str(EXAMPLES / "bogie"))
-    from runs import by_numpy, simulate
+    from railway.wheels import SessionWheels
+    from runs import OpenWheels, by_numpy, simulate
 
     import contactd
 
@@ -66,14 +68,21 @@ def main() -> None:
     program = Path(os.environ["CONTACTD_BIN"]) / "contactd" if "CONTACTD_BIN" in os.environ else "contactd"
     with ExitStack() as stack:
         daemon = stack.enter_context(contactd.LocalDaemon(program, config={"log": {"level": "warn"}}))
-        clients = {
-            "in process": stack.enter_context(contactd.local(in_process=True)), "daemon": stack.enter_context(daemon.client())
+        here = stack.enter_context(contactd.local(in_process=True))
+        ways: dict[str, tuple[contactd.Client, OpenWheels]] = {
+            "in process": (here, SessionWheels), "daemon": (stack.enter_context(daemon.client()), SessionWheels)
         }  # fmt: skip
-        for contact, element in (("linear", 1.0), ("fastsim", 1.0), ("full", 1.0), ("full", 0.5)):
-            for way, client in clients.items():
+        if options.fmu:
+            from fmu_wheels import FmuWheels
 
-                def piece(client: contactd.Client = client, contact: str = contact, element: float = element) -> None:
-                    simulate(client, contact, 50, options.seconds, y=1.0, element=element, integrate=integrate)
+            ways["FMUs"] = here, lambda _, setups: FmuWheels(options.fmu, setups)
+        for contact, element in (("linear", 1.0), ("fastsim", 1.0), ("full", 1.0), ("full", 0.5)):
+            for way, (client, wheels) in ways.items():
+
+                def piece(
+                    client: contactd.Client = client, wheels: OpenWheels = wheels, contact: str = contact, element: float = element
+                ) -> None:
+                    simulate(client, contact, 50, options.seconds, y=1.0, element=element, integrate=integrate, open_wheels=wheels)
 
                 rows[f"bogie, {contact}, {element:g} mm, {way}"] = piece
         found: dict[str, list[tuple[float, float]]] = {name: [] for name in rows}
