@@ -70,16 +70,27 @@ def test_automatic_contacts_are_rotated_in_the_corner_and_planes_on_the_tread(sh
     assert tread.patches[0].place.rows == ()
 
 
-def test_who_gives_up_cancels_the_build_that_he_waits_for(daemon, client, background):
-    fine = SETUP.replace(conformal="fem", dx=0.25, dy=0.25)
-    asked = background(client.wheel_rail, fine, IN_THE_CORNER, timeout=300)
+def test_who_gives_up_leaves_the_build_to_the_store(daemon, client, background):
+    setup = SETUP.replace(conformal="fem")
+    asked = background(client.wheel_rail, setup, IN_THE_CORNER, timeout=300)
     eventually(daemon.builders)
     (solve,) = (job for job in client.jobs() if job.kind == "solve")
     client.cancel_job(solve.job)
     with pytest.raises(Cancelled):
         asked.result()
+    eventually(lambda: client.info().counters["builds_finished"] == 1, "the build has ended with its caller", seconds=60)
+    assert client.wheel_rail(setup, IN_THE_CORNER, fields=[]).converged
+    assert client.info().counters["builds_started"] == 2  # of rail and wheel, the first of them not once more
+
+
+def test_whoever_waits_for_a_build_that_is_cancelled_is_told_so(daemon, client, background):
+    asked = background(client.wheel_rail, SETUP.replace(conformal="fem"), IN_THE_CORNER, timeout=300)
+    eventually(daemon.builders)
+    (build,) = (job for job in client.jobs() if job.kind == "build")
+    client.cancel_job(build.job)
+    with pytest.raises(Cancelled):
+        asked.result()
     eventually(lambda: not daemon.builders(), "the builder is still there")
-    assert client.info().counters["builds_cancelled"] == 1
 
 
 @pytest.mark.parametrize(

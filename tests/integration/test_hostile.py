@@ -244,6 +244,7 @@ REQUESTS = [
     ("wheelrail.wheelset", {"setup": WHEEL, "left": WHEEL, "state": {"Fz_left": 1, "Fz_right": 1}}),
     ("wheelrail.geometry", {"setup": WHEEL, "left": WHEEL, "states": [{}], "contacts": {"shifts": [0], "roll": "demanded"},
                             "conicity": {"amplitudes": [1], "roll": "neglected"}}),
+    ("solves.pressures", {"number": 1}),
     *((f"session.{method}", {"session": "0" * 32}) for method in ("info", "save", "close")),
     *((f"session.{method}", {"session": "0" * 32, "state": "state-1"}) for method in ("restore", "forget")),
 ]  # fmt: skip

@@ -67,7 +67,12 @@ def test_a_job_is_seen_and_cancelled(watcher, client, background):
     (running,) = watcher.view.jobs
     assert running.kind == "build"
     assert watcher.cancel(running.job)
-    assert not watcher.view.jobs
+
+    def nothing_runs():
+        watcher.look()
+        return not watcher.view.jobs
+
+    eventually(nothing_runs, "the job is still there")
     assert not watcher.cancel(running.job)
     assert waiting.exception().name == "CANCELLED"
 
