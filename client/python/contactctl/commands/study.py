@@ -140,7 +140,7 @@ def _show(plan: Plan, rows: list[dict[str, Any]], table: Path | None) -> None:
     unconverged = codes.pop(Code.NOT_CONVERGED, 0)
     said += f", {unconverged} not converged" if unconverged else ""
     said += f", {codes.total()} failed" if codes else ""
-    more = [f"... {len(rows) - _SHOWN} more rows: --csv FILE writes them all"] if len(rows) > _SHOWN else []
+    more = [f"... {len(rows) - _SHOWN} more rows: {table or '--csv FILE'} has them all"] if len(rows) > _SHOWN else []
     emit(setting().json, {"rows": rows}, listing(None, columns, shown), *more, "", said)
     solved = [row["answers"] for row in rows if "answers" in row]
     warn(f"no answer has {name}" for name in answers if solved and all(found[name] is None for found in solved))
