@@ -10,31 +10,9 @@
 namespace contactd {
 namespace {
 
-constexpr int patience = 8;  // changes of the set that do not lower f
-constexpr double rounding = 1e-14;
-// Violations larger than this part of the defect change the set; smaller ones wait until conjugate gradients, which
-// start again with every change, have brought the defect down.
-constexpr double weighty = 0.1;
 // Part of the set that may change before the weights of the sum are found anew: any weights keep the sum, good ones
 // save iterations.
 constexpr double outdated = 0.2;
-
-// Moves p to the nearest point of p >= 0, sum(p) = sum (Michelot 1986).
-void project_on_simplex(std::vector<double>& p, double sum) {
-    double shift = -std::numeric_limits<double>::infinity();
-    for (std::size_t before = 0, count = p.size(); count != before;) {
-        before = count;
-        double total = 0;
-        count = 0;
-        for (const double value : p) {
-            if (!(value > shift)) continue;
-            total += value;
-            ++count;
-        }
-        shift = (total - sum) / static_cast<double>(count);
-    }
-    for (double& value : p) value = std::max(value - shift, 0.0);
-}
 
 double largest(const std::vector<double>& values) {
     return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
@@ -151,10 +129,6 @@ bool Norm::good_enough(const Check& check, int iteration) const {
     return check.residual() <= settings_.tolerance && check.right_set();
 }
 
-bool Norm::overlaps(std::size_t i) const {
-    return gap(i) < -rounding * (std::abs(u_[i]) + std::abs(h_[i]) + std::abs(approach_));
-}
-
 // The multiple of the estimate with the lowest f; zero when f rises along it.
 void Norm::take_multiple_of(std::span<const double> estimate) {
     const double unit = *std::max_element(estimate.begin(), estimate.end());
@@ -212,98 +186,6 @@ void Norm::report(int iteration, double residual) {
     if (iteration % 4 != 0) return;
     observer_->on_progress(
         {"normal", log_fraction(first_residual_, residual, settings_.tolerance), iteration, residual});
-}
-
-double Norm::f() const {
-    const double *p = p_.data(), *u = u_.data(), *h = h_.data();
-    return sums<1>(n_, [=]<class T>(T, std::size_t i) {
-        return std::array<T, 1>{load<T>(p + i) * (0.5 * load<T>(u + i) + load<T>(h + i))};
-    })[0];
-}
-
-// Keeps the pressures of the lowest f. Removing pressures may raise f for a while; when it does so too often in a row,
-// a step that cannot raise f starts again from the best; returns false then.
-bool Norm::watch() {
-    double value = f();
-    bool keeps = true;
-    if (value < best_f_) {
-        failures_ = 0;
-    } else if (++failures_ > patience) {
-        failures_ = 0;
-        projected_gradient_step();
-        value = f();
-        keeps = false;
-    } else {
-        return true;
-    }
-    best_p_ = p_;
-    best_u_ = u_;
-    best_f_ = value;
-    return keeps;
-}
-
-// Takes negative pressures out of the set.
-void Norm::clip() {
-    for (std::size_t i = 0; i < n_; ++i) {
-        if (p_[i] > 0) continue;
-        p_[i] = 0;
-        changed_elements_ += in_contact_[i];
-        in_contact_[i] = 0;
-    }
-    if (problem_.pressure_sum) scale_to_sum(p_, u_);
-    influence_.normal(p_, u_);
-    find_approach();
-}
-
-bool Norm::change_set(Check check, bool change_all) {
-    const auto matters = [&](double violation) {
-        return violation > 0 && (change_all || violation > weighty * weighty * check.defect);
-    };
-    bool changed = false;
-    if (matters(check.suction)) {
-        clip();
-        check = advance(0);
-        changed = true;
-    }
-    if (check.suction == 0 && (changed || matters(check.overlap)) && !watch()) {
-        check = advance(0);
-        changed = true;
-    }
-    if (matters(check.overlap)) {
-        for (std::size_t i = 0; i < n_; ++i) {
-            if (in_contact_[i] > 0 || !overlaps(i)) continue;
-            in_contact_[i] = 1;
-            r_[i] = -gap(i);
-            ++changed_elements_;
-        }
-        changed = true;
-    }
-    if (!changed) return false;
-    steps_ = 0;
-    if (problem_.pressure_sum) {
-        find_approach();
-        advance(0);
-    }
-    return true;
-}
-
-// From the best pressures, with a step no longer than 1/||A||: f cannot rise.
-void Norm::projected_gradient_step() {
-    if (norm_of_A_ == 0) {
-        std::fill(p_.begin(), p_.end(), 1.0);
-        influence_.normal(p_, q_);
-        norm_of_A_ = *std::max_element(q_.begin(), q_.end());
-    }
-    for (std::size_t i = 0; i < n_; ++i) p_[i] = best_p_[i] - (best_u_[i] + h_[i]) / norm_of_A_;
-    if (problem_.pressure_sum) project_on_simplex(p_, *problem_.pressure_sum);
-    for (std::size_t i = 0; i < n_; ++i) {
-        p_[i] = std::max(p_[i], 0.0);
-        changed_elements_ += std::abs(in_contact_[i] - (p_[i] > 0));
-        in_contact_[i] = p_[i] > 0;
-    }
-    influence_.normal(p_, u_);
-    find_approach();
-    steps_ = 0;
 }
 
 // Where the sum is prescribed, the directions leave it: with E the projection that subtracts a multiple of the weights,

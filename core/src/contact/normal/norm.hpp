@@ -41,6 +41,7 @@ class Norm {
 
    private:
     using Values = std::vector<double>;
+    static constexpr double rounding = 1e-14;
 
     // The contact conditions at the present pressures; squares are sums over elements, in mm^2.
     struct Check {
