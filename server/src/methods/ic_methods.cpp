@@ -1,6 +1,5 @@
 // ic.*: tables of influence coefficients.
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "all_methods.hpp"
 #include "contactd/column_frames.hpp"
@@ -32,12 +31,12 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     const auto done = [call, spec, part, frames](const engine::IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
-            const IcTable table = table_for(*answer.record, spec);
-            if (!std::all_of(table.values.begin(), table.values.end(), [](double v) { return std::isfinite(v); }))
+            IcTable table = table_for(*answer.record, spec);
+            if (!proto::all_finite(table.values))
                 throw proto::invalid_field("material.G",
                                            "and grid.dx make coefficients that are beyond a double's range");
             const json result = proto::encode_ic_part_reply(
-                {answer.key, answer.origin, spec, table, answer.record->evidence, frames}, part, arrays);
+                {answer.key, answer.origin, spec, std::move(table), answer.record->evidence, frames}, part, arrays);
             call->succeed(result, arrays.take_frames());
         });
     };

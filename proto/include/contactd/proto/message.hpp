@@ -60,6 +60,9 @@ std::string dump(const nlohmann::json& json);
 /// Whether equal arrays of a message travel once: worth looking for when many problems have a table or a gap in common.
 enum class EqualArrays { repeated, shared };
 
+/// Whether none of the values is infinite or NaN: what a message can carry.
+bool all_finite(std::span<const double> values);
+
 /// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists.
 class ArrayWriter {
    public:
