@@ -42,6 +42,24 @@ inline void slice(Dice& dice, WheelRailSetup& setup) {
     }
 }
 
+/// The wheel's points, lower or higher by up to half a millimetre from angle to angle: out of round, and flats.
+inline void flatten(Dice& dice, WheelRailSetup& setup) {
+    const ProfileCurve curve = make_profile(setup.wheel).curve;
+    for (double angle = 0.1; angle < 6.2; angle += dice.uniform(0.2, 2)) {
+        const double z = dice.chance(0.3) ? 0 : dice.uniform(-0.5, 0.5);
+        ProfilePoints points;
+        for (const ProfilePoint& point : curve.points()) points.points.push_back({point.y, point.z + z});
+        setup.wheel_slices.push_back({angle, {ProfileKind::wheel, points}});
+    }
+}
+
+inline RailSprings random_springs(Dice& dice) {
+    RailSprings springs;
+    if (dice.chance(0.8)) springs.y = dice.log_uniform(1e4, 1e7);
+    if (!springs.y || dice.chance(0.8)) springs.z = dice.log_uniform(3e4, 1e7);
+    return springs;
+}
+
 /// `dx` of the elements: the smallest.
 inline WheelRailSetup random_setup(Dice& dice, double dx) {
     WheelRailSetup setup;
@@ -66,6 +84,8 @@ inline WheelRailSetup random_setup(Dice& dice, double dx) {
     if (dice.chance(setup.rail_slices.empty() ? 0.1 : 0.5)) setup.patches.search = ContactSearch::mesh;
     if (setup.model == Model::full && dice.chance(0.2))
         setup.conformal = setup.friction ? Conformal::rotated : Conformal::half_space;
+    if (dice.chance(0.1)) flatten(dice, setup);
+    if (dice.chance(0.15)) setup.track.springs = random_springs(dice);
     return setup;
 }
 
@@ -81,6 +101,10 @@ inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) 
     state.roller_pitch = state.velocity.x / contact.setup().track.roller_radius.value_or(500);
     if (contact.setup().track.roller_radius) state.velocity.x = 0;
     state.position.x = dice.uniform(-500, 500);
+    state.position.pitch = dice.uniform(-20, 20);
+    const RailSprings springs = contact.setup().track.springs.value_or(RailSprings());
+    if (springs.y && dice.chance(0.3)) state.rail.Fy = dice.uniform(-1e4, 1e4);
+    if (springs.z && dice.chance(0.3)) state.rail.Fz = dice.uniform(-1e4, 1e4);
     state.derivatives = dice.chance(0.05);
     if (dice.chance(0.5))
         state.Fz = dice.log_uniform(10, 3e5);
