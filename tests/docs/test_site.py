@@ -13,7 +13,8 @@ from pathlib import Path
 import pytest
 
 import contactd
-from support.daemons import BIN
+from support.browser import Browser
+from support.daemons import BIN, eventually
 
 from .site_pages import Site, code_colours, contrast
 
@@ -143,3 +144,19 @@ def test_letters_of_the_pages_stand_out(site, theme):
     grounds = ("background-primary", "background-secondary")
     pairs = {(letter, ground): contrast(colours[letter], colours[ground]) for letter in letters for ground in grounds}
     assert min(pairs.values()) >= READABLE, pairs
+
+
+def test_no_page_is_cut_off_at_its_right_and_every_picture_is_there(site, tmp_path):
+    look = """({
+        cut: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+        missing: [...document.images].filter(image => image.naturalWidth == 0).map(image => image.src),
+    })"""
+    with Browser(tmp_path) as browser:
+        for page in site.documents():
+            browser.open(page.path.as_uri())
+            here = json.dumps(page.path.as_uri())
+            eventually(lambda here=here: browser.evaluate(f"document.readyState == 'complete' && location.href == {here}"))
+            for width in (390, 1100, 1330, 1700):  # a telephone; between them the contents of page and site come in
+                browser.resize(width, 900)
+                assert browser.evaluate(look) == {"cut": 0, "missing": []}, (page.path, width)
+        assert browser.problems == []

@@ -113,6 +113,10 @@ class Browser:
         eventually(lambda: self.evaluate(f"!!{found}"))
         self.evaluate(f"{found}.click()")
 
+    def resize(self, width: int, height: int) -> None:
+        """What the page takes for its window."""
+        self.send("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+
     def screenshot(self, file: Path) -> None:
         """Of what the window shows, as a PNG."""
         file.write_bytes(base64.b64decode(self.send("Page.captureScreenshot")["data"]))
