@@ -6,46 +6,16 @@
  *
  * A line for each start, step and restore; telling.py says what stands in it.
  */
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "answers.h"
+#include "words.h"
 
-enum { most_words = 20, most_states = 10 };
+enum { most_states = 10 };
 
-static contactd_connection* place;
 static contactd_contact* contact;
-static char name[100];
 static int32_t nx, ny;
 static int32_t states[most_states];
-static int32_t refused; /* what a setter answered since the last line; a step would not know of it */
-static char reason[100], field[100];
-
-static char* words[most_words];
-static int count;
 
 /* --- what a line says ---------------------------------------------------------------------------------------- */
-
-static int is(const char* word) {
-    return strcmp(words[0], word) == 0;
-}
-static double number(int i) {
-    return i < count ? strtod(words[i], NULL) : NAN;
-}
-static int32_t whole(int i) {
-    return i < count ? (int32_t)strtol(words[i], NULL, 10) : -1;
-}
-
-/* The place of a word in a list. */
-static int32_t word(int i, const char* list[]) {
-    for (int32_t n = 0; i < count && list[n] != NULL; ++n)
-        if (strcmp(words[i], list[n]) == 0) return n;
-    fprintf(stderr, "%s: %s has no such word\n", name, words[0]);
-    exit(2);
-}
 
 static int32_t body(int i) {
     const char* bodies[] = {"upper", "lower", "both", "pair", NULL};
@@ -166,23 +136,16 @@ static int32_t load(void) {
     return -1;
 }
 
-static void note(int32_t code) {
-    if (code == CONTACTD_OK || refused != CONTACTD_OK) return;
-    refused = code;
-    snprintf(reason, sizeof reason, "%s", contactd_last_reason(contact));
-    snprintf(field, sizeof field, "%s", contactd_last_field(contact));
-}
-
 /* The line of a call; one that a setter has refused for is not made. */
 static void call(void) {
     printf("%s %s", name, words[0]);
     if (refused == CONTACTD_OK) {
-        if (is("start")) note(contactd_start(contact));
-        if (is("step")) note(contactd_step(contact));
-        if (is("again")) note(contactd_step_again(contact));
-        if (is("save")) note(contactd_save(contact, &states[whole(1)]));
-        if (is("restore")) note(contactd_restore(contact, states[whole(1)]));
-        if (is("forget")) note(contactd_forget(contact, states[whole(1)]));
+        if (is("start")) note(contact, contactd_start(contact));
+        if (is("step")) note(contact, contactd_step(contact));
+        if (is("again")) note(contact, contactd_step_again(contact));
+        if (is("save")) note(contact, contactd_save(contact, &states[whole(1)]));
+        if (is("restore")) note(contact, contactd_restore(contact, states[whole(1)]));
+        if (is("forget")) note(contact, contactd_forget(contact, states[whole(1)]));
     }
     if (refused != CONTACTD_OK)
         printf(" refused %" PRId32 " %s %s", refused, reason, field);
@@ -200,11 +163,7 @@ static void next_case(void) {
     for (int32_t array = CONTACTD_DIVISION; array <= CONTACTD_SLIP_Y; ++array) contactd_want(contact, array, 1);
 }
 
-static void take(char* line) {
-    count = 0;
-    for (char* next = strtok(line, " \r\n"); next != NULL && count < most_words; next = strtok(NULL, " \r\n"))
-        words[count++] = next;
-    if (count == 0) return;
+static void take(void) {
     if (is("case")) {
         next_case();
     } else if (is("start") || is("step") || is("again") || is("save") || is("restore") || is("forget")) {
@@ -213,23 +172,13 @@ static void take(char* line) {
         int32_t code = set_up();
         if (code == -1) code = set_section();
         if (code == -1) code = load();
-        if (code == -1) {
-            fprintf(stderr, "%s: there is no %s\n", name, words[0]);
-            exit(2);
-        }
-        note(code);
+        note_setter(contact, code);
     }
 }
 
 int main(int arguments, char** argument) {
-    char line[1000];
-    FILE* cases = arguments == 3 ? fopen(argument[2], "r") : NULL;
-    if (cases == NULL || contactd_open(argument[1], &place) != CONTACTD_OK) {
-        fprintf(stderr, "usage: %s WHERE CASES\n", argument[0]);
-        return 2;
-    }
-    while (fgets(line, sizeof line, cases) != NULL) take(line);
-    fclose(cases);
+    const int status = read_cases(arguments, argument, take);
+    if (status != 0) return status;
     if (contact != NULL) contactd_free(contact);
     return contactd_close(place) == CONTACTD_OK ? 0 : 3;
 }

@@ -6,40 +6,12 @@
  *
  * A line for each solve; wheel_telling.py says what stands in it.
  */
-#include <math.h>
-
 #include "wheel_answers.h"
+#include "words.h"
 
-enum { most_words = 40 };
-
-static contactd_connection* place;
 static contactd_wheel* wheel;
-static char name[100];
-static int32_t refused; /* what a setter answered since the last line */
-static char reason[100], field[100];
-
-static char* words[most_words];
-static int count;
 
 /* --- what a line says ---------------------------------------------------------------------------------------- */
-
-static int is(const char* word) {
-    return strcmp(words[0], word) == 0;
-}
-static double number(int i) {
-    return i < count ? strtod(words[i], NULL) : NAN;
-}
-static int32_t whole(int i) {
-    return i < count ? (int32_t)strtol(words[i], NULL, 10) : -1;
-}
-
-/* The place of a word in a list. */
-static int32_t word(int i, const char* list[]) {
-    for (int32_t n = 0; i < count && list[n] != NULL; ++n)
-        if (strcmp(words[i], list[n]) == 0) return n;
-    fprintf(stderr, "%s: %s has no such word\n", name, words[0]);
-    exit(2);
-}
 
 static int32_t body(int i) {
     const char* bodies[] = {"wheel", "rail", NULL};
@@ -126,16 +98,9 @@ static int32_t move(void) {
     return -1;
 }
 
-static void note(int32_t code) {
-    if (code == CONTACTD_OK || refused != CONTACTD_OK) return;
-    refused = code;
-    snprintf(reason, sizeof reason, "%s", contactd_last_reason(wheel));
-    snprintf(field, sizeof field, "%s", contactd_last_field(wheel));
-}
-
 static void solve(void) {
     printf("%s solve", name);
-    if (refused == CONTACTD_OK) note(contactd_wheel_solve(wheel));
+    if (refused == CONTACTD_OK) note(wheel, contactd_wheel_solve(wheel));
     if (refused != CONTACTD_OK)
         printf(" refused %" PRId32 " %s %s", refused, reason, field);
     else
@@ -152,38 +117,21 @@ static void next_case(void) {
     for (int32_t array = CONTACTD_DIVISION; array <= CONTACTD_GAP; ++array) contactd_wheel_want(wheel, array, 1);
 }
 
-static void take(char* line) {
-    int32_t code;
-    count = 0;
-    for (char* next = strtok(line, " \r\n"); next != NULL && count < most_words; next = strtok(NULL, " \r\n"))
-        words[count++] = next;
-    if (count == 0) return;
+static void take(void) {
     if (is("case")) {
         next_case();
-        return;
-    }
-    if (is("solve")) {
+    } else if (is("solve")) {
         solve();
-        return;
+    } else {
+        int32_t code = set_up();
+        if (code == -1) code = move();
+        note_setter(wheel, code);
     }
-    code = set_up();
-    if (code == -1) code = move();
-    if (code == -1) {
-        fprintf(stderr, "%s: there is no %s\n", name, words[0]);
-        exit(2);
-    }
-    note(code);
 }
 
 int main(int arguments, char** argument) {
-    char line[1000];
-    FILE* cases = arguments == 3 ? fopen(argument[2], "r") : NULL;
-    if (cases == NULL || contactd_open(argument[1], &place) != CONTACTD_OK) {
-        fprintf(stderr, "usage: %s WHERE CASES\n", argument[0]);
-        return 2;
-    }
-    while (fgets(line, sizeof line, cases) != NULL) take(line);
-    fclose(cases);
+    const int status = read_cases(arguments, argument, take);
+    if (status != 0) return status;
     if (wheel != NULL) contactd_wheel_free(wheel);
     return contactd_close(place) == CONTACTD_OK ? 0 : 3;
 }

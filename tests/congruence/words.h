@@ -1,0 +1,74 @@
+/* The cases that both drivers in C read: a line is a word and what belongs to it. */
+#ifndef WORDS_H
+#define WORDS_H
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contactd.h"
+
+enum { most_words = 40 };
+
+static contactd_connection* place;
+static char name[100];  /* of the case */
+static int32_t refused; /* what a setter answered since the last line; a step would not know of it */
+static char reason[100], field[100];
+
+static char* words[most_words];
+static int count;
+
+static int is(const char* word) {
+    return strcmp(words[0], word) == 0;
+}
+static double number(int i) {
+    return i < count ? strtod(words[i], NULL) : NAN;
+}
+static int32_t whole(int i) {
+    return i < count ? (int32_t)strtol(words[i], NULL, 10) : -1;
+}
+
+/* The place of a word in a list. */
+static int32_t word(int i, const char* list[]) {
+    for (int32_t n = 0; i < count && list[n] != NULL; ++n)
+        if (strcmp(words[i], list[n]) == 0) return n;
+    fprintf(stderr, "%s: %s has no such word\n", name, words[0]);
+    exit(2);
+}
+
+static void note(const void* handle, int32_t code) {
+    if (code == CONTACTD_OK || refused != CONTACTD_OK) return;
+    refused = code;
+    snprintf(reason, sizeof reason, "%s", contactd_last_reason(handle));
+    snprintf(field, sizeof field, "%s", contactd_last_field(handle));
+}
+
+static void note_setter(const void* handle, int32_t code) {
+    if (code == -1) {
+        fprintf(stderr, "%s: there is no %s\n", name, words[0]);
+        exit(2);
+    }
+    note(handle, code);
+}
+
+/* "WHERE CASES": opens the place, and has each line of the file taken that says something. */
+static int read_cases(int arguments, char** argument, void (*take)(void)) {
+    char line[1000];
+    FILE* cases = arguments == 3 ? fopen(argument[2], "r") : NULL;
+    if (cases == NULL || contactd_open(argument[1], &place) != CONTACTD_OK) {
+        fprintf(stderr, "usage: %s WHERE CASES\n", argument[0]);
+        return 2;
+    }
+    while (fgets(line, sizeof line, cases) != NULL) {
+        count = 0;
+        for (char* next = strtok(line, " \r\n"); next != NULL && count < most_words; next = strtok(NULL, " \r\n"))
+            words[count++] = next;
+        if (count > 0) take();
+    }
+    fclose(cases);
+    return 0;
+}
+
+#endif
