@@ -4,27 +4,15 @@
 program driver
     use contactd
     use answers
-    use, intrinsic :: iso_fortran_env, only: error_unit
+    use words
     implicit none
-    integer, parameter :: most_words = 20
     type(c_ptr) :: place, contact
-    character(256) :: where, file
-    character(1000) :: line
-    character(60) :: word(0:most_words), name, reason, field
-    integer :: words, unit, status
-    integer(c_int32_t) :: nx, ny, states(0:9), refused
+    integer :: unit
+    integer(c_int32_t) :: nx, ny, states(0:9)
 
-    if (command_argument_count() /= 2) error stop "usage: congruence-fortran WHERE CASES"
-    call get_command_argument(1, where)
-    call get_command_argument(2, file)
-    call need(contactd_open(where, place))
     contact = c_null_ptr
-    open (newunit=unit, file=file, status="old", action="read")
-    do
-        read (unit, "(a)", iostat=status) line
-        if (status /= 0) exit
-        call split()
-        if (words == 0) cycle
+    call open_cases(place, unit)
+    do while (next_line(unit))
         call take()
     end do
     if (c_associated(contact)) call need(contactd_free(contact))
@@ -33,41 +21,6 @@ program driver
 contains
 
     ! --- what a line says
-
-    subroutine split()
-        integer :: at, next
-        words = 0
-        at = 1
-        do while (at <= len_trim(line))
-            next = index(line(at:) // " ", " ") + at - 1
-            if (next > at .and. words < most_words) then
-                word(words) = line(at:next - 1)
-                words = words + 1
-            end if
-            at = next + 1
-        end do
-    end subroutine
-
-    real(c_double) function number(i)
-        integer, intent(in) :: i
-        read (word(i), *) number
-    end function
-
-    integer(c_int32_t) function whole(i)
-        integer, intent(in) :: i
-        read (word(i), *) whole
-    end function
-
-    ! The place of word i in a list of words.
-    integer(c_int32_t) function place_of(i, list)
-        integer, intent(in) :: i
-        character(*), intent(in) :: list(0:)
-        do place_of = 0, size(list, kind=c_int32_t) - 1
-            if (word(i) == list(place_of)) return
-        end do
-        write (error_unit, *) trim(name), ": ", trim(word(0)), " has no such word"
-        stop 2
-    end function
 
     integer(c_int32_t) function body(i)
         integer, intent(in) :: i
@@ -148,18 +101,18 @@ contains
         integer(c_int32_t) :: i, many
         select case (word(0))
         case ("section")
-            do i = 3, words - 1
+            do i = 3, count - 1
                 y(i - 2) = number(i)
             end do
             code = contactd_set_section(contact, body(1), place_of(2, [character(10) :: "outline", "rail_60e1", &
-                "rim_s1002", "edge_block", "groove", "round_end", "disc", "plate_hole", "slab"]), y, words - 3)
+                "rim_s1002", "edge_block", "groove", "round_end", "disc", "plate_hole", "slab"]), y, count - 3)
         case ("section_place"); code = contactd_set_section_place(contact, body(1), number(2), number(3))
         case ("section_accuracy"); code = contactd_set_section_accuracy(contact, body(1), number(2))
         case ("outline"); code = contactd_set_outline(contact, body(1), number(2), number(3))
         case ("line"); code = contactd_add_line(contact, body(1), number(2), number(3), whole(4))
         case ("arc"); code = contactd_add_arc(contact, body(1), number(2), number(3), number(4), whole(5))
         case ("spline") ! "body held y z y z ..."
-            many = (words - 3) / 2
+            many = (count - 3) / 2
             do i = 1, many
                 y(i) = number(1 + 2 * i)
                 z(i) = number(2 + 2 * i)
@@ -190,7 +143,7 @@ contains
         integer(c_int32_t), intent(in) :: shape
         real(c_double) :: thickness(20), G(20), nu(20)
         integer(c_int32_t) :: many, i
-        many = (words - 5) / 3
+        many = (count - 5) / 3
         do i = 1, many
             thickness(i) = number(2 + 3 * i)
             G(i) = number(3 + 3 * i)
@@ -231,29 +184,21 @@ contains
         end select
     end function
 
-    subroutine note(code)
-        integer(c_int32_t), intent(in) :: code
-        if (code == contactd_ok .or. refused /= contactd_ok) return
-        refused = code
-        reason = contactd_last_reason(contact)
-        field = contactd_last_field(contact)
-    end subroutine
-
     ! The line of a call; one that a setter has refused for is not made.
     subroutine make_call()
         write (*, "(a, 1x, a)", advance="no") trim(name), trim(word(0))
         if (refused == contactd_ok) then
             select case (word(0))
-            case ("start"); call note(contactd_start(contact))
-            case ("step"); call note(contactd_step(contact))
-            case ("again"); call note(contactd_step_again(contact))
-            case ("save"); call note(contactd_save(contact, states(whole(1))))
-            case ("restore"); call note(contactd_restore(contact, states(whole(1))))
-            case ("forget"); call note(contactd_forget(contact, states(whole(1))))
+            case ("start"); call note(contact, contactd_start(contact))
+            case ("step"); call note(contact, contactd_step(contact))
+            case ("again"); call note(contact, contactd_step_again(contact))
+            case ("save"); call note(contact, contactd_save(contact, states(whole(1))))
+            case ("restore"); call note(contact, contactd_restore(contact, states(whole(1))))
+            case ("forget"); call note(contact, contactd_forget(contact, states(whole(1))))
             end select
         end if
         if (refused /= contactd_ok) then
-            write (*, "(a, i0, 1x, a, 1x, a)", advance="no") " refused ", refused, trim(reason), trim(field)
+            call tell_refusal()
         else if (word(0) == "step" .or. word(0) == "again") then
             call tell_step(contact, nx, ny)
         end if
@@ -277,8 +222,7 @@ contains
         case default
             code = set_up()
             if (code == -1) code = load()
-            if (code == -1) error stop "a line that this does not know"
-            call note(code)
+            call note(contact, code)
         end select
     end subroutine
 end program driver

@@ -5,27 +5,14 @@ program wheel_driver
     use contactd
     use answers, only: need
     use wheel_answers
-    use, intrinsic :: iso_fortran_env, only: error_unit
+    use words
     implicit none
-    integer, parameter :: most_words = 40
     type(c_ptr) :: place, wheel
-    character(256) :: where, file
-    character(1000) :: line
-    character(60) :: word(0:most_words), name, reason, field
-    integer :: words, unit, status
-    integer(c_int32_t) :: refused
+    integer :: unit
 
-    if (command_argument_count() /= 2) error stop "usage: congruence-wheel-fortran WHERE CASES"
-    call get_command_argument(1, where)
-    call get_command_argument(2, file)
-    call need(contactd_open(where, place))
     wheel = c_null_ptr
-    open (newunit=unit, file=file, status="old", action="read")
-    do
-        read (unit, "(a)", iostat=status) line
-        if (status /= 0) exit
-        call split()
-        if (words == 0) cycle
+    call open_cases(place, unit)
+    do while (next_line(unit))
         call take()
     end do
     if (c_associated(wheel)) call need(contactd_wheel_free(wheel))
@@ -35,47 +22,12 @@ contains
 
     ! --- what a line says
 
-    subroutine split()
-        integer :: at, next
-        words = 0
-        at = 1
-        do while (at <= len_trim(line))
-            next = index(line(at:) // " ", " ") + at - 1
-            if (next > at .and. words < most_words) then
-                word(words) = line(at:next - 1)
-                words = words + 1
-            end if
-            at = next + 1
-        end do
-    end subroutine
-
-    real(c_double) function number(i)
-        integer, intent(in) :: i
-        read (word(i), *) number
-    end function
-
-    integer(c_int32_t) function whole(i)
-        integer, intent(in) :: i
-        read (word(i), *) whole
-    end function
-
     ! Every second word from i on.
     function each_second(i) result(made)
         integer, intent(in) :: i
-        real(c_double) :: made((words - i + 1) / 2)
+        real(c_double) :: made((count - i + 1) / 2)
         integer :: n
         made = [(number(i + 2 * n), n=0, size(made) - 1)]
-    end function
-
-    ! The place of word i in a list of words.
-    integer(c_int32_t) function place_of(i, list)
-        integer, intent(in) :: i
-        character(*), intent(in) :: list(0:)
-        do place_of = 0, size(list, kind=c_int32_t) - 1
-            if (word(i) == list(place_of)) return
-        end do
-        write (error_unit, *) trim(name), ": ", trim(word(0)), " has no such word"
-        stop 2
     end function
 
     integer(c_int32_t) function body(i)
@@ -155,19 +107,11 @@ contains
         end select
     end function
 
-    subroutine note(code)
-        integer(c_int32_t), intent(in) :: code
-        if (code == contactd_ok .or. refused /= contactd_ok) return
-        refused = code
-        reason = contactd_last_reason(wheel)
-        field = contactd_last_field(wheel)
-    end subroutine
-
     subroutine solve()
         write (*, "(a)", advance="no") trim(name) // " solve"
-        if (refused == contactd_ok) call note(contactd_wheel_solve(wheel))
+        if (refused == contactd_ok) call note(wheel, contactd_wheel_solve(wheel))
         if (refused /= contactd_ok) then
-            write (*, "(a, i0, 1x, a, 1x, a)", advance="no") " refused ", refused, trim(reason), trim(field)
+            call tell_refusal()
         else
             call tell_wheel(wheel)
         end if
@@ -191,8 +135,7 @@ contains
         case default
             code = set_up()
             if (code == -1) code = move()
-            if (code == -1) error stop "a line that this does not know"
-            call note(code)
+            call note(wheel, code)
         end select
     end subroutine
 end program wheel_driver
