@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import sys
@@ -21,10 +22,12 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
 
 
 def _open_streams() -> None:
-    """Where the caller has closed one of the three: else what is opened next, such as a socket, would take its place."""
+    """Also where the caller has closed one of the three: else what is opened next, such as a socket, would take its place."""
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, mode))
+    if isinstance(getattr(sys.stdout, "buffer", None), io.RawIOBase):  # by PYTHONUNBUFFERED: what a write leaves over would be lost unsaid
+        sys.stdout = open(sys.stdout.fileno(), "w", encoding=sys.stdout.encoding, errors=sys.stdout.errors, closefd=False)
 
 
 @contextmanager

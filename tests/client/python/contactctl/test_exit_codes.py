@@ -222,6 +222,17 @@ def test_help_that_cannot_be_written_is_an_end_in_order(ctl, words):
         assert ended.returncode == code
 
 
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_a_reader_that_has_enough_ends_the_command(ctl, unbuffered):
+    ctl.environment["PYTHONUNBUFFERED"] = unbuffered
+    large = ("--set", "grid.nx=200", "--set", "grid.ny=200", "--json", "--fields", "all")
+    with ctl.start("solve", "contact.yaml", *large) as ended:
+        assert ended.stdout.read(1) == "{"
+        ended.stdout.close()
+        assert ended.stderr.read() == ""
+    assert ended.returncode == 141
+
+
 def _unread_pipe():
     reading, writing = os.pipe()
     os.close(reading)
