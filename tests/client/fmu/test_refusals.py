@@ -167,8 +167,10 @@ def test_another_shared_object(instances):
     fmu.slave.guid = "{another}"
     first, fmu.slave.component = fmu.slave.component, None
     with pytest.raises(Exception, match="instantiate"):
-        fmu.slave.instantiate()
+        fmu.slave.instantiate(callbacks=fmu.slave.callbacks)
     fmu.slave.component = first
+    ((status, _, sentence),) = fmu.log
+    assert status == 3 and "GUID" in sentence
 
 
 def test_texts_with_a_percent_reach_the_log_as_they_are(contact, refused):

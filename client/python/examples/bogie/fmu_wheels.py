@@ -12,6 +12,7 @@ from typing import Any
 
 import fmpy
 import numpy as np
+from fmpy import fmi1, fmi2, fmi3
 from railway.motion import axes
 from railway.wheels import OnWheelset
 from runs import STEP
@@ -32,23 +33,17 @@ class FmuWheels:
     """
 
     def __init__(self, archive: Path, setups: Sequence[WheelRailSetup]) -> None:
-        self._said: list[str] = []
         description = described(archive)
         with ExitStack() as stack:
             folder = stack.enter_context(TemporaryDirectory(prefix="contactd-bogie-"))
             fmpy.extract(str(archive), folder)
             self._wheels = [
-                stack.enter_context(_Wheel(folder, description, parameters_of(setup), self._said)) for setup in setups
+                stack.enter_context(_Wheel(folder, description, parameters_of(setup))) for setup in setups
             ]
             self._open = stack.pop_all()
 
     def __call__(self, states: Sequence[WheelRailState]) -> list[OnWheelset]:
-        try:
-            answers = [wheel.step(inputs_of(state)) for wheel, state in zip(self._wheels, states, strict=True)]
-        except fmpy.fmi1.FMICallException as error:
-            sentence = self._said[-1] if self._said else str(error)
-            # What else can go wrong has no part in the motion, such as the limit of a step.
-            raise (InvalidArgument if "no elastic contact" in sentence else RuntimeError)(sentence) from None
+        answers = [wheel.step(inputs_of(state)) for wheel, state in zip(self._wheels, states, strict=True)]
         return [_on_wheelset(answer, state) for answer, state in zip(answers, states)]
 
     def __enter__(self) -> FmuWheels:
@@ -63,13 +58,11 @@ class FmuWheels:
 class _Wheel:
     """One instance, whose variables go by their names."""
 
-    def __init__(self, folder: str, description: Any, parameters: Mapping[str, float], said: list[str]) -> None:
-        def tell(*told: Any) -> None:  # FMI 2 and 3 tell different things before the sentence
-            said.append(told[-1].decode())
-
+    def __init__(self, folder: str, description: Any, parameters: Mapping[str, float]) -> None:
         self._variables = {variable.name: variable for variable in description.modelVariables}
-        self._slave = fmpy.instantiate_fmu(folder, description, "CoSimulation", logger=tell)
         self._is_fmi2 = description.fmiVersion == "2.0"
+        self._said: list[str] = []
+        self._slave = self._instantiated(folder, description)
         self._answers = [self._variables[name].valueReference for name in ANSWERS]
         self._time = 0.0
         if self._is_fmi2:
@@ -79,10 +72,38 @@ class _Wheel:
         self._slave.enterInitializationMode()
         self._slave.exitInitializationMode()
 
+    def _instantiated(self, folder: str, description: Any) -> Any:
+        def tell(*told: Any) -> None:  # FMI 2 and 3 tell different things before the sentence
+            sentence = told[-1].decode()
+            self._said.append(sentence % () if self._is_fmi2 else sentence)  # a format, in FMI 2
+
+        # Not by fmpy.instantiate_fmu: what instances of FMI 2 log, it tells to the logger given last, whether that still
+        # lives or not.
+        names = {
+            "guid": description.guid, "modelIdentifier": description.modelName, "unzipDirectory": folder,
+            "instanceName": description.modelName,
+        }  # fmt: skip
+        if not self._is_fmi2:
+            slave = fmi3.FMU3Slave(**names)
+            slave.instantiate(logMessage=tell)
+            return slave
+        callbacks = fmi2.fmi2CallbackFunctions()
+        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(tell)
+        callbacks.allocateMemory = fmi2.defaultCallbacks.allocateMemory
+        callbacks.freeMemory = fmi2.defaultCallbacks.freeMemory
+        slave = fmi2.FMU2Slave(**names)
+        slave.instantiate(callbacks=callbacks)
+        return slave
+
     def step(self, inputs: Mapping[str, float]) -> list[float]:
         """ANSWERS."""
         self._set(list(inputs), list(inputs.values()))
-        self._slave.doStep(self._time, STEP)
+        try:
+            self._slave.doStep(self._time, STEP)
+        except fmi1.FMICallException as error:
+            sentence = self._said[-1] if self._said else str(error)
+            # What else can go wrong has no part in the motion, such as the limit of a step.
+            raise (InvalidArgument if "no elastic contact" in sentence else RuntimeError)(sentence) from None
         self._time += STEP
         get = self._slave.getReal if self._is_fmi2 else self._slave.getFloat64
         answers: list[float] = get(self._answers)
