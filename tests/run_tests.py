@@ -100,7 +100,8 @@ def python_command(chosen: Sequence[Source] | None, everything: bool, options: S
     files = [str(TESTS)] if chosen is None else [str(test.file) for test in chosen if test.target is None]
     command = [sys.executable, "-m", "pytest", *([] if everything else ["-m", "not slow"])]
     if (processes := workers() if chosen is None else min(workers(), len(files))) > 1:
-        command += ["-n", str(processes), "--dist", "loadgroup"]
+        # A process that crashes ends the run: pytest-xdist would start another one, and then wait without end.
+        command += ["-n", str(processes), "--dist", "loadgroup", "--max-worker-restart", "0"]
     return [*command, *options, *files]
 
 

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
 import pytest
 
 import run_tests
 from run_tests import Source, build_command, choose, cpp_command, cpp_tests, python_command, python_tests
+from support.patience import SLOWER
 
 LISTED = """core/contact/test_rolling\tcore/contact/test_rolling.cpp\ttest_core
 core/contact/test_rolling (slow)\tcore/contact/test_rolling.cpp\ttest_core
 core/fem/test_shells\tcore/fem/test_shells.cpp\ttest_fem
 client/cpp/check_links\tclient/cpp/check_links.cmake\tcontactd-cpp-example
+"""
+CRASH = """import ctypes, time, pytest
+@pytest.mark.parametrize("k", range(300))
+def test_one(k):
+    time.sleep(0.02)
+    if k == 37:
+        ctypes.string_at(0)
 """
 ALL = cpp_tests(LISTED) + python_tests()
 
@@ -52,6 +61,15 @@ def test_an_unknown_name_is_told_what_there_is():
 def test_a_part_builds_what_it_needs():
     assert build_command(choose(ALL, ["core/contact"]), False)[-2:] == ["--target", "test_core"]
     assert set(run_tests.PROGRAMS) < set(build_command(choose(ALL, ["test_jobs"]), False))
+
+
+def test_a_process_that_crashes_ends_the_run(tmp_path):
+    tests = tmp_path / "test_crash.py"
+    tests.write_text(CRASH)
+    command = [*python_command(None, True, ["-p", "no:cacheprovider"])[:-1], str(tests)]
+    ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=50 * SLOWER)
+    assert ended.returncode != 0
+    assert "test_one[37]" in ended.stdout + ended.stderr
 
 
 def test_what_no_test_needs_is_built_with_all():
