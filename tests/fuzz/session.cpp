@@ -45,6 +45,7 @@ void check_wheel_step(const Request& request) {
     const nlohmann::json again = encode_step("0", 1, input);
     fuzz::require(violations_of("session.step.params", again).empty(), "what was read can be written as a step");
     fuzz::require(decode_wheel_rail_step(again).state == input.state, "a state arrives as it was");
+    fuzz::require(decode_wheel_rail_step(again).patches == input.patches, "what is left out of the answer is, too");
 }
 
 /// A step is laid over sessions that differ in what it may leave out.

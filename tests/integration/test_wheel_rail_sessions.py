@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import math
+import pickle
 import threading
 
 import numpy as np
@@ -112,6 +113,49 @@ def test_arrays_come_as_asked_for(wheel):
     (patch,) = wheel.step(at(0.0), fields="pressure", gap=True).patches
     assert patch.solution.pressure.shape == patch.gap.shape == patch.place.grid.shape
     assert patch.solution.traction_x is None
+
+
+@pytest.mark.parametrize(("y", "z"), [(0.0, 0.25), (6.8, 0.25), (0.0, -5.0)], ids=["tread", "flange", "lifted"])
+@pytest.mark.parametrize("model", ["full", "hertz", "fastsim"])
+def test_a_step_without_patches_tells_all_else(shared, model, y, z):
+    setup = COARSE.replace(model=model, friction=None if model == "hertz" else WheelRailFriction(0.3))
+    state = at(y, Fz=None, z=z)
+    with shared.wheel_rail_session(setup) as one, shared.wheel_rail_session(setup) as other:
+        whole, short = one.step(state), other.step(state, patches=False)
+    assert short.contacts == len(whole.patches)
+    assert whole.contacts is None
+    for name in ("z", "pitch", "forces", "warnings", "converged", "clearance", "frictional_power", "step"):
+        assert getattr(short, name) == getattr(whole, name), name
+    powers = [patch.solution.frictional_power for patch in whole.patches if patch.solution.frictional_power is not None]
+    assert short.frictional_power == (pytest.approx(sum(powers)) if powers else None)
+    assert f"contacts {short.contacts}" in repr(short)
+    with pytest.raises(AttributeError, match=r"left out of this answer, as its step said by patches=False"):
+        short.patches  # noqa: B018
+
+
+def test_the_step_after_one_without_patches_goes_on_from_it(shared):
+    with shared.wheel_rail_session(COARSE) as one, shared.wheel_rail_session(COARSE) as other:
+        one.step(at(1.0))
+        other.step(at(1.0), patches=False)
+        assert other.step(at(1.1)).forces == one.step(at(1.1)).forces
+
+
+def test_an_answer_without_patches_is_pickled_and_not_saved(wheel):
+    short = wheel.step(at(1.0), patches=False)
+    again = pickle.loads(pickle.dumps(short))
+    assert (again.forces, again.contacts) == (short.forces, 1)
+    with pytest.raises(AttributeError, match="patches were left out"):
+        short.to_dict()
+    with pytest.raises(AttributeError, match="patches were left out"):
+        short.plot()
+
+
+@pytest.mark.parametrize(("asked", "field"), [({"fields": "pressure"}, "fields"), ({"gap": True}, "wheelrail.gap")])
+def test_arrays_of_patches_that_are_left_out_are_refused(wheel, asked, field):
+    with pytest.raises(InvalidArgument, match="wheelrail.patches that there be none") as raised:
+        wheel.step(at(1.0), patches=False, **asked)
+    assert raised.value.violations[0].field == field
+    assert wheel.step(at(1.0)).step == 1
 
 
 def test_friction_may_change_from_step_to_step(shared, wheel):
@@ -327,6 +371,7 @@ STEPS = [
     ({"state": {}, "friction": {"mu": [{"angle": 1, "mu": 0.1}, {"angle": 0, "mu": 0.1}]}}, "wheelrail.friction.mu"),
     ({"friction": {"mu": 0.3}}, "wheelrail.state"),
     ({"state": {}, "gap": "yes"}, "wheelrail.gap"),
+    ({"state": {}, "patches": 0}, "wheelrail.patches"),
 ]
 
 

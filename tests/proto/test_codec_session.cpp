@@ -313,6 +313,35 @@ TEST_CASE("A step of a wheel on its rail arrives as it was sent, and so does its
     CHECK(reply.solution.z == 0.5);
 }
 
+TEST_CASE("An answer without patches tells how many there are, and what of them belongs to the whole") {
+    WheelRailStepInput sent;
+    sent.patches = false;
+    CHECK_FALSE(decode_wheel_rail_step(json::parse(dump(encode_step("s", 4, sent)))).patches);
+    CHECK(decode_wheel_rail_step(encode_step("s", 4, WheelRailStepInput{})).patches);
+    sent.gap = true;
+    CHECK_THROWS_AS(decode_wheel_rail_step(encode_step("s", 4, sent)), StatusError);
+
+    WheelRailSolution solution;
+    solution.patches.resize(2);
+    solution.patches[0].solution.frictional_power = 3.0;
+    solution.patches[1].solution.frictional_power = 4.0;
+    solution.patches[1].solution.evidence.normal.converged = false;
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json result = json::parse(dump(encode_step_reply(4, solution, PatchFields{{}, false, false}, arrays)));
+    CHECK(violations_of("session.step.result", result).empty());
+    CHECK_FALSE(result["wheelrail"].contains("patches"));
+    const WheelRailSolution arrived = decode_wheel_rail_step_reply(result, {}).solution;
+    CHECK(arrived.patches.empty());
+    CHECK(arrived.in_contact());
+    CHECK(arrived.contacts() == 2);
+    CHECK(arrived.frictional_power() == 7.0);
+    CHECK_FALSE(arrived.converged());
+
+    json neither = result;
+    neither["wheelrail"].erase("contacts");
+    CHECK_THROWS_AS(decode_wheel_rail_step_reply(neither, {}), StatusError);
+}
+
 TEST_CASE("Openings and steps are of a contact or of a wheel on its rail, and not of both") {
     const json grid{{"nx", 1}, {"ny", 1}, {"dx", 1}, {"dy", 1}};
     CHECK_FALSE(violations_of("session.open.params", {{"wheelrail", json::object()}, {"grid", grid}}).empty());

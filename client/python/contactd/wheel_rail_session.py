@@ -45,6 +45,7 @@ class AnyWheelRailSession(AnySession):
         friction: WheelRailFriction | None = None,
         fields: Fields = (),
         gap: bool = False,
+        patches: bool = True,
         again: bool = False,
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
@@ -53,13 +54,14 @@ class AnyWheelRailSession(AnySession):
         """Solves the next step: `state` says all of where the wheelset is and how it moves.
 
         `friction` is that of this step, None: as the session was opened. `fields` names the arrays wanted back of each
-        patch, or the one; `gap` asks for the undeformed distances.
+        patch, or the one; `gap` asks for the undeformed distances. Without `patches` the answer tells their number only:
+        simulations that take nothing but forces save most of the message.
 
         With `again` the step that was asked for last is tried anew, as in Session.step.
 
         Raises InvalidArgument naming ``wheelrail.state.position.z``, ..., and what Session.step raises.
         """
-        step: WheelRailStepInput = {"state": state, "friction": friction, "fields": fields, "gap": gap, "again": again}
+        step: WheelRailStepInput = {"state": state, "friction": friction, "fields": fields, "gap": gap, "patches": patches, "again": again}
         solution: WheelRailStepSolution = yield from self._step(step, timeout, on_progress, progress)
         return solution
 

@@ -20,7 +20,16 @@ from .wheel_rail_places import ContactPlace
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["RailShift", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution", "read_wheel_rail", "read_wheel_rail_as", "read_wheelset"]
+__all__ = [
+    "RailShift",
+    "WheelRailPatch",
+    "WheelRailSolution",
+    "WheelsetSolution",
+    "read_wheel_rail",
+    "read_wheel_rail_as",
+    "read_wheel_rail_without_patches",
+    "read_wheelset",
+]
 
 
 S = TypeVar("S", bound="WheelRailSolution")
@@ -64,7 +73,8 @@ class WheelRailSolution(Saved, Shown):
         z: Of the wheelset, as prescribed or found (mm).
         pitch: Its pitch rate, as prescribed or found (rad/s).
         forces: Of all patches.
-        patches: From the right to the left.
+        patches: From the right to the left. Of a step that said ``patches=False`` they are left out, and reading them raises
+            AttributeError.
         converged: Whether the solvers of all patches and the searches reached their tolerances.
         warnings: Sentences.
         clearance: Least vertical distance of wheel and rail at this z (mm), negative where they overlap; None where they
@@ -74,6 +84,8 @@ class WheelRailSolution(Saved, Shown):
         rail_shift: Of a rail on springs.
         rail_search: Of a rail on springs: solves, and what its forces leave of each other, over Fz.
         derivatives: Where asked for, of a converged solution with contact.
+        contacts: Where patches are left out: how many there are.
+        frictional_power: Of rolling with friction: what it dissipates in all patches (N mm/s).
     """
 
     z: float
@@ -88,6 +100,15 @@ class WheelRailSolution(Saved, Shown):
     rail_shift: RailShift | None = None
     rail_search: SolverEvidence | None = None
     derivatives: WheelRailDerivatives | None = None
+    contacts: int | None = None
+    frictional_power: float | None = None
+
+    if not TYPE_CHECKING:  # which has none to report otherwise
+
+        def __getattr__(self, name: str) -> Any:
+            if name == "patches":
+                raise AttributeError("patches were left out of this answer, as its step said by patches=False")
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     def plot(self) -> Figure:
         """Draws the contacts and forces across the track, and beside them the pressures of each patch that has them.
@@ -101,7 +122,9 @@ class WheelRailSolution(Saved, Shown):
     def _rows(self) -> Rows:
         track = self.forces.track
         rows: Rows = [("z", self.z), ("Fx", track.Fx), ("Fy", track.Fy), ("Fz", track.Fz)]
-        for patch in self.patches:
+        if self.contacts is not None:
+            rows.append(("contacts", self.contacts))
+        for patch in self.patches if self.contacts is None else ():
             at = patch.place.reference
             rows.append(("patch at y", f"{at.y:.2f}, {at.angle:.3f} rad, pmax {patch.solution.pmax:.5g}"))
         return [*rows, ("converged", "yes" if self.converged else "NO")]
@@ -153,6 +176,15 @@ def read_wheel_rail_as(
 ) -> S:
     """The same as a class that holds more."""
     return _checked(read(kind, result, path), names, gap)
+
+
+def read_wheel_rail_without_patches(kind: type[S], result: dict[str, Any], path: str) -> S:
+    """The same of an answer that leaves them out."""
+    if type(result.get("contacts")) is not int:
+        raise ProtocolError(f"The answer's {path} lacks contacts.")
+    solution = read(kind, {**result, "patches": []}, path)
+    del vars(solution)["patches"]
+    return solution
 
 
 def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]) -> WheelsetSolution:

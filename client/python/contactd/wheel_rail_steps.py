@@ -12,7 +12,7 @@ from .showing import with_inherited_attributes
 from .steps import Steps
 from .wheel_rail import WheelRailFriction, WheelRailSolution, WheelRailState
 from .wheel_rail_params import friction_params, state_params
-from .wheel_rail_solution import read_wheel_rail_as
+from .wheel_rail_solution import read_wheel_rail_as, read_wheel_rail_without_patches
 
 __all__ = ["WheelRailStepInput", "WheelRailStepSolution", "WheelRailSteps"]
 
@@ -24,6 +24,7 @@ class WheelRailStepInput(TypedDict, total=False):
     friction: WheelRailFriction | None
     fields: Fields
     gap: bool
+    patches: bool
     again: bool
 
 
@@ -57,13 +58,18 @@ class WheelRailSteps(Steps):
             said["friction"] = friction_params(friction)
         if step.get("gap"):
             said["gap"] = True
+        if not step.get("patches", True):
+            said["patches"] = False
         return {"wheelrail": said}
 
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> WheelRailStepSolution:
         if not isinstance(result, dict) or not isinstance(told := result.get("wheelrail"), dict):
             raise ProtocolError("The answer to the step of a wheel on its rail lacks its wheelrail.")
         told = {**told, "step": result.get("step")}
-        names, gap = asked.get("fields", ()), asked["wheelrail"].get("gap", False)
-        solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, told, path)
+        if asked["wheelrail"].get("patches", True):
+            names, gap = asked.get("fields", ()), asked["wheelrail"].get("gap", False)
+            solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, told, path)
+        else:
+            solution = read_wheel_rail_without_patches(WheelRailStepSolution, told, path)
         self.number = solution.step
         return solution

@@ -79,6 +79,8 @@ struct WheelRailStepInput {
     bool again = false;                           ///< as in StepInput
     SolutionFields fields{};                      ///< wanted back of each patch
     bool gap = false;                             ///< whether that is, too
+    /// Whether the answer has its patches at all. Simulations that only take forces save most of a message.
+    bool patches = true;
 };
 
 struct WheelRailStepReply {

@@ -1,6 +1,7 @@
 // Where a wheel touches its rail, and what comes of it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -136,11 +137,19 @@ struct RailShift {
     bool operator==(const RailShift&) const = default;
 };
 
+/// What an answer tells of patches that it leaves out, as its step said (WheelRailStepInput::patches).
+struct PatchesLeftOut {
+    std::size_t count = 0;
+    bool converged = true;                     ///< with the searches
+    std::optional<double> frictional_power{};  ///< of all (N mm/s)
+};
+
 struct WheelRailSolution {
     double z = 0;                                ///< of the wheelset, as prescribed or found (mm)
     double pitch = 0;                            ///< its pitch rate, as prescribed or found (rad/s)
     std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
     std::vector<WheelRailPatch> patches;         ///< from the right to the left; none without contact
+    std::optional<PatchesLeftOut> left_out;      ///< of an answer that has none of them
     WheelRailForces forces;                      ///< of all patches
     std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
     std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
@@ -151,8 +160,18 @@ struct WheelRailSolution {
     std::optional<WheelRailDerivatives> derivatives;  ///< where asked for, of a converged solution with contact
     std::vector<std::string> warnings;                ///< sentences, those of the patches among them
 
-    bool in_contact() const { return !patches.empty(); }
+    std::size_t contacts() const { return left_out ? left_out->count : patches.size(); }
+    bool in_contact() const { return contacts() > 0; }
+    /// What friction dissipates in all patches (N mm/s); absent where no patch rolls with friction.
+    std::optional<double> frictional_power() const {
+        if (left_out) return left_out->frictional_power;
+        std::optional<double> sum;
+        for (const WheelRailPatch& patch : patches)
+            if (patch.solution.frictional_power) sum = sum.value_or(0) + *patch.solution.frictional_power;
+        return sum;
+    }
     bool converged() const {
+        if (left_out) return left_out->converged;
         for (const WheelRailPatch& patch : patches)
             if (!patch.solution.converged()) return false;
         return !(force && !force->converged) && !(pitch_search && !pitch_search->converged) &&

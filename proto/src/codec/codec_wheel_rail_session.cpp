@@ -11,6 +11,14 @@ namespace contactd::proto {
 
 using nlohmann::json;
 
+namespace {
+
+StatusError of_left_out(const std::string& field) {
+    return invalid_field(field, "asks for arrays of patches, and wheelrail.patches that there be none");
+}
+
+}  // namespace
+
 bool is_of_wheel_rail(const json& message) {
     return message.contains("wheelrail");
 }
@@ -43,6 +51,7 @@ json encode_step(const std::string& session, long long step, const WheelRailStep
     json said = object({{"state", encode_wheel_rail_state(input.state)}});
     if (input.friction) said["friction"] = encode_wheel_rail_friction(*input.friction);
     if (input.gap) said["gap"] = true;
+    if (!input.patches) said["patches"] = false;
     json params = object({{"session", session}, {"step", step}, {"wheelrail", std::move(said)}});
     if (input.again) params["again"] = true;
     if (!input.fields.empty()) params["fields"] = encode_fields(input.fields);
@@ -57,6 +66,9 @@ WheelRailStepInput decode_wheel_rail_step(const json& params) {
     input.again = params.value("again", false);
     input.fields = decode_fields(params, {});
     input.gap = said.value("gap", false);
+    input.patches = said.value("patches", true);
+    if (!input.patches && input.gap) throw of_left_out("wheelrail.gap");
+    if (!input.patches && !input.fields.empty()) throw of_left_out("fields");
     return input;
 }
 

@@ -4,6 +4,7 @@
 
 #include "codec_contact_place.hpp"
 #include "contactd/proto/object.hpp"
+#include "contactd/proto/status.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "named_numbers.hpp"
 
@@ -121,17 +122,31 @@ WheelRailGeometry decode_geometry(const json& source) {
     return geometry;
 }
 
+PatchesLeftOut decode_left_out(const json& result) {
+    PatchesLeftOut left_out;
+    if (!result.contains("contacts")) throw invalid_field("patches", "are missing, and so are contacts");
+    left_out.count = result["contacts"].get<std::size_t>();
+    left_out.converged = result["converged"].get<bool>();
+    if (result.contains("frictional_power")) left_out.frictional_power = result["frictional_power"].get<double>();
+    return left_out;
+}
+
 }  // namespace
 
 json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields, ArrayWriter& arrays) {
-    json patches = json::array();
-    for (const WheelRailPatch& patch : solution.patches) patches.push_back(encode_patch(patch, fields, arrays));
     json result = object({{"z", finite(solution.z, "z of the wheelset")},
                           {"pitch", finite(solution.pitch, "The pitch rate")},
                           {"forces", encode_forces(solution.forces)},
-                          {"patches", std::move(patches)},
                           {"warnings", solution.warnings},
                           {"converged", solution.converged()}});
+    if (fields.patches) {
+        json& patches = result["patches"] = json::array();
+        for (const WheelRailPatch& patch : solution.patches) patches.push_back(encode_patch(patch, fields, arrays));
+    } else {
+        result["contacts"] = solution.contacts();
+    }
+    if (const auto power = solution.frictional_power())
+        result["frictional_power"] = finite(*power, "The frictional power");
     if (solution.clearance) result["clearance"] = finite(*solution.clearance, "The clearance");
     for (const auto& [name, search] : searches_of(solution))
         if (*search) result[name] = encode_solver_evidence(**search);
@@ -147,7 +162,10 @@ WheelRailSolution decode_wheel_rail_solution(const json& result, const std::vect
     solution.z = result["z"].get<double>();
     solution.pitch = result["pitch"].get<double>();
     if (result.contains("clearance")) solution.clearance = result["clearance"].get<double>();
-    for (const json& patch : result["patches"]) solution.patches.push_back(decode_patch(patch, frames));
+    if (result.contains("patches"))
+        for (const json& patch : result["patches"]) solution.patches.push_back(decode_patch(patch, frames));
+    else
+        solution.left_out = decode_left_out(result);
     solution.forces = decode_forces(result["forces"]);
     for (const auto& [name, search] : searches_of(solution))
         if (result.contains(name)) *search = decode_solver_evidence(result[name]);

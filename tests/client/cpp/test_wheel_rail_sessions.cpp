@@ -10,6 +10,7 @@
 
 using namespace contactd;
 using namespace contactd::client;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::StartsWith;
 using Catch::Matchers::WithinAbs;
 
@@ -62,6 +63,26 @@ TEST_CASE("A step of a wheel answers what the client does without a session, and
     again.again = true;
     CHECK(wheel.step(again).step == 2);
     CHECK(wheel.step_number() == 2);
+}
+
+TEST_CASE("A step without patches tells all else") {
+    const Daemon daemon;
+    Client client(daemon.endpoint());
+    WheelRailSession one(client, coarse()), other(client, coarse());
+    for (const double y : {1.0, 6.8}) {
+        const WheelRailSolution whole = one.step(rolling_at(y)).solution;
+        WheelRailStepInput input = rolling_at(y);
+        input.patches = false;
+        const WheelRailSolution without = other.step(input).solution;
+        CHECK(without.patches.empty());
+        CHECK(without.in_contact());
+        CHECK(without.contacts() == whole.contacts());
+        CHECK(without.converged() == whole.converged());
+        CHECK(without.forces.track == whole.forces.track);
+        CHECK(without.frictional_power() == whole.frictional_power());
+        input.gap = true;
+        CHECK_THROWS_WITH(other.step(input), ContainsSubstring("wheelrail.patches that there be none"));
+    }
 }
 
 TEST_CASE("A wheel's session is joined as what it is") {

@@ -75,7 +75,7 @@ class SessionWheels:
             self._open = stack.pop_all()
 
     def __call__(self, states: Sequence[WheelRailState]) -> list[OnWheelset]:
-        steps = zip(self._sessions, [{"state": state} for state in states], strict=True)
+        steps = zip(self._sessions, [{"state": state, "patches": False} for state in states], strict=True)
         answers = self._client.step_many(steps)
         for answer in answers:
             if isinstance(answer, Exception):
@@ -94,9 +94,8 @@ class SessionWheels:
 def on_wheelset(answer: WheelRailSolution) -> OnWheelset:
     """What an answer means for the wheelset: its forces act on the rail."""
     track, wheelset = answer.forces.track, answer.forces.wheelset
-    power = sum(patch.solution.frictional_power or 0.0 for patch in answer.patches)
     force, moment = -np.array([track.Fx, track.Fy, track.Fz]), -np.array([wheelset.Mx, wheelset.My, wheelset.Mz])
-    return OnWheelset(force, moment, power)
+    return OnWheelset(force, moment, answer.frictional_power or 0.0)
 
 
 def wheel_state(side: Side, motion: Motion, track: Track) -> WheelRailState:

@@ -17,10 +17,11 @@
 namespace contactd::proto {
 
 // --- wheelrail.solve -------------------------------------------------------------------------------------------------
-/// The arrays that patches of an answer shall hold.
+/// What an answer shall hold: its patches, and these arrays of each.
 struct PatchFields {
     SolutionFields solution = all_solution_fields;
     bool gap = false;
+    bool patches = true;
 };
 
 /// Bodies are told by their materials, as half-spaces. Throws InvalidArgument ("setup.bodies") for others.
