@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
@@ -27,7 +28,13 @@ def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidA
 
 def plain(value: Any) -> dict[str, Any]:
     """The fields of a dataclass that are not None, as the wire names them."""
-    return {f.name: item for f in fields(value) if (item := getattr(value, f.name)) is not None}
+    return {name: item for name in _names(value.__class__) if (item := getattr(value, name)) is not None}
+
+
+@functools.cache
+def _names(kind: type) -> tuple[str, ...]:
+    """Of the fields of a dataclass, looked at once: steps are told thousands of times a second."""
+    return tuple(field.name for field in fields(kind))
 
 
 def array_of(value: Any) -> np.ndarray[Any, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 GRAVITY = 9810.0  # mm/s^2
-_NEXT, _LAST = [1, 2, 0], [2, 0, 1]
+_NEXT = np.array([1, 2, 0])
 
 
 class Motion(NamedTuple):
@@ -37,10 +38,11 @@ class Motion(NamedTuple):
 
 def axes(roll: float | Array, yaw: float | Array) -> Array:
     """The wheelset's axes as columns, in track coordinates, shape [3, 3]; of many [3, 3, n]."""
-    cr, sr, cy, sy = np.cos(roll), np.sin(roll), np.cos(yaw), np.sin(yaw)
+    its = np if isinstance(roll, np.ndarray) else math  # numpy takes several times as long for one angle
+    cr, sr, cy, sy = its.cos(roll), its.sin(roll), its.cos(yaw), its.sin(yaw)
     return np.array([[cy, -sy * cr, sy * sr], [sy, cy * cr, -cy * sr], [0 * sr, sr, cr]])
 
 
 def cross(first: Array, second: Array) -> Array:
     """As numpy.cross of vectors in the last dimension, which takes several times as long for a few of them."""
-    return first[..., _NEXT] * second[..., _LAST] - first[..., _LAST] * second[..., _NEXT]
+    return (first * second[..., _NEXT] - first[..., _NEXT] * second)[..., _NEXT]
