@@ -24,7 +24,7 @@ namespace {
 
 using namespace contactd;
 using nlohmann::json;
-using Frames = std::vector<std::string>;
+using proto::Frames;
 
 /// The paper's Cattaneo problem on n x n elements.
 ContactProblem cattaneo(int n, bool friction) {
@@ -68,7 +68,7 @@ Sizes sizes_of(const ContactProblem& problem, const SolveReply& reply) {
 
 void send(zmq::socket_t& socket, const Frames& frames) {
     for (std::size_t n = 0; n < frames.size(); ++n)
-        (void)socket.send(zmq::buffer(frames[n]),
+        (void)socket.send(zmq::buffer(frames[n].bytes()),
                           n + 1 < frames.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);
 }
 
@@ -92,8 +92,8 @@ class Echo {
         dealer_.connect(router.get(zmq::sockopt::last_endpoint));
         server_ = std::thread([router = std::move(router), reply = std::move(reply)]() mutable {
             Frames frames;
-            while (receive(router, frames) > 2 || !frames.at(1).empty()) {
-                (void)router.send(zmq::buffer(frames[0]), zmq::send_flags::sndmore);
+            while (receive(router, frames) > 2 || frames.at(1).size() > 0) {
+                (void)router.send(zmq::buffer(frames[0].bytes()), zmq::send_flags::sndmore);
                 send(router, reply);
             }
         });

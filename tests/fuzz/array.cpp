@@ -25,7 +25,7 @@ Shape take_shape(std::string_view& bytes) {
 }
 
 template <class T, class Read>
-void check(const Read& read, const nlohmann::json& source, const std::vector<std::string>& frames, const Shape& shape) {
+void check(const Read& read, const nlohmann::json& source, const Frames& frames, const Shape& shape) {
     std::vector<T> values;
     try {
         values = read(source, frames, shape, "field");
@@ -52,10 +52,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const fuzz::Input input = fuzz::split(bytes);
     const auto source = nlohmann::json::parse(input.text, nullptr, false);
     if (source.is_discarded()) return 0;
-    check<double>(read_array, source, input.frames, shape);
-    check<unsigned char>(read_byte_array, source, input.frames, shape);
+    const Frames frames(input.frames.begin(), input.frames.end());
+    check<double>(read_array, source, frames, shape);
+    check<unsigned char>(read_byte_array, source, frames, shape);
     try {
-        check_frames_used(source, input.frames);
+        check_frames_used(source, frames);
     } catch (const StatusError&) {
     }
     return 0;

@@ -10,7 +10,7 @@ using namespace contactd::proto;
 
 namespace {
 
-void decode(const std::string& method, const nlohmann::json& result, const std::vector<std::string>& frames) {
+void decode(const std::string& method, const nlohmann::json& result, const Frames& frames) {
     if (method == "ic.get") decode_ic_reply(result, frames);
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "contact.solve_many") decode_solve_replies(result, frames);
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const std::string& method : method_names()) {
         if (!violations_of(method + ".result", result).empty()) continue;
         try {
-            decode(method, result, input.frames);
+            decode(method, result, Frames(input.frames.begin(), input.frames.end()));
         } catch (const StatusError&) {
         }
     }

@@ -71,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::Input input = fuzz::split(fuzz::bytes_of(data, size));
     std::string id;
     try {
-        const Request request = parse_request(input.text, std::move(input.frames), limits, id);
+        const Request request = parse_request(input.text, Frames(input.frames.begin(), input.frames.end()), limits, id);
         check_params(request.method, request.params);
         check_frames_used(request.params, request.frames);
         decode(request);

@@ -22,8 +22,7 @@ std::string bytes_of(const std::vector<double>& values) {
     return bytes;
 }
 
-std::string refusal_of(const json& array, const std::vector<std::string>& frames,
-                       const std::string& field = "gap.array") {
+std::string refusal_of(const json& array, const Frames& frames, const std::string& field = "gap.array") {
     const auto status = wire::status_thrown_by([&] { read_array(array, frames, {2, 3}, field); });
     REQUIRE(status);
     CHECK(status->code == StatusCode::invalid_argument);
@@ -43,7 +42,7 @@ TEST_CASE("An array of doubles comes back bit for bit", "[arrays]") {
     const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
     ArrayWriter writer(encoding);
     const json written = writer.write(std::span<const double>(six), {2, 3});
-    const std::vector<std::string> frames = writer.take_frames();
+    const Frames frames = writer.take_frames();
 
     const auto read = read_array(json::parse(dump(written)), frames, {2, 3}, "a");
 
@@ -71,6 +70,18 @@ TEST_CASE("Frames are little-endian, in C order and numbered from 1", "[arrays]"
     CHECK(writer.take_frames()[1] == std::string("\0\0\0\0\0\0\xf0\x3f", 8));
 }
 
+TEST_CASE("An array that is handed over becomes a frame as it is", "[arrays]") {
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    ArrayWriter writer(encoding);
+    contactd::UnsetArray values(six.begin(), six.end());
+    const void* memory = values.data();
+    const json written = writer.write(std::move(values), {2, 3});
+    const Frames frames = writer.take_frames();
+
+    CHECK(read_array(written, frames, {2, 3}, "a") == six);
+    if (encoding == ArrayEncoding::frame) CHECK(frames.at(0).data() == memory);
+}
+
 TEST_CASE("A list is nested as its shape says", "[arrays]") {
     const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};
     ArrayWriter writer(ArrayEncoding::list);
@@ -84,7 +95,8 @@ TEST_CASE("An array that is not finite or has another shape is not written", "[a
     const std::vector<double> bad{0, std::numeric_limits<double>::quiet_NaN(), 0,
                                   std::numeric_limits<double>::infinity()};
 
-    CHECK_THROWS_AS(writer.write(std::span<const double>(bad), {2, 2}), contactd::Error);
+    CHECK_THROWS_AS(writer.write(std::span<const double>(bad), {2, 2}), NotFinite);
+    CHECK_THROWS_AS(writer.write(contactd::UnsetArray(bad.begin(), bad.end()), {2, 2}), NotFinite);
     CHECK_THROWS_AS(writer.write(std::span<const double>(six), {2, 2}), contactd::Error);
 }
 
@@ -108,7 +120,7 @@ TEST_CASE("A list that does not fit is refused with the place", "[arrays]") {
 }
 
 TEST_CASE("A reference to a frame that is not there is refused", "[arrays]") {
-    const std::vector<std::string> one{bytes_of(six)};
+    const Frames one{bytes_of(six)};
     CHECK_THAT(refusal_of(reference(0), one), ContainsSubstring("frame 0; there is only frame 1"));
     CHECK_THAT(refusal_of(reference(2), one), ContainsSubstring("frame 2"));
     CHECK_THAT(refusal_of(reference(-1), one), ContainsSubstring("frame -1"));
@@ -120,16 +132,16 @@ TEST_CASE("A reference to a frame that is not there is refused", "[arrays]") {
 }
 
 TEST_CASE("A reference whose type, shape or bytes do not fit is refused", "[arrays]") {
-    const std::vector<std::string> frame{bytes_of(six)};
+    const Frames frame{bytes_of(six)};
     CHECK_THAT(refusal_of(reference(1, ">f8"), frame), ContainsSubstring("dtype \">f8\"; it must be \"<f8\""));
     CHECK_THAT(refusal_of(reference(1, "|u1"), frame), ContainsSubstring("\"<f8\""));
     CHECK_THAT(refusal_of(reference(1, 8), frame), ContainsSubstring("dtype 8"));
     for (const json& shape : {json{3, 2}, json{6}, json{2, 3, 1}, json::array(), json{2.0, 3.0}, json{-2, -3},
                               json("2,3"), json{4294967298, 3}, json{2, nullptr}})
         CHECK_THAT(refusal_of(reference(1, "<f8", shape), frame), ContainsSubstring("it must be [2, 3]"));
-    CHECK_THAT(refusal_of(reference(1), {frame[0].substr(1)}),
+    CHECK_THAT(refusal_of(reference(1), {std::string(frame[0].bytes().substr(1))}),
                ContainsSubstring("47 bytes") && ContainsSubstring("6 * 8"));
-    CHECK_THAT(refusal_of(reference(1), {frame[0] + "x"}), ContainsSubstring("49 bytes"));
+    CHECK_THAT(refusal_of(reference(1), {std::string(frame[0].bytes()) + "x"}), ContainsSubstring("49 bytes"));
     CHECK_THAT(refusal_of(reference(1), {""}), ContainsSubstring("0 bytes"));
     CHECK_THAT(refusal_of(json::parse(R"({"$array": {"frame": 1, "dtype": "<f8"}})"), frame),
                ContainsSubstring("lacks shape"));

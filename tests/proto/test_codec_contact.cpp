@@ -52,7 +52,7 @@ ContactProblem arrived(const ContactProblem& original) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::string refused_field(const json& params, const std::vector<std::string>& frames = {}) {
+std::string refused_field(const json& params, const Frames& frames = {}) {
     REQUIRE(violations_of("contact.solve.params", params).empty());
     const auto status = wire::status_thrown_by([&] { decode_problem(params, frames); });
     REQUIRE(status);

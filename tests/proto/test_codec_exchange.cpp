@@ -48,7 +48,7 @@ json ics_params() {
 }
 
 /// Field and problem of what a request is refused for, by its schema, its codec or its values.
-std::string refusal_of(const json& params, const std::vector<std::string>& frames = {}) {
+std::string refusal_of(const json& params, const Frames& frames = {}) {
     try {
         check_params("contact.solve", params);
         validate(decode_problem(params, frames));
@@ -242,7 +242,7 @@ TEST_CASE("Exports are answered with bytes or text", "[codec]") {
     ArrayWriter arrays(ArrayEncoding::frame);
     const json file = encode_hdf5_reply(bytes, use, arrays);
     CHECK(violations_of("ic.export.result", file).empty());
-    CHECK(arrays.take_frames() == std::vector<std::string>{std::string("\0\xff\n\x07", 4)});
+    CHECK(arrays.take_frames() == Frames{std::string("\0\xff\n\x07", 4)});
     const json text = encode_contact_text_reply("1 1\n", use, use);
     CHECK(violations_of("ic.export.result", text).empty());
     CHECK(text["text"] == "1 1\n");

@@ -139,7 +139,7 @@ TEST_CASE("Solutions and failures come back in their order", "[codec]") {
     const Grid grid = Grid::centred(3, 2, 1, 1);
     std::vector<ResultOrStatus> results{encode_outcome(wire::solve_reply(), grid, ArrayEncoding::frame), status,
                                         encode_outcome(second, grid, ArrayEncoding::frame)};
-    std::vector<std::string> frames;
+    Frames frames;
 
     const json result = json::parse(dump(encode_results("solutions", std::move(results), frames)));
 
@@ -157,7 +157,7 @@ TEST_CASE("A reply that is not finite fails alone and leaves no frames behind", 
     SolveReply bad = wire::solve_reply();
     bad.solution.traction_y[3] = std::numeric_limits<double>::quiet_NaN();
     const Grid grid = Grid::centred(3, 2, 1, 1);
-    std::vector<std::string> frames;
+    Frames frames;
 
     const json result = encode_results("solutions",
                                        {encode_outcome(bad, grid, ArrayEncoding::frame),

@@ -66,7 +66,7 @@ TEST_CASE("Points of a profile may come in a frame, and are refused when they ar
     const std::array<double, 6> points{-9, 1, 0, 0, 9, 2};
     ArrayWriter arrays(ArrayEncoding::frame);
     const json written = arrays.write(std::span<const double>(points), {3, 2});
-    const std::vector<std::string> frames = arrays.take_frames();
+    const Frames frames = arrays.take_frames();
     const auto params = [](const json& points_of_profile) {
         return params_with(
             {{"profile_section", {{"kind", "rail"}, {"profile", {{"points", points_of_profile}}}, {"depth", 9}}}});
@@ -99,7 +99,7 @@ TEST_CASE("A prism's table comes with its frames and how it was made") {
     reply.evidence.section = SectionEvidence{4, 21, 6e-4, 3e-4, 2e-4, 1e-4, 5e-4};
     ArrayWriter arrays(ArrayEncoding::frame);
     const json result = encode_ic_reply(reply, arrays);
-    const std::vector<std::string> frames = arrays.take_frames();
+    const Frames frames = arrays.take_frames();
     CHECK(violations_of("ic.get.result", result).empty());
     const IcReply back = decode_ic_reply(result, frames);
     CHECK(back.spec == reply.spec);

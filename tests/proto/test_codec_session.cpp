@@ -37,7 +37,7 @@ SessionSpec arrived(const SessionSpec& original) {
     const json params = json::parse(dump(encode_session_spec(original, arrays)));
     CAPTURE(params.dump());
     CHECK(violations_of("session.open.params", params).empty());
-    const std::vector<std::string> frames = arrays.take_frames();
+    const Frames frames = arrays.take_frames();
     CHECK_NOTHROW(check_frames_used(params, frames));
     return decode_session_spec(params, frames);
 }

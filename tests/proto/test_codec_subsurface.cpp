@@ -31,8 +31,7 @@ json sent(const json& message) {
     return json::parse(dump(message));
 }
 
-std::string refusal_of(const json& params, const std::vector<std::string>& frames = {},
-                       const MessageLimits& limits = {}) {
+std::string refusal_of(const json& params, const Frames& frames = {}, const MessageLimits& limits = {}) {
     const auto status = wire::status_thrown_by([&] {
         check_params("contact.subsurface", params);
         decode_subsurface_request(params, frames, limits);

@@ -104,7 +104,7 @@ WheelRailSolution solution() {
     return solution;
 }
 
-std::string refusal_of(const json& params, const std::vector<std::string>& frames = {}) {
+std::string refusal_of(const json& params, const Frames& frames = {}) {
     const auto status = wire::status_thrown_by([&] {
         check_params("wheelrail.solve", params);
         decode_wheel_rail_setup(params, frames);

@@ -119,7 +119,7 @@ void decode_all(const Request& request) {
 }
 
 /// What the server does with a message before it works on it.
-void handle(const std::string& text, const std::vector<std::string>& frames, Outcome& outcome) {
+void handle(const std::string& text, const Frames& frames, Outcome& outcome) {
     std::string id;
     try {
         const Request request = parse_request(text, frames, {}, id);
@@ -178,7 +178,7 @@ TEST_CASE("Damaged parameters are read or refused, with a field where a schema i
                 CHECK_FALSE(violation.field.empty());
                 CHECK(says_what_would_be_right(violation.description));
             }
-        const std::vector<std::string> frames(below(generator, 2), std::string(48, '\0'));
+        const Frames frames(below(generator, 2), std::string(48, '\0'));
         handle(request_text(method, params), frames, outcome);
     }
     CHECK(outcome.read + outcome.refused == 4'000);

@@ -21,7 +21,7 @@ struct Refusal {
     std::string field() const { return status.violations.empty() ? "" : status.violations[0].field; }
 };
 
-Refusal refusal_of(const std::string& text, std::vector<std::string> frames = {}, const MessageLimits& limits = {}) {
+Refusal refusal_of(const std::string& text, Frames frames = {}, const MessageLimits& limits = {}) {
     std::string id = "left over";
     const auto status = wire::status_thrown_by([&] { parse_request(text, std::move(frames), limits, id); });
     REQUIRE(status);
@@ -62,7 +62,7 @@ TEST_CASE("A request is read with all its fields", "[message]") {
     CHECK(request.metadata == json{{"a", 1}});
     CHECK(request.priority == Priority::high);
     CHECK(request.params == json{{"b", 0.1}});
-    CHECK(request.frames == std::vector<std::string>{"first", "second"});
+    CHECK(request.frames == Frames{"first", "second"});
 }
 
 TEST_CASE("Another version of the protocol is told which side to upgrade", "[message]") {
@@ -230,7 +230,7 @@ TEST_CASE("Messages beyond the limits are refused", "[message]") {
         .max_frame_bytes = 100, .max_frames = 3, .max_message_bytes = 200, .max_array_elements = 5};
     const std::string text = R"({"contactd": 1, "id": "7f", "method": "server.info"})";
     const std::string large(100, 'x');
-    const auto reason_of = [&](std::vector<std::string> frames) {
+    const auto reason_of = [&](Frames frames) {
         const Refusal refusal = refusal_of(text, std::move(frames), limits);
         CHECK(refusal.id == "7f");
         return refusal.status.reason;

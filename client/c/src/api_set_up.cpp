@@ -84,13 +84,13 @@ std::int32_t contactd_set_table(contactd_contact* contact, std::int32_t body, st
                                 double dx, double dy, const double* values, std::int32_t count) {
     return set_up(contact, "coefficients", [&](Said& said) {
         word(body, CONTACTD_PAIR, "body");
-        std::vector<double> copied = array(values, count, "table");
+        const std::vector<double> copied = array(values, count, "table");
         if (nx < 1 || ny < 1 || copied.size() != 9 * static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny))
             throw contactd::InvalidArgument("count", "is " + std::to_string(count) + "; it must be 9*nx*ny");
         contactd::GivenIcs given{{}, finite(dx, "ics.dx"), finite(dy, "ics.dy")};
         given.table.nx = nx;
         given.table.ny = ny;
-        given.table.values = std::move(copied);
+        given.table.values.assign(copied.begin(), copied.end());
         if (body == CONTACTD_PAIR)
             said.problem.bodies.pair = std::move(given);
         else

@@ -52,7 +52,7 @@ inline void from_json(const nlohmann::json& source, RecentSolve& solve) {
 }
 
 /// Throws StatusError for arrays that do not fit their grids.
-inline std::vector<RecentPatch> read_patches(const nlohmann::json& source, const std::vector<std::string>& frames) {
+inline std::vector<RecentPatch> read_patches(const nlohmann::json& source, const proto::Frames& frames) {
     std::vector<RecentPatch> patches;
     for (const nlohmann::json& patch : source) {
         const Grid grid = proto::decode_grid(patch["grid"]);

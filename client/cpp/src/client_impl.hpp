@@ -43,7 +43,7 @@ class Client::Impl {
           connection_(endpoint, options_.connect_timeout, options_.limits,
                       load_curve_keys(options_.server_key, options_.own_key), options_.spin) {}
 
-    Reply call(const std::string& method, json params, std::vector<std::string> frames, const CallOptions& options,
+    Reply call(const std::string& method, json params, proto::Frames frames, const CallOptions& options,
                Wait wait = Wait::for_answer) {
         const bool builds = wait == Wait::for_build;
         std::string build;

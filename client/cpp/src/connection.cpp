@@ -47,11 +47,11 @@ void check_limit(const char* what, std::size_t is, std::size_t limit) {
     throw StatusError(std::move(status));
 }
 
-void check_limits(const std::string& envelope, const std::vector<std::string>& frames, const MessageLimits& limits) {
+void check_limits(const std::string& envelope, const proto::Frames& frames, const MessageLimits& limits) {
     check_limit("the number of frames", frames.size() + 1, limits.max_frames);
     std::size_t total = envelope.size();
     std::size_t largest = envelope.size();
-    for (const std::string& frame : frames) {
+    for (const proto::Frame& frame : frames) {
         total += frame.size();
         largest = std::max(largest, frame.size());
     }
@@ -137,7 +137,7 @@ void Connection::connect() {
     }
 }
 
-Reply Connection::call(const std::string& method, json params, std::vector<std::string> frames, milliseconds timeout,
+Reply Connection::call(const std::string& method, json params, proto::Frames frames, milliseconds timeout,
                        const ProgressHandler& on_progress, const std::stop_token& stop) {
     const OneAtATime turn(user_,
                           "A call of this client runs, in another thread or in whose on_progress this is; use one "
@@ -168,7 +168,7 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
     const auto deadline = Clock::now() + timeout + grace;
     while (true) {
         const auto patience = stop.stop_possible() ? std::min(deadline, Clock::now() + stop_interval) : deadline;
-        std::vector<std::string> message = receive(patience);
+        proto::Frames message = receive(patience);
         if (message.empty() && stop.stop_requested())
             throw StatusError(StatusCode::cancelled, reason::request_cancelled,
                               "The call of " + method + " was stopped.");
@@ -176,7 +176,7 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
         if (message.empty())
             throw TimeoutError("No answer to " + method + " from " + endpoint_ + " within " +
                                std::to_string(timeout.count()) + " ms.");
-        json answer = envelope_for(id, message[0]);
+        json answer = envelope_for(id, message[0].bytes());
         if (answer.is_null()) continue;
         if (answer.contains("progress")) {
             if (on_progress) on_progress(answer["progress"]);
@@ -225,7 +225,7 @@ void Connection::wait_until_connected() {
                           " ms); is the daemon running?");
 }
 
-void Connection::send(const std::string& envelope, const std::vector<std::string>& frames) {
+void Connection::send(const std::string& envelope, const proto::Frames& frames) {
     try {
         const auto more = [&](std::size_t sent) {
             return sent < frames.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
@@ -235,26 +235,30 @@ void Connection::send(const std::string& envelope, const std::vector<std::string
             if (!sockets_->socket.send(zmq::buffer(envelope), more(0)))
                 throw ConnectionError("The daemon at " + endpoint_ + " went away.");
         }
-        for (std::size_t i = 0; i < frames.size(); ++i) sockets_->socket.send(zmq::buffer(frames[i]), more(i + 1));
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            sockets_->socket.send(zmq::buffer(frames[i].bytes()), more(i + 1));
         sent_ = Clock::now();
     } catch (const zmq::error_t& error) {
         throw ConnectionError("Sending to " + endpoint_ + " failed: " + error.what() + ".");
     }
 }
 
-std::vector<std::string> Connection::receive(Clock::time_point deadline) {
+proto::Frames Connection::receive(Clock::time_point deadline) {
     try {
         while (true) {
             check_process();
             const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
             if (left <= milliseconds{0}) return {};
             sockets_->socket.set(zmq::sockopt::rcvtimeo, static_cast<int>(left.count()));
-            std::vector<std::string> frames;
+            proto::Frames frames;
             zmq::message_t part;
             if (!look_for(part, deadline) && !receive_part(part)) continue;
-            frames.push_back(part.to_string());
-            while (part.more())  // the parts of a message arrive together
-                if (receive_part(part)) frames.push_back(part.to_string());
+            for (bool more = true; more;) {  // the parts of a message arrive together
+                more = part.more();
+                frames.emplace_back(std::exchange(part, {}));
+                while (more && !receive_part(part)) {
+                }
+            }
             return frames;
         }
     } catch (const zmq::error_t& error) {

@@ -23,7 +23,7 @@ namespace contactd::client {
 /// The result of a call with the frames its arrays refer to.
 struct Reply {
     nlohmann::json result;
-    std::vector<std::string> frames;
+    proto::Frames frames;
 };
 
 using ProgressHandler = std::function<void(const nlohmann::json&)>;
@@ -40,7 +40,7 @@ class Connection {
     /// Sends a request and waits for its reply, which has passed the schemas. Answers to earlier calls that were given
     /// up are discarded. Throws ConnectionError, TimeoutError, ProtocolError, StatusError, and ConcurrencyError while
     /// another call runs.
-    Reply call(const std::string& method, nlohmann::json params, std::vector<std::string> frames,
+    Reply call(const std::string& method, nlohmann::json params, proto::Frames frames,
                std::chrono::milliseconds timeout, const ProgressHandler& on_progress, const std::stop_token& stop);
 
    private:
@@ -62,9 +62,9 @@ class Connection {
     void cancel(const std::string& id) noexcept;
     void connect();
     void wait_until_connected();
-    void send(const std::string& envelope, const std::vector<std::string>& frames);
+    void send(const std::string& envelope, const proto::Frames& frames);
     /// The frames of the next message, or none when `deadline` passes first.
-    std::vector<std::string> receive(Clock::time_point deadline);
+    proto::Frames receive(Clock::time_point deadline);
     bool look_for(zmq::message_t& part, Clock::time_point deadline);
     /// False when the time is over or a signal came in between.
     bool receive_part(zmq::message_t& part);

@@ -100,7 +100,7 @@ AnyStepOrStatus AnySession::Impl::step(std::variant<const StepInput*, const Whee
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     const proto::StepAsked step = asked({*this, input});
     const json params = proto::encode_step(step, arrays);
-    const std::vector<std::string> frames = arrays.take_frames();
+    const proto::Frames frames = arrays.take_frames();
     const Reply reply = insist([&] { return client_.impl_->call("session.step", params, frames, options, wait_); });
     AnyStepOrStatus answer = decoded([&] { return proto::decode_step_reply(reply.result, reply.frames, step); });
     note(step, answer);
@@ -127,7 +127,7 @@ std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> s
     for (const Step& step : steps) all.push_back(step.session.asked(step));
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame, proto::EqualArrays::shared);
     const json params = proto::encode_steps(all, arrays);
-    const std::vector<std::string> frames = arrays.take_frames();
+    const proto::Frames frames = arrays.take_frames();
     const bool builds =
         std::ranges::any_of(steps, [](const Step& step) { return step.session.wait_ == Wait::for_build; });
     const Wait wait = builds ? Wait::for_build : Wait::for_answer;

@@ -51,7 +51,7 @@ PyObject* next(PyObject* self, PyObject*) {
             if (PyErr_CheckSignals() != 0) throw ExceptionIsSet();
         }
         Reference frames(PyList_New(0));
-        for (const std::string& frame : *message) append(frames, bytes(frame));
+        for (const proto::Frame& frame : *message) append(frames, bytes(frame.bytes()));
         return frames.release();
     });
 }
@@ -113,9 +113,9 @@ PyObject* ask(PyObject* self, PyObject* arguments) {
         const std::string message = text_of(envelope);
         const Py_ssize_t count = PySequence_Size(frames);
         if (count < 0) throw ExceptionIsSet();
-        std::vector<std::string> arrays;
+        proto::Frames arrays;
         for (Py_ssize_t i = 0; i < count; ++i)
-            arrays.push_back(text_of(Reference(PySequence_GetItem(frames, i)).get()));
+            arrays.emplace_back(text_of(Reference(PySequence_GetItem(frames, i)).get()));
         std::unique_ptr<Exchange> exchange;
         {
             const Unlocked unlocked;

@@ -130,7 +130,7 @@ void sample_case(ElasticityProblem& problem, const IcSpec& spec, const SolvedCas
         }
 }
 
-void sum_over_processes(std::vector<double>& values, MPI_Comm comm) {
+void sum_over_processes(UnsetArray& values, MPI_Comm comm) {
     constexpr std::size_t chunk = std::size_t{1} << 24;  // counts are ints in MPI
     for (std::size_t at = 0; at < values.size(); at += chunk)
         MPI_Allreduce(MPI_IN_PLACE, values.data() + at, static_cast<int>(std::min(chunk, values.size() - at)),

@@ -14,12 +14,12 @@ namespace contactd {
 /// Axes of a frame: x, y along the outline (s of ColumnFrame), z outward. Columns are numbered along s, as rows of a
 /// grid are along y. xx, yy, zz, yz and zy are even in k, xy, yx, xz and zx odd.
 struct ColumnTable {
-    int nx = 0;                  ///< offsets 0..nx-1 along x
-    int columns = 0;             ///< along the cross-section
-    std::vector<double> values;  ///< shape [3, 3, columns, columns, nx]: displacement axis, load axis, I, J, k; mm^3/N
+    int nx = 0;         ///< offsets 0..nx-1 along x
+    int columns = 0;    ///< along the cross-section
+    UnsetArray values;  ///< shape [3, 3, columns, columns, nx]: displacement axis, load axis, I, J, k; mm^3/N
 
     ColumnTable() = default;
-    ColumnTable(int nx_, int columns_) : nx(nx_), columns(columns_), values(9 * component_size()) {}
+    ColumnTable(int nx_, int columns_) : nx(nx_), columns(columns_), values(9 * component_size(), 0.0) {}
 
     std::size_t component_size() const {
         return static_cast<std::size_t>(columns) * static_cast<std::size_t>(columns) * static_cast<std::size_t>(nx);

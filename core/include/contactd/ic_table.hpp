@@ -9,18 +9,19 @@
 
 #include "contactd/axis.hpp"
 #include "contactd/ic_spec.hpp"
+#include "contactd/unset_array.hpp"
 
 namespace contactd {
 
 /// A[i,j](k,l): displacement component i (mm) at the element whose offset from the loaded element is (k,l), for a unit
 /// traction (1 N/mm^2) along j on the loaded element. Body z <= 0, outward normal +z, load positive along its axis.
 struct IcTable {
-    int nx = 0;                  ///< offsets 0..nx-1 along x
-    int ny = 0;                  ///< offsets 0..ny-1 along y
-    std::vector<double> values;  ///< shape [3, 3, ny, nx]: displacement axis, load axis, l, k; mm^3/N
+    int nx = 0;         ///< offsets 0..nx-1 along x
+    int ny = 0;         ///< offsets 0..ny-1 along y
+    UnsetArray values;  ///< shape [3, 3, ny, nx]: displacement axis, load axis, l, k; mm^3/N
 
     IcTable() = default;
-    IcTable(int nx_, int ny_) : nx(nx_), ny(ny_), values(9 * component_size()) {}
+    IcTable(int nx_, int ny_) : nx(nx_), ny(ny_), values(9 * component_size(), 0.0) {}
 
     std::size_t component_size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
     std::size_t index(Axis i, Axis j, int k, int l) const {

@@ -67,7 +67,7 @@ std::string to_contact_text(const GivenIcs& ics, double G) {
 }
 
 std::string ic_key(const GivenIcs& ics) {
-    const std::vector<double>& values = ics.table.values;
+    const UnsetArray& values = ics.table.values;
     std::vector<unsigned char> bytes((values.size() + 2) * sizeof(double));
     const double sizes[2]{ics.dx, ics.dy};
     std::memcpy(bytes.data(), sizes, sizeof sizes);

@@ -46,15 +46,14 @@ json encode_body(const Body& body, bool with_ics, ArrayWriter& arrays) {
     return result;
 }
 
-Coefficients decode_coefficients(const json& ics, const std::vector<std::string>& frames, const Grid& grid,
-                                 const std::string& field) {
+Coefficients decode_coefficients(const json& ics, const Frames& frames, const Grid& grid, const std::string& field) {
     if (is_table(ics)) return decode_given_ics(ics, frames, grid, field);
     return decode_ics(ics, frames);
 }
 
 /// `shorthand` is the source of both bodies, or null.
-Body decode_body(const json& source, const json* shorthand, const std::string& field,
-                 const std::vector<std::string>& frames, const ContactSetup& setup) {
+Body decode_body(const json& source, const json* shorthand, const std::string& field, const Frames& frames,
+                 const ContactSetup& setup) {
     Body body;
     if (source.contains("rigid")) {
         body.material = Material::rigid();
@@ -105,7 +104,7 @@ void encode_bodies(const ContactSetup& setup, json& params, ArrayWriter& arrays)
     if (full && both != nullptr) params["ics"] = encode_ics(*both);
 }
 
-void decode_bodies(const json& params, const std::vector<std::string>& frames, ContactSetup& setup) {
+void decode_bodies(const json& params, const Frames& frames, ContactSetup& setup) {
     const json* ics = params.contains("ics") ? &params["ics"] : nullptr;
     if (setup.model == Model::full && ics != nullptr && is_table(*ics)) {
         if (params.contains("bodies") && brings_ics(params["bodies"]))

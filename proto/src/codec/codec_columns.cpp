@@ -31,7 +31,7 @@ json encode_columns(const ContactColumns& columns, ArrayWriter& arrays) {
                                            finite_field(columns.origin.z, "columns.origin")})}});
 }
 
-ContactColumns decode_columns(const json& source, const std::vector<std::string>& frames, const Grid& grid) {
+ContactColumns decode_columns(const json& source, const Frames& frames, const Grid& grid) {
     const std::vector<double> numbers =
         read_array(source["frames"], frames, {static_cast<std::size_t>(grid.ny), numbers_of_frame}, "columns.frames");
     ContactColumns columns;

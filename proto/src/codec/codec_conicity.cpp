@@ -52,7 +52,7 @@ json encode_placed(const PlacedProfiles& profiles, ArrayWriter& arrays) {
                                            {"z", finite(rail_origin.z, "rail_origin.z")}})}});
 }
 
-PlacedProfiles decode_placed(const json& source, const std::vector<std::string>& frames) {
+PlacedProfiles decode_placed(const json& source, const Frames& frames) {
     const json& rail_origin = source["rail_origin"];
     return {decode_pairs(source["wheel"], frames, "wheel"),
             decode_pairs(source["rail"], frames, "rail"),
@@ -133,7 +133,7 @@ json encode_profiles(const ProfilesOfSides& profiles, ArrayWriter& arrays) {
     return object({{"left", encode_placed(profiles.left, arrays)}, {"right", encode_placed(profiles.right, arrays)}});
 }
 
-ProfilesOfSides decode_profiles(const json& source, const std::vector<std::string>& frames) {
+ProfilesOfSides decode_profiles(const json& source, const Frames& frames) {
     return {decode_placed(source["left"], frames), decode_placed(source["right"], frames)};
 }
 

@@ -41,7 +41,7 @@ json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays) {
     return object({{"paraboloid", std::move(radii)}});
 }
 
-Gap decode_gap(const json& gap, const std::vector<std::string>& frames, const Grid& grid) {
+Gap decode_gap(const json& gap, const Frames& frames, const Grid& grid) {
     if (gap.contains("array")) return read_array(gap["array"], frames, shape_of(grid), "gap.array");
     if (gap.contains("semi_axes"))
         return SemiAxes{gap["semi_axes"]["a"].get<double>(), gap["semi_axes"]["b"].get<double>()};
@@ -98,8 +98,7 @@ void encode_state(const char* field, const SurfaceState& state, const Grid& grid
         if (!values->empty()) params[field][name] = arrays.write(std::span<const double>(*values), shape_of(grid));
 }
 
-SurfaceState decode_state(const std::string& field, const json& params, const std::vector<std::string>& frames,
-                          const Grid& grid) {
+SurfaceState decode_state(const std::string& field, const json& params, const Frames& frames, const Grid& grid) {
     SurfaceState state;
     if (!params.contains(field)) return state;
     for (const auto& [name, values] : arrays_of(state))
@@ -129,7 +128,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     return params;
 }
 
-ContactProblem decode_opening(const json& params, const std::vector<std::string>& frames) {
+ContactProblem decode_opening(const json& params, const Frames& frames) {
     ContactProblem problem;
     problem.grid = decode_grid(params["grid"]);
     if (params.contains("model")) problem.model = meaning_of(params["model"], model_words);
@@ -152,7 +151,7 @@ json encode_problem(const ContactProblem& problem, ArrayWriter& arrays) {
     return encode_opening(problem, arrays);
 }
 
-ContactProblem decode_problem(const json& params, const std::vector<std::string>& frames) {
+ContactProblem decode_problem(const json& params, const Frames& frames) {
     return decode_opening(params, frames);
 }
 

@@ -27,8 +27,7 @@ json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays) {
             {"dy", finite(ics.dy, "ics.dy")}};
 }
 
-GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& frames, const Grid& grid,
-                          const std::string& field) {
+GivenIcs decode_given_ics(const json& source, const Frames& frames, const Grid& grid, const std::string& field) {
     const std::string table_field = field + ".table";
     const Shape shape = claimed_shape(source["table"], table_axes + 1);
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
@@ -45,7 +44,7 @@ GivenIcs decode_given_ics(const json& source, const std::vector<std::string>& fr
                                 std::to_string(ny) + ", and nx, " + std::to_string(nx),
                             reason::array_invalid);
     GivenIcs ics;
-    ics.table.values = read_array(source["table"], frames, shape, table_field);
+    ics.table.values = read_unset_array(source["table"], frames, shape, table_field);
     ics.table.ny = static_cast<int>(shape[2]);
     ics.table.nx = static_cast<int>(shape[3]);
     ics.dx = source["dx"].get<double>();
@@ -64,7 +63,7 @@ IcExport decode_ic_export(const json& params) {
     return decode_ic_export(params, {});
 }
 
-IcExport decode_ic_export(const json& params, const std::vector<std::string>& frames) {
+IcExport decode_ic_export(const json& params, const Frames& frames) {
     IcExport wanted;
     wanted.spec = decode_ic_spec(params, frames);
     if (wanted.spec.line_contact)
@@ -84,7 +83,7 @@ json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse
             {"ics", {{"upper", encode_use(upper)}, {"lower", encode_use(lower)}}}};
 }
 
-std::string decode_ic_file(const json& result, const std::vector<std::string>& frames) {
+std::string decode_ic_file(const json& result, const Frames& frames) {
     if (result.contains("text")) return result["text"].get<std::string>();
     const std::vector<unsigned char> bytes = decode_ic_import(result, frames);
     return {bytes.begin(), bytes.end()};
@@ -95,7 +94,7 @@ json encode_ic_import(std::string_view file, ArrayWriter& arrays) {
     return {{"file", arrays.write(bytes, {bytes.size()})}};
 }
 
-std::vector<unsigned char> decode_ic_import(const json& params, const std::vector<std::string>& frames) {
+std::vector<unsigned char> decode_ic_import(const json& params, const Frames& frames) {
     return read_byte_array(params["file"], frames, claimed_shape(params["file"], 1), "file");
 }
 

@@ -88,7 +88,7 @@ void encode_arrays(const ContactSolution& solution, const SolutionFields& fields
     }
 }
 
-void decode_arrays(const json& result, const std::vector<std::string>& frames, std::vector<std::size_t> shape,
+void decode_arrays(const json& result, const Frames& frames, std::vector<std::size_t> shape,
                    ContactSolution& solution) {
     for (const auto& [word, field] : field_names) {
         const std::string name(word);

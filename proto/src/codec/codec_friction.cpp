@@ -118,7 +118,7 @@ json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& 
     return result;
 }
 
-void decode_friction(const json& source, const std::vector<std::string>& frames, ContactProblem& problem) {
+void decode_friction(const json& source, const Frames& frames, ContactProblem& problem) {
     if (!problem.friction) problem.friction.emplace();
     const std::vector<std::size_t> shape = shape_of(problem.grid);
     if (source.contains("mu")) {

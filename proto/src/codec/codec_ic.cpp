@@ -40,7 +40,7 @@ IcSpec decode_ic_spec(const json& params) {
     return decode_ic_spec(params, {});
 }
 
-IcSpec decode_ic_spec(const json& params, const std::vector<std::string>& frames) {
+IcSpec decode_ic_spec(const json& params, const Frames& frames) {
     const json& grid = params["grid"];
     IcSpec spec{decode_ics(params["ics"], frames), {}, 0, 0, 0, 0};
     spec.material = spec.layered ? spec.layered->surface() : decode_material(params["material"]);
@@ -68,7 +68,7 @@ json encode_frames(const std::vector<ColumnFrame>& columns, ArrayWriter& arrays)
     return arrays.write(std::span<const double>(values), {columns.size(), 3});
 }
 
-std::vector<ColumnFrame> decode_frames(const json& source, const std::vector<std::string>& frames, int columns) {
+std::vector<ColumnFrame> decode_frames(const json& source, const Frames& frames, int columns) {
     const std::vector<double> values = read_array(source, frames, {static_cast<std::size_t>(columns), 3}, "frames");
     std::vector<ColumnFrame> result;
     for (std::size_t at = 0; at + 2 < values.size(); at += 3)
@@ -76,24 +76,24 @@ std::vector<ColumnFrame> decode_frames(const json& source, const std::vector<std
     return result;
 }
 
-json encode_ic_reply(const IcReply& reply, ArrayWriter& arrays) {
+json encode_ic_reply(IcReply reply, ArrayWriter& arrays) {
     json result{{"key", reply.key},
                 {"origin", reply.origin},
                 {"spec", encode_ic_spec(reply.spec)},
-                {"table", arrays.write(std::span<const double>(reply.table.values), table_shape(reply.spec))},
+                {"table", arrays.write(std::move(reply.table.values), table_shape(reply.spec))},
                 {"evidence", encode_evidence(reply.evidence)}};
     if (!reply.frames.empty()) result["frames"] = encode_frames(reply.frames, arrays);
     return result;
 }
 
-IcReply decode_ic_reply(const json& result, const std::vector<std::string>& frames) {
+IcReply decode_ic_reply(const json& result, const Frames& frames) {
     IcReply reply;
     reply.key = result["key"].get<std::string>();
     reply.origin = result["origin"].get<std::string>();
     reply.spec = decode_ic_spec(result["spec"]);
     reply.table.nx = reply.spec.nx;
     reply.table.ny = table_rows(reply.spec);
-    reply.table.values = read_array(result["table"], frames, table_shape(reply.spec), "table");
+    reply.table.values = read_unset_array(result["table"], frames, table_shape(reply.spec), "table");
     reply.evidence = decode_evidence(result["evidence"]);
     if (result.contains("frames")) reply.frames = decode_frames(result["frames"], frames, reply.spec.ny);
     return reply;

@@ -133,7 +133,7 @@ Ics decode_ics(const json& source) {
     return decode_ics(source, {});
 }
 
-Ics decode_ics(const json& source, const std::vector<std::string>& frames) {
+Ics decode_ics(const json& source, const Frames& frames) {
     Ics ics;
     read_name(source["source"], ics.source);
     if (source.contains("body")) read_name(source["body"], ics.body);

@@ -62,7 +62,7 @@ ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEn
     }
 }
 
-json encode_results(std::string_view list, std::vector<ResultOrStatus> results, std::vector<std::string>& frames) {
+json encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames) {
     json encoded = json::array();
     for (ResultOrStatus& outcome : results) {
         if (const auto* status = std::get_if<Status>(&outcome)) {
@@ -77,7 +77,7 @@ json encode_results(std::string_view list, std::vector<ResultOrStatus> results, 
     return {{list, std::move(encoded)}};
 }
 
-std::vector<ReplyOrStatus> decode_solve_replies(const json& result, const std::vector<std::string>& frames) {
+std::vector<ReplyOrStatus> decode_solve_replies(const json& result, const Frames& frames) {
     std::vector<ReplyOrStatus> replies;
     for (const json& solution : result["solutions"]) {
         Status status = status_from_json(solution["status"]);

@@ -59,7 +59,7 @@ double finite(double value, const char* what);
 double finite_field(double value, const char* field);
 
 nlohmann::json encode_columns(const ContactColumns& columns, ArrayWriter& arrays);
-ContactColumns decode_columns(const nlohmann::json& source, const std::vector<std::string>& frames, const Grid& grid);
+ContactColumns decode_columns(const nlohmann::json& source, const Frames& frames, const Grid& grid);
 nlohmann::json encode_resultant(const Resultant& resultant);
 Resultant decode_resultant(const nlohmann::json& source);
 
@@ -79,8 +79,7 @@ Ics decode_ics(const nlohmann::json& json);
 
 /// Columns of a prism as an array [columns, 3]: y, z (mm), angle (rad).
 nlohmann::json encode_frames(const std::vector<ColumnFrame>& columns, ArrayWriter& arrays);
-std::vector<ColumnFrame> decode_frames(const nlohmann::json& source, const std::vector<std::string>& frames,
-                                       int columns);
+std::vector<ColumnFrame> decode_frames(const nlohmann::json& source, const Frames& frames, int columns);
 
 /// The fields of a mesh and its solver.
 nlohmann::json encode_fem(const FemSpec& fem);
@@ -91,21 +90,20 @@ nlohmann::json encode_derivatives(const Derivatives& derivatives);
 Derivatives decode_derivatives(const nlohmann::json& json);
 
 nlohmann::json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays);
-Gap decode_gap(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid);
+Gap decode_gap(const nlohmann::json& json, const Frames& frames, const Grid& grid);
 
 /// Coefficients that the request itself holds, which cover `grid`. Throws StatusError (ARRAY_INVALID).
 /// `field` is where they stand.
 nlohmann::json encode_given_ics(const GivenIcs& ics, ArrayWriter& arrays);
-GivenIcs decode_given_ics(const nlohmann::json& json, const std::vector<std::string>& frames, const Grid& grid,
-                          const std::string& field);
+GivenIcs decode_given_ics(const nlohmann::json& json, const Frames& frames, const Grid& grid, const std::string& field);
 
 /// `bodies` and `ics` of a request.
 void encode_bodies(const ContactSetup& setup, nlohmann::json& params, ArrayWriter& arrays);
-void decode_bodies(const nlohmann::json& params, const std::vector<std::string>& frames, ContactSetup& setup);
+void decode_bodies(const nlohmann::json& params, const Frames& frames, ContactSetup& setup);
 
 /// A problem whose gap and load may be missing, and then are on the other side.
 nlohmann::json encode_opening(const ContactProblem& problem, ArrayWriter& arrays);
-ContactProblem decode_opening(const nlohmann::json& params, const std::vector<std::string>& frames);
+ContactProblem decode_opening(const nlohmann::json& params, const Frames& frames);
 
 nlohmann::json encode_use(const IcUse& use);
 
@@ -125,7 +123,7 @@ struct FrictionParts {
 };
 nlohmann::json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& arrays);
 /// Lays `friction` of a request over the problem's, which stays as it is in fields that are not there.
-void decode_friction(const nlohmann::json& json, const std::vector<std::string>& frames, ContactProblem& problem);
+void decode_friction(const nlohmann::json& json, const Frames& frames, ContactProblem& problem);
 
 /// The parts of a result that hold no arrays: of a solution all but its evidence, and that of its solvers.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
@@ -138,7 +136,7 @@ SolverEvidence decode_solver_evidence(const nlohmann::json& source);
 void encode_arrays(const ContactSolution& solution, const SolutionFields& fields, const Grid& grid, ArrayWriter& arrays,
                    nlohmann::json& result);
 /// Reads those that there are; an empty `shape` is that of the first one. Throws StatusError (ARRAY_INVALID).
-void decode_arrays(const nlohmann::json& result, const std::vector<std::string>& frames, std::vector<std::size_t> shape,
+void decode_arrays(const nlohmann::json& result, const Frames& frames, std::vector<std::size_t> shape,
                    ContactSolution& solution);
 
 /// `ics` of a result.

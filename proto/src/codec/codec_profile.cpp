@@ -54,7 +54,7 @@ void decode_ends(const json& source, const std::string& field, Shape& shape) {
                             "are " + source["ends"].dump() + "; the second must be at least 1 mm above the first");
 }
 
-ProfilePoints decode_points(const json& source, const std::vector<std::string>& frames, const std::string& field) {
+ProfilePoints decode_points(const json& source, const Frames& frames, const std::string& field) {
     ProfilePoints points;
     points.points = decode_pairs(source["points"], frames, field + ".points");
     points.unit = source.value("unit", points.unit);
@@ -64,7 +64,7 @@ ProfilePoints decode_points(const json& source, const std::vector<std::string>& 
     return points;
 }
 
-ProfileShape decode_shape(const json& source, const std::vector<std::string>& frames, const std::string& field) {
+ProfileShape decode_shape(const json& source, const Frames& frames, const std::string& field) {
     if (source.contains("s1002")) return S1002{};
     if (source.contains("rail_60e1")) return Rail60E1{source["rail_60e1"].value("inclination", 0.0)};
     if (source.contains("arc")) {
@@ -88,8 +88,7 @@ json encode_pairs(const std::vector<ProfilePoint>& points, ArrayWriter& arrays) 
     return arrays.write(std::span<const double>(flat), {points.size(), 2});
 }
 
-std::vector<ProfilePoint> decode_pairs(const json& source, const std::vector<std::string>& frames,
-                                       const std::string& field) {
+std::vector<ProfilePoint> decode_pairs(const json& source, const Frames& frames, const std::string& field) {
     const std::vector<std::size_t> shape = claimed_shape(source, 2);
     if (shape.size() != 2 || shape[1] != 2)
         throw invalid_field(field, "has shape " + json(shape).dump() + "; it must be [n,2], of y and z",
@@ -109,8 +108,7 @@ json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays) {
     return std::visit([&](const auto& shape) { return encode(shape, arrays); }, profile.shape);
 }
 
-ProfileSpec decode_profile(const json& source, ProfileKind kind, const std::vector<std::string>& frames,
-                           const std::string& field) {
+ProfileSpec decode_profile(const json& source, ProfileKind kind, const Frames& frames, const std::string& field) {
     return {kind, decode_shape(source, frames, field)};
 }
 

@@ -14,13 +14,12 @@ namespace contactd::proto {
 nlohmann::json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays);
 /// `field` is where it stands. Throws StatusError for points that are too many or no pairs, and for ends in the wrong
 /// order.
-ProfileSpec decode_profile(const nlohmann::json& source, ProfileKind kind, const std::vector<std::string>& frames,
+ProfileSpec decode_profile(const nlohmann::json& source, ProfileKind kind, const Frames& frames,
                            const std::string& field);
 
 /// Points as an array [n, 2] of y and z.
 nlohmann::json encode_pairs(const std::vector<ProfilePoint>& points, ArrayWriter& arrays);
 /// Throws StatusError naming `field` for points that are too many or no pairs.
-std::vector<ProfilePoint> decode_pairs(const nlohmann::json& source, const std::vector<std::string>& frames,
-                                       const std::string& field);
+std::vector<ProfilePoint> decode_pairs(const nlohmann::json& source, const Frames& frames, const std::string& field);
 
 }  // namespace contactd::proto

@@ -66,7 +66,7 @@ json encode(const Value& value) {
 
 class Reader {
    public:
-    explicit Reader(const std::vector<std::string>& frames) : frames_(frames) {}
+    explicit Reader(const Frames& frames) : frames_(frames) {}
 
     void get(const json& source, const std::string& field, ProfileSection& section) const {
         ProfileKind kind{};
@@ -116,7 +116,7 @@ class Reader {
         (read(std::type_identity<Alternatives>()), ...);
     }
 
-    const std::vector<std::string>& frames_;
+    const Frames& frames_;
 };
 
 }  // namespace
@@ -125,7 +125,7 @@ json encode_section(const Section& section) {
     return encode(section);
 }
 
-Section decode_section(const json& source, const std::vector<std::string>& frames, const std::string& field) {
+Section decode_section(const json& source, const Frames& frames, const std::string& field) {
     Section section;
     Reader(frames).get(source, field, section);
     return section;

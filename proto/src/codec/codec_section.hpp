@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "contactd/ic_spec.hpp"
+#include "contactd/proto/frame.hpp"
 
 namespace contactd::proto {
 
@@ -14,9 +15,9 @@ namespace contactd::proto {
 nlohmann::json encode_section(const Section& section);
 /// Of what has passed its schema. Throws StatusError where there is not exactly one shape, or one curve of a part, and
 /// for points of a profile that are no pairs, in `frames` or not.
-Section decode_section(const nlohmann::json& source, const std::vector<std::string>& frames, const std::string& field);
+Section decode_section(const nlohmann::json& source, const Frames& frames, const std::string& field);
 
 /// As decode_ics, of a request whose section may hold arrays.
-Ics decode_ics(const nlohmann::json& json, const std::vector<std::string>& frames);
+Ics decode_ics(const nlohmann::json& json, const Frames& frames);
 
 }  // namespace contactd::proto

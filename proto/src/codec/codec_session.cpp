@@ -32,7 +32,7 @@ void take_estimates(const json& friction, const Motion& last, Motion& motion) {
     if (before->force.Fy && rolling->force.Fy && !named.contains("eta")) rolling->eta = before->eta;
 }
 
-void apply_friction(const json& params, const std::vector<std::string>& frames, ContactProblem& problem) {
+void apply_friction(const json& params, const Frames& frames, ContactProblem& problem) {
     const json& friction = params["friction"];
     if (!problem.friction && !friction.contains("mu"))
         throw invalid_field("friction.mu",
@@ -51,7 +51,7 @@ json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
     return params;
 }
 
-SessionSpec decode_session_spec(const json& params, const std::vector<std::string>& frames) {
+SessionSpec decode_session_spec(const json& params, const Frames& frames) {
     const ContactProblem opening = decode_opening(params, frames);
     SessionSpec spec{opening, opening};
     if (params.contains("lease_seconds")) spec.lease_seconds = params["lease_seconds"].get<double>();
@@ -116,8 +116,7 @@ json encode_step(const std::string& session, long long step, const StepInput& in
     return params;
 }
 
-void apply_step(const json& params, const std::vector<std::string>& frames, const std::optional<Motion>& last,
-                ContactProblem& problem) {
+void apply_step(const json& params, const Frames& frames, const std::optional<Motion>& last, ContactProblem& problem) {
     if (params.contains("approach")) {
         problem.Fn.reset();
         problem.approach = params["approach"].get<double>();
@@ -145,7 +144,7 @@ json encode_step_reply(long long step, const ContactSolution& solution, const Gr
     return result;
 }
 
-StepReply decode_step_reply(const json& result, const std::vector<std::string>& frames, const Grid& grid) {
+StepReply decode_step_reply(const json& result, const Frames& frames, const Grid& grid) {
     StepReply reply;
     reply.step = result["step"].get<long long>();
     decode_summary(result, reply.solution);

@@ -171,7 +171,7 @@ json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& 
     return result;
 }
 
-SolveReply decode_solve_reply(const json& result, const std::vector<std::string>& frames) {
+SolveReply decode_solve_reply(const json& result, const Frames& frames) {
     SolveReply reply;
     decode_summary(result, reply.solution);
     decode_arrays(result, frames, {}, reply.solution);

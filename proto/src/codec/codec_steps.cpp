@@ -14,7 +14,7 @@ json encode_step(const StepAsked& asked, ArrayWriter& arrays) {
     return encode_step(asked.session, asked.step, *std::get<const StepInput*>(asked.input), *asked.grid, arrays);
 }
 
-AnyStepOrStatus decode_step_reply(const json& result, const std::vector<std::string>& frames, const StepAsked& asked) {
+AnyStepOrStatus decode_step_reply(const json& result, const Frames& frames, const StepAsked& asked) {
     if (std::holds_alternative<const WheelRailStepInput*>(asked.input))
         return decode_wheel_rail_step_reply(result, frames);
     return decode_step_reply(result, frames, *asked.grid);
@@ -26,7 +26,7 @@ json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays) {
     return {{"steps", std::move(list)}};
 }
 
-std::vector<AnyStepOrStatus> decode_step_replies(const json& result, const std::vector<std::string>& frames,
+std::vector<AnyStepOrStatus> decode_step_replies(const json& result, const Frames& frames,
                                                  std::span<const StepAsked> asked) {
     const json& steps = result["steps"];
     if (steps.size() != asked.size())

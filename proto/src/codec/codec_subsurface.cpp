@@ -53,7 +53,7 @@ void check_number(double points, const char* field, const MessageLimits& limits)
                             reason::limit_exceeded);
 }
 
-StressPoints decode_points(const json& source, const std::vector<std::string>& frames, const MessageLimits& limits) {
+StressPoints decode_points(const json& source, const Frames& frames, const MessageLimits& limits) {
     const Shape shape = claimed_shape(source, 2);
     if (shape.size() != 2 || shape[1] != 3)
         throw invalid_field("points", "has shape " + json(shape).dump() + "; it must be [n,3]", reason::array_invalid);
@@ -64,7 +64,7 @@ StressPoints decode_points(const json& source, const std::vector<std::string>& f
     return points;
 }
 
-StressBlock decode_block(const json& source, const std::vector<std::string>& frames, const MessageLimits& limits) {
+StressBlock decode_block(const json& source, const Frames& frames, const MessageLimits& limits) {
     StressBlock block;
     double points = 1;
     for (const auto& [name, values] : axes_of(block)) {
@@ -132,8 +132,7 @@ json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& ar
     return params;
 }
 
-SubsurfaceRequest decode_subsurface_request(const json& params, const std::vector<std::string>& frames,
-                                            const MessageLimits& limits) {
+SubsurfaceRequest decode_subsurface_request(const json& params, const Frames& frames, const MessageLimits& limits) {
     SubsurfaceRequest request;
     request.grid = decode_grid(params["grid"]);
     request.nu = params["nu"].get<double>();
@@ -163,7 +162,7 @@ json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays) 
     return result;
 }
 
-SubsurfaceReply decode_subsurface_reply(const json& result, const std::vector<std::string>& frames) {
+SubsurfaceReply decode_subsurface_reply(const json& result, const Frames& frames) {
     SubsurfaceReply reply;
     reply.shape = result["shape"].get<Shape>();
     reply.largest = decode_largest(result["largest"]);

@@ -39,7 +39,7 @@ json encode_session_spec(const WheelRailSessionSpec& spec, ArrayWriter& arrays) 
     return params;
 }
 
-WheelRailSessionSpec decode_wheel_rail_session_spec(const json& params, const std::vector<std::string>& frames) {
+WheelRailSessionSpec decode_wheel_rail_session_spec(const json& params, const Frames& frames) {
     WheelRailSessionSpec spec;
     spec.setup = decode_wheel_rail_setup(params["wheelrail"], frames);
     if (params.contains("lease_seconds")) spec.lease_seconds = params["lease_seconds"].get<double>();
@@ -77,7 +77,7 @@ json encode_step_reply(long long step, const WheelRailSolution& solution, const 
     return object({{"step", step}, {"wheelrail", encode_wheel_rail_solution(solution, fields, arrays)}});
 }
 
-WheelRailStepReply decode_wheel_rail_step_reply(const json& result, const std::vector<std::string>& frames) {
+WheelRailStepReply decode_wheel_rail_step_reply(const json& result, const Frames& frames) {
     return {result["step"].get<long long>(), decode_wheel_rail_solution(result["wheelrail"], frames)};
 }
 

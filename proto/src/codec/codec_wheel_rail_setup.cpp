@@ -143,7 +143,7 @@ json encode_slices(const std::vector<Slice>& slices, const char* place, const ch
 /// One frame may be the points of many slices, each of which has its own.
 template <class Slice>
 std::vector<Slice> decode_slices(const json& source, const char* place, ProfileKind kind, const std::string& name,
-                                 const std::vector<std::string>& frames) {
+                                 const Frames& frames) {
     std::vector<Slice> slices;
     std::size_t points = 0;
     for (const json& slice : source) {
@@ -185,7 +185,7 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     return result;
 }
 
-WheelRailSetup decode_setup(const json& params, const std::string& name, const std::vector<std::string>& frames) {
+WheelRailSetup decode_setup(const json& params, const std::string& name, const Frames& frames) {
     WheelRailSetup setup;
     setup.friction.reset();
     if (!params.contains(name)) return setup;
@@ -294,11 +294,11 @@ PatchFields decode_patch_fields(const json& params) {
     return {decode_fields(params, all_solution_fields), params.value("gap", false)};
 }
 
-WheelRailSetup decode_wheel_rail_setup(const json& params, const std::vector<std::string>& frames) {
+WheelRailSetup decode_wheel_rail_setup(const json& params, const Frames& frames) {
     return decode_setup(params, "setup", frames);
 }
 
-WheelsetSetup decode_wheelset_setup(const json& params, const std::vector<std::string>& frames) {
+WheelsetSetup decode_wheelset_setup(const json& params, const Frames& frames) {
     WheelsetSetup setup{decode_setup(params, "setup", frames)};
     if (params.contains("left")) setup.left = decode_setup(params, "left", frames);
     return setup;

@@ -91,7 +91,7 @@ json encode_patch(const WheelRailPatch& patch, const PatchFields& fields, ArrayW
     return result;
 }
 
-WheelRailPatch decode_patch(const json& source, const std::vector<std::string>& frames) {
+WheelRailPatch decode_patch(const json& source, const Frames& frames) {
     WheelRailPatch patch;
     patch.place = decode_place(source["place"]);
     const std::vector<std::size_t> shape = shape_of(patch.place.grid);
@@ -157,7 +157,7 @@ json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFi
     return result;
 }
 
-WheelRailSolution decode_wheel_rail_solution(const json& result, const std::vector<std::string>& frames) {
+WheelRailSolution decode_wheel_rail_solution(const json& result, const Frames& frames) {
     WheelRailSolution solution;
     solution.z = result["z"].get<double>();
     solution.pitch = result["pitch"].get<double>();
@@ -186,7 +186,7 @@ json encode_wheelset_solution(const WheelsetSolution& solution, const PatchField
                    {"converged", solution.converged()}});
 }
 
-WheelsetSolution decode_wheelset_solution(const json& result, const std::vector<std::string>& frames) {
+WheelsetSolution decode_wheelset_solution(const json& result, const Frames& frames) {
     WheelsetSolution solution;
     solution.z = result["z"].get<double>();
     solution.roll = result["roll"].get<double>();

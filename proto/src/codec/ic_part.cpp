@@ -97,7 +97,7 @@ json write_part(const IcTable& table, const IcPart& part, ArrayWriter& arrays) {
         components.resize(names.size());
         std::iota(components.begin(), components.end(), 0);
     }
-    std::vector<double> values;
+    UnsetArray values;
     values.reserve(components.size() * rows * nx);
     for (const int component : components) {
         const auto row = static_cast<std::size_t>(component) * static_cast<std::size_t>(table.ny) +
@@ -107,13 +107,13 @@ json write_part(const IcTable& table, const IcPart& part, ArrayWriter& arrays) {
     }
     std::vector<std::size_t> shape{components.size(), rows, nx};
     if (part.components.empty()) shape = {3, 3, rows, nx};
-    return arrays.write(std::span<const double>(values), std::move(shape));
+    return arrays.write(std::move(values), std::move(shape));
 }
 
 }  // namespace
 
-json encode_ic_part_reply(const IcReply& reply, const IcPart& part, ArrayWriter& arrays) {
-    if (part.is_whole) return encode_ic_reply(reply, arrays);
+json encode_ic_part_reply(IcReply reply, const IcPart& part, ArrayWriter& arrays) {
+    if (part.is_whole) return encode_ic_reply(std::move(reply), arrays);
     json result = encode_ic_part(part);
     result["key"] = reply.key;
     result["origin"] = reply.origin;
@@ -124,7 +124,7 @@ json encode_ic_part_reply(const IcReply& reply, const IcPart& part, ArrayWriter&
     return result;
 }
 
-void read_part(const json& result, const std::vector<std::string>& frames, const IcPart& part, IcReply& whole) {
+void read_part(const json& result, const Frames& frames, const IcPart& part, IcReply& whole) {
     const auto nx = static_cast<std::size_t>(whole.table.nx), rows = static_cast<std::size_t>(part.rows);
     const std::vector<double> values = read_array(result["table"], frames, {part.components.size(), rows, nx}, "table");
     auto from = values.begin();

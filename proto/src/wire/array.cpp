@@ -55,6 +55,13 @@ json nested_list(std::span<const T> values, std::span<const std::size_t> shape) 
     return list;
 }
 
+bool all_finite(std::span<const double> values) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    std::size_t finite = 0;  // counted without leaving the loop, which compilers turn into one of vectors
+    for (const double value : values) finite += std::abs(value) <= largest;
+    return finite == values.size();
+}
+
 std::size_t first_infinite(std::span<const double> values) {
     const auto at = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
     return static_cast<std::size_t>(at - values.begin());
@@ -67,13 +74,14 @@ void check_array(std::span<const T> values, const Shape& shape) {
                     ".");
     if constexpr (std::is_same_v<T, double>) {
         if (all_finite(values)) return;
-        throw Error("An array to be sent is not finite at " + text_of(index_of(first_infinite(values), shape)) + ".");
+        throw NotFinite("An array to be sent is not finite at " + text_of(index_of(first_infinite(values), shape)) +
+                        ".");
     }
 }
 
 template <class T>
-std::string_view bytes_of(std::span<const T> values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+Frame frame_of(std::span<const T> values) {
+    return std::string(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
 [[noreturn]] void invalid(const std::string& field, const std::string& problem) {
@@ -81,13 +89,13 @@ std::string_view bytes_of(std::span<const T> values) {
 }
 
 /// One array of a message being read.
-template <class T>
+template <class T, class Values = std::vector<T>>
 class ArrayReader {
    public:
-    ArrayReader(const std::vector<std::string>& frames, const Shape& shape, const std::string& field)
+    ArrayReader(const Frames& frames, const Shape& shape, const std::string& field)
         : frames_(frames), shape_(shape), field_(field) {}
 
-    std::vector<T> read(const json& source) {
+    Values read(const json& source) {
         if (source.is_array()) {
             index_.clear();
             append(source);
@@ -138,7 +146,7 @@ class ArrayReader {
 
     void copy(const json& reference) {
         if (!reference.is_object()) invalid(field_, "has a $array that is no object; it must hold frame, dtype, shape");
-        const std::string& bytes = frame(part(reference, "frame"));
+        const std::string_view bytes = frame(part(reference, "frame"));
         const json& type = part(reference, "dtype");
         if (type != dtype<T>)
             invalid(field_, "has dtype " + shown(type) + "; it must be \"" + std::string(dtype<T>) + "\"");
@@ -152,9 +160,9 @@ class ArrayReader {
         if (count > 0) std::memcpy(values_.data(), bytes.data(), bytes.size());
     }
 
-    const std::string& frame(const json& number) const {
+    std::string_view frame(const json& number) const {
         const bool integer = number.is_number_integer();
-        if (integer && number >= 1 && number <= frames_.size()) return frames_[number.get<std::size_t>() - 1];
+        if (integer && number >= 1 && number <= frames_.size()) return frames_[number.get<std::size_t>() - 1].bytes();
         const std::string behind = frames_.empty()       ? "no frame follows the envelope"
                                    : frames_.size() == 1 ? "there is only frame 1"
                                                          : "there are frames 1 to " + std::to_string(frames_.size());
@@ -179,11 +187,11 @@ class ArrayReader {
         }
     }
 
-    const std::vector<std::string>& frames_;
+    const Frames& frames_;
     const Shape& shape_;
     const std::string& field_;
     Shape index_;
-    std::vector<T> values_;
+    Values values_;
 };
 
 void collect_frames(const json& node, std::vector<bool>& used) {
@@ -198,48 +206,52 @@ void collect_frames(const json& node, std::vector<bool>& used) {
 
 }  // namespace
 
-bool all_finite(std::span<const double> values) {
-    constexpr double largest = std::numeric_limits<double>::max();
-    std::size_t finite = 0;  // counted without leaving the loop, which compilers turn into one of vectors
-    for (const double value : values) finite += std::abs(value) <= largest;
-    return finite == values.size();
-}
-
 json ArrayWriter::write(std::span<const double> values, Shape shape) {
     check_array(values, shape);
     if (encoding_ == ArrayEncoding::list) return nested_list<double>(values, shape);
-    return add_frame(bytes_of(values), dtype<double>, std::move(shape));
+    return add_frame(frame_of(values), dtype<double>, std::move(shape));
+}
+
+json ArrayWriter::write(UnsetArray&& values, Shape shape) {
+    const std::span<const double> all(values);
+    if (encoding_ == ArrayEncoding::list) return write(all, std::move(shape));
+    check_array(all, shape);
+    return add_frame(Frame(std::move(values)), dtype<double>, std::move(shape));
 }
 
 json ArrayWriter::write(std::span<const unsigned char> values, Shape shape) {
     check_array(values, shape);
     if (encoding_ == ArrayEncoding::list) return nested_list<unsigned char>(values, shape);
-    return add_frame(bytes_of(values), dtype<unsigned char>, std::move(shape));
+    return add_frame(frame_of(values), dtype<unsigned char>, std::move(shape));
 }
 
-json ArrayWriter::add_frame(std::string_view bytes, const char* type, Shape shape) {
-    return object({{"$array", object({{"frame", frame_with(bytes)}, {"dtype", type}, {"shape", std::move(shape)}})}});
+json ArrayWriter::add_frame(Frame frame, const char* type, Shape shape) {
+    const std::size_t number = number_of(std::move(frame));
+    return object({{"$array", object({{"frame", number}, {"dtype", type}, {"shape", std::move(shape)}})}});
 }
 
-std::size_t ArrayWriter::frame_with(std::string_view bytes) {
+std::size_t ArrayWriter::number_of(Frame frame) {
     if (equal_ == EqualArrays::shared) {
-        const std::size_t hash = std::hash<std::string_view>()(bytes);
+        const std::size_t hash = std::hash<std::string_view>()(frame.bytes());
         const auto [first, last] = frames_by_hash_.equal_range(hash);
         for (auto at = first; at != last; ++at)
-            if (frames_[at->second - 1] == bytes) return at->second;
+            if (frames_[at->second - 1] == frame) return at->second;
         frames_by_hash_.emplace(hash, frames_.size() + 1);
     }
-    frames_.emplace_back(bytes);
+    frames_.push_back(std::move(frame));
     return frames_.size();
 }
 
-std::vector<double> read_array(const json& source, const std::vector<std::string>& frames, const Shape& shape,
-                               const std::string& field) {
+std::vector<double> read_array(const json& source, const Frames& frames, const Shape& shape, const std::string& field) {
     return ArrayReader<double>(frames, shape, field).read(source);
 }
 
-std::vector<unsigned char> read_byte_array(const json& source, const std::vector<std::string>& frames,
-                                           const Shape& shape, const std::string& field) {
+UnsetArray read_unset_array(const json& source, const Frames& frames, const Shape& shape, const std::string& field) {
+    return ArrayReader<double, UnsetArray>(frames, shape, field).read(source);
+}
+
+std::vector<unsigned char> read_byte_array(const json& source, const Frames& frames, const Shape& shape,
+                                           const std::string& field) {
     return ArrayReader<unsigned char>(frames, shape, field).read(source);
 }
 
@@ -259,7 +271,7 @@ std::vector<bool> frames_used(const json& params, std::size_t count) {
     return used;
 }
 
-void check_frames_used(const json& params, const std::vector<std::string>& frames) {
+void check_frames_used(const json& params, const Frames& frames) {
     const std::vector<bool> used = frames_used(params, frames.size());
     for (std::size_t i = 0; i < used.size(); ++i)
         if (!used[i])

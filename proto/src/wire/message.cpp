@@ -33,7 +33,7 @@ void find_id(const nlohmann::json& envelope, std::string& id_out) {
     if (characters(text) <= max_id_characters) id_out = text;
 }
 
-void check_limits(std::size_t envelope_bytes, const std::vector<std::string>& frames, const MessageLimits& limits) {
+void check_limits(std::size_t envelope_bytes, const Frames& frames, const MessageLimits& limits) {
     if (frames.size() + 1 > limits.max_frames)
         limit_exceeded("The number of frames", frames.size() + 1, limits.max_frames);
     std::size_t bytes = envelope_bytes;
@@ -90,8 +90,7 @@ nlohmann::json to_json(const MessageLimits& limits) {
             {"max_array_elements", limits.max_array_elements}};
 }
 
-Request parse_request(std::string_view text, std::vector<std::string> frames, const MessageLimits& limits,
-                      std::string& id_out) {
+Request parse_request(std::string_view text, Frames frames, const MessageLimits& limits, std::string& id_out) {
     id_out.clear();
     if (text.size() > limits.max_frame_bytes)
         limit_exceeded("The number of bytes of the envelope", text.size(), limits.max_frame_bytes);
@@ -119,7 +118,7 @@ Request parse_request(std::string_view text, std::vector<std::string> frames, co
     request.arrays = envelope.value("arrays", "frame") == "list" ? ArrayEncoding::list : ArrayEncoding::frame;
     request.priority = priority_of(envelope);
     request.bytes = text.size();
-    for (const std::string& frame : frames) request.bytes += frame.size();
+    for (const Frame& frame : frames) request.bytes += frame.size();
     request.frames = std::move(frames);
     return request;
 }

@@ -33,7 +33,7 @@ std::string agent_of(const proto::Request& request) {
 }
 
 /// What the client could not take must not be sent.
-void check_limits(const std::string& text, const std::vector<std::string>& frames, const MessageLimits& limits) {
+void check_limits(const std::string& text, const proto::Frames& frames, const MessageLimits& limits) {
     std::size_t largest = text.size(), total = text.size();
     for (const auto& frame : frames) {
         largest = std::max(largest, frame.size());
@@ -47,7 +47,7 @@ void check_limits(const std::string& text, const std::vector<std::string>& frame
 
 }  // namespace
 
-bool Call::succeed(const json& result, std::vector<std::string> frames) {
+bool Call::succeed(const json& result, proto::Frames frames) {
     if (answered_) return false;
     json reply = envelope(request.id);
     reply["status"] = proto::to_json(Status{});
@@ -87,7 +87,7 @@ void Call::fail(const Status& status) {
     finish(status, proto::dump(reply), {});
 }
 
-bool Call::finish(const Status& status, std::string text, std::vector<std::string> frames) {
+bool Call::finish(const Status& status, std::string text, proto::Frames frames) {
     std::vector<std::function<void()>> then;
     {
         const std::scoped_lock lock(mutex_);

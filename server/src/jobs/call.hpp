@@ -35,7 +35,7 @@ using CallNumber = std::uint64_t;
 struct Answer {
     Route route;
     std::string envelope;
-    std::vector<std::string> frames;
+    proto::Frames frames;
     bool is_progress = false;
     // For the log and the metrics, when it is no progress:
     std::string id, method, status;
@@ -85,12 +85,12 @@ class Call {
     /// Called with the answer, or now when there is one already. Not for what holds this call.
     void when_answered(std::function<void()> then);
     /// An answer beyond the limits of a message becomes ANSWER_TOO_LARGE. True when the result was the answer.
-    bool succeed(const nlohmann::json& result, std::vector<std::string> frames = {});
+    bool succeed(const nlohmann::json& result, proto::Frames frames = {});
     void fail(const proto::Status& status);
     void progress(const nlohmann::json& progress);
 
    private:
-    bool finish(const proto::Status& status, std::string text, std::vector<std::string> frames);
+    bool finish(const proto::Status& status, std::string text, proto::Frames frames);
 
     const Route route_;
     const MessageLimits& limits_;

@@ -59,7 +59,7 @@ void answer(const Batch& batch, std::vector<proto::ResultOrStatus> results) {
     batch.job->end();
     if (batch.call->answered()) return;
     guarded(batch.call, [&] {
-        std::vector<std::string> frames;
+        proto::Frames frames;
         const json result = proto::encode_results("solutions", std::move(results), frames);
         batch.call->succeed(result, std::move(frames));
     });

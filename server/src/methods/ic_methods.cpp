@@ -32,12 +32,14 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
             IcTable table = table_for(*answer.record, spec);
-            if (!proto::all_finite(table.values))
+            try {
+                const json result = proto::encode_ic_part_reply(
+                    {answer.key, answer.origin, spec, std::move(table), answer.record->evidence, frames}, part, arrays);
+                call->succeed(result, arrays.take_frames());
+            } catch (const proto::NotFinite&) {
                 throw proto::invalid_field("material.G",
                                            "and grid.dx make coefficients that are beyond a double's range");
-            const json result = proto::encode_ic_part_reply(
-                {answer.key, answer.origin, spec, std::move(table), answer.record->evidence, frames}, part, arrays);
-            call->succeed(result, arrays.take_frames());
+            }
         });
     };
     parts.ics.request(spec,

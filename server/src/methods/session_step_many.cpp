@@ -42,7 +42,7 @@ void check_limits(const Batch& batch) {
 
 void answer(Batch& batch) {
     guarded(batch.call, [&] {
-        std::vector<std::string> frames;
+        proto::Frames frames;
         const json result = proto::encode_results("steps", std::move(batch.results), frames);
         batch.call->succeed(result, std::move(frames));
     });

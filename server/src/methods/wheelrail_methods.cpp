@@ -24,7 +24,7 @@ class WorkOnCall {
     }
 
     Observer& observer() { return observer_; }
-    void succeed(const nlohmann::json& result, std::vector<std::string> frames = {}) {
+    void succeed(const nlohmann::json& result, proto::Frames frames = {}) {
         job_->end();
         call_->succeed(result, std::move(frames));
     }

@@ -149,7 +149,7 @@ InProcess::~InProcess() {
         new std::shared_ptr<State>(std::move(state_));  // kept for ever
 }
 
-std::unique_ptr<Exchange> InProcess::ask(const std::string& envelope, std::vector<std::string> frames) {
+std::unique_ptr<Exchange> InProcess::ask(const std::string& envelope, proto::Frames frames) {
     if (::getpid() != owner_) throw Error("The service belongs to process " + std::to_string(owner_) + ".");
     const std::shared_lock open(state_->closing);
     if (state_->closed) throw Error("The service is closed.");

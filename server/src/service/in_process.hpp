@@ -8,7 +8,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
+
+#include "contactd/proto/frame.hpp"
 
 namespace contactd::server {
 
@@ -17,7 +18,7 @@ namespace contactd::server {
 class Exchange {
    public:
     using Clock = std::chrono::steady_clock;
-    using Message = std::vector<std::string>;  ///< the envelope, and the array frames behind it
+    using Message = proto::Frames;  ///< the envelope, and the array frames behind it
 
     virtual ~Exchange() = default;
     /// The next message: progress, or the answer, which is the last one. None when `until` comes first. A request whose
@@ -43,7 +44,7 @@ class InProcess {
 
     /// Whatever is wrong with the message is answered as the daemon would. Throws Error when the service is closed, or
     /// of another process.
-    std::unique_ptr<Exchange> ask(const std::string& envelope, std::vector<std::string> frames);
+    std::unique_ptr<Exchange> ask(const std::string& envelope, proto::Frames frames);
     /// Answers what is open with STOPPING, and returns when all work has ended. May be called twice.
     void close();
 

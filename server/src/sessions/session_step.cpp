@@ -15,12 +15,12 @@ using proto::StatusError;
 namespace {
 
 /// Tells one request from another with the same number; of a message with several steps only its own arrays count.
-std::size_t hash_of(const json& params, const std::vector<std::string>& frames) {
-    const std::hash<std::string> hash;
+std::size_t hash_of(const json& params, const proto::Frames& frames) {
+    const std::hash<std::string_view> hash;
     std::size_t value = hash(proto::dump(params));
     const std::vector<bool> used = proto::frames_used(params, frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i)
-        if (used[i]) value = value * 31 + hash(frames[i]);
+        if (used[i]) value = value * 31 + hash(frames[i].bytes());
     return value;
 }
 

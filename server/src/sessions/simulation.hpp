@@ -18,7 +18,7 @@ namespace contactd::server {
 struct StepAnswer {
     std::size_t request = 0;  ///< hash of what was asked
     nlohmann::json result;
-    std::vector<std::string> frames;
+    proto::Frames frames;
 };
 
 /// A step that a request asks for.

@@ -100,9 +100,10 @@ std::optional<Message> AnsweringSocket::receive() {
     if (!socket_.recv(part, zmq::recv_flags::dontwait)) return std::nullopt;
     Message message{{part.to_string(), false, access_.user_of(part)}, zmq_msg_get(part.handle(), ZMQ_SRCFD), {}, {}};
     std::size_t count = 0;  // of the parts behind the identity and the empty one of a REQ socket
-    while (part.more()) {
+    for (bool more = part.more(); more;) {
         if (!socket_.recv(part, zmq::recv_flags::none)) break;
-        if (count == 0 && part.size() == 0 && part.more() && !message.route.empty_delimiter) {
+        more = part.more();
+        if (count == 0 && part.size() == 0 && more && !message.route.empty_delimiter) {
             message.route.empty_delimiter = true;
             continue;
         }
@@ -111,7 +112,7 @@ std::optional<Message> AnsweringSocket::receive() {
         if (count == 1)
             message.envelope = part.to_string();
         else
-            message.frames.push_back(part.to_string());
+            message.frames.emplace_back(std::exchange(part, {}));
     }
     received_ = Clock::now();
     return message;

@@ -26,7 +26,7 @@ struct Message {
     Route route;
     int connection = -1;  ///< the file descriptor it came through
     std::string envelope;
-    std::vector<std::string> frames;  ///< behind the envelope; of too many one more than allowed, for who checks limits
+    proto::Frames frames;  ///< behind the envelope; of too many one more than allowed, for who checks limits
 };
 
 /// Belongs to the thread that makes it, which holds the lock whenever it does not wait. Another thread that has an

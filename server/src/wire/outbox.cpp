@@ -18,13 +18,14 @@ std::size_t bytes_of(const Answer& answer) {
     return bytes;
 }
 
-/// Of large frames the memory itself is handed over; ZeroMQ frees it when they are sent.
-zmq::message_t message_of(std::string bytes) {
+/// Large frames are kept until ZeroMQ has sent them, and not copied.
+zmq::message_t message_of(proto::Frame frame) {
     constexpr std::size_t large = 1 << 16;
-    if (bytes.size() < large) return zmq::message_t(bytes);
-    auto kept = std::make_unique<std::string>(std::move(bytes));
-    const auto free = [](void*, void* of) { delete static_cast<std::string*>(of); };
-    zmq::message_t message(kept->data(), kept->size(), free, kept.get());
+    if (frame.size() < large) return zmq::message_t(frame.bytes());
+    auto kept = std::make_unique<const proto::Frame>(std::move(frame));
+    const auto free = [](void*, void* of) { delete static_cast<const proto::Frame*>(of); };
+    // ZeroMQ takes a pointer to what may be changed, and changes nothing.
+    zmq::message_t message(const_cast<char*>(kept->data()), kept->size(), free, const_cast<proto::Frame*>(kept.get()));
     (void)kept.release();
     return message;
 }
@@ -34,8 +35,8 @@ zmq::message_t message_of(std::string bytes) {
 Outbox::Sent Outbox::try_send(Answer& answer) {
     // ROUTER answers for the whole message at its first part: EAGAIN when the client's queue is full, EHOSTUNREACH when
     // the client has gone. Later parts follow without waiting.
-    const auto part = [&](std::string bytes, bool more) {
-        socket_.send(message_of(std::move(bytes)), more ? zmq::send_flags::sndmore : zmq::send_flags::none);
+    const auto part = [&](proto::Frame frame, bool more) {
+        socket_.send(message_of(std::move(frame)), more ? zmq::send_flags::sndmore : zmq::send_flags::none);
     };
     try {
         const auto first = zmq::send_flags::sndmore | zmq::send_flags::dontwait;

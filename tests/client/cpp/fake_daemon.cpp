@@ -27,10 +27,10 @@ void Daemon::run() {
         message.push_back(part.to_string());
         while (part.more() && socket_.recv(part)) message.push_back(part.to_string());
         const Frames frames(message.begin() + 2, message.end());
-        for (const Frames& answer : script_(json::parse(message[1]), frames)) {
-            socket_.send(zmq::buffer(message[0]), zmq::send_flags::sndmore);
+        for (const Frames& answer : script_(json::parse(message[1].bytes()), frames)) {
+            socket_.send(zmq::buffer(message[0].bytes()), zmq::send_flags::sndmore);
             for (std::size_t i = 0; i < answer.size(); ++i)
-                socket_.send(zmq::buffer(answer[i]),
+                socket_.send(zmq::buffer(answer[i].bytes()),
                              i + 1 < answer.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);
         }
     }

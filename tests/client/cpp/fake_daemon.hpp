@@ -10,10 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <zmq.hpp>
 
+#include "contactd/proto/frame.hpp"
+
 namespace fake {
 
 /// Envelope and frames of a message.
-using Frames = std::vector<std::string>;
+using Frames = contactd::proto::Frames;
 
 class Daemon {
    public:

@@ -44,7 +44,7 @@ inline SolveReply gap_as_pressure(const ContactProblem& read) {
 inline std::vector<Frames> message_of(const nlohmann::json& request, const nlohmann::json& result,
                                       proto::ArrayWriter& arrays) {
     Frames message{reply(request, result)};
-    for (std::string& frame : arrays.take_frames()) message.push_back(std::move(frame));
+    for (proto::Frame& frame : arrays.take_frames()) message.push_back(std::move(frame));
     return {message};
 }
 

@@ -58,7 +58,7 @@ json answer_of(Exchange& exchange) {
     for (;;) {
         const auto message = exchange.next(Exchange::Clock::now() + 20s);
         if (!message) throw std::runtime_error("no answer");  // Catch2 is for one thread
-        json envelope = json::parse(message->front());
+        json envelope = json::parse(message->front().bytes());
         if (envelope.contains("status")) return envelope;
     }
 }

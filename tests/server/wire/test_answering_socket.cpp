@@ -69,7 +69,7 @@ TEST_CASE("A message is taken apart into its client, its envelope and its frames
     CHECK(message.route.identity == "client");
     CHECK_FALSE(message.route.empty_delimiter);
     CHECK(message.envelope == "{}");
-    CHECK(message.frames == std::vector<std::string>{"one", "two"});
+    CHECK(message.frames == contactd::proto::Frames{"one", "two"});
     CHECK_FALSE(wire.socket.receive());
 }
 
@@ -80,14 +80,14 @@ TEST_CASE("The empty part of a REQ socket is noted, and is no envelope") {
 
     CHECK(message.route.empty_delimiter);
     CHECK(message.envelope == "{}");
-    CHECK(message.frames == std::vector<std::string>{""});
+    CHECK(message.frames == contactd::proto::Frames{""});
 }
 
 TEST_CASE("Of too many frames one more than allowed is kept") {
     Wire wire;
     wire.send({"{}", "1", "2", "3", "4", "5"});
 
-    CHECK(wire.receive().frames == std::vector<std::string>{"1", "2", "3"});
+    CHECK(wire.receive().frames == contactd::proto::Frames{"1", "2", "3"});
 }
 
 TEST_CASE("What the owner answers goes with the next delivery, and is noted then") {

@@ -72,7 +72,7 @@ struct Client {
 
 Answer answer_to(const std::string& name, const std::string& text, std::size_t frame_bytes = 0) {
     Answer answer{{name, false}, text, {}, false, {}, {}, {}, 0, {}, {}, 0};
-    if (frame_bytes > 0) answer.frames.emplace_back(frame_bytes, 'x');
+    if (frame_bytes > 0) answer.frames.emplace_back(std::string(frame_bytes, 'x'));
     return answer;
 }
 

@@ -11,9 +11,9 @@ NineValues opposite(NineValues values) {
 
 }  // namespace
 
-std::vector<double> in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor) {
+UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor) {
     const std::size_t columns = grid.frames.size(), n = midway.size() / columns, component = columns * columns * n;
-    std::vector<double> values(9 * component);
+    UnsetArray values(9 * component);
     for (std::size_t I = 0; I < columns; ++I)
         for (std::size_t J = 0; J < columns; ++J) {
             const ColumnAxes axes(

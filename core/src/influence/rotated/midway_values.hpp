@@ -24,7 +24,7 @@ std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::si
 }
 
 /// Shape [3, 3, columns, columns, n], in the axes of the columns, times a factor.
-std::vector<double> in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);
+UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);
 
 /// The same as a table of grid.nx offsets.
 ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);

@@ -24,8 +24,8 @@ nlohmann::json encode_ic_spec(const IcSpec& spec);
 /// `params` has passed its schema. Applies preset and defaults; ranges are checked by contactd::validate.
 IcSpec decode_ic_spec(const nlohmann::json& params);
 
-nlohmann::json encode_ic_reply(const IcReply& reply, ArrayWriter& arrays);
-IcReply decode_ic_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
+nlohmann::json encode_ic_reply(IcReply reply, ArrayWriter& arrays);
+IcReply decode_ic_reply(const nlohmann::json& result, const Frames& frames);
 
 nlohmann::json encode_evidence(const IcEvidence& evidence);
 IcEvidence decode_evidence(const nlohmann::json& json);
@@ -37,7 +37,7 @@ nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays
 /// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large (before anything of
 /// its size is allocated) and for arrays that do not fit; the rest is checked by contactd::validate. Of the models
 /// other than full, which do not use it, `ics` is not read.
-ContactProblem decode_problem(const nlohmann::json& params, const std::vector<std::string>& frames);
+ContactProblem decode_problem(const nlohmann::json& params, const Frames& frames);
 
 /// The fields wanted back by a request that has passed its schema; `otherwise` where it names none.
 nlohmann::json encode_fields(const SolutionFields& fields);
@@ -45,7 +45,7 @@ SolutionFields decode_fields(const nlohmann::json& params, const SolutionFields&
 
 nlohmann::json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& arrays,
                                   const SolutionFields& fields = all_solution_fields);
-SolveReply decode_solve_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
+SolveReply decode_solve_reply(const nlohmann::json& result, const Frames& frames);
 
 // --- contact.solve_many ----------------------------------------------------------------------------------------------
 nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arrays,
@@ -58,7 +58,7 @@ void check_referred_elements(const nlohmann::json& problems, const MessageLimits
 /// A result with its frames, or why there is none.
 struct Result {
     nlohmann::json result;
-    std::vector<std::string> frames;
+    Frames frames;
 };
 using ResultOrStatus = std::variant<Result, Status>;
 /// A reply that cannot be sent, because a number in it is not finite, becomes INTERNAL.
@@ -66,9 +66,8 @@ ResultOrStatus encode_outcome(const SolveReply& reply, const Grid& grid, ArrayEn
                               const SolutionFields& fields = all_solution_fields);
 /// {list: [{status, result}, ...]}, of a method that does several things at once. Takes the frames, which then stand
 /// one behind the other in `frames`.
-nlohmann::json encode_results(std::string_view list, std::vector<ResultOrStatus> results,
-                              std::vector<std::string>& frames);
-std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const std::vector<std::string>& frames);
+nlohmann::json encode_results(std::string_view list, std::vector<ResultOrStatus> results, Frames& frames);
+std::vector<ReplyOrStatus> decode_solve_replies(const nlohmann::json& result, const Frames& frames);
 
 // --- contact.subsurface ----------------------------------------------------------------------------------------------
 nlohmann::json encode_subsurface_request(const SubsurfaceRequest& request, ArrayWriter& arrays);
@@ -76,10 +75,10 @@ nlohmann::json encode_subsurface_request(const SubsurfaceRequest& request, Array
 /// (LIMIT_EXCEEDED; the arrays of the result have at most limits.max_array_elements together), before anything of their
 /// size is allocated, for arrays that do not fit and a body that is no
 /// half-space; the rest is checked by contactd::subsurface_stress.
-SubsurfaceRequest decode_subsurface_request(const nlohmann::json& params, const std::vector<std::string>& frames,
+SubsurfaceRequest decode_subsurface_request(const nlohmann::json& params, const Frames& frames,
                                             const MessageLimits& limits = {});
 nlohmann::json encode_subsurface_reply(const SubsurfaceReply& reply, ArrayWriter& arrays);
-SubsurfaceReply decode_subsurface_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
+SubsurfaceReply decode_subsurface_reply(const nlohmann::json& result, const Frames& frames);
 
 // --- ic.export -------------------------------------------------------------------------------------------------------
 nlohmann::json encode_ic_export(const IcExport& wanted);
@@ -88,6 +87,6 @@ IcExport decode_ic_export(const nlohmann::json& params);
 nlohmann::json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, ArrayWriter& arrays);
 nlohmann::json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse& lower);
 /// The file, in either format. Throws StatusError (ARRAY_INVALID).
-std::string decode_ic_file(const nlohmann::json& result, const std::vector<std::string>& frames);
+std::string decode_ic_file(const nlohmann::json& result, const Frames& frames);
 
 }  // namespace contactd::proto

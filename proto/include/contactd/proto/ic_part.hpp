@@ -30,12 +30,11 @@ nlohmann::json encode_ic_part(const IcPart& part);
 void check_size(const IcPart& part, int nx, const MessageLimits& limits);
 
 /// The result of ic.get: the whole table, or [components, rows, nx] or [3, 3, rows, nx] of it.
-nlohmann::json encode_ic_part_reply(const IcReply& reply, const IcPart& part, ArrayWriter& arrays);
+nlohmann::json encode_ic_part_reply(IcReply reply, const IcPart& part, ArrayWriter& arrays);
 
 /// Puts the part of a table that `result` holds into `whole`, whose table has its full size. Throws StatusError when it
 /// is another part than `part`, or of another table than the ones before.
-void read_part(const nlohmann::json& result, const std::vector<std::string>& frames, const IcPart& part,
-               IcReply& whole);
+void read_part(const nlohmann::json& result, const Frames& frames, const IcPart& part, IcReply& whole);
 
 /// The parts of a table of ny rows of nx that fit `limits`, each as large as may be.
 std::vector<IcPart> parts_within(const MessageLimits& limits, int nx, int ny);

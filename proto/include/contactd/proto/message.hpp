@@ -13,7 +13,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contactd/error.hpp"
 #include "contactd/message_limits.hpp"
+#include "contactd/proto/frame.hpp"
+#include "contactd/unset_array.hpp"
 
 namespace contactd::proto {
 
@@ -26,7 +29,7 @@ nlohmann::json to_json(const MessageLimits& limits);
 /// Frame 0 is the JSON envelope; `frames[n-1]` holds the bytes of frame n.
 struct Message {
     nlohmann::json envelope;
-    std::vector<std::string> frames;
+    Frames frames;
 };
 
 /// How the sender of a request wants arrays in the reply.
@@ -44,15 +47,14 @@ struct Request {
     int timeout_ms = 0;       ///< 0: none
     ArrayEncoding arrays = ArrayEncoding::frame;
     std::optional<Priority> priority;  ///< left out: the method's own
-    std::vector<std::string> frames;
+    Frames frames;
     std::size_t bytes = 0;  ///< of the message as it came
 };
 
 /// Parses frame 0 and checks the envelope. Throws StatusError (NOT_JSON, NOT_AN_OBJECT, PROTOCOL_VERSION,
 /// ENVELOPE_INVALID, LIMIT_EXCEEDED); `id_out` receives the id as soon as it is known, so that the error can be
 /// answered.
-Request parse_request(std::string_view envelope, std::vector<std::string> frames, const MessageLimits& limits,
-                      std::string& id_out);
+Request parse_request(std::string_view envelope, Frames frames, const MessageLimits& limits, std::string& id_out);
 
 /// Text of an envelope. Never throws for bad UTF-8 (replaced) and never holds NaN.
 std::string dump(const nlohmann::json& json);
@@ -60,36 +62,43 @@ std::string dump(const nlohmann::json& json);
 /// Whether equal arrays of a message travel once: worth looking for when many problems have a table or a gap in common.
 enum class EqualArrays { repeated, shared };
 
-/// Whether none of the values is infinite or NaN: what a message can carry.
-bool all_finite(std::span<const double> values);
+/// What no message can carry.
+class NotFinite : public Error {
+   public:
+    using Error::Error;
+};
 
-/// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists.
+/// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists. Throws NotFinite.
 class ArrayWriter {
    public:
     explicit ArrayWriter(ArrayEncoding encoding, EqualArrays equal = EqualArrays::repeated)
         : encoding_(encoding), equal_(equal) {}
     /// The JSON that stands for the array; `shape` is C order, its product the number of values.
     nlohmann::json write(std::span<const double> values, std::vector<std::size_t> shape);
+    /// A frame is made of the array itself.
+    nlohmann::json write(UnsetArray&& values, std::vector<std::size_t> shape);
     nlohmann::json write(std::span<const unsigned char> values, std::vector<std::size_t> shape);
-    std::vector<std::string> take_frames() { return std::move(frames_); }
+    Frames take_frames() { return std::move(frames_); }
 
    private:
-    nlohmann::json add_frame(std::string_view bytes, const char* dtype, std::vector<std::size_t> shape);
-    std::size_t frame_with(std::string_view bytes);
+    nlohmann::json add_frame(Frame frame, const char* dtype, std::vector<std::size_t> shape);
+    std::size_t number_of(Frame frame);
 
     ArrayEncoding encoding_;
     EqualArrays equal_;
-    std::vector<std::string> frames_;
+    Frames frames_;
     std::unordered_multimap<std::size_t, std::size_t>
         frames_by_hash_;  ///< numbers of frames, when equal ones are shared
 };
 
 /// The array that `json` stands for: a (nested) list of numbers or {"$array": {frame, dtype "<f8", shape}}. Checks
 /// shape, frame, bytes and that every value is finite; throws StatusError naming `field` (ARRAY_INVALID).
-std::vector<double> read_array(const nlohmann::json& json, const std::vector<std::string>& frames,
-                               const std::vector<std::size_t>& shape, const std::string& field);
+std::vector<double> read_array(const nlohmann::json& json, const Frames& frames, const std::vector<std::size_t>& shape,
+                               const std::string& field);
+UnsetArray read_unset_array(const nlohmann::json& json, const Frames& frames, const std::vector<std::size_t>& shape,
+                            const std::string& field);
 /// The same for dtype "|u1".
-std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const std::vector<std::string>& frames,
+std::vector<unsigned char> read_byte_array(const nlohmann::json& json, const Frames& frames,
                                            const std::vector<std::size_t>& shape, const std::string& field);
 
 /// Lets the arrays of `message` refer to frames that come `count` places later, behind those of another message.
@@ -99,6 +108,6 @@ void move_frames(nlohmann::json& message, std::size_t count);
 std::vector<bool> frames_used(const nlohmann::json& params, std::size_t count);
 
 /// Throws StatusError (ARRAY_INVALID) when no {"$array": ...} anywhere in `params` refers to one of the frames.
-void check_frames_used(const nlohmann::json& params, const std::vector<std::string>& frames);
+void check_frames_used(const nlohmann::json& params, const Frames& frames);
 
 }  // namespace contactd::proto

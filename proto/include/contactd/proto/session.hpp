@@ -19,7 +19,7 @@ namespace contactd::proto {
 // --- session.open ----------------------------------------------------------------------------------------------------
 nlohmann::json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays);
 /// `params` has passed its schema. Throws as decode_problem.
-SessionSpec decode_session_spec(const nlohmann::json& params, const std::vector<std::string>& frames);
+SessionSpec decode_session_spec(const nlohmann::json& params, const Frames& frames);
 
 nlohmann::json encode_session_reply(const SessionReply& reply);
 SessionReply decode_session_reply(const nlohmann::json& result);
@@ -36,7 +36,7 @@ nlohmann::json encode_step(const std::string& session, long long step, const Ste
 /// Lays what a step says, `params`, which has passed its schema, over `problem`, which is as the session was opened.
 /// `last` is the motion of the step before: the creepage it found for a prescribed force is the estimate now, unless
 /// the step names another. Throws StatusError naming the field.
-void apply_step(const nlohmann::json& params, const std::vector<std::string>& frames, const std::optional<Motion>& last,
+void apply_step(const nlohmann::json& params, const Frames& frames, const std::optional<Motion>& last,
                 ContactProblem& problem);
 
 /// A step, or one of several by the schema of session.step_many.
@@ -50,14 +50,13 @@ nlohmann::json encode_step(const StepAsked& asked, ArrayWriter& arrays);
 nlohmann::json encode_steps(std::span<const StepAsked> steps, ArrayWriter& arrays);
 
 /// The answer to a step that was solved.
-AnyStepOrStatus decode_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames,
-                                  const StepAsked& asked);
-std::vector<AnyStepOrStatus> decode_step_replies(const nlohmann::json& result, const std::vector<std::string>& frames,
+AnyStepOrStatus decode_step_reply(const nlohmann::json& result, const Frames& frames, const StepAsked& asked);
+std::vector<AnyStepOrStatus> decode_step_replies(const nlohmann::json& result, const Frames& frames,
                                                  std::span<const StepAsked> asked);
 
 nlohmann::json encode_step_reply(long long step, const ContactSolution& solution, const Grid& grid,
                                  const SolutionFields& fields, ArrayWriter& arrays);
-StepReply decode_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames, const Grid& grid);
+StepReply decode_step_reply(const nlohmann::json& result, const Frames& frames, const Grid& grid);
 
 // --- of wheels on rails ----------------------------------------------------------------------------------------------
 /// Params of session.open and session.step, and results of steps, where they are of a wheel on its rail.
@@ -67,14 +66,13 @@ Status below_wheel_rail(Status status);
 
 nlohmann::json encode_session_spec(const WheelRailSessionSpec& spec, ArrayWriter& arrays);
 /// `params` has passed its schema. Throws as decode_wheel_rail_setup.
-WheelRailSessionSpec decode_wheel_rail_session_spec(const nlohmann::json& params,
-                                                    const std::vector<std::string>& frames);
+WheelRailSessionSpec decode_wheel_rail_session_spec(const nlohmann::json& params, const Frames& frames);
 
 nlohmann::json encode_step(const std::string& session, long long step, const WheelRailStepInput& input);
 WheelRailStepInput decode_wheel_rail_step(const nlohmann::json& params);
 
 nlohmann::json encode_step_reply(long long step, const WheelRailSolution& solution, const PatchFields& fields,
                                  ArrayWriter& arrays);
-WheelRailStepReply decode_wheel_rail_step_reply(const nlohmann::json& result, const std::vector<std::string>& frames);
+WheelRailStepReply decode_wheel_rail_step_reply(const nlohmann::json& result, const Frames& frames);
 
 }  // namespace contactd::proto

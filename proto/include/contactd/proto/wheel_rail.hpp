@@ -31,7 +31,7 @@ nlohmann::json encode_wheel_rail_setup(const WheelRailSetup& setup, ArrayWriter&
 /// `setup` of params that have passed their schema; defaults where there is none. Throws StatusError naming the field
 /// for points that are too many, before anything of their size is allocated, and for arrays that do not fit; the rest
 /// is checked by contactd::validate and make_profile.
-WheelRailSetup decode_wheel_rail_setup(const nlohmann::json& params, const std::vector<std::string>& frames);
+WheelRailSetup decode_wheel_rail_setup(const nlohmann::json& params, const Frames& frames);
 nlohmann::json encode_wheel_rail_friction(const WheelRailFriction& friction);
 WheelRailFriction decode_wheel_rail_friction(const nlohmann::json& friction);
 nlohmann::json encode_wheel_rail_state(const WheelRailState& state);
@@ -42,17 +42,17 @@ PatchFields decode_patch_fields(const nlohmann::json& params);
 /// Throws Error for numbers that are not finite.
 nlohmann::json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields,
                                           ArrayWriter& arrays);
-WheelRailSolution decode_wheel_rail_solution(const nlohmann::json& result, const std::vector<std::string>& frames);
+WheelRailSolution decode_wheel_rail_solution(const nlohmann::json& result, const Frames& frames);
 
 // --- wheelrail.wheelset ----------------------------------------------------------------------------------------------
 nlohmann::json encode_wheelset_request(const WheelsetSetup& setup, const WheelsetState& state,
                                        const PatchFields& fields, ArrayWriter& arrays);
 /// `setup` and `left` of params that have passed their schema. Throws as decode_wheel_rail_setup.
-WheelsetSetup decode_wheelset_setup(const nlohmann::json& params, const std::vector<std::string>& frames);
+WheelsetSetup decode_wheelset_setup(const nlohmann::json& params, const Frames& frames);
 WheelsetState decode_wheelset_state(const nlohmann::json& state);
 nlohmann::json encode_wheelset_solution(const WheelsetSolution& solution, const PatchFields& fields,
                                         ArrayWriter& arrays);
-WheelsetSolution decode_wheelset_solution(const nlohmann::json& result, const std::vector<std::string>& frames);
+WheelsetSolution decode_wheelset_solution(const nlohmann::json& result, const Frames& frames);
 
 // --- wheelrail.geometry ----------------------------------------------------------------------------------------------
 nlohmann::json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelRailState> states,
@@ -74,6 +74,6 @@ nlohmann::json encode_contacts(std::span<const WheelsetContacts> contacts);
 std::vector<WheelsetContacts> decode_contacts(const nlohmann::json& contacts);
 /// `profiles` of a result.
 nlohmann::json encode_profiles(const ProfilesOfSides& profiles, ArrayWriter& arrays);
-ProfilesOfSides decode_profiles(const nlohmann::json& profiles, const std::vector<std::string>& frames);
+ProfilesOfSides decode_profiles(const nlohmann::json& profiles, const Frames& frames);
 
 }  // namespace contactd::proto
