@@ -37,8 +37,10 @@ struct ColumnSpectrum {
 /// The coefficients at the offsets k dx + shift along x, k = 0..nx-1 (dx and shift over ds), times `factor`: ds/G for
 /// mm^3/N. With a shift there is no parity; the offsets -k dx + shift are those of -shift, with the parity of each
 /// component. Between the wavenumbers the difference to the half-space, its load and its displacement each turned by
-/// half the angle between the columns, is interpolated (cubic, with its parity); the half-space itself is exact.
-ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1);
+/// half the angle between the columns, is interpolated (cubic, with its parity); the half-space itself is exact. So
+/// many threads share the work, the caller's among them; the coefficients are the same to the last bit.
+ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1,
+                         int threads = 1);
 
 /// The largest change of a coefficient, over zz of the half-space under an element of the same size, when every other
 /// wavenumber is left out; a cubic interpolation's own error is about a sixteenth of it. Their number must be odd.

@@ -50,9 +50,9 @@ using BodyTable = std::variant<IcTable, ColumnTable>;
 
 /// What `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument when the
 /// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other
-/// points than family_points().
-BodyTable body_table(const IcRecord& record, const IcSpec& request);
+/// points than family_points(). `threads`: at most as many, for what is large.
+BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads = 1);
 /// The same as ic.get answers it: of a prism with table_rows() rows.
-IcTable table_for(const IcRecord& record, const IcSpec& request);
+IcTable table_for(const IcRecord& record, const IcSpec& request, int threads = 1);
 
 }  // namespace contactd

@@ -3,7 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <numbers>
 
 #include "contactd/error.hpp"
@@ -80,27 +82,27 @@ class TableMaker {
                 references_.push_back(half_space(screened_transforms(node, spectrum.xi0, l), spectrum.nu, true));
     }
 
-    ColumnTable make(double factor) const {
+    ColumnTable make(double factor, int threads) const {
         Functions functions = interpolation(1);
         const Eigen::Index nodes = functions.even.rows();
         functions.even.conservativeResize(nodes + static_cast<Eigen::Index>(even_components.size()), nx_);
         functions.odd.conservativeResize(nodes + static_cast<Eigen::Index>(odd_components.size()), nx_);
         functions.even *= factor;
         functions.odd *= factor;
-        ColumnTable table(nx_, columns_);
-        for (int l = 0; l < columns_; ++l) {
-            for (int k = 0; k < nx_; ++k) {
-                const Block flat = factor * screened_half_space(k, l);
-                for (Eigen::Index c = 0; c < functions.even.rows() - nodes; ++c)
-                    functions.even(nodes + c, k) = of(flat, even_components[static_cast<std::size_t>(c)]);
-                for (Eigen::Index c = 0; c < functions.odd.rows() - nodes; ++c)
-                    functions.odd(nodes + c, k) = of(flat, odd_components[static_cast<std::size_t>(c)]);
-            }
-            fill(l, functions, [&](const Component& component, int J) {
-                const auto& [i, j] = component;
-                return OffsetRows{&table(i, j, J + l, J, 0), l > 0 ? &table(j, i, J, J + l, 0) : nullptr};
-            });
-        }
+        ColumnTable table;
+        table.nx = nx_;
+        table.columns = columns_;
+        table.values.resize(9 * table.component_size());
+        std::atomic<int> next = 0;
+        const auto work = [&] {
+            Functions own = functions;
+            for (int l = next++; l < columns_; l = next++) make_apart(l, factor, nodes, own, table);
+        };
+        std::vector<std::future<void>> others;
+        for (int thread = 1; thread < std::min(threads, columns_); ++thread)
+            others.push_back(std::async(std::launch::async, work));
+        work();
+        for (std::future<void>& other : others) other.get();
         return table;
     }
 
@@ -138,6 +140,22 @@ class TableMaker {
     }
 
    private:
+    /// All coefficients of columns that are l apart. Behind the functions of the nodes is room for those of the
+    /// half-space.
+    void make_apart(int l, double factor, Eigen::Index nodes, Functions& functions, ColumnTable& table) const {
+        for (int k = 0; k < nx_; ++k) {
+            const Block flat = factor * screened_half_space(k, l);
+            for (Eigen::Index c = 0; c < functions.even.rows() - nodes; ++c)
+                functions.even(nodes + c, k) = of(flat, even_components[static_cast<std::size_t>(c)]);
+            for (Eigen::Index c = 0; c < functions.odd.rows() - nodes; ++c)
+                functions.odd(nodes + c, k) = of(flat, odd_components[static_cast<std::size_t>(c)]);
+        }
+        fill(l, functions, [&](const Component& component, int J) {
+            const auto& [i, j] = component;
+            return OffsetRows{&table(i, j, J + l, J, 0), l > 0 ? &table(j, i, J, J + l, 0) : nullptr};
+        });
+    }
+
     double angle(int I, int J) const { return spectrum_.frames[I].angle - spectrum_.frames[J].angle; }
 
     /// Transforms at a node, less those of the screened half-space.
@@ -247,8 +265,8 @@ double self_compliance(const ColumnSpectrum& spectrum, double dx) {
 
 }  // namespace
 
-ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift, double factor) {
-    return TableMaker(spectrum, dx, nx, shift).make(factor);
+ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift, double factor, int threads) {
+    return TableMaker(spectrum, dx, nx, shift).make(factor, threads);
 }
 
 double nested_change(const ColumnSpectrum& spectrum, double dx, int nx) {

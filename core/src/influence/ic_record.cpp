@@ -1,5 +1,6 @@
 #include "contactd/ic_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -46,11 +47,11 @@ std::size_t values_of(const ColumnSpectrum& spectrum) {
     return spectrum.values.size();
 }
 
-IcTable part_of(const IcTable& table, const IcRecord&, const IcSpec& request, double factor) {
+IcTable part_of(const IcTable& table, const IcRecord&, const IcSpec& request, double factor, int) {
     return cropped(table, request.nx, request.ny, factor);
 }
 
-IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& request, double factor) {
+IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& request, double factor, int) {
     const std::vector<double>& stored = record.evidence.family_nu;
     bool known = stored.size() >= 4 && stored.size() % 2 == 0 && stored.size() == family.tables.size();
     if (known) {
@@ -70,12 +71,12 @@ void require_columns(int columns, const IcSpec& request) {
                                              std::to_string(columns) + " columns");
 }
 
-ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& request, double factor) {
+ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& request, double factor, int) {
     require_columns(table.columns, request);
     return cropped(table, 0, request.ny, request.nx, factor);
 }
 
-ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double) {
+ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads) {
     require_columns(spectrum.columns, request);
     constexpr std::size_t most_values = 50'000'000;  // of each of nine components: 3.6 GB
     if (static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) >
@@ -83,7 +84,11 @@ ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpe
         throw InvalidArgument("grid.nx", "is " + std::to_string(request.nx) + ", with ny " +
                                              std::to_string(request.ny) + "; nx ny^2 of a prism may be at most " +
                                              std::to_string(most_values));
-    return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G);
+    constexpr std::size_t worth_a_thread = 1'000'000;  // coefficients, some ten milliseconds
+    const std::size_t values = 9 * static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) *
+                               static_cast<std::size_t>(request.ny);
+    threads = static_cast<int>(std::clamp<std::size_t>(values / worth_a_thread, 1, std::max(threads, 1)));
+    return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G, threads);
 }
 
 }  // namespace
@@ -105,14 +110,14 @@ std::size_t bytes_of(const IcTables& tables) {
     return sizeof(double) * std::visit([](const auto& kind) { return values_of(kind); }, tables);
 }
 
-BodyTable body_table(const IcRecord& record, const IcSpec& request) {
+BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads) {
     const double factor = request.dx / request.material.G;
-    return std::visit([&](const auto& kind) -> BodyTable { return part_of(kind, record, request, factor); },
+    return std::visit([&](const auto& kind) -> BodyTable { return part_of(kind, record, request, factor, threads); },
                       record.tables);
 }
 
-IcTable table_for(const IcRecord& record, const IcSpec& request) {
-    BodyTable found = body_table(record, request);
+IcTable table_for(const IcRecord& record, const IcSpec& request, int threads) {
+    BodyTable found = body_table(record, request, threads);
     if (auto* columns = std::get_if<ColumnTable>(&found)) {
         IcTable table;  // the same numbers in the same order, a pair of columns being a row
         table.nx = columns->nx;

@@ -28,10 +28,10 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
     // Tells of a bad section in the lengths of the request, before anything is built.
     const std::vector<ColumnFrame> frames = column_frames(spec);
-    const auto done = [call, spec, part, frames](const engine::IcAnswer& answer) {
+    const auto done = [call, spec, part, frames, threads = parts.config.workers](const engine::IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
-            IcTable table = table_for(*answer.record, spec);
+            IcTable table = table_for(*answer.record, spec, threads);
             try {
                 const json result = proto::encode_ic_part_reply(
                     {answer.key, answer.origin, spec, std::move(table), answer.record->evidence, frames}, part, arrays);

@@ -50,6 +50,12 @@ double integral(const auto& function, double from, double to) {
 
 }  // namespace
 
+TEST_CASE("Threads that share a table make the same one", "[columns]") {
+    const ColumnSpectrum spectrum = flat_spectrum(5, 9);
+    const ColumnTable alone = column_table(spectrum, 0.7, 12, 0, 2);
+    for (const int threads : {2, 3, 50}) CHECK(column_table(spectrum, 0.7, 12, 0, 2, threads) == alone);
+}
+
 TEST_CASE("The transform of the screened half-space is turned into the screened half-space", "[columns]") {
     const int columns = 4, nx = 12;
     const double dx = 0.7;
