@@ -20,6 +20,8 @@ class Gmsh {
         gmsh::option::setNumber("General.NumThreads", 1);
         gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
         gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+        constexpr int frontal_delaunay = 6;  // makes the most even triangles
+        gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
         gmsh::model::add("section");
     }
     ~Gmsh() { gmsh::finalize(); }
@@ -45,7 +47,7 @@ void add_outline(const DividedOutline& outline) {
 
 Triangulation result_of(const DividedOutline& outline) {
     Triangulation result{outline.vertices, {}};
-    std::vector<std::size_t> tags, triangles;
+    std::vector<std::size_t> tags;
     std::vector<double> places, parameters;
     gmsh::model::mesh::getNodes(tags, places, parameters);
     std::unordered_map<std::size_t, int> vertex;
@@ -58,7 +60,8 @@ Triangulation result_of(const DividedOutline& outline) {
     for (std::size_t node = 0; node < tags.size(); ++node)
         if (vertex.try_emplace(tags[node], static_cast<int>(result.vertices.size())).second)
             result.vertices.push_back({places[3 * node], places[3 * node + 1]});
-    gmsh::model::mesh::getElementsByType(2, tags, triangles);
+    std::vector<std::size_t> elements, triangles;  // empty: gmsh takes others for what they are to be filled into
+    gmsh::model::mesh::getElementsByType(2, elements, triangles);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
         std::array<int, 3> corner{vertex.at(triangles[i]), vertex.at(triangles[i + 1]), vertex.at(triangles[i + 2])};
         const PlanePoint &a = result.vertices[corner[0]], &b = result.vertices[corner[1]],
@@ -78,15 +81,8 @@ extern "C" bool contactd_fill_outline(const contactd::fem::DividedOutline& outli
     const Gmsh library;
     add_outline(outline);
     gmsh::model::mesh::setSizeCallback([&](int, int, double y, double z, double, double) { return size({y, z}); });
-    // Frontal Delaunay makes the most even triangles, and now and then none at all of a long thin body.
-    constexpr int frontal_delaunay = 6, delaunay = 5, mesh_adapt = 1;
-    for (const int algorithm : {frontal_delaunay, delaunay, mesh_adapt}) {
-        gmsh::option::setNumber("Mesh.Algorithm", algorithm);
-        gmsh::model::mesh::clear();
-        gmsh::model::mesh::generate(2);
-        result = result_of(outline);
-        if (!result.triangles.empty()) break;
-    }
+    gmsh::model::mesh::generate(2);
+    result = result_of(outline);
     return true;
 } catch (const std::exception& error) {  // gmsh throws its last message, or std::runtime_error with it
     problem = error.what();

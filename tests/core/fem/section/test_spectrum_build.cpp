@@ -98,9 +98,11 @@ TEST_CASE("So do finer tables", "[section][slow]") {
 }
 
 TEST_CASE("Layers that are long and thin are filled with triangles", "[section]") {
-    const double thickness = GENERATE(0.23, 0.1, 0.05), width = GENERATE(50.0, 165.0, 400.0);
-    const SectionOutline outline = slab(width / 2, thickness, 4);
-    const MeshDensity density = density_for(1e-2, 0.3);
+    const double thickness = GENERATE(0.23, 0.185376215151, 0.1, 0.05), width = GENERATE(24.9268213656, 50, 165, 400);
+    const int columns = GENERATE(2, 4);
+    const double poissons_ratio = GENERATE(0.3, 0.42);
+    const SectionOutline outline = slab(width / 2, thickness, columns);
+    const MeshDensity density = density_for(1e-2, poissons_ratio);
     const Triangulation triangulation = triangulate(divide(outline, density), density);
     double area = 0;
     for (const auto& [a, b, c] : triangulation.triangles) {
