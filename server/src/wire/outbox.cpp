@@ -18,14 +18,19 @@ std::size_t bytes_of(const Answer& answer) {
     return bytes;
 }
 
+/// Called by ZeroMQ's own thread, once the frame is sent.
+void free_sent_frame(void*, void* frame) {
+    delete static_cast<const proto::Frame*>(frame);
+}
+
 /// Large frames are kept until ZeroMQ has sent them, and not copied.
 zmq::message_t message_of(proto::Frame frame) {
     constexpr std::size_t large = 1 << 16;
     if (frame.size() < large) return zmq::message_t(frame.bytes());
     auto kept = std::make_unique<const proto::Frame>(std::move(frame));
-    const auto free = [](void*, void* of) { delete static_cast<const proto::Frame*>(of); };
-    // ZeroMQ takes a pointer to what may be changed, and changes nothing.
-    zmq::message_t message(const_cast<char*>(kept->data()), kept->size(), free, const_cast<proto::Frame*>(kept.get()));
+    // ZeroMQ takes pointers to what may be changed, and changes nothing.
+    zmq::message_t message(const_cast<char*>(kept->data()), kept->size(), free_sent_frame,
+                           const_cast<proto::Frame*>(kept.get()));
     (void)kept.release();
     return message;
 }
