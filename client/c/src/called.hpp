@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "connection.hpp"
+#include "turn.hpp"
 
 namespace contactd::c {
 
@@ -14,8 +15,9 @@ class Called {
    public:
     std::atomic<int> user;  ///< of Turn
 
-    /// From any thread: ends what runs.
+    /// From any thread: ends what runs, and what has its turn but does not run yet.
     void cancel() {
+        Turn::cancel(user);
         const std::scoped_lock lock(mutex_);
         stop_.request_stop();
     }
@@ -42,6 +44,7 @@ class Called {
         {
             const std::scoped_lock lock(mutex_);
             stop_ = std::stop_source();
+            if (Turn::is_cancelled(user)) stop_.request_stop();
             control.stop = stop_.get_token();
         }
         struct Ended {

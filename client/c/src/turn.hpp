@@ -11,15 +11,16 @@ namespace contactd::c {
 /// and costs more than all the rest of a setter.
 int generation() noexcept;
 
-/// Holds `user` (a generation, 0 for nobody) while it lives. Throws StatusError (CONCURRENT_USE) when somebody of this
-/// process does already; what a fork copied of a holder in the parent holds nothing.
+/// Holds `user` while it lives: a generation, negative once the turn is cancelled, 0 for nobody. Throws StatusError
+/// (CONCURRENT_USE) when somebody of this process does already; what a fork copied of a holder in the parent holds
+/// nothing.
 class Turn {
    public:
     explicit Turn(std::atomic<int>& user) : user_(user) {
         const int self = generation();
         int holder = user_.load();
         do {
-            if (holder == self)
+            if (holder == self || holder == -self)
                 throw StatusError(
                     StatusCode::failed_precondition, concurrent_use,
                     "Another call of this contact or wheel runs, in another thread or in whose log this is; the "
@@ -29,6 +30,13 @@ class Turn {
     ~Turn() { user_.store(0); }
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
+
+    /// From any thread: the turn that is held, if there is one, until its end.
+    static void cancel(std::atomic<int>& user) noexcept {
+        int holder = generation();
+        user.compare_exchange_strong(holder, -holder);
+    }
+    static bool is_cancelled(const std::atomic<int>& user) noexcept { return user.load() == -generation(); }
 
    private:
     std::atomic<int>& user_;
