@@ -124,6 +124,11 @@ def test_a_table_that_cannot_be_asked_for(raw, path, value):
     assert_names(raw.ask("ic.get", changed(TABLE_PARAMS, path, value)), path)
 
 
+def test_a_table_beyond_the_range_of_a_double(raw):
+    small = changed(changed(TABLE_PARAMS, "material.G", 1e-300), "grid", {"nx": 3, "ny": 3, "dx": 1e9, "dy": 1e9})
+    assert_names(raw.ask("ic.get", small), "material.G")
+
+
 MESH_FIELDS = {
     "preset": "paper-test3", "mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 1.2, "t1_over_hs": 0,
     "L_over_h": 640, "diagonal": "outward", "max_dofs": 60000, "far_boundary": "half_space", "sampling": "fem",

@@ -38,7 +38,8 @@ struct ColumnSpectrum {
 /// mm^3/N. With a shift there is no parity; the offsets -k dx + shift are those of -shift, with the parity of each
 /// component. Between the wavenumbers the difference to the half-space, its load and its displacement each turned by
 /// half the angle between the columns, is interpolated (cubic, with its parity); the half-space itself is exact. So
-/// many threads share the work, the caller's among them; the coefficients are the same to the last bit.
+/// many threads share the work, the caller's among them; the coefficients are the same to the last bit. Throws
+/// NotFinite when one is beyond a double's range.
 ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1,
                          int threads = 1);
 

@@ -52,7 +52,8 @@ using BodyTable = std::variant<IcTable, ColumnTable>;
 /// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other
 /// points than family_points(). `threads`: at most as many, for what is large.
 BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads = 1);
-/// The same as ic.get answers it: of a prism with table_rows() rows.
+/// The same as ic.get answers it: of a prism with table_rows() rows. Throws NotFinite when a coefficient is beyond a
+/// double's range.
 IcTable table_for(const IcRecord& record, const IcSpec& request, int threads = 1);
 
 }  // namespace contactd

@@ -8,7 +8,7 @@
 #include <future>
 #include <numbers>
 
-#include "contactd/error.hpp"
+#include "contactd/finite.hpp"
 #include "influence/columns/offset_rows.hpp"
 #include "influence/columns/screened_half_space.hpp"
 #include "influence/columns/wavenumber_rule.hpp"
@@ -76,11 +76,7 @@ struct Functions {
 class TableMaker {
    public:
     TableMaker(const ColumnSpectrum& spectrum, double dx, int nx, double shift)
-        : spectrum_(spectrum), columns_(spectrum.columns), dx_(dx), nx_(nx), shift_(shift) {
-        for (const double node : spectrum.nodes)
-            for (int l = 0; l < columns_; ++l)
-                references_.push_back(half_space(screened_transforms(node, spectrum.xi0, l), spectrum.nu, true));
-    }
+        : spectrum_(spectrum), columns_(spectrum.columns), dx_(dx), nx_(nx), shift_(shift) {}
 
     ColumnTable make(double factor, int threads) const {
         Functions functions = interpolation(1);
@@ -94,15 +90,18 @@ class TableMaker {
         table.columns = columns_;
         table.values.resize(9 * table.component_size());
         std::atomic<int> next = 0;
+        std::atomic<bool> finite = true;
         const auto work = [&] {
             Functions own = functions;
-            for (int l = next++; l < columns_; l = next++) make_apart(l, factor, nodes, own, table);
+            for (int l = next++; l < columns_; l = next++)
+                if (!make_apart(l, factor, nodes, own, table)) finite = false;
         };
         std::vector<std::future<void>> others;
         for (int thread = 1; thread < std::min(threads, columns_); ++thread)
             others.push_back(std::async(std::launch::async, work));
         work();
         for (std::future<void>& other : others) other.get();
+        if (!finite) throw NotFinite("Coefficients of the table are beyond a double's range.");
         return table;
     }
 
@@ -127,22 +126,24 @@ class TableMaker {
         const std::size_t last = spectrum_.nodes.size() - 1;
         const double step = std::log(spectrum_.nodes[last] / spectrum_.nodes[last - 1]);
         double largest = 0;
-        for (int I = 0; I < columns_; ++I)
-            for (int J = 0; J <= I; ++J) {
-                const Turn turn(angle(I, J));
-                const Eigen::Array33d before = difference(last - 1, I, J, turn).array().abs(),
-                                      size = difference(last, I, J, turn).array().abs(),
+        for (int l = 0; l < columns_; ++l) {
+            const Block flat_before = reference(last - 1, l), flat = reference(last, l);
+            for (int J = 0; J + l < columns_; ++J) {
+                const Turn turn(angle(J + l, J));
+                const Eigen::Array33d before = difference(last - 1, J + l, J, turn(flat_before)).array().abs(),
+                                      size = difference(last, J + l, J, turn(flat)).array().abs(),
                                       power = (before / size.max(1e-300)).log() / step;
                 largest = std::max(largest, (size * (power - 2).abs().max(least_doubt).min(1.0)).maxCoeff());
             }
+        }
         // What the alternating half waves of sin(xi dx/2) leave of a difference that falls as 1/xi, not as 1/xi^2.
         return largest * 2 / (pi * dx_ * spectrum_.nodes.back());
     }
 
    private:
     /// All coefficients of columns that are l apart. Behind the functions of the nodes is room for those of the
-    /// half-space.
-    void make_apart(int l, double factor, Eigen::Index nodes, Functions& functions, ColumnTable& table) const {
+    /// half-space. False: one is not finite.
+    bool make_apart(int l, double factor, Eigen::Index nodes, Functions& functions, ColumnTable& table) const {
         for (int k = 0; k < nx_; ++k) {
             const Block flat = factor * screened_half_space(k, l);
             for (Eigen::Index c = 0; c < functions.even.rows() - nodes; ++c)
@@ -150,7 +151,7 @@ class TableMaker {
             for (Eigen::Index c = 0; c < functions.odd.rows() - nodes; ++c)
                 functions.odd(nodes + c, k) = of(flat, odd_components[static_cast<std::size_t>(c)]);
         }
-        fill(l, functions, [&](const Component& component, int J) {
+        return fill(l, functions, [&](const Component& component, int J) {
             const auto& [i, j] = component;
             return OffsetRows{&table(i, j, J + l, J, 0), l > 0 ? &table(j, i, J, J + l, 0) : nullptr};
         });
@@ -158,9 +159,13 @@ class TableMaker {
 
     double angle(int I, int J) const { return spectrum_.frames[I].angle - spectrum_.frames[J].angle; }
 
-    /// Transforms at a node, less those of the screened half-space.
-    Block difference(std::size_t node, int I, int J, const Turn& turn) const {
-        Block block = -turn(references_[node * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(I - J)]);
+    /// Of the screened half-space at a node, of columns that are l apart.
+    Block reference(std::size_t node, int l) const {
+        return half_space(screened_transforms(spectrum_.nodes[node], spectrum_.xi0, l), spectrum_.nu, true);
+    }
+    /// Transforms at a node, less those of the screened half-space, turned.
+    Block difference(std::size_t node, int I, int J, const Block& turned) const {
+        Block block = -turned;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) block(i, j) += spectrum_.values[spectrum_.index(node, 3 * I + i, 3 * J + j)];
         return block;
@@ -192,19 +197,21 @@ class TableMaker {
     }
 
     /// Columns that are l apart, each component of J + l and J to where `rows` says. Behind the functions of the nodes
-    /// may be those of the half-space.
-    void fill(int l, const Functions& functions, const auto& rows) const {
+    /// may be those of the half-space. False: a coefficient is not finite.
+    bool fill(int l, const Functions& functions, const auto& rows) const {
         RowMajor even = shares(l, even_components, functions.even), odd = shares(l, odd_components, functions.odd);
+        std::vector<Block> references;
+        for (std::size_t node = 0; node < spectrum_.nodes.size(); ++node) references.push_back(reference(node, l));
         for (int J = 0; J + l < columns_; ++J) {
             const Turn turn(angle(J + l, J));
-            for (std::size_t node = 0; node < spectrum_.nodes.size(); ++node) {
-                const Block block = difference(node, J + l, J, turn);
+            for (std::size_t node = 0; node < references.size(); ++node) {
+                const Block block = difference(node, J + l, J, turn(references[node]));
                 put_waves(even, J, node, block, even_components);
                 put_waves(odd, J, node, block, odd_components);
             }
         }
-        multiply(even, functions.even, rows_of(l, even_components, rows), 1);
-        multiply(odd, functions.odd, rows_of(l, odd_components, rows), -1);
+        const bool finite = multiply(even, functions.even, rows_of(l, even_components, rows), 1);
+        return multiply(odd, functions.odd, rows_of(l, odd_components, rows), -1) && finite;
     }
 
     /// Of each function in the coefficients, [component + components J, function], those of the half-space so far.
@@ -238,10 +245,10 @@ class TableMaker {
             for (const Component& component : components) result.push_back(rows(component, J));
         return result;
     }
-    static void multiply(const RowMajor& shares, const RowMajor& functions, const std::vector<OffsetRows>& rows,
+    static bool multiply(const RowMajor& shares, const RowMajor& functions, const std::vector<OffsetRows>& rows,
                          double parity) {
-        add_up(rows, parity, shares.data(), functions.data(), static_cast<std::size_t>(functions.rows()),
-               static_cast<std::size_t>(functions.cols()));
+        return add_up(rows, parity, shares.data(), functions.data(), static_cast<std::size_t>(functions.rows()),
+                      static_cast<std::size_t>(functions.cols()));
     }
     /// A load along cos(xi x) instead of sin: what it moves across turns its sign.
     static double of_wave(const Block& block, const Component& component) {
@@ -254,7 +261,6 @@ class TableMaker {
     double dx_;
     int nx_;
     double shift_;
-    std::vector<Block> references_;  ///< [node, l]
 };
 
 /// zz of the half-space under an element dx x 1.

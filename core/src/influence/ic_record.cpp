@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "contactd/error.hpp"
+#include "contactd/finite.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/ic_family.hpp"
 
@@ -118,6 +118,9 @@ BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads)
 
 IcTable table_for(const IcRecord& record, const IcSpec& request, int threads) {
     BodyTable found = body_table(record, request, threads);
+    const bool is_known = std::holds_alternative<ColumnSpectrum>(record.tables);  // to be finite, by column_table
+    if (!is_known && !std::visit([](const auto& table) { return all_finite(table.values); }, found))
+        throw NotFinite("Coefficients of the table are beyond a double's range.");
     if (auto* columns = std::get_if<ColumnTable>(&found)) {
         IcTable table;  // the same numbers in the same order, a pair of columns being a row
         table.nx = columns->nx;

@@ -157,8 +157,8 @@ IcRecord from_hdf5(std::span<const unsigned char> image) {
     try {
         H5::FileAccPropList in_memory;
         in_memory.setCore(core_increment, false);
-        std::vector<unsigned char> copy(image.begin(), image.end());  // HDF5 copies it again, but wants it writable
-        if (H5Pset_file_image(in_memory.getId(), copy.data(), copy.size()) < 0)
+        // HDF5 takes a pointer to what may be changed, and copies it.
+        if (H5Pset_file_image(in_memory.getId(), const_cast<unsigned char*>(image.data()), image.size()) < 0)
             throw StoreError("HDF5 does not take the image of the table.");
         const H5::H5File file("contactd-ic-table", H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, in_memory);
         if (integer(file, "contactd_format") != format_version)

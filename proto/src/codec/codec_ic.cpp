@@ -80,7 +80,7 @@ json encode_ic_reply(IcReply reply, ArrayWriter& arrays) {
     json result{{"key", reply.key},
                 {"origin", reply.origin},
                 {"spec", encode_ic_spec(reply.spec)},
-                {"table", arrays.write(std::move(reply.table.values), table_shape(reply.spec))},
+                {"table", arrays.write_finite(std::move(reply.table.values), table_shape(reply.spec))},
                 {"evidence", encode_evidence(reply.evidence)}};
     if (!reply.frames.empty()) result["frames"] = encode_frames(reply.frames, arrays);
     return result;

@@ -107,7 +107,7 @@ json write_part(const IcTable& table, const IcPart& part, ArrayWriter& arrays) {
     }
     std::vector<std::size_t> shape{components.size(), rows, nx};
     if (part.components.empty()) shape = {3, 3, rows, nx};
-    return arrays.write(std::move(values), std::move(shape));
+    return arrays.write_finite(std::move(values), std::move(shape));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "contactd/finite.hpp"
 #include "contactd/proto/message.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
@@ -55,23 +56,19 @@ json nested_list(std::span<const T> values, std::span<const std::size_t> shape) 
     return list;
 }
 
-bool all_finite(std::span<const double> values) {
-    constexpr double largest = std::numeric_limits<double>::max();
-    std::size_t finite = 0;  // counted without leaving the loop, which compilers turn into one of vectors
-    for (const double value : values) finite += std::abs(value) <= largest;
-    return finite == values.size();
-}
-
 std::size_t first_infinite(std::span<const double> values) {
     const auto at = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
     return static_cast<std::size_t>(at - values.begin());
 }
 
+void check_count(std::size_t count, const Shape& shape) {
+    if (shape.empty() || count_of(shape) != count)
+        throw Error("An array of " + std::to_string(count) + " values cannot have the shape " + text_of(shape) + ".");
+}
+
 template <class T>
 void check_array(std::span<const T> values, const Shape& shape) {
-    if (shape.empty() || count_of(shape) != values.size())
-        throw Error("An array of " + std::to_string(values.size()) + " values cannot have the shape " + text_of(shape) +
-                    ".");
+    check_count(values.size(), shape);
     if constexpr (std::is_same_v<T, double>) {
         if (all_finite(values)) return;
         throw NotFinite("An array to be sent is not finite at " + text_of(index_of(first_infinite(values), shape)) +
@@ -212,10 +209,9 @@ json ArrayWriter::write(std::span<const double> values, Shape shape) {
     return add_frame(frame_of(values), dtype<double>, std::move(shape));
 }
 
-json ArrayWriter::write(UnsetArray&& values, Shape shape) {
-    const std::span<const double> all(values);
-    if (encoding_ == ArrayEncoding::list) return write(all, std::move(shape));
-    check_array(all, shape);
+json ArrayWriter::write_finite(UnsetArray&& values, Shape shape) {
+    if (encoding_ == ArrayEncoding::list) return write(std::span<const double>(values), std::move(shape));
+    check_count(values.size(), shape);
     return add_frame(Frame(std::move(values)), dtype<double>, std::move(shape));
 }
 

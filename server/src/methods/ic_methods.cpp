@@ -3,6 +3,7 @@
 
 #include "all_methods.hpp"
 #include "contactd/column_frames.hpp"
+#include "contactd/finite.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/import_codec.hpp"
@@ -31,12 +32,12 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     const auto done = [call, spec, part, frames, threads = parts.config.workers](const engine::IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);
-            IcTable table = table_for(*answer.record, spec, threads);
             try {
+                IcTable table = table_for(*answer.record, spec, threads);
                 const json result = proto::encode_ic_part_reply(
                     {answer.key, answer.origin, spec, std::move(table), answer.record->evidence, frames}, part, arrays);
                 call->succeed(result, arrays.take_frames());
-            } catch (const proto::NotFinite&) {
+            } catch (const NotFinite&) {
                 throw proto::invalid_field("material.G",
                                            "and grid.dx make coefficients that are beyond a double's range");
             }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contactd/column_spectrum.hpp"
+#include "contactd/finite.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/columns/screened_half_space.hpp"
 #include "influence/columns/wavenumber_rule.hpp"
@@ -54,6 +55,14 @@ TEST_CASE("Threads that share a table make the same one", "[columns]") {
     const ColumnSpectrum spectrum = flat_spectrum(5, 9);
     const ColumnTable alone = column_table(spectrum, 0.7, 12, 0, 2);
     for (const int threads : {2, 3, 50}) CHECK(column_table(spectrum, 0.7, 12, 0, 2, threads) == alone);
+}
+
+TEST_CASE("A table beyond a double's range is not made, whichever thread meets it", "[columns]") {
+    const ColumnSpectrum spectrum = flat_spectrum(5, 9);
+    for (const int threads : {1, 2}) {
+        CHECK_NOTHROW(column_table(spectrum, 0.7, 12, 0, 1e308, threads));
+        CHECK_THROWS_AS(column_table(spectrum, 100, 12, 0, 1.7e308, threads), NotFinite);  // the largest is 1.3 times
+    }
 }
 
 TEST_CASE("The transform of the screened half-space is turned into the screened half-space", "[columns]") {

@@ -13,8 +13,8 @@ struct OffsetRows {
 };
 
 /// rows[r].own[k] = the sum over n of shares[r, n] functions[n, k], and rows[r].mirrored[k] = parity times the same.
-/// `functions` has shape [count, nx], `shares` [rows, count].
-void add_up(std::span<const OffsetRows> rows, double parity, const double* shares, const double* functions,
+/// `functions` has shape [count, nx], `shares` [rows, count]. False: a sum is not finite.
+bool add_up(std::span<const OffsetRows> rows, double parity, const double* shares, const double* functions,
             std::size_t count, std::size_t nx);
 
 }  // namespace contactd

@@ -47,14 +47,15 @@ constexpr double end_of_tail = 12;
 
 /// Those of each knot, one knot behind the other.
 std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, double xi0, double longest) {
-    static const auto rule = gauss_legendre(8);
-    constexpr int least_panels = 2;
+    // Few points a wave: this many take five waves a panel to rounding, where eight points take half a wave.
+    static const auto rule = gauss_legendre(24);
+    constexpr double waves = 5;
+    const auto panels_of = [&](double width) { return 1 + static_cast<int>(width * longest / (2 * pi * waves)); };
     const double step = std::asinh(nodes[1] / xi0);
     std::vector<std::vector<Point>> points(nodes.size());
     for (std::size_t knot = 0; knot + 1 < nodes.size(); ++knot) {
         const double width = nodes[knot + 1] - nodes[knot];
-        // Half a wave a panel.
-        const int panels = least_panels + static_cast<int>(width * longest / pi);
+        const int panels = panels_of(width);
         for (int panel = 0; panel < panels; ++panel)
             for (const auto& [node, weight] : rule) {
                 const double xi = nodes[knot] + width * (panel + node) / panels;
@@ -62,8 +63,9 @@ std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, dou
                     {xi, weight * width / panels, std::asinh(xi / xi0) / step - static_cast<double>(knot)});
             }
     }
+    constexpr int smooth = 3;  // panels more, for 1/xi^2
     const double last = nodes.back();
-    const int panels = 8 + static_cast<int>((end_of_tail - 1) * last * longest / pi);
+    const int panels = smooth + panels_of((end_of_tail - 1) * last);
     for (int panel = 0; panel < panels; ++panel)
         for (const auto& [node, weight] : rule) {
             // Panels even in xi: the waves are.
@@ -125,8 +127,8 @@ std::vector<double> wavenumber_nodes(double xi0, double last, int count) {
 
 WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift) {
     const auto count = static_cast<Eigen::Index>(nodes.size());
-    // Of values and of curvatures; the last row is nobody's.
-    RowMajor even = RowMajor::Zero(count + 1, nx), even_bent = even, odd = even, odd_bent = even;
+    // Of values and of curvatures.
+    RowMajor even = RowMajor::Zero(count, nx), even_bent = even, odd = even, odd_bent = even;
     const auto points = quadrature(nodes, xi0, nx * dx + std::abs(shift));
     for (Eigen::Index knot = 0; knot < count; ++knot) {
         constexpr std::size_t block = 64;  // whose waves stay near the processor
@@ -136,15 +138,19 @@ WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, dou
             left = left.subspan(now.size());
             const Waves waves(now, dx, nx, shift);
             const Shares weights = shares(now, dx, knot + 1 == count);
+            if (knot + 1 == count) {
+                even.row(knot).noalias() += weights.row(0) * waves.cosines;
+                odd.row(knot).noalias() += weights.row(0) * waves.sines;
+                continue;
+            }
             even.middleRows(knot, 2).noalias() += weights.topRows(2) * waves.cosines;
             odd.middleRows(knot, 2).noalias() += weights.topRows(2) * waves.sines;
-            if (knot + 1 == count) continue;
             even_bent.middleRows(knot, 2).noalias() += weights.bottomRows(2) * waves.cosines;
             odd_bent.middleRows(knot, 2).noalias() += weights.bottomRows(2) * waves.sines;
         }
     }
-    even.topRows(count) += curvatures(count, true).transpose() * even_bent.topRows(count);
-    odd.topRows(count) += curvatures(count, false).transpose() * odd_bent.topRows(count);
+    even += curvatures(count, true).transpose() * even_bent;
+    odd += curvatures(count, false).transpose() * odd_bent;
     odd.row(0).setZero();
     const auto values = [&](const RowMajor& all) { return std::vector<double>(all.data(), all.data() + count * nx); };
     return {values(even), values(odd)};

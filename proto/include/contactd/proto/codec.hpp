@@ -24,6 +24,7 @@ nlohmann::json encode_ic_spec(const IcSpec& spec);
 /// `params` has passed its schema. Applies preset and defaults; ranges are checked by contactd::validate.
 IcSpec decode_ic_spec(const nlohmann::json& params);
 
+/// The table is finite, as table_for makes it.
 nlohmann::json encode_ic_reply(IcReply reply, ArrayWriter& arrays);
 IcReply decode_ic_reply(const nlohmann::json& result, const Frames& frames);
 

@@ -62,21 +62,16 @@ std::string dump(const nlohmann::json& json);
 /// Whether equal arrays of a message travel once: worth looking for when many problems have a table or a gap in common.
 enum class EqualArrays { repeated, shared };
 
-/// What no message can carry.
-class NotFinite : public Error {
-   public:
-    using Error::Error;
-};
-
-/// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists. Throws NotFinite.
+/// Puts arrays into a message being written: raw little-endian frames, or plain (nested) lists. Throws NotFinite for
+/// what no message can carry.
 class ArrayWriter {
    public:
     explicit ArrayWriter(ArrayEncoding encoding, EqualArrays equal = EqualArrays::repeated)
         : encoding_(encoding), equal_(equal) {}
     /// The JSON that stands for the array; `shape` is C order, its product the number of values.
     nlohmann::json write(std::span<const double> values, std::vector<std::size_t> shape);
-    /// A frame is made of the array itself.
-    nlohmann::json write(UnsetArray&& values, std::vector<std::size_t> shape);
+    /// A frame is made of the array itself, unread: who has made it knows that it is finite.
+    nlohmann::json write_finite(UnsetArray&& values, std::vector<std::size_t> shape);
     nlohmann::json write(std::span<const unsigned char> values, std::vector<std::size_t> shape);
     Frames take_frames() { return std::move(frames_); }
 
