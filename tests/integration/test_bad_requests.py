@@ -104,7 +104,7 @@ BAD_TABLES = [
     ("grid.nx", 2.5), ("grid.nx", "6"), ("grid.dx", [0.8]), ("ics.source", 1), ("ics.order", 1.5),
     ("ics.L_over_h", "1"),
     ("grid.nx", 0), ("grid.nx", -6), ("grid.ny", 0), ("grid.dx", 0), ("grid.dx", -0.8), ("grid.dy", 0),
-    ("material.G", 0), ("material.G", -1),
+    ("material.G", 0), ("material.G", -1), ("material.G", 1e-300),
     ("material.nu", -0.01), ("material.nu", 0.51), ("material.nu", 0.5), ("material.nu", 1),
     ("ics.source", "measured"), ("ics.preset", "paper-test4"), ("ics.body", "cone"), ("ics.load_shape", "cubic"),
     ("ics.mesh", "tetrahedra"), ("ics.far_boundary", "free"), ("ics.sampling", "cubic"), ("ics.diagonal", "up"),
@@ -122,11 +122,6 @@ BAD_TABLES = [
 @pytest.mark.parametrize(("path", "value"), BAD_TABLES, ids=lambda part: str(part)[:24])
 def test_a_table_that_cannot_be_asked_for(raw, path, value):
     assert_names(raw.ask("ic.get", changed(TABLE_PARAMS, path, value)), path)
-
-
-def test_a_table_beyond_the_range_of_a_double(raw):
-    small = changed(changed(TABLE_PARAMS, "material.G", 1e-300), "grid", {"nx": 3, "ny": 3, "dx": 1e9, "dy": 1e9})
-    assert_names(raw.ask("ic.get", small), "material.G")
 
 
 MESH_FIELDS = {

@@ -10,3 +10,17 @@
 #else
 #define CONTACTD_WIDE
 #endif
+
+namespace contactd {
+
+/// Four doubles side by side, wherever they lie.
+using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+
+inline const Four& four(const double* values) {
+    return *reinterpret_cast<const Four*>(values);
+}
+inline Four& four(double* values) {
+    return *reinterpret_cast<Four*>(values);
+}
+
+}  // namespace contactd

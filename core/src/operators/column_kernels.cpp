@@ -9,15 +9,7 @@ namespace {
 
 constexpr std::size_t lanes = Waves::lanes;
 
-// Four wavenumbers side by side.
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-
-const Four& four(const double* values) {
-    return *reinterpret_cast<const Four*>(values);
-}
-Four& four(double* values) {
-    return *reinterpret_cast<Four*>(values);
-}
+// Each Four is of wavenumbers that lie side by side.
 [[gnu::always_inline]] inline void load(const double* values, Four& loaded) {
     loaded = four(values);
 }

@@ -1,7 +1,6 @@
 #include "offset_rows.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 #include "contactd/finite.hpp"
@@ -10,14 +9,8 @@
 namespace contactd {
 namespace {
 
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-
 // Of the sums that stay in registers.
 constexpr std::size_t rows_at_once = 4, offsets_at_once = 8;
-
-const Four& four(const double* values) {
-    return *reinterpret_cast<const Four*>(values);
-}
 
 }  // namespace
 
@@ -35,8 +28,8 @@ static void add_up_block(std::size_t count, std::size_t nx, const double* __rest
             }
         }
         for (std::size_t r = 0; r < rows_at_once; ++r) {
-            std::memcpy(sums + r * nx + k, &low[r], sizeof low[r]);
-            std::memcpy(sums + r * nx + k + 4, &high[r], sizeof high[r]);
+            four(sums + r * nx + k) = low[r];
+            four(sums + r * nx + k + 4) = high[r];
         }
     }
 }
