@@ -26,6 +26,15 @@ void require_finite(double value, const char* field) {
 struct Elliptic {
     double B, D;
     double K() const { return B + D; }
+
+    // How log((b/a)^2 D/B) rises with log(b/a): by 1.5 for a circle, up to 2 for a line. From dB/de = (D - B)/e and
+    // dD/de = (B/(1 - e^2) - D)/e; near a circle these are differences of nothing.
+    double slope(double ratio) const {
+        constexpr double circle = 1.5, line = 2, nearly_circular = 1e-6;
+        const double r2 = ratio * ratio, e2 = (1 - ratio) * (1 + ratio);
+        if (e2 < nearly_circular) return circle;
+        return std::clamp(2 + ((r2 * D - B) / D + r2 * (D - B) / B) / e2, circle, line);
+    }
 };
 
 // By the arithmetic-geometric mean (Abramowitz and Stegun 17.6): E = K (1 - sum 2^(n-1) c_n^2). Differences are taken
@@ -48,6 +57,9 @@ Elliptic elliptic(double ratio) {  // b/a <= 1
 
 // Johnson (4.26)-(4.29), a >= b: with q = pmax/E*, 1/(2 Rx) = q (b/a) D/a, 1/(2 Ry) = q B/b, approach = q b K.
 struct Shape {
+    static constexpr double usual_share = 0.636;  // of log(b/a) in log(R_smaller/R_larger), roughly
+    static constexpr double rounding = 4e-16;
+
     double ratio;  // of the shorter to the longer semi-axis
     bool along_y;  // the longer one
     Elliptic integrals;
@@ -57,17 +69,16 @@ struct Shape {
           along_y(axes.b > axes.a),
           integrals(elliptic(ratio)) {}
 
-    // From the ratio of the radii: log((b/a)^2 D/B) = log(R_smaller/R_larger) rises with log(b/a), with a slope between
-    // 1.5 (circle) and 2 (line).
+    // From the ratio of the radii, by Newton's method: log((b/a)^2 D/B) = log(R_smaller/R_larger).
     explicit Shape(const Paraboloid& gap) : ratio(1), along_y(gap.Ry > gap.Rx) {
         const double target = std::log(std::min(gap.Rx, gap.Ry) / std::max(gap.Rx, gap.Ry));
-        double log_ratio = target / 1.5;
+        double log_ratio = usual_share * target;
         for (int iteration = 0; iteration < 60; ++iteration) {
             ratio = std::exp(log_ratio);
             integrals = elliptic(ratio);
             const double defect = 2 * log_ratio + std::log(integrals.D / integrals.B) - target;
-            const double next = std::min(log_ratio - defect / 1.6, 0.0);
-            if (std::abs(next - log_ratio) <= 1e-16 * (1 + std::abs(log_ratio))) break;
+            const double next = std::min(log_ratio - defect / integrals.slope(ratio), 0.0);
+            if (std::abs(next - log_ratio) <= rounding * (1 + std::abs(log_ratio))) break;
             log_ratio = next;
         }
     }
