@@ -36,7 +36,7 @@ class Correction {
 class Search {
    public:
     explicit Search(const HeightTask& task)
-        : task_(task), low_(task.touch), high_(task.deepest), correction_(task.correction) {}
+        : task_(task), low_(task.touch), high_(task.deepest), settled_(tight()), correction_(task.correction) {}
 
     HeightFound run() {
         HeightFound found{task_.touch, {0, std::numeric_limits<double>::infinity(), false, 0}};
@@ -51,6 +51,7 @@ class Search {
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
             const double expected = estimate(z);
             if (force > 0 && expected > 0) correction_.learn(z, std::log(force / expected));
+            settled_ = std::max(tight(), loose * found.evidence.residual);
             const double last = z;
             z = force > 0 && expected > 0 ? next() : 0.5 * (low_ + high_);
             if (z == last) break;
@@ -115,7 +116,6 @@ class Search {
 
     /// Regula falsi between bounds that close in (Illinois); nothing is asked of the estimate but that it rises.
     double between(End low, End high) {
-        const double settled = 0.01 * task_.settings.tolerance;
         double z = std::midpoint(low.z, high.z);
         int side = 0;
         for (int iteration = 0; iteration < 60 && high.z - low.z > 1e-13 * (1 + std::abs(high.z)); ++iteration) {
@@ -123,7 +123,7 @@ class Search {
                                          : std::midpoint(low.z, high.z);
             if (!(z > low.z && z < high.z)) z = std::midpoint(low.z, high.z);
             const End here{z, excess(z)};
-            if (std::abs(here.excess) <= settled) break;
+            if (std::abs(here.excess) <= settled_) break;
             if (here.excess < 0) {
                 low = here;
                 if (side < 0) high.excess *= 0.5;
@@ -137,9 +137,12 @@ class Search {
         return z;
     }
 
+    double tight() const { return 0.01 * task_.settings.tolerance; }
+
     static constexpr double first_step = 0.02;  // mm
+    static constexpr double loose = 1e-3;       // of what was missing: corrections are not that good
     const HeightTask& task_;
-    double low_, high_;
+    double low_, high_, settled_;
     std::map<double, double> estimates_;  // those asked for, by z: from force to force they are the same
     Correction correction_;
 };

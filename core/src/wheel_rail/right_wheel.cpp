@@ -140,12 +140,16 @@ WheelRailSolution RightWheel::at_height(Observer& observer) {
 }
 
 WheelRailSolution RightWheel::at(double z, Observer& observer) {
+    check_depth(z);
+    return at(z, position_.places(z), observer);
+}
+
+WheelRailSolution RightWheel::at(double z, std::vector<PlaceWithGap> places, Observer& observer) {
     WheelRailSolution solution;
     solution.z = z;
     solution.pitch = state_.velocity.pitch;
     solution.clearance = position_.clearance(z);
-    check_depth(z);
-    for (PlaceWithGap& found : position_.places(z)) {
+    for (PlaceWithGap& found : places) {
         position_.measure(found, z);
         solution.patches.push_back(solve(found, z, observer));
         const WheelRailPatch& patch = solution.patches.back();
@@ -178,10 +182,9 @@ WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observ
     return patch;
 }
 
-double RightWheel::quick_force(double z, Observer& observer) const {
-    check_depth(z);
+double RightWheel::quick_force(double z, std::vector<PlaceWithGap> places, Observer& observer) const {
     double force = 0;
-    for (PlaceWithGap& found : position_.places(z)) {
+    for (PlaceWithGap& found : places) {
         found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
         force += solve(found, z, observer).forces.track.Fz;
     }
@@ -210,15 +213,18 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     WheelRailSolution solution;
     HeightTask task = height_task(Fz);
     const bool quick = setup_.model != Model::full;
+    std::vector<PlaceWithGap> places;  // at the last height
     task.force = [&](double z) {
-        if (quick) return quick_force(z, observer);
-        solution = at(z, observer);
+        check_depth(z);
+        places = position_.places(z);
+        if (quick) return quick_force(z, places, observer);
+        solution = at(z, std::move(places), observer);
         return solution.forces.track.Fz;
     };
     if (estimates_) task.correction = estimates_->height;
     const HeightFound found = find_height(task);
     if (estimates_) estimates_->height = found.correction;
-    if (quick) solution = at(found.z, observer);
+    if (quick) solution = at(found.z, std::move(places), observer);
     solution.force = found.evidence;
     if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;

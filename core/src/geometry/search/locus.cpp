@@ -46,6 +46,13 @@ Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step)
     if (least_gap_ < infinite) look_below(least_gap_);
 }
 
+std::span<const LocusRow> Locus::rows_within(const Extent& y) const {
+    const auto below = [](const LocusRow& row, double value) { return row.y < value; };
+    const auto above = [](double value, const LocusRow& row) { return value < row.y; };
+    return {std::lower_bound(rows_.begin(), rows_.end(), y.from, below),
+            std::upper_bound(rows_.begin(), rows_.end(), y.to, above)};
+}
+
 double Locus::curvature() const {
     return 0.5 / wheel_.nominal_radius() + 0.5 * rail_.curvature_along();
 }
@@ -81,7 +88,8 @@ bool Locus::look(LocusRow& row, Start& start) const {
     start.y = row.y;
     start.rail.go_on(step, rail_s, 1 / rail.slope.y);
     start.wheel.go_on(step, wheel_s, 1 / wheel.slope.y);
-    row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, rail.slope.z / rail.slope.y};
+    const double rise = rail.slope.z / rail.slope.y;
+    row = {row.y, z - wheel.at.z, wheel.at.x, z, rail_s, rise, std::atan(rise)};
     return true;
 }
 

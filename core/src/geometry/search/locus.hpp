@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "contactd/wheel_rail_solution.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
 
@@ -19,8 +21,7 @@ struct LocusRow {
     double rail_z = 0;  ///< of the rail there
     double rail_s = 0;  ///< of its profile
     double rise = 0;    ///< of the rail: dz/dy
-
-    double angle() const { return std::atan(rise); }  ///< inclination of the rail (rad)
+    double angle = 0;   ///< inclination of the rail (rad), of which rise is the tangent
 };
 
 /// Rows that lie step apart, from the first point of the rail on. They are looked at where they may count only: the
@@ -33,6 +34,7 @@ class Locus {
     /// Has all rows looked at that may have a gap below `height`.
     void look_below(double height);
     const std::vector<LocusRow>& rows() const { return rows_; }
+    std::span<const LocusRow> rows_within(const Extent& y) const;
     /// Where the gap is `height` between two rows, of which the one inside has less, the neighbour outside not.
     LocusRow crossing(std::size_t inside, std::size_t outside, double height) const;
     double step() const { return step_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace contactd::geometry {
 
@@ -26,18 +27,18 @@ std::vector<OverlapRegion> LocusSearch::regions(double z) {
 // The weight of a row is the integral over x of the squared penetration there, 16/15 (-g)^2.5/sqrt(a).
 OverlapRegion LocusSearch::region_of(std::size_t begin, std::size_t end, double z) const {
     const std::vector<LocusRow>& rows = locus_.rows();
-    const double a = locus_.curvature();
+    const double a = locus_.curvature(), half_of_root = 1 / std::sqrt(a);
     OverlapRegion region;
     double sum = 0;
     ContactReference mean;
     Extent x{rows[begin].x, rows[begin].x};
     for (std::size_t i = begin; i < end; ++i) {
-        const double depth = z - rows[i].gap, weight = depth * depth * std::sqrt(depth);
+        const double depth = z - rows[i].gap, root = std::sqrt(depth), weight = depth * depth * root;
         sum += weight;
         mean.x += weight * rows[i].x;
         mean.y += weight * rows[i].y;
-        mean.angle += weight * rows[i].angle();
-        const double half = std::sqrt(depth / a);
+        mean.angle += weight * rows[i].angle;
+        const double half = half_of_root * root;
         x = {std::min(x.from, rows[i].x - half), std::max(x.to, rows[i].x + half)};
         region.penetration = std::max(region.penetration, depth);
     }
@@ -47,7 +48,7 @@ OverlapRegion LocusSearch::region_of(std::size_t begin, std::size_t end, double 
     const LocusRow from = edge(begin, -1, z), to = edge(end - 1, 1, z);
     region.y = {from.y, to.y};
     region.z = {from.rail_z, to.rail_z};
-    region.size = locus_.step() * 16.0 / 15 * sum / std::sqrt(a);
+    region.size = locus_.step() * 16.0 / 15 * sum * half_of_root;
     return region;
 }
 
@@ -65,8 +66,8 @@ LocusRow LocusSearch::edge(std::size_t inside, long step, double z) const {
 EquivalentEllipse LocusSearch::ellipse(double z, const RegionGroup& group) const {
     const double a = locus_.curvature();
     double volume = 0, along = 0, first = 0, second = 0;
-    for (const LocusRow& row : locus_.rows()) {
-        if (row.y < group.y.from || row.y > group.y.to || !(row.gap < z)) continue;
+    for (const LocusRow& row : locus_.rows_within(group.y)) {
+        if (!(row.gap < z)) continue;
         const double depth = z - row.gap, weight = depth * std::sqrt(depth), aside = row.y - group.reference.y;
         volume += weight;
         along += weight * depth;
@@ -89,11 +90,13 @@ OverlapDoubts LocusSearch::doubts(double z, const RegionGroup& group) const {
     OverlapDoubts doubts;
     const double cosine = std::abs(std::cos(group.reference.angle));
     const std::vector<LocusRow>& rows = locus_.rows();
+    const std::span<const LocusRow> within = locus_.rows_within(group.y);
+    const auto first = static_cast<std::size_t>(within.data() - rows.data());
     double deepest = 0;
     const double mean = std::tan(group.reference.angle);
     Extent rise{mean, mean};
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].y < group.y.from || rows[i].y > group.y.to || !(rows[i].gap < z)) continue;
+    for (std::size_t i = first; i < first + within.size(); ++i) {
+        if (!(rows[i].gap < z)) continue;
         const double depth = z - rows[i].gap;
         if (depth * cosine > surely_pressed)
             rise = {std::min(rise.from, rows[i].rise), std::max(rise.to, rows[i].rise)};
