@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "types/wide.hpp"
+
 namespace contactd {
 
 struct Dual {
@@ -21,23 +23,23 @@ struct Dual {
     }
 
     /// f(a, b) with the given value and partial derivatives.
-    static Dual of(double value, const Dual& a, double by_a, const Dual& b, double by_b) {
+    CONTACTD_INLINE static Dual of(double value, const Dual& a, double by_a, const Dual& b, double by_b) {
         Dual result(value);
         for (std::size_t i = 0; i < 3; ++i) result.by[i] = by_a * a.by[i] + by_b * b.by[i];
         return result;
     }
-    Dual& operator+=(const Dual& b) { return *this = of(value + b.value, *this, 1, b, 1); }
-    Dual& operator-=(const Dual& b) { return *this = of(value - b.value, *this, 1, b, -1); }
-    Dual& operator*=(const Dual& b) { return *this = of(value * b.value, *this, b.value, b, value); }
-    Dual& operator/=(const Dual& b) {
+    CONTACTD_INLINE Dual& operator+=(const Dual& b) { return *this = of(value + b.value, *this, 1, b, 1); }
+    CONTACTD_INLINE Dual& operator-=(const Dual& b) { return *this = of(value - b.value, *this, 1, b, -1); }
+    CONTACTD_INLINE Dual& operator*=(const Dual& b) { return *this = of(value * b.value, *this, b.value, b, value); }
+    CONTACTD_INLINE Dual& operator/=(const Dual& b) {
         const double ratio = value / b.value;
         return *this = of(ratio, *this, 1 / b.value, b, -ratio / b.value);
     }
-    Dual operator-() const { return of(-value, *this, -1, *this, 0); }
-    friend Dual operator+(Dual a, const Dual& b) { return a += b; }
-    friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
-    friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
-    friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
+    CONTACTD_INLINE Dual operator-() const { return of(-value, *this, -1, *this, 0); }
+    CONTACTD_INLINE friend Dual operator+(Dual a, const Dual& b) { return a += b; }
+    CONTACTD_INLINE friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
+    CONTACTD_INLINE friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
+    CONTACTD_INLINE friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
     friend auto operator<=>(const Dual& a, const Dual& b) { return a.value <=> b.value; }
     friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
 };

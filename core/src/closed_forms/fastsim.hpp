@@ -19,6 +19,8 @@ Flexibilities flexibilities(const SemiAxes& axes, const Material& combined);
 struct FastsimSettings {
     int steps = 48;
     int slices = 12;
+
+    bool operator==(const FastsimSettings&) const = default;
 };
 
 /// Steady rolling: dp/dx = (xi/L1 - phi y/L3, eta/L2 + phi x/L3) in adhesion, from p = 0 at the leading edge backwards;

@@ -1,18 +1,31 @@
-// FASTSIM's march through one slice of the contact area (Kalker 1982).
+// FASTSIM's march through one slice of the contact area (Kalker 1982), or through four of them side by side.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
-#include "dual.hpp"
-#include "fastsim.hpp"
+#include "types/wide.hpp"
 
 namespace contactd {
 
-// `Number` is double, or Dual where derivatives by the creepages are wanted.
+// `Number` is double, Dual where derivatives by the creepages are wanted, or Quad.
 template <class Number>
 struct FastsimCreepages {
     Number xi, eta, phi;  // in the rolling frame
+};
+
+// What all slices of a contact area share.
+template <class Number>
+struct FastsimLaw {
+    double bound, curvature;   // the bound is bound (1 - curvature x^2 - y^2/b^2)
+    Number slope_y, slope_yx;  // rigid slip across over L2: slope_y + slope_yx x
+    double stiff_x, stiff_y;   // the mean flexibility over L1 and L2
+};
+
+// A slice y = constant.
+template <class Number>
+struct FastsimSlice {
+    Number rest;     // 1 - y^2/b^2
+    Number slope_x;  // rigid slip along over L1
 };
 
 template <class Number>
@@ -20,95 +33,110 @@ struct TractionAt {
     Number x, px, py;
 };
 
-// One slice y = constant of the contact area, followed from its leading edge backwards.
+// Where the march through a slice stands: it begins at the leading edge with zeros.
 template <class Number>
-class FastsimSlice {
-   public:
-    using Traction = TractionAt<Number>;
-
-    FastsimSlice(const SemiAxes& axes, const Flexibilities& L, double bound, const FastsimCreepages<Number>& creepages,
-                 double y)
-        : rest_(1 - y * y / (axes.b * axes.b)),
-          half_chord_(axes.a * std::sqrt(rest_)),
-          bound_(bound),
-          curvature_(1 / (axes.a * axes.a)),
-          slope_x_(creepages.xi / L.L1 - creepages.phi * y / L.L3),
-          slope_y_(creepages.eta / L.L2),
-          slope_yx_(creepages.phi / L.L3),
-          stiff_x_(0.5 * (L.L1 + L.L2) / L.L1),
-          stiff_y_(0.5 * (L.L1 + L.L2) / L.L2),
-          x_(half_chord_) {}
-
-    double half_chord() const { return half_chord_; }
-    double x() const { return x_; }
-    Number px() const { return px_; }
-    Number py() const { return py_; }
-    bool slips() const { return slips_; }
-    Number slope_x() const { return slope_x_; }                                 // rigid slip over L1
-    Number slope_y(const Number& x) const { return slope_y_ + slope_yx_ * x; }  // and over L2
-    Number slope_yx() const { return slope_yx_; }
-    // What took the trial traction beyond the bound, per length: the slip is -L times this.
-    Number excess_x() const { return excess_x_; }
-    Number excess_y() const { return excess_y_; }
-    Number bound_at(const Number& x) const { return bound_ * std::max(Number(0.0), rest_ - x * x * curvature_); }
-    // Where in the last step slip began: at its beginning, its end (only adhesion), or between.
-    Number slip_start() const { return slip_start_; }
-
-    Traction here() const { return {x_, px_, py_}; }
-
-    void step_to(double x) {
-        using std::sqrt;
-        const double h = x_ - x;
-        const Number old_room = room_;
-        const bool adhered = !slips_;
-        const Traction trial = adhering(here(), x);
-        const Number g = bound_at(x), size = sqrt(trial.px * trial.px + trial.py * trial.py);
-        slip_start_ = x_;
-        x_ = x;
-        px_ = trial.px;
-        py_ = trial.py;
-        slips_ = size > g;
-        room_ = slips_ ? Number(0) : g - size;
-        excess_x_ = excess_y_ = 0;
-        if (!slips_) slip_start_ = x;
-        if (!slips_) return;
-        if (adhered) slip_start_ -= h * old_room / (old_room + size - g);
-        return_to_bound(g, size);
-        excess_x_ = (trial.px - px_) / h;
-        excess_y_ = (trial.py - py_) / h;
-    }
-
-    // The traction at x if all adheres from there on: exact, since its slope is linear in x.
-    Traction adhering(const Traction& from, const Number& x) const {
-        const Number h = from.x - x;
-        return {x, from.px - h * slope_x_, from.py - h * slope_y(0.5 * (from.x + x))};
-    }
-
-   private:
-    // From the trial traction t to |p| = g with the slip, -L (t - p)/h, opposite to p: p_i = t_i/(1 + m/L_i), m >= 0.
-    // One step of Newton's method for m, on 1/|p|, then scaling to g: exact for equal flexibilities and in full slip.
-    void return_to_bound(const Number& g, const Number& trial) {
-        using std::sqrt;
-        if (g <= Number(0)) {
-            px_ = py_ = 0;
-            return;
-        }
-        const Number t2 = trial * trial, slope = px_ * px_ * stiff_x_ + py_ * py_ * stiff_y_;
-        const Number m = t2 * (trial - g) / (g * slope);
-        px_ *= 1 + m * stiff_y_;
-        py_ *= 1 + m * stiff_x_;
-        const Number back = g / sqrt(px_ * px_ + py_ * py_);
-        px_ *= back;
-        py_ *= back;
-    }
-
-    double rest_, half_chord_, bound_, curvature_;
-    Number slope_x_, slope_y_, slope_yx_;
-    double stiff_x_, stiff_y_;
-    double x_;
-    Number px_ = 0, py_ = 0, room_ = 0, excess_x_ = 0, excess_y_ = 0;
-    Number slip_start_ = 0;
-    bool slips_ = false;
+struct FastsimPoint {
+    TractionAt<Number> traction;
+    Number room = 0;  // of the traction to its bound: none where it slips
 };
+
+template <class Number>
+struct FastsimStep {
+    FastsimPoint<Number> end;
+    Number slip_start;  // its beginning, its end (all adheres), or between
+};
+
+template <class Number>
+CONTACTD_INLINE Number chosen(bool first, const Number& a, const Number& b) {
+    return first ? a : b;
+}
+CONTACTD_INLINE bool any(bool holds) {
+    return holds;
+}
+
+template <class Number>
+CONTACTD_INLINE Number bound_at(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice, const Number& x) {
+    const Number share = slice.rest - law.curvature * x * x, none = 0;
+    return law.bound * chosen(share > none, share, none);
+}
+
+// The traction at x if all adheres from there on: exact, since its slope is linear in x.
+template <class Number>
+CONTACTD_INLINE TractionAt<Number> adhering(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
+                                            const TractionAt<Number>& from, const Number& x) {
+    const Number h = from.x - x;
+    return {x, from.px - h * slice.slope_x, from.py - h * (law.slope_y + law.slope_yx * (0.5 * (from.x + x)))};
+}
+
+// From the trial traction t to |p| = g with the slip, -L (t - p)/h, opposite to p: p_i = t_i/(1 + m/L_i), m >= 0. One
+// step of Newton's method for m, on 1/|p|, then scaling to g: exact for equal flexibilities and in full slip. Divisors
+// are 1 where the way is not taken, since programs around us may trap divisions by zero.
+template <class Number>
+CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
+                                         const FastsimPoint<Number>& from, const Number& x) {
+    using std::sqrt;
+    const TractionAt<Number> t = adhering(law, slice, from.traction, x);
+    const Number none = 0, one = 1, g = bound_at(law, slice, x);
+    const Number squared = t.px * t.px + t.py * t.py, beyond = sqrt(squared) - g;
+    const auto slips = beyond > none;
+    FastsimStep<Number> taken{{t, -beyond}, x};
+    if (!any(slips)) return taken;
+
+    const Number crossed = chosen(slips, from.room + beyond, one);
+    const Number start = from.traction.x - (from.traction.x - x) * (from.room / crossed);
+    const auto returns = chosen(slips, g, none) > none;
+    const Number slope = chosen(returns, g * (t.px * t.px * law.stiff_x + t.py * t.py * law.stiff_y), one);
+    const Number m = squared * beyond / slope;
+    const Number px = t.px * (1 + m * law.stiff_y), py = t.py * (1 + m * law.stiff_x);
+    const Number back = g / chosen(returns, Number(sqrt(px * px + py * py)), one);
+    taken.end.traction.px = chosen(slips, Number(px * back), t.px);
+    taken.end.traction.py = chosen(slips, Number(py * back), t.py);
+    taken.end.room = chosen(slips, none, taken.end.room);
+    taken.slip_start = chosen(slips, start, x);
+    return taken;
+}
+
+// Integrals of p_x, p_y and x p_y along a slice; the length that slips.
+template <class Number>
+struct SliceSums {
+    Number px = 0, py = 0, x_py = 0, slip = 0;
+};
+
+// By Simpson's rule, exact for cubics.
+template <class Number>
+CONTACTD_INLINE void add(const TractionAt<Number>& from, const TractionAt<Number>& middle, const TractionAt<Number>& to,
+                         SliceSums<Number>& sum) {
+    const Number unit = (1.0 / 6) * (from.x - to.x);
+    sum.px += unit * (from.px + 4 * middle.px + to.px);
+    sum.py += unit * (from.py + 4 * middle.py + to.py);
+    sum.x_py += unit * (from.x * from.py + 4 * (middle.x * middle.py) + to.x * to.py);
+}
+
+// One step, and what it adds to the sums. It has a part that adheres, a part that slips, or one after the other. The
+// traction is a quadratic function of x on the first; on the second it follows the bound, a parabola, and its direction
+// changes little: in the middle it is the bound in the mean direction.
+template <class Number>
+CONTACTD_INLINE FastsimPoint<Number> advance(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice,
+                                             const FastsimPoint<Number>& from, const Number& x,
+                                             SliceSums<Number>& sum) {
+    using std::sqrt;
+    const FastsimStep<Number> taken = step(law, slice, from, x);
+    const Number& corner = taken.slip_start;
+    TractionAt<Number> start = from.traction;
+    const TractionAt<Number>& end = taken.end.traction;
+    if (any(start.x > corner)) {
+        const TractionAt<Number> turn = adhering(law, slice, start, corner);
+        add(start, adhering(law, slice, start, Number(0.5 * (start.x + corner))), turn, sum);
+        start = turn;
+    }
+    if (any(corner > x)) {
+        const Number px = start.px + end.px, py = start.py + end.py, size = sqrt(px * px + py * py);
+        const Number middle = 0.5 * (corner + x), none = 0, one = 1;
+        const Number share = bound_at(law, slice, middle) / chosen(size > none, size, one);
+        add(start, TractionAt<Number>{middle, share * px, share * py}, end, sum);
+        sum.slip += corner - x;
+    }
+    return taken.end;
+}
 
 }  // namespace contactd

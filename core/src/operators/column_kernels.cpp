@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "influence/wide.hpp"
+#include "types/wide.hpp"
 
 namespace contactd {
 namespace {

@@ -1,6 +1,6 @@
 #include "spectral_products.hpp"
 
-#include "influence/wide.hpp"
+#include "types/wide.hpp"
 
 namespace contactd {
 

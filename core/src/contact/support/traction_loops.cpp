@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "influence/wide.hpp"
+#include "types/wide.hpp"
 
 // `omp simd` needs no OpenMP at run time: it says that arrays do not overlap, and lets sums be taken in several parts.
 namespace contactd {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contactd/finite.hpp"
-#include "influence/wide.hpp"
+#include "types/wide.hpp"
 
 namespace contactd {
 namespace {

@@ -11,6 +11,9 @@
 #define CONTACTD_WIDE
 #endif
 
+/// What such functions call must become part of them, or it would be compiled once.
+#define CONTACTD_INLINE [[gnu::always_inline]] inline
+
 namespace contactd {
 
 /// Four doubles side by side, wherever they lie.

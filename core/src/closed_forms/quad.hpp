@@ -1,0 +1,42 @@
+// Four numbers that go the same way side by side, in one wide register where the processor has it.
+#pragma once
+
+#include <cmath>
+
+#include "types/wide.hpp"
+
+namespace contactd {
+
+struct Quad {
+    Four value{};
+
+    /// Where something holds of the four.
+    struct Mask {
+        decltype(Four{} > Four{}) value;
+    };
+
+    Quad() = default;
+    CONTACTD_INLINE Quad(double each) : value{each, each, each, each} {}
+    CONTACTD_INLINE explicit Quad(const Four& values) : value(values) {}
+
+    CONTACTD_INLINE Quad& operator+=(const Quad& b) { return value += b.value, *this; }
+    CONTACTD_INLINE Quad operator-() const { return Quad(-value); }
+    CONTACTD_INLINE friend Quad operator+(const Quad& a, const Quad& b) { return Quad(a.value + b.value); }
+    CONTACTD_INLINE friend Quad operator-(const Quad& a, const Quad& b) { return Quad(a.value - b.value); }
+    CONTACTD_INLINE friend Quad operator*(const Quad& a, const Quad& b) { return Quad(a.value * b.value); }
+    CONTACTD_INLINE friend Quad operator/(const Quad& a, const Quad& b) { return Quad(a.value / b.value); }
+    CONTACTD_INLINE friend Mask operator>(const Quad& a, const Quad& b) { return {a.value > b.value}; }
+};
+
+CONTACTD_INLINE Quad sqrt(const Quad& a) {
+    return Quad(Four{std::sqrt(a.value[0]), std::sqrt(a.value[1]), std::sqrt(a.value[2]), std::sqrt(a.value[3])});
+}
+
+CONTACTD_INLINE Quad chosen(const Quad::Mask& first, const Quad& a, const Quad& b) {
+    return Quad(first.value ? a.value : b.value);
+}
+CONTACTD_INLINE bool any(const Quad::Mask& holds) {
+    return ((holds.value[0] | holds.value[1]) | (holds.value[2] | holds.value[3])) != 0;
+}
+
+}  // namespace contactd

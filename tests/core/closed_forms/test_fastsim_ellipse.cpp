@@ -1,0 +1,111 @@
+// FASTSIM follows four slices, or rows of elements, side by side. None may notice the others.
+#include "closed_forms/fastsim_ellipse.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cfenv>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "closed_forms/fastsim.hpp"
+
+using namespace contactd;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+const Material steel{82000, 0.28};
+const EllipticContact contact{{6, 4}, 50000, steel};
+constexpr double mu = 0.3, bound = mu * 50000;
+
+/// From nearly no slip to far beyond full slip.
+FastsimCreepages<double> random_creepages(std::mt19937& random) {
+    std::uniform_real_distribution<double> exponent(-5, -1), sign(-1, 1);
+    const auto one = [&] { return sign(random) * std::pow(10, exponent(random)); };
+    return {one(), one(), 0.2 * one()};
+}
+
+Rolling rolling_of(const FastsimCreepages<double>& creepages, double chi = 0) {
+    Rolling rolling;
+    rolling.xi = creepages.xi;
+    rolling.eta = creepages.eta;
+    rolling.phi = creepages.phi;
+    rolling.chi = chi;
+    return rolling;
+}
+
+}  // namespace
+
+TEST_CASE("Slices that FASTSIM follows side by side carry what each carries alone", "[fastsim]") {
+    const int slices = GENERATE(8, 12, 13, 31);
+    const FastsimEllipse ellipse(rolling_frame(contact.axes, 0), steel, 2 * bound / contact.area(), {48, slices});
+    std::mt19937 random(static_cast<unsigned>(slices));
+    for (int i = 0; i < 50; ++i) {
+        const FastsimCreepages<double> creepages = random_creepages(random);
+        const FastsimTotals<double> together = ellipse.totals(creepages);
+        const FastsimTotals<Dual> alone =
+            ellipse.totals(FastsimCreepages<Dual>{creepages.xi, creepages.eta, creepages.phi});
+        CHECK_THAT(together.Fx, WithinAbs(alone.Fx.value, 1e-11 * bound));
+        CHECK_THAT(together.Fy, WithinAbs(alone.Fy.value, 1e-11 * bound));
+        CHECK_THAT(together.Mz, WithinAbs(alone.Mz.value, 1e-10 * bound));
+        CHECK_THAT(together.power, WithinAbs(alone.power.value, 1e-11 * bound));
+        CHECK_THAT(together.slip_area, WithinAbs(alone.slip_area.value, 1e-9 * contact.area()));
+    }
+}
+
+TEST_CASE("A row of elements has the same FASTSIM tractions whatever rows are beside it", "[fastsim]") {
+    const double chi = GENERATE(0.0, std::numbers::pi);
+    const Grid grid = Grid::centred(30, 23, 0.43, 0.37);
+    std::mt19937 random(1);
+    for (int i = 0; i < 20; ++i) {
+        const Rolling rolling = rolling_of(random_creepages(random), chi);
+        const EllipticFriction all = fastsim(grid, contact, mu, rolling);
+        for (int iy = 0; iy < grid.ny; ++iy) {
+            Grid row = grid;
+            row.ny = 1;
+            row.y0 = grid.y0 + iy * grid.dy;
+            const EllipticFriction one = fastsim(row, contact, mu, rolling);
+            for (std::size_t ix = 0; ix < static_cast<std::size_t>(grid.nx); ++ix) {
+                const std::size_t at = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + ix;
+                CHECK_THAT(all.traction_x[at], WithinAbs(one.traction_x[ix], 1e-9));
+                CHECK_THAT(all.traction_y[at], WithinAbs(one.traction_y[ix], 1e-9));
+                CHECK_THAT(all.slip_x[at], WithinAbs(one.slip_x[ix], 1e-10));
+                CHECK(all.element_division[at] == one.element_division[ix]);
+            }
+        }
+    }
+}
+
+TEST_CASE("FASTSIM's tractions in a mirror are those of the mirrored motion", "[fastsim]") {
+    const int ny = GENERATE(9, 10, 11, 12);
+    const Grid grid = Grid::centred(20, ny, 0.65, 8.5 / ny);
+    std::mt19937 random(static_cast<unsigned>(ny));
+    for (int i = 0; i < 20; ++i) {
+        const FastsimCreepages<double> creepages = random_creepages(random);
+        const EllipticFriction left = fastsim(grid, contact, mu, rolling_of(creepages)),
+                               right = fastsim(grid, contact, mu,
+                                               rolling_of({creepages.xi, -creepages.eta, -creepages.phi}));
+        CHECK_THAT(left.Fy, WithinAbs(-right.Fy, 1e-11 * bound));
+        for (int iy = 0; iy < ny; ++iy)
+            for (int ix = 0; ix < grid.nx; ++ix) {
+                const auto here = static_cast<std::size_t>(iy * grid.nx + ix),
+                           there = static_cast<std::size_t>((ny - 1 - iy) * grid.nx + ix);
+                CHECK_THAT(left.traction_x[here], WithinAbs(right.traction_x[there], 1e-9));
+                CHECK_THAT(left.traction_y[here], WithinAbs(-right.traction_y[there], 1e-9));
+            }
+    }
+}
+
+TEST_CASE("FASTSIM divides nothing by zero, which programs around it may trap", "[fastsim]") {
+    std::mt19937 random(2);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    for (int i = 0; i < 200; ++i) {
+        FastsimCreepages<double> creepages = random_creepages(random);
+        if (i % 4 == 0) creepages.phi = 0;
+        if (i % 8 == 0) creepages.xi = creepages.eta = 0;
+        fastsim(Grid::centred(25, 25, 0.5, 0.35), contact, i % 16 == 0 ? 0 : mu, rolling_of(creepages));
+    }
+    CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
+}
