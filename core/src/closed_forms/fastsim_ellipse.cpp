@@ -6,18 +6,18 @@
 #include <numbers>
 #include <span>
 
-#include "quad.hpp"
 #include "types/wide.hpp"
 
 namespace contactd {
 namespace {
 
 // Four slices, and where the march through them stands.
+template <class Number>
 struct FourSlices {
-    FastsimSlice<Quad> slice;
+    FastsimSlice<Number> slice;
     Quad half_chord;
-    FastsimPoint<Quad> point;
-    SliceSums<Quad> sum;
+    FastsimPoint<Number> point;
+    SliceSums<Number> sum;
 };
 
 // Of the usual settings they are made once.
@@ -26,15 +26,26 @@ std::shared_ptr<const FastsimNodes> nodes_of(const FastsimSettings& settings) {
     return settings == FastsimSettings{} ? usual : std::make_shared<const FastsimNodes>(settings);
 }
 
+// Groups take turns at each position, since each waits for its own square roots.
+template <class Number>
+CONTACTD_INLINE void follow_each(const FastsimLaw<Number>& law, std::span<const double> positions,
+                                 std::span<FourSlices<Number>> groups) {
+    for (const double position : positions)
+        for (FourSlices<Number>& four : groups)
+            four.point = advance(law, four.slice, four.point, Number(position * four.half_chord), four.sum);
+}
+
 }  // namespace
 
-// Groups take turns at each position, since each waits for its own square roots.
 CONTACTD_WIDE
-static void follow(const FastsimLaw<double>& law, std::span<const double> positions, std::span<FourSlices> groups) {
-    const FastsimLaw<Quad> shared{law.bound, law.curvature, law.slope_y, law.slope_yx, law.stiff_x, law.stiff_y};
-    for (const double position : positions)
-        for (FourSlices& four : groups)
-            four.point = advance(shared, four.slice, four.point, Quad(position * four.half_chord), four.sum);
+static void follow(const FastsimLaw<Quad>& law, std::span<const double> positions, std::span<FourSlices<Quad>> groups) {
+    follow_each(law, positions, groups);
+}
+
+CONTACTD_WIDE
+static void follow(const FastsimLaw<DualOf<Quad>>& law, std::span<const double> positions,
+                   std::span<FourSlices<DualOf<Quad>>> groups) {
+    follow_each(law, positions, groups);
 }
 
 FastsimNodes::FastsimNodes(const FastsimSettings& settings) {
@@ -53,9 +64,16 @@ FastsimNodes::FastsimNodes(const FastsimSettings& settings) {
         change += cos3 * std::cos(6 * angle(k));
     }
     const double share = (4.0 / 3 - square) / change;
-    for (int k = 0; k < settings.slices; ++k) {
-        heights.push_back(std::sin(angle(k)));
-        widths.push_back(std::cos(angle(k)) * dt * (1 + share * std::cos(6 * angle(k))));
+    constexpr int lanes = 4;
+    for (int first = 0; first < settings.slices; first += lanes) {
+        Quad height, width = 0;
+        for (int lane = 0; lane < lanes; ++lane) {
+            const int k = std::min(first + lane, settings.slices - 1);
+            height.value[lane] = std::sin(angle(k));
+            if (k == first + lane) width.value[lane] = std::cos(angle(k)) * dt * (1 + share * std::cos(6 * angle(k)));
+        }
+        heights.push_back(height);
+        widths.push_back(width);
     }
 }
 
@@ -63,64 +81,45 @@ FastsimEllipse::FastsimEllipse(const RollingFrame& frame, const Material& combin
                                const FastsimSettings& settings)
     : axes_(frame.axes), L_(flexibilities(frame.axes, combined)), bound_(bound), nodes_(nodes_of(settings)) {}
 
-double FastsimEllipse::half_chord(double rest) const {
-    return axes_.a * std::sqrt(rest);
-}
-
-FastsimTotals<double> FastsimEllipse::totals(const FastsimCreepages<double>& creepages) const {
-    constexpr std::size_t lanes = 4;
-    std::vector<FourSlices> groups((nodes_->heights.size() + lanes - 1) / lanes);
-    for (std::size_t k = 0; k < lanes * groups.size(); ++k) {  // those beyond the last are like it
-        const FastsimSlice<double> here =
-            slice(creepages, axes_.b * nodes_->heights[std::min(k, nodes_->heights.size() - 1)]);
-        FourSlices& four = groups[k / lanes];
-        four.slice.rest.value[k % lanes] = here.rest;
-        four.slice.slope_x.value[k % lanes] = here.slope_x;
-        four.half_chord.value[k % lanes] = four.point.traction.x.value[k % lanes] = half_chord(here.rest);
-    }
-    follow(law(creepages), nodes_->positions, groups);
-    std::vector<SliceSums<double>> sums(nodes_->heights.size());
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        const SliceSums<Quad>& four = groups[k / lanes].sum;
-        const auto of = [&](const Quad& values) { return values.value[k % lanes]; };
-        sums[k] = {of(four.px), of(four.py), of(four.x_py), of(four.slip)};
-    }
-    return totals(creepages, sums);
-}
-
-FastsimTotals<Dual> FastsimEllipse::totals(const FastsimCreepages<Dual>& creepages) const {
-    const FastsimLaw<Dual> shared = law(creepages);
-    std::vector<SliceSums<Dual>> sums;
-    sums.reserve(nodes_->heights.size());
-    for (const double height : nodes_->heights) {
-        const FastsimSlice<Dual> here = slice(creepages, axes_.b * height);
-        const double half = half_chord(here.rest.value);
-        FastsimPoint<Dual> point{{half, 0, 0}};
-        SliceSums<Dual>& sum = sums.emplace_back();
-        for (const double position : nodes_->positions)
-            point = advance(shared, here, point, Dual(half * position), sum);
-    }
-    return totals(creepages, sums);
-}
-
 template <class Number>
-FastsimTotals<Number> FastsimEllipse::totals(const FastsimCreepages<Number>& creepages,
-                                             const std::vector<SliceSums<Number>>& slices) const {
+FastsimTotals<Number> FastsimEllipse::totals_of_four(const FastsimCreepages<Number>& creepages) const {
     const FastsimLaw<Number> shared = law(creepages);
+    std::vector<FourSlices<Number>> groups(nodes_->heights.size());
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        FourSlices<Number>& four = groups[k];
+        const Quad y = axes_.b * nodes_->heights[k];
+        four.slice = slice(creepages, y);
+        four.half_chord = half_chord(y);
+        four.point.traction.x = four.half_chord;
+    }
+    follow(shared, nodes_->positions, groups);
+
     FastsimTotals<Number> total;
-    for (std::size_t k = 0; k < nodes_->heights.size(); ++k) {
-        const double y = axes_.b * nodes_->heights[k], dy = axes_.b * nodes_->widths[k];
-        const SliceSums<Number>& sum = slices[k];
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        const Quad y = axes_.b * nodes_->heights[k], dy = axes_.b * nodes_->widths[k];
+        const SliceSums<Number>& sum = groups[k].sum;
         total.Fx += dy * sum.px;
         total.Fy += dy * sum.py;
         total.Mz += dy * (sum.x_py - y * sum.px);
         // Slip does the work of the rigid slip: what the springs take up they give back, since the traction is zero at
         // both ends of the slice.
-        total.power -= dy * (L_.L1 * slice(creepages, y).slope_x * sum.px +
-                             L_.L2 * (shared.slope_y * sum.py + shared.slope_yx * sum.x_py));
+        const Number work =
+            L_.L1 * (groups[k].slice.slope_x * sum.px) + L_.L2 * (shared.slope_y * sum.py + shared.slope_yx * sum.x_py);
+        total.power += -dy * work;
         total.slip_area += dy * sum.slip;
     }
     return total;
+}
+
+FastsimTotals<double> FastsimEllipse::totals(const FastsimCreepages<double>& creepages) const {
+    const FastsimTotals<Quad> four = totals_of_four(FastsimCreepages<Quad>{creepages.xi, creepages.eta, creepages.phi});
+    return {sum_of(four.Fx), sum_of(four.Fy), sum_of(four.Mz), sum_of(four.power), sum_of(four.slip_area)};
+}
+
+FastsimTotals<Dual> FastsimEllipse::totals(const FastsimCreepages<Dual>& creepages) const {
+    const FastsimTotals<DualOf<Quad>> four =
+        totals_of_four(FastsimCreepages<DualOf<Quad>>{each(creepages.xi), each(creepages.eta), each(creepages.phi)});
+    return {sum_of(four.Fx), sum_of(four.Fy), sum_of(four.Mz), sum_of(four.power), sum_of(four.slip_area)};
 }
 
 }  // namespace contactd

@@ -1,25 +1,27 @@
 // The contact area of FASTSIM by its own slices, from which its forces come.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "dual.hpp"
 #include "fastsim.hpp"
 #include "fastsim_slice.hpp"
+#include "quad.hpp"
 #include "rolling_frame.hpp"
 
 namespace contactd {
 
 template <class Number>
 struct FastsimTotals {
-    Number Fx = 0, Fy = 0, Mz = 0, power = 0, slip_area = 0;  // in the rolling frame; power over the rolling velocity
+    Number Fx{}, Fy{}, Mz{}, power{}, slip_area{};  // in the rolling frame; power over the rolling velocity
 };
 
 // Where slices lie and where steps end, for an ellipse of semi-axes 1.
 struct FastsimNodes {
-    std::vector<double> positions;        // of x over half the chord, after the leading edge
-    std::vector<double> heights, widths;  // of the slices over b
+    std::vector<double> positions;      // of x over half the chord, after the leading edge
+    std::vector<Quad> heights, widths;  // of the slices over b; those beyond the last have no width
 
     explicit FastsimNodes(const FastsimSettings& settings);
 };
@@ -36,20 +38,28 @@ class FastsimEllipse {
     template <class Number>
     FastsimLaw<Number> law(const FastsimCreepages<Number>& creepages) const {
         const double mean = 0.5 * (L_.L1 + L_.L2);
-        return {bound_,      1 / (axes_.a * axes_.a), creepages.eta / L_.L2, creepages.phi / L_.L3, mean / L_.L1,
+        return {bound_,
+                1 / (axes_.a * axes_.a),
+                (1 / L_.L2) * creepages.eta,
+                (1 / L_.L3) * creepages.phi,
+                mean / L_.L1,
                 mean / L_.L2};
     }
-    template <class Number>
-    FastsimSlice<Number> slice(const FastsimCreepages<Number>& creepages, double y) const {
-        return {1 - y * y / (axes_.b * axes_.b), creepages.xi / L_.L1 - creepages.phi * y / L_.L3};
+    // y: one number or four, as in `Number`.
+    template <class Number, class Y>
+    FastsimSlice<Number> slice(const FastsimCreepages<Number>& creepages, const Y& y) const {
+        return {1 - y * y / (axes_.b * axes_.b), (1 / L_.L1) * creepages.xi - y / L_.L3 * creepages.phi};
     }
-    double half_chord(double rest) const;
+    template <class Y>
+    Y half_chord(const Y& y) const {
+        using std::sqrt;
+        return axes_.a * sqrt(1 - y * y / (axes_.b * axes_.b));
+    }
     const Flexibilities& L() const { return L_; }
 
    private:
     template <class Number>
-    FastsimTotals<Number> totals(const FastsimCreepages<Number>& creepages,
-                                 const std::vector<SliceSums<Number>>& slices) const;
+    FastsimTotals<Number> totals_of_four(const FastsimCreepages<Number>& creepages) const;
 
     SemiAxes axes_;
     Flexibilities L_;

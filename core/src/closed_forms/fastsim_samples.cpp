@@ -58,8 +58,7 @@ CONTACTD_INLINE TractionAt<Quad> chosen(const Quad::Mask& first, const TractionA
 }  // namespace
 
 CONTACTD_WIDE
-static void march(const FastsimLaw<double>& law, FourLines& four, std::span<Sample> samples) {
-    const FastsimLaw<Quad> shared{law.bound, law.curvature, law.slope_y, law.slope_yx, law.stiff_x, law.stiff_y};
+static void march(const FastsimLaw<Quad>& law, FourLines& four, std::span<Sample> samples) {
     const Quad none = 0, one = 1;
     FastsimPoint<Quad> point = four.point;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -71,14 +70,14 @@ static void march(const FastsimLaw<double>& law, FourLines& four, std::span<Samp
             const auto between = steps > step_number;
             const Quad next = chosen(between, begin - way * (step_number / steps), x);
             const auto moves = point.traction.x > next;
-            const FastsimStep<Quad> taken = step(shared, four.slice, point, next);
+            const FastsimStep<Quad> taken = step(law, four.slice, point, next);
             last = chosen(moves, point.traction, last);
             point.traction = chosen(moves, taken.end.traction, point.traction);
             point.room = chosen(moves, taken.end.room, point.room);
             slip = chosen(moves, taken.slip_start - next, slip);
             if (!any(between)) break;
         }
-        const TractionAt<Quad> trial = adhering(shared, four.slice, last, x);
+        const TractionAt<Quad> trial = adhering(law, four.slice, last, x);
         const auto slips = slip > none;
         const Quad length = chosen(slips, last.x - x, one);
         samples[i] = {point.traction.px, point.traction.py, slip,
@@ -116,37 +115,38 @@ Lines lines_of(const Grid& grid, const RollingFrame& frame) {
 }
 
 void place(const Lines& all, std::span<const Line> lines, const FastsimEllipse& ellipse,
-           const FastsimCreepages<double>& creepages, int steps, FourLines& four) {
+           const FastsimCreepages<Quad>& creepages, int steps, FourLines& four) {
     std::size_t longest = 0;
     for (const Line& line : lines) longest = std::max(longest, line.count);
     four.along.resize(longest);
-    four.point = {};
-    for (std::size_t k = 0; k < lanes; ++k) {
+    Quad across;
+    for (std::size_t k = 0; k < lanes; ++k) {  // those beyond the last are like it
         const Line& line = lines[std::min(k, lines.size() - 1)];
-        const FastsimSlice<double> slice = ellipse.slice(creepages, line.across);
-        const double half = ellipse.half_chord(slice.rest);
-        four.slice.rest.value[k] = slice.rest;
-        four.slice.slope_x.value[k] = slice.slope_x;
-        four.longest_step.value[k] = 2 * half / steps;
-        four.point.traction.x.value[k] = half;
+        across.value[k] = line.across;
         const std::span<const Element> elements = all.of(line);
         for (std::size_t i = 0; i < longest; ++i)
             four.along[i].value[k] = elements[std::min(i, elements.size() - 1)].along;
     }
+    const Quad half = ellipse.half_chord(across);
+    four.slice = ellipse.slice(creepages, across);
+    four.longest_step = 2 * half / steps;
+    four.point = {};
+    four.point.traction.x = half;
 }
 
 }  // namespace
 
 void sample(const Grid& grid, const RollingFrame& frame, const FastsimEllipse& ellipse,
             const FastsimCreepages<double>& creepages, int steps, EllipticFriction& result) {
-    const FastsimLaw<double> law = ellipse.law(creepages);
+    const FastsimCreepages<Quad> shared{creepages.xi, creepages.eta, creepages.phi};
+    const FastsimLaw<Quad> law = ellipse.law(shared);
     const Flexibilities& L = ellipse.L();
     const Lines all = lines_of(grid, frame);
     FourLines four;
     std::vector<Sample> samples;
     for (std::size_t first = 0; first < all.lines.size(); first += lanes) {
         const std::span<const Line> some(&all.lines[first], std::min(lanes, all.lines.size() - first));
-        place(all, some, ellipse, creepages, steps, four);
+        place(all, some, ellipse, shared, steps, four);
         samples.resize(four.along.size());
         march(law, four, samples);
         for (std::size_t k = 0; k < some.size(); ++k) {

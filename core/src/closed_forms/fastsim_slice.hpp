@@ -3,11 +3,12 @@
 
 #include <cmath>
 
+#include "quad.hpp"
 #include "types/wide.hpp"
 
 namespace contactd {
 
-// `Number` is double, Dual where derivatives by the creepages are wanted, or Quad.
+// `Number` is Quad, or DualOf<Quad> where derivatives by the creepages are wanted.
 template <class Number>
 struct FastsimCreepages {
     Number xi, eta, phi;  // in the rolling frame
@@ -37,7 +38,7 @@ struct TractionAt {
 template <class Number>
 struct FastsimPoint {
     TractionAt<Number> traction;
-    Number room = 0;  // of the traction to its bound: none where it slips
+    Number room{};  // of the traction to its bound: none where it slips
 };
 
 template <class Number>
@@ -47,16 +48,8 @@ struct FastsimStep {
 };
 
 template <class Number>
-CONTACTD_INLINE Number chosen(bool first, const Number& a, const Number& b) {
-    return first ? a : b;
-}
-CONTACTD_INLINE bool any(bool holds) {
-    return holds;
-}
-
-template <class Number>
 CONTACTD_INLINE Number bound_at(const FastsimLaw<Number>& law, const FastsimSlice<Number>& slice, const Number& x) {
-    const Number share = slice.rest - law.curvature * x * x, none = 0;
+    const Number share = slice.rest - law.curvature * x * x, none{};
     return law.bound * chosen(share > none, share, none);
 }
 
@@ -76,7 +69,7 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
                                          const FastsimPoint<Number>& from, const Number& x) {
     using std::sqrt;
     const TractionAt<Number> t = adhering(law, slice, from.traction, x);
-    const Number none = 0, one = 1, g = bound_at(law, slice, x);
+    const Number none{}, one(1), g = bound_at(law, slice, x);
     const Number squared = t.px * t.px + t.py * t.py, beyond = sqrt(squared) - g;
     const auto slips = beyond > none;
     FastsimStep<Number> taken{{t, -beyond}, x};
@@ -87,7 +80,7 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
     const auto returns = chosen(slips, g, none) > none;
     const Number slope = chosen(returns, g * (t.px * t.px * law.stiff_x + t.py * t.py * law.stiff_y), one);
     const Number m = squared * beyond / slope;
-    const Number px = t.px * (1 + m * law.stiff_y), py = t.py * (1 + m * law.stiff_x);
+    const Number px = t.px * (one + m * law.stiff_y), py = t.py * (one + m * law.stiff_x);
     const Number back = g / chosen(returns, Number(sqrt(px * px + py * py)), one);
     taken.end.traction.px = chosen(slips, Number(px * back), t.px);
     taken.end.traction.py = chosen(slips, Number(py * back), t.py);
@@ -99,7 +92,7 @@ CONTACTD_INLINE FastsimStep<Number> step(const FastsimLaw<Number>& law, const Fa
 // Integrals of p_x, p_y and x p_y along a slice; the length that slips.
 template <class Number>
 struct SliceSums {
-    Number px = 0, py = 0, x_py = 0, slip = 0;
+    Number px{}, py{}, x_py{}, slip{};
 };
 
 // By Simpson's rule, exact for cubics.
@@ -131,7 +124,7 @@ CONTACTD_INLINE FastsimPoint<Number> advance(const FastsimLaw<Number>& law, cons
     }
     if (any(corner > x)) {
         const Number px = start.px + end.px, py = start.py + end.py, size = sqrt(px * px + py * py);
-        const Number middle = 0.5 * (corner + x), none = 0, one = 1;
+        const Number middle = 0.5 * (corner + x), none{}, one(1);
         const Number share = bound_at(law, slice, middle) / chosen(size > none, size, one);
         add(start, TractionAt<Number>{middle, share * px, share * py}, end, sum);
         sum.slip += corner - x;

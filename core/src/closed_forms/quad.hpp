@@ -1,4 +1,5 @@
-// Four numbers that go the same way side by side, in one wide register where the processor has it.
+// Four numbers that go the same way side by side, in one wide register where the processor has it; and choices that
+// four make each for itself, as one number makes them.
 #pragma once
 
 #include <cmath>
@@ -28,6 +29,17 @@ struct Quad {
     CONTACTD_INLINE friend Mask operator>(const Quad& a, const Quad& b) { return {a.value > b.value}; }
 };
 
+template <class Number>
+CONTACTD_INLINE Number chosen(bool first, const Number& a, const Number& b) {
+    return first ? a : b;
+}
+CONTACTD_INLINE bool any(bool holds) {
+    return holds;
+}
+
+CONTACTD_INLINE double sum_of(const Quad& a) {
+    return (a.value[0] + a.value[1]) + (a.value[2] + a.value[3]);
+}
 CONTACTD_INLINE Quad sqrt(const Quad& a) {
     return Quad(Four{std::sqrt(a.value[0]), std::sqrt(a.value[1]), std::sqrt(a.value[2]), std::sqrt(a.value[3])});
 }
