@@ -1,8 +1,9 @@
 #include "elliptic_contact.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <numbers>
+
+#include "semi_ellipsoid.hpp"
 
 namespace contactd {
 
@@ -22,12 +23,10 @@ double EllipticContact::pmax() const {
 
 std::vector<double> hertz_pressure(const Grid& grid, const SemiAxes& axes, double pmax) {
     std::vector<double> pressure(grid.size());
-    std::size_t i = 0;
+    const auto columns = static_cast<std::size_t>(grid.nx);
     for (int iy = 0; iy < grid.ny; ++iy)
-        for (int ix = 0; ix < grid.nx; ++ix, ++i) {
-            const double x = grid.x(ix) / axes.a, y = grid.y(iy) / axes.b;
-            pressure[i] = pmax * std::sqrt(std::max(0.0, 1 - x * x - y * y));
-        }
+        heights_along(grid, iy, {axes}, {&pressure[static_cast<std::size_t>(iy) * columns], columns});
+    for (double& p : pressure) p *= pmax;
     return pressure;
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -78,6 +79,16 @@ void take_friction(EllipticFriction friction, ContactSolution& solution) {
     solution.evidence.force = friction.force;
 }
 
+void take_no_friction(ContactSolution& solution) {
+    const std::size_t elements = solution.pressure.size();
+    solution.area.slip = solution.area.contact;
+    solution.element_division.resize(elements);
+    for (std::size_t i = 0; i < elements; ++i)
+        solution.element_division[i] = solution.pressure[i] > 0 ? ElementState::slip : ElementState::exterior;
+    solution.traction_x.resize(elements);
+    solution.traction_y.resize(elements);
+}
+
 void differentiate(const ContactProblem& problem, const EllipticContact& contact, ContactSolution& solution) {
     if (contact.empty() || !solution.converged()) {
         solution.warnings.push_back(contact.empty() ? "There is no contact, and so there are no derivatives."
@@ -103,14 +114,11 @@ ContactSolution solve_by_quick_model(const ContactProblem& problem) {
     solution.forces.Fn = found.Fn;
     solution.pmax = found.pmax;
     solution.area.contact = contact.area();
-    solution.area.slip = solution.area.contact;  // where no friction holds it
     solution.pressure = hertz_pressure(problem.grid, contact);
-    solution.element_division.assign(problem.grid.size(), ElementState::exterior);
-    for (std::size_t i = 0; i < solution.pressure.size(); ++i)
-        if (solution.pressure[i] > 0) solution.element_division[i] = ElementState::slip;
-    solution.traction_x.resize(problem.grid.size());
-    solution.traction_y.resize(problem.grid.size());
-    if (problem.friction) take_friction(friction_of(problem, contact), solution);
+    if (problem.friction)
+        take_friction(friction_of(problem, contact), solution);
+    else
+        take_no_friction(solution);
     if (problem.derivatives) differentiate(problem, contact, solution);
     return solution;
 }
