@@ -30,6 +30,11 @@ void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
     evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
 }
 
+// Pressures that miss a part of the contact may not carry them.
+bool has_forces_given(const ContactProblem& problem) {
+    return !std::visit([](const auto& motion) { return motion.force.empty(); }, problem.motion);
+}
+
 class BoundaryElements {
    public:
     BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
@@ -104,7 +109,7 @@ class BoundaryElements {
             const Tractions last = now_;
             const bool solved_finally = tolerances.are_final();
             IterationObserver part(observer, iteration, repeats ? 0.3 : 1);
-            if ((first && iteration == 1) || coupled) solve_normal_contact(tolerances.normal(), part);
+            if ((first && iteration == 1) || coupled) solve_normal_contact(tolerances, part);
             if (!step_) return;
             if (!(first && iteration == 1 && coupled && !solved_finally && start_on_coarser(part)))
                 solve_tangential_contact(tolerances.tangential(), part);
@@ -117,7 +122,7 @@ class BoundaryElements {
         }
     }
 
-    void solve_normal_contact(const SolverSettings& settings, Observer& observer) {
+    void solve_normal_contact(const TurnTolerances& tolerances, Observer& observer) {
         Values gap = distance_;
         if (step_ && influence_.coupled() && inner(now_.tangential, now_.tangential) > 0) {
             Values uz(n_);
@@ -125,7 +130,7 @@ class BoundaryElements {
             for (std::size_t i = 0; i < n_; ++i) gap[i] += uz[i];
         }
         PartObserver part(observer, 0, step_ ? 0.3 : 1);
-        NormalSolution normal = solve_under_load(gap, settings, part);
+        NormalSolution normal = solve_under_load(gap, tolerances, part);
         now_.pressure = std::move(normal.pressure);
         continue_with(solution_.evidence.normal, normal.evidence);
     }
@@ -136,18 +141,18 @@ class BoundaryElements {
         return std::make_unique<const ApproachOperator>(influence, facing(*problem.columns, problem.grid));
     }
 
-    NormalSolution solve_under_load(Values& gap, const SolverSettings& settings, Observer& observer) {
-        if (!along_approach_) return solve_along_approach(gap, now_.pressure, settings, observer);
+    NormalSolution solve_under_load(Values& gap, const TurnTolerances& tolerances, Observer& observer) {
+        if (!along_approach_) return solve_along_approach(gap, now_.pressure, tolerances, observer);
         gap = along_approach_->over_cosine(std::move(gap));
         const Values estimate = along_approach_->times_cosine(now_.pressure);
-        NormalSolution normal = solve_along_approach(gap, estimate, settings, observer);
+        NormalSolution normal = solve_along_approach(gap, estimate, tolerances, observer);
         normal.pressure = along_approach_->over_cosine(std::move(normal.pressure));
         return normal;
     }
 
-    NormalSolution solve_along_approach(Values& gap, const Values& estimate, const SolverSettings& settings,
+    NormalSolution solve_along_approach(Values& gap, const Values& estimate, const TurnTolerances& tolerances,
                                         Observer& observer) {
-        NormalTask task{gap, {}, settings};
+        NormalTask task{gap, {}, tolerances.normal(), !tolerances.are_final() && !has_forces_given(problem_)};
         if (problem_.Fn) {
             task.pressure_sum = *problem_.Fn / problem_.grid.element_area();
         } else {

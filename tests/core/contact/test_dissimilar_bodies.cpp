@@ -159,6 +159,41 @@ TEST_CASE("turns are not solved better than the next one changes them", "[dissim
     CHECK(solution.evidence.tangential->iterations < 8 * solution.evidence.outer->iterations);
 }
 
+TEST_CASE("turns that begin at one of two places of contact find the other", "[dissimilar]") {
+    ContactProblem problem = sphere(extreme, 0.4, 40);
+    problem.motion = Shift{{0.003, -0.001}};
+    const auto place = [&](double x0) {
+        Values gap(problem.grid.size());
+        for (int iy = 0; iy < problem.grid.ny; ++iy)
+            for (int ix = 0; ix < problem.grid.nx; ++ix)
+                gap[at(problem.grid, ix, iy)] =
+                    (std::pow(problem.grid.x(ix) - x0, 2) + std::pow(problem.grid.y(iy), 2)) / 10;
+        return gap;
+    };
+    const Values left = place(-0.7), right = place(0.7);
+    problem.gap = left;
+    const ContactSolution of_left = solve_half_spaces(problem);
+    Values both = left;
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::min(both[i], right[i]);
+    problem.gap = both;
+    ContactSolution expected = solve_half_spaces(problem);
+    if (GENERATE(false, true)) {  // a force that one place alone does not carry
+        Shift motion;
+        motion.force.Fx = -0.75 * 0.4 * expected.forces.Fn;
+        problem.motion = motion;
+        expected = solve_half_spaces(problem);
+    }
+    problem.initial.pressure = of_left.pressure;
+    const ContactSolution found = solve_half_spaces(problem);
+
+    REQUIRE(found.converged());
+    REQUIRE(expected.elements.contact > of_left.elements.contact * 3 / 2);
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        CHECK_THAT(found.pressure[i], WithinAbs(expected.pressure[i], 1e-5 * expected.pmax));
+        CHECK_THAT(found.traction_x[i], WithinAbs(expected.traction_x[i], 1e-5 * expected.pmax));
+    }
+}
+
 TEST_CASE("bodies that differ meet the forces that are given, steadily, by shifts and in transients", "[dissimilar]") {
     ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
     problem.approach.reset();

@@ -87,6 +87,21 @@ TEST_CASE("a gap far from the last one is solved, too", "[normal]") {
     }
 }
 
+TEST_CASE("what overlaps beyond the box of a solve that is to be refined is found by the next", "[normal]") {
+    const Sphere sphere;
+    Observer observer;
+    NormalSolver solver(sphere.influence);
+    const Values shallow = sphere.gap(1e-3), deep = sphere.gap(0.012);
+    const NormalSolution last = solver.solve({shallow, {}, exact}, {}, {}, observer);
+    const NormalSolution within = solver.solve_again({deep, {}, exact, true}, last.pressure, observer);
+    const NormalSolution expected = NormalSolver(sphere.influence).solve({deep, {}, exact}, {}, {}, observer);
+    const auto in_contact = [](const NormalSolution& solution) {
+        return std::count_if(solution.pressure.begin(), solution.pressure.end(), [](double p) { return p > 0; });
+    };
+    CHECK(in_contact(within) < in_contact(expected));
+    check_same(solver.solve_again({deep, {}, exact}, within.pressure, observer), expected);
+}
+
 TEST_CASE("another force is met from the last solution", "[normal]") {
     const Sphere sphere;
     Observer observer;

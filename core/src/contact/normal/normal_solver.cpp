@@ -237,7 +237,7 @@ NormalSolution NormalSolver::solve_again(const NormalTask& task, std::span<const
     box_->go_on(shifted.task(task), observer);
     NormalSolution solution = box_->solve();
     const bool converged = solution.evidence.converged;
-    if (converged && box_->overlaps_outside(shifted.gap, solution).nx == 0) {
+    if (converged && (task.to_be_refined || box_->overlaps_outside(shifted.gap, solution).nx == 0)) {
         solution.approach += shifted.least;
     } else {
         const int iterations = solution.evidence.iterations;

@@ -15,6 +15,7 @@ struct NormalTask {
     std::span<const double> gap;         ///< undeformed (mm), with the approach subtracted where that is prescribed
     std::optional<double> pressure_sum;  ///< prescribed instead of the approach: Fn / element area
     SolverSettings settings;
+    bool to_be_refined = false;  ///< another solve follows: to go on need not look for overlap beyond the last box
 };
 
 class NormalBox;
