@@ -1,11 +1,9 @@
 #include "norm.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "contact/support/solver_support.hpp"
-#include "lanes.hpp"
 
 namespace contactd {
 namespace {
@@ -153,32 +151,13 @@ void Norm::scale_to_sum(Values& p, Values& u) const {
 // The mean over the set makes the defect least.
 void Norm::find_approach() {
     if (!problem_.pressure_sum) return;
-    const double *in = in_contact_.data(), *u = u_.data(), *h = h_.data();
-    const auto [sum, count] = sums<2>(n_, [=]<class T>(T, std::size_t i) {
-        const T inside = load<T>(in + i);
-        return std::array<T, 2>{inside * (load<T>(u + i) + load<T>(h + i)), inside};
-    });
-    approach_ = sum / count;
+    approach_ = mean_distance(state());
 }
 
 // Goes `alpha` along the direction and looks at the contact conditions there, in one pass; zero: only looks.
 Norm::Check Norm::advance(double alpha) {
-    const double *in = in_contact_.data(), *h = h_.data(), *v = v_.data(), *q = q_.data();
-    double *p = p_.data(), *u = u_.data(), *r = r_.data();
-    const double approach = approach_, approach_size = std::abs(approach_);
-    const auto [defect, reference, suction, overlap] = sums<4>(n_, [=]<class T>(T, std::size_t i) {
-        const T p_i = load<T>(p + i) + alpha * load<T>(v + i), u_i = load<T>(u + i) + alpha * load<T>(q + i);
-        const T in_i = load<T>(in + i), h_i = load<T>(h + i);
-        const T distance = h_i - approach, gap = u_i + distance, r_i = -in_i * gap;
-        store<T>(p_i, p + i);
-        store<T>(u_i, u + i);
-        store<T>(r_i, r + i);
-        const T reference_i = in_i * distance, suction_i = negative_part(p_i);
-        const T margin = rounding * (magnitude(u_i) + magnitude(h_i) + approach_size);
-        const T overlap_i = (1 - in_i) * negative_part(T(gap + margin));
-        return std::array<T, 4>{r_i * r_i, reference_i * reference_i, suction_i * suction_i, overlap_i * overlap_i};
-    });
-    return {defect, reference, suction * self_ * self_, overlap};
+    const NormViolations found = contactd::advance(state(), alpha, v_.data(), q_.data(), approach_, rounding);
+    return {found.defect, found.reference, found.suction * self_ * self_, found.overlap};
 }
 
 void Norm::report(int iteration, double residual) {
@@ -218,21 +197,11 @@ double Norm::choose_step() {
     }
     influence_.precondition(Axis::z, r_, z_);
     if (problem_.pressure_sum) keep_sum_of_direction();
-    const double *in = in_contact_.data(), *z = z_.data(), *q = q_.data(), *r = r_.data();
-    double* v = v_.data();
-    double beta = 0;
-    if (steps_ > 0) {
-        const auto product = sums<1>(n_, [=]<class T>(T, std::size_t i) {
-            return std::array<T, 1>{load<T>(in + i) * load<T>(z + i) * load<T>(q + i)};
-        });
-        beta = -product[0] / curvature_;
-    }
-    for (std::size_t i = 0; i < n_; ++i) v[i] = in[i] * z[i] + beta * v[i];
+    const double* in = in_contact_.data();
+    const double beta = steps_ > 0 ? -triple_product(n_, in, z_.data(), q_.data()) / curvature_ : 0;
+    turn_direction(n_, in, z_.data(), beta, v_.data());
     influence_.normal(v_, q_);
-    const auto [curvature, slope, rise, count] = sums<4>(n_, [=]<class T>(T, std::size_t i) {
-        const T v_i = load<T>(v + i), q_i = load<T>(q + i), in_i = load<T>(in + i);
-        return std::array<T, 4>{v_i * q_i, load<T>(r + i) * v_i, in_i * q_i, in_i};
-    });
+    const auto [curvature, slope, rise, count] = slope_along(state(), v_.data(), q_.data());
     curvature_ = curvature;
     steps_ = curvature > 0 && slope > 0 ? steps_ + 1 : 0;
     if (steps_ == 0) return 0;

@@ -10,6 +10,7 @@
 #include "contactd/contact.hpp"
 #include "contactd/influence_operator.hpp"
 #include "contactd/observer.hpp"
+#include "norm_loops.hpp"
 
 namespace contactd {
 
@@ -54,6 +55,7 @@ class Norm {
         double error() const { return relative(defect + suction + overlap); }
     };
 
+    NormState state() { return {n_, in_contact_.data(), h_.data(), p_.data(), u_.data(), r_.data()}; }
     double gap(std::size_t i) const { return u_[i] + h_[i] - approach_; }
     bool overlaps(std::size_t i) const;
     void take_multiple_of(std::span<const double> estimate);
@@ -64,7 +66,6 @@ class Norm {
     bool change_set(Check check, bool change_all);
     void clip();
     bool watch();
-    double f() const;
     void projected_gradient_step();
     double choose_step();
     void go_along_last_change();

@@ -1,11 +1,9 @@
 // NORM's contact set: what enters it, what leaves it, and what keeps it from changing for ever.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "contact/support/solver_support.hpp"
-#include "lanes.hpp"
 #include "norm.hpp"
 
 namespace contactd {
@@ -39,24 +37,17 @@ bool Norm::overlaps(std::size_t i) const {
     return gap(i) < -rounding * (std::abs(u_[i]) + std::abs(h_[i]) + std::abs(approach_));
 }
 
-double Norm::f() const {
-    const double *p = p_.data(), *u = u_.data(), *h = h_.data();
-    return sums<1>(n_, [=]<class T>(T, std::size_t i) {
-        return std::array<T, 1>{load<T>(p + i) * (0.5 * load<T>(u + i) + load<T>(h + i))};
-    })[0];
-}
-
 // Keeps the pressures of the lowest f. Removing pressures may raise f for a while; when it does so too often in a row,
 // a step that cannot raise f starts again from the best; returns false then.
 bool Norm::watch() {
-    double value = f();
+    double value = potential(state());
     bool keeps = true;
     if (value < best_f_) {
         failures_ = 0;
     } else if (++failures_ > patience) {
         failures_ = 0;
         projected_gradient_step();
-        value = f();
+        value = potential(state());
         keeps = false;
     } else {
         return true;
