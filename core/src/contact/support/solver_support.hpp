@@ -1,7 +1,6 @@
 // Small helpers the contact solvers share.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,13 +9,12 @@
 
 #include "contactd/error.hpp"
 #include "contactd/observer.hpp"
+#include "traction_loops.hpp"
 
 namespace contactd {
 
 inline double dot(std::span<const double> a, std::span<const double> b) {
-    using Vector = Eigen::Map<const Eigen::VectorXd>;
-    const auto size = static_cast<Eigen::Index>(a.size());
-    return Vector(a.data(), size).dot(Vector(b.data(), size));
+    return dot_product(a.size(), a.data(), b.data());
 }
 
 inline void require_size(std::span<const double> values, std::size_t size, const char* field) {
