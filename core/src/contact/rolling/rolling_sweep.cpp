@@ -51,6 +51,8 @@ RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const
         }
     for (const double value : stiffness_) diagonal_stiffness_.push_back(diagonal_ * value);
     links_ = offsets.size();
+    order_.reserve(m_);
+    ahead_.reserve(m_ * links_);
     std::vector<std::size_t> element_at(grid.size(), m_);
     for (std::size_t e = 0; e < m_; ++e) element_at[contact.elements[e]] = e;
     // Elements next to each other in the order do not wait for each other where particles go along an axis.

@@ -48,6 +48,9 @@ struct Contact {
     Field rigid;
 
     Contact(std::span<const double> g, std::span<const double> wx, std::span<const double> wy) {
+        const auto size = static_cast<std::size_t>(std::count_if(g.begin(), g.end(), [](double b) { return b > 0; }));
+        elements.reserve(size);
+        for (std::vector<double>* values : {&bound, &rigid.x, &rigid.y}) values->reserve(size);
         for (std::size_t i = 0; i < g.size(); ++i) {
             if (!(g[i] > 0)) continue;
             if (!elements.empty() && elements.back() + 1 == i)
