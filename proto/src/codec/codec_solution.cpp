@@ -84,19 +84,18 @@ void decode_totals(const json& result, ContactSolution& solution) {
 }
 
 /// What there is with friction only; a step that the request left out is told.
-json encode_friction_results(const ContactSolution& solution, const Grid& grid) {
-    json result = json::object();
+void add_friction_results(const ContactSolution& solution, const Grid& grid, json& result) {
     for (const auto& [name, value] : dissipation_of(solution))
         if (*value) result[name] = finite(**value, "What friction dissipates");
-    if (!solution.motion) return result;
+    if (!solution.motion) return;
+    json& motion = result["motion"];
     try {
-        result["motion"] = encode_motion(*solution.motion);
+        motion = encode_motion(*solution.motion);
     } catch (const InvalidArgument& error) {
         throw Error(error.what());  // found, not asked for
     }
     if (const auto* rolling = std::get_if<Rolling>(&*solution.motion))
-        result["motion"]["dq"] = finite(step_length(*rolling, grid), "friction.rolling.dq");
-    return result;
+        motion["dq"] = finite(step_length(*rolling, grid), "friction.rolling.dq");
 }
 
 }  // namespace
@@ -133,7 +132,7 @@ IcUses decode_uses(const json& source) {
 
 json encode_summary(const ContactSolution& solution, const Grid& grid) {
     json result = encode_totals(solution);
-    result.update(encode_friction_results(solution, grid));
+    add_friction_results(solution, grid, result);
     if (solution.derivatives) result["derivatives"] = encode_derivatives(*solution.derivatives);
     return result;
 }
