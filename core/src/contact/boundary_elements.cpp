@@ -30,11 +30,6 @@ void continue_with(SolverEvidence& evidence, const SolverEvidence& next) {
     evidence = {evidence.iterations + next.iterations, next.residual, next.converged, evidence.seconds + next.seconds};
 }
 
-// Pressures that miss a part of the contact may not carry them.
-bool has_forces_given(const ContactProblem& problem) {
-    return !std::visit([](const auto& motion) { return motion.force.empty(); }, problem.motion);
-}
-
 class BoundaryElements {
    public:
     BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
@@ -152,7 +147,8 @@ class BoundaryElements {
 
     NormalSolution solve_along_approach(Values& gap, const Values& estimate, const TurnTolerances& tolerances,
                                         Observer& observer) {
-        NormalTask task{gap, {}, tolerances.normal(), !tolerances.are_final() && !has_forces_given(problem_)};
+        // Pressures that miss a part of the contact may not carry a force that is prescribed.
+        NormalTask task{gap, {}, tolerances.normal(), !tolerances.are_final() && !prescribes_force(problem_.motion)};
         if (problem_.Fn) {
             task.pressure_sum = *problem_.Fn / problem_.grid.element_area();
         } else {

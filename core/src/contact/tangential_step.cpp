@@ -13,10 +13,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-bool prescribes_force(const Motion& motion) {
-    return std::visit([](const auto& m) { return !m.force.empty(); }, motion);
-}
-
 FrictionBodies friction_bodies(const ContactProblem& problem, const ContactInfluence& influence) {
     const auto [x, y] = step_of(problem);
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
@@ -24,6 +20,10 @@ FrictionBodies friction_bodies(const ContactProblem& problem, const ContactInflu
 }
 
 }  // namespace
+
+bool prescribes_force(const Motion& motion) {
+    return std::visit([](const auto& m) { return !m.force.empty(); }, motion);
+}
 
 TangentialStep::TangentialStep(const ContactProblem& problem, const ContactInfluence& influence)
     : problem_(problem),

@@ -21,6 +21,9 @@ struct Tractions {
     Field tangential;
 };
 
+/// Whether one or both components of the force are given.
+bool prescribes_force(const Motion& motion);
+
 class TangentialStep {
    public:
     /// `problem` has friction; both arguments outlive this.
