@@ -163,7 +163,6 @@ SolveReply Engine::solve(const ContactProblem& problem, const IcAnswers& ics, Ob
     reply.solution = solve_contact(problem, influence_of(problem, ics, influences_), observer);
     count(reply.solution);
     reply.ics = uses_of(problem, ics);
-    for (std::string& warning : table_warnings(problem, ics)) reply.solution.warnings.push_back(std::move(warning));
     return reply;
 }
 

@@ -86,12 +86,16 @@ ContactInfluence Engine::sections_influence(const ContactProblem& problem, const
         return fetch(body->spec, observer);
     };
     const auto key_of = [](const IcAnswer& answer, const std::optional<BodyColumns>& body) {
-        return body ? answer.key + " from " + std::to_string(body->first) : answer.key;
+        return body ? answer.cache_key() + " from " + std::to_string(body->first) : answer.cache_key();
     };
     const IcAnswer rail = table_of(columns.rail, "rail"), wheel = table_of(columns.wheel, "wheel");
     const std::string key = influence_key(problem, key_of(rail, columns.rail), key_of(wheel, columns.wheel));
-    return influences_.of(
-        key, [&] { return contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get()); });
+    return influences_.of(key, [&] {
+        ContactInfluence influence =
+            contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get());
+        influence.warnings = table_warnings({wheel, rail});
+        return influence;
+    });
 }
 
 ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchColumns& columns,

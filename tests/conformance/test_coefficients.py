@@ -50,15 +50,18 @@ def test_an_export_travels_in_the_answer(peer):
     assert peer.ask("ic.export", {**TABLE, "format": "contact"}).result["text"].count("\n") > 4 * 6
 
 
-def test_a_file_of_an_export_is_imported_and_a_damaged_one_refused(peer, start):
-    exported = peer.ask("ic.export", {**QUICK_BUILD, "format": "hdf5"})
-    listed = exported.array(exported.result["file"]).tolist()
+def test_what_a_file_holds_is_imported_and_wrong_numbers_are_refused(peer, start):
+    exported = peer.ask("ic.export", {**QUICK_BUILD, "format": "contents"})
+    attributes, datasets = exported.result["attributes"], exported.result["datasets"]
+    table = exported.array(datasets["influence_coefficients"])
     with start(builds={"program": "/bin/false"}).peer() as other:
-        imported = other.ask("ic.import", {"file": listed}).result
+        wrong = {"attributes": attributes, "datasets": {"influence_coefficients": (1.5 * table).tolist()}}
+        reply = other.ask("ic.import", wrong)
+        assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "FIELD_INVALID", ["datasets"])
+        imported = other.ask("ic.import", {"attributes": attributes, "datasets": datasets}, *exported.frames).result
         assert (imported["new"], imported["ics"]["origin"]) == (True, "file")
+        assert imported["ics"]["evidence"]["imported"]
         assert other.ask("ic.get", QUICK_BUILD).result["key"] == imported["ics"]["key"]
-        reply = other.ask("ic.import", {"file": [*listed[:-1], listed[-1] ^ 1]})
-        assert (reply.code, reply.reason, reply.fields) == (INVALID_ARGUMENT, "FIELD_INVALID", ["file"])
 
 
 def test_a_builder_that_fails_is_reported(start):

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "../../core/src/store/ic_hdf5.hpp"
+#include "../../core/src/store/hdf5_image.hpp"
+#include "contactd/ic_contents.hpp"
 #include "input.hpp"
 
 using namespace contactd;
@@ -174,9 +175,9 @@ std::vector<unsigned char> edited(std::vector<unsigned char> image, Bytes& bytes
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     H5::Exception::dontPrint();
     Bytes bytes(data, size);
-    const std::vector<unsigned char> image = edited(to_hdf5(good_record(bytes.below(2) == 1)), bytes);
+    const std::vector<unsigned char> image = edited(to_hdf5(contents_of(good_record(bytes.below(2) == 1))), bytes);
     try {
-        const IcRecord record = from_hdf5(image);
+        const IcRecord record = record_from(from_hdf5(image));
         const auto whole = [&](const IcTable& table) {
             return table.nx == record.spec.nx && table.ny == record.spec.ny &&
                    table.values.size() == 9 * static_cast<std::size_t>(table.nx) * static_cast<std::size_t>(table.ny);
@@ -186,8 +187,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                       "tables have the extent that the spec says");
         for (const LoadCaseEvidence& load_case : record.evidence.load_cases)
             fuzz::require(!name_of(load_case.load).empty(), "a load has an axis");
-        (void)from_hdf5(to_hdf5(record));  // what was read can be written and read
-    } catch (const DamagedTable&) {
+        (void)record_from(from_hdf5(to_hdf5(contents_of(record))));  // what was read can be written and read
+    } catch (const StoreError&) {
     }
     return 0;
 }

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import struct
 import sys
@@ -229,13 +230,45 @@ def ic_contents() -> Iterator[bytes]:
         yield bytes([family, 0, 4 + family, 2, 0, 4, 3, 3, 2, 3, *struct.pack(">d", 1)])
 
 
+def ic_imports() -> Iterator[bytes]:
+    """The one coefficient under an element of a half-space, in closed form; a family of it; a prism of one column."""
+    errors = {f"evidence/error_{c}_{place}": 1e-3 for c in ("xx", "yy", "zz") for place in ("origin", "largest")}
+    numbers = {name: 0 for name in ("elements", "dofs", "processes", "errors_estimated")}
+    numbers |= {f"{stage}_seconds": 1.0 for stage in ("assembly", "setup", "solve", "total")}
+    evidence = {f"evidence/{name}": value for name, value in numbers.items()} | errors
+    evidence |= {"evidence/source": "fem", "evidence/version": "1", "evidence/scaled_error_xy": 1e-3, "evidence/scaled_error_xz": 1e-3}
+    spec = {"spec/source": "fem", "spec/load_shape": "constant", "spec/dy_over_dx": 1.0, "spec/accuracy": 0.01}
+    spec |= {"contactd_format": 2, **evidence}
+
+    def under(nu: float) -> np.ndarray[Any, Any]:
+        scale = 4 * math.log(1 + math.sqrt(2)) / (2 * math.pi)
+        return np.diag([scale * (1 - nu / 2)] * 2 + [scale * (1 - nu)])
+
+    def message_of(attributes: Any, **datasets: Any) -> bytes:
+        arrays = [np.asarray(array, dtype="<f8") for array in datasets.values()]
+        refer = {name: array(n, *a.shape) for n, (name, a) in enumerate(zip(datasets, arrays, strict=True), 1)}
+        return message({"attributes": attributes, "datasets": refer}, *(a.tobytes() for a in arrays))
+
+    one = {**spec, "spec/body": "half_space", "spec/any_nu": 0, "spec/nu": 0.28}
+    yield message_of(one, influence_coefficients=under(0.28).reshape(3, 3, 1, 1))
+    points = [0.0, 0.3, 0.3, 0.49]
+    family = np.stack([under(nu).reshape(3, 3, 1, 1) for nu in points])
+    several = {**spec, "spec/body": "half_space", "spec/any_nu": 1, "evidence/family_nu": points, "evidence/interpolation_error": 0.01}
+    yield message_of(several, influence_coefficients=family[0], influence_coefficients_family=family)
+    section = {"section_order": 4, "wavenumbers": 5} | {name: 1e-3 for name in ("section_error", "mesh_error", "wavenumber_error", "end_error", "reciprocity_defect")}
+    prism = {**one, "spec/body": "prism", "transform/xi0": 0.01, "transform/wavenumbers": [0.0, 0.1, 0.5, 2.0, 6.0]}
+    prism |= {f"evidence/{name}": value for name, value in section.items()}
+    slab = [8, 20.0, 40.0, 1, 0, 0]
+    yield message_of(prism, **{"spec/section": slab, "transform": [[2, 0, 2, 0, 0, 2]] * 5, "frames": [[0, 0, 0]]})
+
+
 def main() -> None:
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "json.dict").write_text(dictionary())
     kinds = {
         "request": requests, "session": sessions, "reply": replies, "array": arrays, "config": configurations,
-        "ic_file": ic_files, "ic_content": ic_contents, "profile_file": profile_files,
+        "ic_file": ic_files, "ic_content": ic_contents, "ic_import": ic_imports, "profile_file": profile_files,
     }  # fmt: skip
     for target, inputs in kinds.items():
         (folder / target).mkdir(exist_ok=True)

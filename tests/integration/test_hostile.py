@@ -229,7 +229,7 @@ REQUESTS = [
     ("job.cancel", {"job": "build-1"}),
     ("contact.subsurface", {"grid": TABLE["grid"], "nu": 0.3, "body": "lower", "pressure": [[1] * 4] * 4,
                             "points": [[0, 0, -1]]}),
-    ("ic.import", {"file": [1, 2, 3]}),
+    ("ic.import", {"attributes": {"spec/body": "half_space", "evidence/warnings": ["a"]}, "datasets": {"frames": [1, 2]}}),
     ("ic.list", {"after": "0" * 64}),
     ("ic.delete", {"key": "0" * 64}),
     ("contact.solve", SESSION),

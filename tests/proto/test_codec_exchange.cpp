@@ -4,6 +4,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/import_codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "wire.hpp"
 
@@ -195,7 +196,7 @@ TEST_CASE("An export is asked for like a table, with a format and perhaps a seco
 TEST_CASE("What a client asks an export for arrives", "[codec]") {
     const IcSpec spec = decode_ic_spec(wire::ic_params());
     for (const IcExport& wanted :
-         {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
+         {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, {}, FileFormat::contents}, IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
         const json params = encode_ic_export(wanted);
         CAPTURE(params.dump());
         CHECK_NOTHROW(check_params("ic.export", params));
@@ -249,4 +250,43 @@ TEST_CASE("Exports are answered with bytes or text", "[codec]") {
     json neither = text;
     neither.erase("text");
     CHECK_FALSE(violations_of("ic.export.result", neither).empty());
+}
+
+TEST_CASE("What a file holds travels in both encodings of arrays", "[codec]") {
+    FileContents contents;
+    contents.attributes = {{"contactd_format", 2LL},
+                           {"spec/nu", 0.25},
+                           {"spec/body", std::string("prism")},
+                           {"evidence/family_nu", std::vector<double>{0, 0.5}},
+                           {"evidence/warnings", std::vector<std::string>{"Mind the gap.", ""}}};
+    contents.datasets["transform"] = {{2, 3}, UnsetArray{1, 2, 3, 4, 5, 6}};
+    contents.datasets["spec/section"] = {{2}, UnsetArray{8, 0.5}};
+    const ArrayEncoding encoding = GENERATE(ArrayEncoding::frame, ArrayEncoding::list);
+    ArrayWriter arrays(encoding);
+    const json params = json::parse(dump(encode_file_contents(contents, arrays)));
+    CHECK_NOTHROW(check_params("ic.import", params));
+    const FileContents read = decode_file_contents(params, arrays.take_frames());
+    CHECK(read.attributes == contents.attributes);
+    CHECK(read.datasets.at("transform").shape == contents.datasets["transform"].shape);
+    CHECK(read.datasets.at("transform").values == contents.datasets["transform"].values);
+    CHECK(read.datasets.at("spec/section").values == contents.datasets["spec/section"].values);
+}
+
+TEST_CASE("What no file holds is refused by its path", "[codec]") {
+    const auto refused = [](const json& attributes, const json& datasets) {
+        const json params{{"attributes", attributes}, {"datasets", datasets}};
+        const auto status = wire::status_thrown_by([&] {
+            check_params("ic.import", params);
+            decode_file_contents(params, {});
+        });
+        return status ? status->message : "taken";
+    };
+    CHECK(refused(json::object(), json::object()) == "taken");
+    CHECK_THAT(refused({{"../secret", 1}}, json::object()), ContainsSubstring("../secret"));
+    CHECK_THAT(refused({{"a", {{"b", 1}}}}, json::object()), ContainsSubstring("attributes.a"));
+    CHECK_THAT(refused({{"a", {1, "b"}}}, json::object()), ContainsSubstring("attributes.a mixes"));
+    CHECK_THAT(refused({{"a", {"b", 1}}}, json::object()), ContainsSubstring("attributes.a mixes"));
+    CHECK_THAT(refused({{"a", true}}, json::object()), ContainsSubstring("attributes.a"));
+    CHECK_THAT(refused(json::object(), {{"frames", {{1, 2}, {3}}}}), ContainsSubstring("datasets.frames"));
+    CHECK_THAT(refused(json::object(), {{"frames", 1}}), ContainsSubstring("datasets.frames"));
 }

@@ -87,9 +87,16 @@ std::string Client::export_ic(const IcSpec& spec, FileFormat format, const std::
     return decoded([&] { return proto::decode_ic_file(reply.result, reply.frames); });
 }
 
-IcImport Client::import_ic(std::string_view file, const CallOptions& options) {
+FileContents Client::export_contents(const IcSpec& spec, const CallOptions& options) {
+    validate(spec);
+    const json params = proto::encode_ic_export({spec, {}, FileFormat::contents});
+    const Reply reply = impl_->call("ic.export", params, {}, options, wait_of(spec));
+    return decoded([&] { return proto::decode_file_contents(reply.result, reply.frames); });
+}
+
+IcImport Client::import_ic(const FileContents& contents, const CallOptions& options) {
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    json params = proto::encode_ic_import(file, arrays);
+    json params = proto::encode_file_contents(contents, arrays);
     const Reply reply = impl_->call("ic.import", std::move(params), arrays.take_frames(), options);
     return decoded([&] { return proto::decode_import_reply(reply.result); });
 }

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +11,8 @@ import click
 import numpy as np
 
 from contactd import AnalyticIcs, Client, FemIcs, Grid, IcTable, Material, TableIcs, load_table, save_table
-from contactd.hdf5 import stored_extent
+from contactd.file_contents import file_of
+from contactd.hdf5 import imported_contents, stored_extent
 from contactd.reading import read
 from contactd.saving import write_whole
 from contactd.solution import IcSpec
@@ -110,7 +110,8 @@ def send_files(client: Client, files: list[str]) -> list[dict[str, Any]]:
 
 
 def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
-    """Checks each file and copies it; it appears whole or not at all. Raises click.UsageError or TableFileError."""
+    """Checks each file, and writes what it holds to a file of our own, which appears whole or not at all. Raises
+    click.UsageError or TableFileError."""
     folder = Path(store)
     if not folder.is_dir():
         raise click.UsageError(f"--store {store} is no folder.")
@@ -120,12 +121,8 @@ def import_files(files: list[str], store: str) -> list[dict[str, Any]]:
         target = folder / file.name
         is_new = not target.exists()
         if is_new:
-            part = folder / f".{file.name}.{os.getpid()}.part"
-            try:
-                shutil.copyfile(file, part)
-                part.replace(target)
-            finally:
-                part.unlink(missing_ok=True)
+            content = file_of(imported_contents(file))
+            write_whole(target, lambda opened, content=content: opened.write(content))
         done.append({"key": key, "nx": nx, "ny": ny, "new": is_new})
     return done
 

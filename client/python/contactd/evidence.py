@@ -71,8 +71,8 @@ class ImportedIc:
 
     Attributes:
         spec: What the file is a table of; of a prism dx and nx mean nothing, any are served.
-        ics: The table that is served now: its origin is "file", or where the one was that the daemon had already.
-        new: Whether the table of the file was kept; a table that the daemon had already stays.
+        ics: The table that you are served now: its origin is "file", or "disk" where there was one already.
+        new: Whether the table of the file was kept; one that you were served already stays.
     """
 
     spec: IcSpec

@@ -1,9 +1,8 @@
-"""Reading contactd's IC files (docs/ic-tables.md). Needs h5py, which nothing else in this package does."""
+"""Tables of contactd's IC files (docs/ic-tables.md). Needs h5py, which nothing else in this package does."""
 
 from __future__ import annotations
 
-import hashlib
-import io
+import itertools
 import os
 from collections.abc import Callable
 from dataclasses import fields
@@ -12,17 +11,16 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from .errors import ContactdError, TableFileError
+from .errors import TableFileError
+from .file_contents import FileContents, contents_of
 from .grid import Grid
 from .ics import AnalyticIcs, FemIcs
 from .materials import Layer, LayeredBody, Material, RigidBody
 from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
 
-__all__ = ["read_hdf5", "stored_extent"]
+__all__ = ["import_params", "imported_contents", "read_hdf5", "stored_extent"]
 
-_USER_BLOCK = 512
-_DIGEST = b"sha256 of the bytes after this block: "
-_FORMAT = 2
+_IMPORTED = "This table was imported from a file"
 _MOST_ELEMENTS = 4_000_000  #: of any grid
 
 
@@ -40,43 +38,46 @@ def stored_extent(path: str | os.PathLike[str]) -> tuple[int, int]:
     return _read(path, _stored_extent)
 
 
-def _read(path: str | os.PathLike[str], read: Callable[[Any, str], T]) -> T:
+def import_params(content: bytes) -> dict[str, Any]:
+    """The parameters of ic.import for the content of a file. Raises TableFileError."""
+    contents = contents_of(content, "the file")
+    datasets: dict[str, Any] = dict(contents.datasets)
+    if "transform" in datasets:
+        datasets.pop("influence_coefficients", None)  # follows from the transform
+    return {"attributes": contents.attributes, "datasets": datasets}
+
+
+def imported_contents(path: str | os.PathLike[str]) -> FileContents:
+    """What a file of another store holds, for a store that did not make it: its evidence says so. Raises TableFileError."""
+    contents = contents_of(Path(path).read_bytes(), os.fspath(path))
+    warnings = contents.attributes.get("evidence/warnings", [])
+    if not isinstance(warnings, list):
+        raise TableFileError(f"{os.fspath(path)}: evidence/warnings is no list")
+    kept = [str(warning) for warning in warnings if not str(warning).startswith(_IMPORTED)]
+    sentence = f"{_IMPORTED}; that its numbers are those of its builder nobody has checked."
+    contents.attributes |= {"evidence/imported": 1, "evidence/warnings": [*kept, sentence]}
+    return contents
+
+
+def _read(path: str | os.PathLike[str], read: Callable[[FileContents, str], T]) -> T:
+    name = os.fspath(path)
+    contents = contents_of(Path(path).read_bytes(), name)
     try:
-        import h5py
-    except ImportError:
-        raise ContactdError(
-            "Reading HDF5 files needs the package h5py: pip install h5py, or on Debian python3-h5py. "
-            "Files .npz and .txt can be read without it."
-        ) from None
-    name, content = os.fspath(path), Path(path).read_bytes()
-    _check_digest(name, content)
-    try:
-        with h5py.File(io.BytesIO(content[_USER_BLOCK:]), "r") as file:
-            if _attributes(file).get("contactd_format") != _FORMAT:
-                raise TableFileError(f"{name} has another format than {_FORMAT}, which this version reads")
-            return read(file, name)
-    except (OSError, KeyError, ValueError, TypeError, IndexError, RuntimeError) as error:
+        return read(contents, name)
+    except (KeyError, ValueError, TypeError, IndexError) as error:
         if isinstance(error, TableFileError):
             raise
         raise TableFileError(f"{name} is no IC file that this version can read: {error}") from None
 
 
-def _check_digest(name: str, content: bytes) -> None:
-    _, mark, rest = content[:_USER_BLOCK].partition(_DIGEST)
-    if not mark or len(content) <= _USER_BLOCK:
-        raise TableFileError(f"{name} is no IC file of contactd, or its beginning is lost")
-    if hashlib.sha256(content[_USER_BLOCK:]).hexdigest().encode() != rest[:64]:
-        raise TableFileError(f"{name} is damaged: it does not match its digest")
-
-
-def _table(file: Any, name: str) -> IcTable:
-    spec, evidence = _attributes(file["spec"]), file["evidence"]
+def _table(file: FileContents, name: str) -> IcTable:
+    spec = file.at("spec")
     if spec.get("any_nu"):
         raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
     is_prism = spec.get("body") == "prism"
-    if is_prism and "influence_coefficients" not in file:
+    if is_prism and "influence_coefficients" not in file.datasets:
         raise TableFileError(f"{name} holds the transform of a prism; give it to a daemon (import_ic), which makes tables of it")
-    array = np.asarray(file["influence_coefficients"], dtype=np.float64)
+    array = file.datasets["influence_coefficients"]
     if array.ndim != 4 + is_prism or array.shape[:2] != (3, 3):
         rows = "ny, ny, nx" if is_prism else "ny, nx"
         raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, {rows}]")
@@ -85,28 +86,28 @@ def _table(file: Any, name: str) -> IcTable:
     frames = _frames(file, grid, name) if is_prism else None
     kind: type[Any] = FemIcs if spec["source"] == "fem" else AnalyticIcs
     ics = kind(**{f.name: spec[f.name] for f in fields(kind) if f.name in spec and f.name != "any_nu"})
-    layers = file["spec"].get("layers")
-    material = Material(spec.get("G", 1.0), spec["nu"]) if layers is None else _layered(_attributes(layers))
-    return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(evidence), frames)
+    is_layered = file.has("spec/layers")
+    material = _layered(file.at("spec/layers")) if is_layered else Material(spec.get("G", 1.0), spec["nu"])
+    return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(file), frames)
 
 
-def _stored_extent(file: Any, name: str) -> tuple[int, int]:
-    spec = _attributes(file["spec"])
+def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
+    spec = file.at("spec")
     if "dx" in spec:
         raise TableFileError(f"{name} is in mm^3/N, as ic.export writes it; a store's files are for dx = 1 and G = 1")
     if spec.get("body") != "prism":
-        ny, nx = file["influence_coefficients"].shape[2:]
+        ny, nx = file.datasets["influence_coefficients"].shape[2:]
         return ny, nx
-    transform, columns = np.asarray(file["transform"], dtype=np.float64), len(file["frames"])
+    transform, columns = file.datasets["transform"], len(file.datasets["frames"])
     pairs = 3 * columns * (3 * columns + 1) // 2
     if columns < 1 or transform.ndim != 2 or transform.shape[1] != pairs or not np.isfinite(transform).all():
         raise TableFileError(f"{name} holds no transform of {columns} columns: of {pairs} finite numbers for each wavenumber")
     return columns, _MOST_ELEMENTS // columns
 
 
-def _frames(file: Any, grid: Grid, name: str) -> Any:
+def _frames(file: FileContents, grid: Grid, name: str) -> Any:
     """Of a prism's columns; in the file their places are over the width of a column."""
-    frames = np.asarray(file["frames"], dtype=np.float64)
+    frames = file.datasets["frames"]
     if frames.shape != (grid.ny, 3):
         raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")
     return frames * [grid.dy, grid.dy, 1.0]
@@ -117,12 +118,13 @@ def _layered(said: dict[str, Any]) -> LayeredBody:
     return LayeredBody(layers, Material(said["base_G"], said["base_nu"]) if "base_G" in said else RigidBody())
 
 
-def _evidence(group: Any) -> IcEvidence:
-    said = _attributes(group)
+def _evidence(file: FileContents) -> IcEvidence:
+    said = file.at("evidence")
     is_built = said["elements"] > 0  # the file has a place for all the rest, too, of a table that was not
     stages = ("assembly", "setup", "solve", "total") if is_built else ()
-    cases = [_attributes(group[f"load_case_{n}"]) for n in range(sum(k.startswith("load_case_") for k in group))]
-    mesh = _attributes(group["mesh"]) if "mesh" in group else None
+    places = (f"evidence/load_case_{n}" for n in range(len(file.attributes)))
+    cases = [file.at(place) for place in itertools.takewhile(file.has, places)]
+    mesh = file.at("evidence/mesh") if file.has("evidence/mesh") else None
     return IcEvidence(
         source=said["source"],
         version=said["version"],
@@ -150,6 +152,7 @@ def _evidence(group: Any) -> IcEvidence:
         interpolation_error=said.get("interpolation_error"),
         modelling_error=said.get("modelling_error"),
         section=_section(said),
+        imported=bool(said.get("imported", 0)),
     )
 
 
@@ -165,8 +168,3 @@ def _errors(said: dict[str, Any]) -> IcErrors | None:
         return None
     xx, yy, zz = (ComponentError(said[f"error_{c}_origin"], said[f"error_{c}_largest"]) for c in ("xx", "yy", "zz"))
     return IcErrors(xx, yy, zz, said["scaled_error_xy"], said["scaled_error_xz"])
-
-
-def _attributes(at: Any) -> dict[str, Any]:
-    """Attributes as plain values of Python; lists as lists."""
-    return {name: value.tolist() if hasattr(value, "tolist") else value for name, value in at.attrs.items()}

@@ -131,6 +131,7 @@ class IcEvidence:
         section: Of a prism by finite elements.
         modelling_error: Of a block: how far a load in the corner of the elements is from the table, which is that of one
             in the middle; in the measures of `FemIcs.accuracy`.
+        imported: Somebody has imported the table: all of this is the importer's word.
     """
 
     source: str
@@ -149,6 +150,7 @@ class IcEvidence:
     interpolation_error: float | None = None
     section: SectionEvidence | None = None
     modelling_error: float | None = None
+    imported: bool = False
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from ._version import __version__
 from .errors import ContactdError, SavedFileError
+from .hdf5_checks import has_own_data, own_members
 from .plain_values import HasDict, from_dict, to_dict
 
 __all__ = ["Saved", "load", "save", "write_whole"]
@@ -20,6 +21,7 @@ PathLike = str | os.PathLike[str]
 V = TypeVar("V", bound="Saved")
 _FORMAT = 1
 _GROUP = "contactd_group"  #: whether a group is a mapping or a sequence
+_LARGEST_GAIN = 1100  #: of gzip, which packs no more than 1032 bytes into one
 _MOST_IN_ATTRIBUTE = 256  #: numbers; HDF5 takes 64 KiB
 
 
@@ -49,7 +51,9 @@ def load(path: PathLike) -> Any:
             if (found := file.attrs.get("contactd_saved")) != _FORMAT:
                 other = "of contactd's problems and solutions" if found is None else f"of format {_FORMAT} but {found}"
                 raise SavedFileError(f"{name} is no file {other}; Client.export_ic's are read by load_table")
-            return from_dict(_read(file["value"]))
+            if not isinstance(file.get("value", getlink=True), h5py.HardLink):
+                raise SavedFileError(f"{name} has its value somewhere else; save() writes files that have all in them")
+            return from_dict(_read(file["value"], _LARGEST_GAIN * len(content)))
     except (OSError, KeyError, ValueError, RuntimeError) as error:
         if isinstance(error, SavedFileError):
             raise
@@ -129,10 +133,17 @@ def _as_array(items: list[Any]) -> Any:
         return None  # lists of different lengths
 
 
-def _read(group: Any) -> Any:
+def _read(group: Any, most_bytes: int) -> Any:
+    """Refuses data that lie in other files, or that the file cannot have packed."""
+    h5py = _h5py()
     found = {name: _of_attribute(value) for name, value in group.attrs.items() if name != _GROUP}
-    for name, member in group.items():
-        found[name] = _read(member) if hasattr(member, "keys") else member[()]
+    for name, member in own_members(h5py, group):
+        if isinstance(member, h5py.Group):
+            found[name] = _read(member, most_bytes)
+        elif not has_own_data(h5py, member) or member.nbytes > most_bytes:
+            raise ValueError(f"{name} keeps its data in other files, or is larger than this file can have packed")
+        else:
+            found[name] = member[()]
     if group.attrs[_GROUP] == "sequence":
         return [found[str(number)] for number in range(len(found))]
     for array in found.values():

@@ -1,6 +1,5 @@
 #include "ic_import.hpp"
 
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -10,35 +9,38 @@
 namespace contactd::engine {
 namespace {
 
-constexpr std::string_view imported_warning = "This table was imported from a file";
+constexpr std::string_view imported_sentence = "This table was imported from a file";
 
 /// A table may go round several daemons.
-void note_import(std::vector<std::string>& warnings) {
-    std::erase_if(warnings, [](const std::string& warning) { return warning.starts_with(imported_warning); });
-    warnings.push_back(std::string(imported_warning) +
-                       "; that its numbers are those of its builder nobody has checked.");
+void note_import(IcEvidence& evidence) {
+    evidence.imported = true;
+    std::erase_if(evidence.warnings,
+                  [](const std::string& warning) { return warning.starts_with(imported_sentence); });
+    evidence.warnings.push_back(std::string(imported_sentence) +
+                                "; that its numbers are those of its builder nobody has checked.");
 }
 
 }  // namespace
 
-IcImport import_table(IcRecord imported, IcService& tables, Counters& counters) {
+std::string imported_warning(const std::string& key) {
+    return "The influence coefficients " + key.substr(0, 12) +
+           "... were imported from a file: that they are right is the word of whoever has imported them.";
+}
+
+IcImport import_table(IcRecord imported, IcService& tables, const std::string& user, Counters& counters,
+                      const Observer& observer) {
     IcImport result{imported.spec, {"disk", ic_key(imported.spec), {}}, false};
-    IcRecord record = stored_record(std::move(imported));
-    const IcStore& store = tables.store();
-    if (const auto known = store.find(record.spec)) {
+    IcRecord record = stored_record(std::move(imported), observer);
+    if (const auto known = tables.stored_for(record.spec, user)) {
         result.use.evidence = known->evidence;
         return result;
     }
-    note_import(record.evidence.warnings);
-    if (const std::string problem = store.problem(); !problem.empty()) throw StoreError(problem);
-    tables.forget(result.use.key);  // builds that failed do not matter any more
-    const auto [nx, ny] = extent_of(record.tables);
-    write_ic_file(store.path_of(result.use.key, nx, ny), record);
-    store.remove_covered_by(record.spec);
-    count_store(counters, store.folder());
+    note_import(record.evidence);
     result.use.origin = "file";
-    result.use.evidence = std::move(record.evidence);
+    result.use.evidence = record.evidence;
     result.is_new = true;
+    tables.keep_imported(std::move(record), user);
+    count_store(counters, tables.store().folder());
     return result;
 }
 

@@ -1,14 +1,21 @@
-// Tables that come as files.
+// Tables that somebody has brought.
 #pragma once
 
+#include <string>
+
 #include "contactd/ic_import.hpp"
+#include "contactd/observer.hpp"
+#include "engine/operation/counters.hpp"
 #include "ic_service.hpp"
 
 namespace contactd::engine {
 
-/// Keeps the record of an IC file (from_ic_file) in the store as if it had been built here, with a warning that it was
-/// not. A table that is there already stays. Throws InvalidArgument ("file") as stored_record, StoreError when the
-/// store cannot be written to.
-IcImport import_table(IcRecord record, IcService& tables, Counters& counters);
+/// What every solution says that a table with this key has been used for.
+std::string imported_warning(const std::string& key);
+
+/// Keeps the record of an IC file in the store as the word of `user`. What this user is served already stays. Throws
+/// InvalidArgument ("datasets") for what stored_record() refuses, StoreError and Cancelled.
+IcImport import_table(IcRecord record, IcService& tables, const std::string& user, Counters& counters,
+                      const Observer& observer);
 
 }  // namespace contactd::engine

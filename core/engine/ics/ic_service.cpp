@@ -77,6 +77,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         ++counters_.closed_form;
         return answer(caller, key, std::move(record), "closed_form");
     }
+    if (answer_imported(spec, key, caller)) return;
     (void)column_frames(spec);  // tells of a bad section in the lengths of the request; what is built has columns of 1
     bool opened = false;
     const RequestPtr request = join_or_open(spec, key, caller, opened);
@@ -84,7 +85,31 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
 }
 
 void IcService::answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin) {
-    caller.done({std::move(record), key, origin});
+    caller.done({std::move(record), key, origin, {}});
+}
+
+TableOwner IcService::owner_of(const std::string& user) const {
+    return settings_.shares_imported_tables ? TableOwner() : user;
+}
+
+/// Whatever the daemon has built itself comes before what the caller has brought.
+bool IcService::answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller) {
+    const TableOwner owner = owner_of(caller.turn.user);
+    if (owner.empty() || keeper_.may_have(spec, {})) return false;
+    IcAnswer found{nullptr, key, "memory", owner};
+    found.record = cache_.find(found.cache_key(), spec.nx, spec.ny);
+    if (found.record) {
+        ++counters_.memory_hits;
+    } else if (auto stored = keeper_.find(spec, owner)) {
+        ++counters_.disk_hits;
+        found.origin = "disk";
+        found.record = std::make_shared<const IcRecord>(std::move(*stored));
+        cache_.insert(found.cache_key(), found.record);
+    }
+    if (!found.record) return false;
+    keeper_.note_use(key, *found.record, owner);
+    caller.done(found);
+    return true;
 }
 
 IcService::RequestPtr IcService::join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller,
@@ -168,10 +193,36 @@ std::vector<std::string> IcService::keys_in_flight() {
     return keys;
 }
 
-IcService::Forgotten IcService::forget(const std::string& key) {
-    Forgotten forgotten{keeper_.remove(key), quarantine_.forget(key)};
+IcService::Forgotten IcService::forget(const std::string& key, const std::string& user) {
+    const TableOwner owner = owner_of(user);
+    Forgotten forgotten{keeper_.remove(key, owner), quarantine_.forget(key)};
     cache_.remove(key);
+    cache_.remove(IcAnswer{nullptr, key, "", owner}.cache_key());
     return forgotten;
+}
+
+std::vector<StoredTable> IcService::stored(const std::string& user) const {
+    std::vector<StoredTable> tables = store().list();
+    std::erase_if(tables, [&](const StoredTable& table) { return !table.owner.empty() && table.owner != user; });
+    return tables;
+}
+
+std::optional<IcRecord> IcService::stored_for(const IcSpec& spec, const std::string& user) {
+    if (auto built = keeper_.find(spec)) return built;
+    const TableOwner owner = owner_of(user);
+    return owner.empty() ? std::nullopt : keeper_.find(spec, owner);
+}
+
+void IcService::keep_imported(IcRecord record, const std::string& user) {
+    if (const std::string problem = store().problem(); !problem.empty()) throw StoreError(problem);
+    const TableOwner owner = owner_of(user);
+    const std::string key = ic_key(record.spec);
+    const IcAnswer answer{std::make_shared<const IcRecord>(std::move(record)), key, "file", owner};
+    if (owner.empty()) quarantine_.forget(key);  // builds that failed do not matter any more
+    const auto [nx, ny] = extent_of(answer.record->tables);
+    write_ic_file(store().path_to_write(key, nx, ny, owner), *answer.record);
+    keeper_.note_stored(answer.record->spec, keys_in_flight(), owner);
+    cache_.insert(answer.cache_key(), answer.record);
 }
 
 void IcService::stop(const Status& status) {

@@ -26,6 +26,10 @@ struct IcAnswer {
     std::shared_ptr<const IcRecord> record;
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
+    TableOwner owner{};  ///< who has brought the table, if it serves its owner only
+
+    /// What caches know the table by.
+    std::string cache_key() const { return owner.empty() ? key : key + " of " + owner; }
 };
 
 /// As contactd::validate, but what is wrong with the material is wrong with the body that `name` names on the wire.
@@ -49,6 +53,7 @@ class IcService {
         std::size_t memory_budget_bytes = 0;  ///< of tables in memory, and of those that wait for the disk
         std::uintmax_t disk_budget_bytes = 0;
         BuildQuarantine::Settings quarantine = {};
+        bool shares_imported_tables = false;  ///< serves everybody what somebody has imported
         LogSink log = {};
     };
 
@@ -61,6 +66,12 @@ class IcService {
     /// Tells the callers that do not wait any more to let go of what they hold; what they wanted is built all the same.
     void drop_abandoned();
 
+    /// Takes a table that `user` has brought, a record of stored_record() that has nothing in its place: for the user
+    /// only, or for everybody where imported tables are shared. Throws StoreError.
+    void keep_imported(IcRecord record, const std::string& user);
+    /// The table that would serve this user without a build, from disk; nothing when none would.
+    std::optional<IcRecord> stored_for(const IcSpec& spec, const std::string& user);
+
     /// Ends running builds; their callers get `status`. No build starts afterwards.
     void stop(const proto::Status& status);
 
@@ -68,8 +79,11 @@ class IcService {
         int tables = 0;
         bool failures = false;
     };
-    /// Removes the tables of a key from disk and memory, and forgets that its builds failed. Throws StoreError.
-    Forgotten forget(const std::string& key);
+    /// Removes the tables of a key from disk and memory, those that other users than this one have brought excepted,
+    /// and forgets that its builds failed. Throws StoreError.
+    Forgotten forget(const std::string& key, const std::string& user);
+    /// Every file of the store that this user is served from. Throws StoreError.
+    std::vector<StoredTable> stored(const std::string& user) const;
 
     const IcStore& store() const { return keeper_.store(); }
     std::vector<BuildQuarantine::Entry> quarantined() { return quarantine_.entries(); }
@@ -84,6 +98,8 @@ class IcService {
     using RequestPtr = std::shared_ptr<RequestInFlight>;
 
     void answer(const IcCaller& caller, const std::string& key, IcCache::Record record, const char* origin);
+    TableOwner owner_of(const std::string& user) const;
+    bool answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller);
     RequestPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
     void look_up(const RequestPtr& request);
     bool queue_build(const RequestPtr& request);

@@ -163,7 +163,7 @@ void IcService::wait_for_turn(const RequestPtr& request, TableLock& lock) {
 }
 
 IcCache::Record IcService::run_build(const RequestPtr& request, const TableLock& lock) {
-    const auto output = keeper_.store().path_of(request->spec);
+    const auto output = keeper_.store().path_to_write(request->key, request->spec.nx, request->spec.ny);
     auto next_sign = std::chrono::steady_clock::now();
     const auto give_sign = [&] {
         if (std::chrono::steady_clock::now() < next_sign) return;

@@ -5,6 +5,7 @@
 
 #include "contactd/ic_exchange.hpp"
 #include "contactd/version.hpp"
+#include "ic_import.hpp"
 
 namespace contactd::engine {
 namespace {
@@ -69,11 +70,13 @@ ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ic
     if (problem.model != Model::full) return {};
     if (bodies.pair) return make_influence(problem, bodies.pair->table);
     const auto make = [&] {
-        return make_influence(problem, table_of(problem, bodies.upper, ics[0]),
-                              table_of(problem, bodies.lower, ics[1]));
+        ContactInfluence influence = make_influence(problem, table_of(problem, bodies.upper, ics[0]),
+                                                    table_of(problem, bodies.lower, ics[1]));
+        influence.warnings = table_warnings(ics);
+        return influence;
     };
     if (bodies.any_given()) return make();
-    return cache.of(influence_key(problem, ics[0].key, ics[1].key), make);
+    return cache.of(influence_key(problem, ics[0].cache_key(), ics[1].cache_key()), make);
 }
 
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
@@ -88,13 +91,18 @@ IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics) {
     return uses;
 }
 
-std::vector<std::string> table_warnings(const ContactSetup& setup, const IcAnswers& ics) {
+std::vector<std::string> table_warnings(const IcAnswers& ics) {
     std::vector<std::string> result;
-    if (!needs_tables(setup)) return result;
+    const auto add = [&](std::string warning) {
+        if (std::ranges::find(result, warning) == result.end()) result.push_back(std::move(warning));
+    };
     for (const IcAnswer& answer : ics) {
-        if (!answer.record || !answer.record->evidence.modelling_error) continue;
-        for (std::string& warning : modelling_warnings(answer.record->spec, *answer.record->evidence.modelling_error))
-            if (std::ranges::find(result, warning) == result.end()) result.push_back(std::move(warning));
+        if (!answer.record) continue;
+        const IcEvidence& evidence = answer.record->evidence;
+        if (evidence.imported) add(imported_warning(answer.key));
+        if (!evidence.modelling_error) continue;
+        for (std::string& warning : modelling_warnings(answer.record->spec, *evidence.modelling_error))
+            add(std::move(warning));
     }
     return result;
 }

@@ -31,7 +31,7 @@ ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ic
 /// Where the coefficients came from.
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
 
-/// What a user of a solution should know of its tables: sentences, none when all is well.
-std::vector<std::string> table_warnings(const ContactSetup& setup, const IcAnswers& ics);
+/// What whoever uses a solution should know of the tables behind it: sentences, none when all is well.
+std::vector<std::string> table_warnings(const IcAnswers& ics);
 
 }  // namespace contactd::engine

@@ -6,7 +6,7 @@
 namespace contactd::engine {
 
 WorkerPool::WorkerPool(int threads, std::chrono::microseconds spin)
-    : most_(static_cast<std::size_t>(threads)), spin_(spin) {
+    : most_(static_cast<std::size_t>(threads)), most_large_(std::max(1, threads - 1)), spin_(spin) {
     threads_.reserve(most_);
 }
 
@@ -20,7 +20,7 @@ void WorkerPool::post(Turn turn, Task task) {
         if (stopping_) return;
         auto& users = levels_[static_cast<std::size_t>(turn.priority)].users;
         auto& client = line_of(line_of(users, std::move(turn.user)).parts, std::move(turn.client));
-        client.parts.push_back({std::move(task), std::move(turn.abandoned)});
+        client.parts.push_back({std::move(task), std::move(turn.abandoned), turn.is_large});
         ++waiting_;
         const std::size_t wanted = static_cast<std::size_t>(running_ + waiting_);
         if (threads_.size() < std::min(wanted, most_)) threads_.emplace_back([this] { work(); });
@@ -69,8 +69,20 @@ int WorkerPool::running() const {
     return running_;
 }
 
+bool WorkerPool::may_begin(const User& user) const {
+    return std::ranges::any_of(user.parts, [this](const Client& client) { return may_begin(client); });
+}
+
+bool WorkerPool::may_begin(const Level& level) const {
+    return std::ranges::any_of(level.users, [this](const User& user) { return may_begin(user); });
+}
+
+bool WorkerPool::any_may_begin() const {
+    return std::ranges::any_of(levels_, [this](const Level& level) { return may_begin(level); });
+}
+
 WorkerPool::Level& WorkerPool::next_level() {
-    const auto has_tasks = [](const Level& level) { return !level.users.empty(); };
+    const auto has_tasks = [this](const Level& level) { return may_begin(level); };
     // Of several that have waited long enough the lowest first: it has waited longest.
     const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
         return has_tasks(level) && level.passed_over >= patience;
@@ -89,23 +101,24 @@ WorkerPool::Line<Part>& WorkerPool::line_of(std::deque<Line<Part>>& lines, std::
     return found != lines.end() ? *found : lines.emplace_back(Line<Part>{std::move(name), {}});
 }
 
-/// A task from the line at the front, which then goes behind all others.
+/// A task from the first line that has one which may begin; the line then goes behind all others.
 template <class Part, class Take>
-WorkerPool::Task WorkerPool::take_in_turn(std::deque<Line<Part>>& lines, const Take& take) {
-    Line<Part> line = std::move(lines.front());
-    lines.pop_front();
-    Task task = take(line.parts);
+WorkerPool::Waiting WorkerPool::take_in_turn(std::deque<Line<Part>>& lines, const Take& take) const {
+    const auto next = std::ranges::find_if(lines, [this](const Line<Part>& line) { return may_begin(line); });
+    Line<Part> line = std::move(*next);
+    lines.erase(next);
+    Waiting task = take(line.parts);
     if (!line.parts.empty()) lines.push_back(std::move(line));
     return task;
 }
 
-WorkerPool::Task WorkerPool::take_next() {
+WorkerPool::Waiting WorkerPool::take_next() {
     const auto first = [](std::deque<Waiting>& tasks) {
-        Task task = std::move(tasks.front().task);
+        Waiting task = std::move(tasks.front());
         tasks.pop_front();
         return task;
     };
-    Task task =
+    Waiting task =
         take_in_turn(next_level().users, [&](std::deque<Client>& clients) { return take_in_turn(clients, first); });
     --waiting_;
     return task;
@@ -119,15 +132,19 @@ void WorkerPool::spin() const {
 void WorkerPool::work() {
     std::unique_lock lock(mutex_);
     for (;;) {
-        changed_.wait(lock, [this] { return stopping_ || waiting_ > 0; });
+        changed_.wait(lock, [this] { return stopping_ || any_may_begin(); });
         if (stopping_) return;
-        Task task = take_next();
+        Waiting next = take_next();
+        const bool is_large = next.is_large;
         ++running_;
+        running_large_ += is_large;
         lock.unlock();
-        task();
-        task = nullptr;  // what it holds goes before the thread counts as idle
+        next.task();
+        next = {};  // what it holds goes before the thread counts as idle
         lock.lock();
         --running_;
+        running_large_ -= is_large;
+        if (is_large && waiting_ > 0) changed_.notify_one();  // another large one may begin now
         if (spin_.count() == 0 || waiting_ > 0) continue;
         lock.unlock();
         spin();

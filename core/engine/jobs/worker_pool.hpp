@@ -22,10 +22,13 @@ struct Turn {
     proto::Priority priority = proto::Priority::normal;
     std::function<bool()> abandoned{};  ///< nobody waits for the task any more; asked under the pool's lock
     std::string user{};                 ///< who has the client, which may be one of many
+    bool is_large = false;              ///< takes so long that a thread must stay free of its kind
 };
 
 /// Tasks of a higher priority go first, within a priority one task of each user in turn, and of a user one of each
-/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next.
+/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next. Large
+/// tasks never have all threads, where there is more than one: a small one waits behind other small ones only. Tasks of
+/// one client begin in the order in which they came.
 class WorkerPool {
    public:
     using Task = std::function<void()>;  ///< must not throw
@@ -49,6 +52,7 @@ class WorkerPool {
     struct Waiting {
         Task task;
         std::function<bool()> abandoned;
+        bool is_large;
     };
     template <class Part>
     struct Line {
@@ -66,20 +70,26 @@ class WorkerPool {
     template <class Part>
     static Line<Part>& line_of(std::deque<Line<Part>>& lines, std::string name);
     template <class Part, class Take>
-    static Task take_in_turn(std::deque<Line<Part>>& lines, const Take& take);
+    Waiting take_in_turn(std::deque<Line<Part>>& lines, const Take& take) const;
 
+    bool may_begin(const Waiting& task) const { return !task.is_large || running_large_ < most_large_; }
+    bool may_begin(const Client& client) const { return may_begin(client.parts.front()); }
+    bool may_begin(const User& user) const;
+    bool may_begin(const Level& level) const;
+    bool any_may_begin() const;
     void work();
     void spin() const;
     Level& next_level();
-    Task take_next();
+    Waiting take_next();
 
     const std::size_t most_;  // threads
+    const int most_large_;    // of large tasks at a time
     const std::chrono::microseconds spin_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     Levels levels_;
     std::atomic<int> waiting_ = 0;  // changed under the lock, as stopping_
-    int running_ = 0;
+    int running_ = 0, running_large_ = 0;
     std::atomic<bool> stopping_ = false;
     std::vector<std::jthread> threads_;  // added to under the lock
 };

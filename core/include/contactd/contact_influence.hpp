@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "contactd/contact.hpp"
 #include "contactd/ic_record.hpp"
@@ -16,6 +18,8 @@ struct ContactInfluence {
     std::shared_ptr<const InfluenceOperator> here;  ///< displacements at the elements
     /// Of rolling: by how much they differ from those one step ahead; null otherwise.
     std::shared_ptr<const StepOperator> change;
+    /// What whoever uses a solution should know of the tables behind the operators: sentences.
+    std::vector<std::string> warnings{};
 
     std::size_t bytes() const;  ///< about what they take in memory
 };

@@ -32,9 +32,9 @@ struct IcUses {
     std::optional<IcUse> pair{};            ///< instead of these, when the request held those of both together
 };
 
-/// Of ic.export: the file of one body that the store holds (docs/ic-tables.md), or the text that the CONTACT program
-/// reads, of a pair of bodies.
-enum class FileFormat { hdf5, contact };
+/// What ic.export answers: the file of one body that the store holds (docs/ic-tables.md), the same taken apart into
+/// what ic.import takes, or the text that the CONTACT program reads, of a pair of bodies.
+enum class FileFormat { hdf5, contents, contact };
 
 struct IcExport {
     IcSpec spec;

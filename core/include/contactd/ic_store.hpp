@@ -1,4 +1,4 @@
-// The IC store: a folder with one HDF5 file per dimensionless table.
+// The IC store: a folder with one HDF5 file per dimensionless table. Links, FIFOs and devices in it are passed over.
 #pragma once
 
 #include <cstdint>
@@ -34,19 +34,31 @@ class DamagedTable : public StoreError {
     using StoreError::StoreError;
 };
 
+/// A file was written by a version that knows more than this one, which leaves it alone.
+class NewerFormat : public StoreError {
+   public:
+    using StoreError::StoreError;
+};
+
 /// Reads a file, checking its digest before HDF5 sees a byte. Throws DamagedTable when the content is not that of an IC
-/// file written by write_ic_file, StoreError when the file cannot be read at all.
+/// file written by write_ic_file, NewerFormat, and StoreError when the file cannot be read at all, or is a link or
+/// anything else but a regular file.
 IcRecord read_ic_file(const std::filesystem::path& path);
-/// The same of the content of a file; `path` is for the words of the exception.
+/// Reads the content of a file; `path` is for the words of the exception.
 IcRecord from_ic_file(std::span<const unsigned char> bytes, const std::filesystem::path& path);
 
 /// Why no file can be made in the folder, in the system's words, found out by making one; empty when one can.
 std::string cannot_write(const std::filesystem::path& folder);
 
+/// Who has brought a table: empty of those that contactd built itself, which serve everybody. In the names of files
+/// other characters than letters, digits, - and _ stand as = and their two hexadecimal digits.
+using TableOwner = std::string;
+
 /// A file of the store.
 struct StoredTable {
     std::filesystem::path path;
     std::string key;
+    TableOwner owner;
     int nx = 0;
     int ny = 0;
     std::uintmax_t bytes = 0;
@@ -63,19 +75,24 @@ class IcStore {
     /// written to is good for what is in it.
     IcStore(std::filesystem::path folder, Report report);
 
-    /// The smallest stored table with the key of `spec` that covers its extent, or nothing. A file that fails its check
-    /// is moved to `quarantine/`, reported, and not considered again; one that cannot be read is reported and passed
-    /// over. Throws StoreError when the folder itself cannot be read.
-    std::optional<IcRecord> find(const IcSpec& spec) const;
+    /// The smallest stored table of the owner with the key of `spec` that covers its extent, or nothing. A file that
+    /// fails its check is moved to `quarantine/`, reported, and not considered again; one that cannot be read, or was
+    /// written by a newer version, is reported and passed over. Throws StoreError when the folder itself cannot be read.
+    std::optional<IcRecord> find(const IcSpec& spec, const TableOwner& owner = {}) const;
+    /// Whether there is a file by a name that find() would look into.
+    bool may_have(const IcSpec& spec, const TableOwner& owner = {}) const;
 
-    /// Where the table of `spec` belongs: <key>.<nx>x<ny>.h5.
+    /// Where the table of `spec` belongs: <key>.<nx>x<ny>.h5, of an owner <key>.<nx>x<ny>.by-<owner>.h5.
     std::filesystem::path path_of(const IcSpec& spec) const;
-    std::filesystem::path path_of(const std::string& key, int nx, int ny) const;
+    std::filesystem::path path_of(const std::string& key, int nx, int ny, const TableOwner& owner = {}) const;
+    /// The same, or where a newer version keeps a file of its own under this name, <key>.<nx>x<ny>.format<n>.h5, of the
+    /// format n of this version. Looks into the file.
+    std::filesystem::path path_to_write(const std::string& key, int nx, int ny, const TableOwner& owner = {}) const;
     /// The file that says that somebody builds a table with this key.
     std::filesystem::path lock_of(const std::string& key) const { return folder_ / (key + ".lock"); }
 
-    /// Removes tables that the one of `spec` covers, itself excepted.
-    void remove_covered_by(const IcSpec& spec) const;
+    /// Removes tables of the owner that the one of `spec` covers, itself and those of newer versions excepted.
+    void remove_covered_by(const IcSpec& spec, const TableOwner& owner = {}) const;
 
     using Time = std::filesystem::file_time_type;
     /// Marks a table as used at that time, for evict, unless it was used later. find() does so by itself.
@@ -90,8 +107,9 @@ class IcStore {
     /// Every table, by name. Throws StoreError when the folder cannot be read.
     std::vector<StoredTable> list() const;
 
-    /// Removes the tables of a key; returns how many. Throws StoreError when one cannot be removed.
-    int remove(const std::string& key) const;
+    /// Removes the tables of a key that nobody has brought, or that `owner` has; returns how many. Throws StoreError
+    /// when one cannot be removed.
+    int remove(const std::string& key, const TableOwner& owner = {}) const;
 
     /// Makes the folder again when somebody removed it. What keeps it from being written to, as a sentence, or nothing.
     std::string problem() const;

@@ -133,6 +133,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
     take_friction_losses(problem, solution);
     solution.evidence.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());
     warn(problem, solution);
+    solution.warnings.insert(solution.warnings.end(), influence.warnings.begin(), influence.warnings.end());
     return solution;
 }
 

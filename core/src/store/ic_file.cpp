@@ -8,14 +8,16 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "contactd/ic_contents.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/ic_store.hpp"
-#include "ic_hdf5.hpp"
+#include "hdf5_image.hpp"
 #include "sha256.hpp"
 #include "writer.hpp"
 
@@ -26,8 +28,10 @@ namespace fs = std::filesystem;
 using Bytes = std::span<const unsigned char>;
 
 constexpr std::size_t header_size = 512;  // the smallest user block HDF5 skips
+constexpr std::string_view any_magic = "contactd ic table, format ";
 constexpr std::string_view magic = "contactd ic table, format 1, sha256 of the bytes after this block: ";
 constexpr std::size_t digest_size = 64;
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // several times the largest that is built
 
 [[noreturn]] void fail(const char* doing, const fs::path& path) {
     throw StoreError(std::string("Cannot ") + doing + " " + path.string() + ": " + std::strerror(errno) + ".");
@@ -58,10 +62,14 @@ void write_all(const File& file, Bytes bytes, const fs::path& path) {
     }
 }
 
+/// A name may lead anywhere: links are not followed, and what is no file is neither waited for nor read.
 std::vector<unsigned char> read_all(const fs::path& path) {
-    const File file(path, O_RDONLY);
+    const File file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
     struct stat status;
     if (!file.is_open() || ::fstat(file.fd(), &status) != 0) fail("read", path);
+    if (!S_ISREG(status.st_mode)) throw StoreError(path.string() + " is not a regular file.");
+    if (static_cast<std::uintmax_t>(status.st_size) > largest_file)
+        throw DamagedTable(path.string() + " is larger than any table.");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(status.st_size));
     std::size_t have = 0;
     while (have < bytes.size()) {
@@ -73,6 +81,17 @@ std::vector<unsigned char> read_all(const fs::path& path) {
     }
     bytes.resize(have);
     return bytes;
+}
+
+/// Of the block in front of the image; later versions may count it up.
+void check_header(Bytes bytes, const fs::path& path) {
+    if (bytes.size() > header_size && std::equal(magic.begin(), magic.end(), bytes.begin())) return;
+    if (bytes.size() > any_magic.size() && std::equal(any_magic.begin(), any_magic.end(), bytes.begin())) {
+        const std::string rest(bytes.begin() + any_magic.size(),
+                               bytes.begin() + std::min(bytes.size(), any_magic.size() + 4));
+        if (std::atoi(rest.c_str()) > 1) throw NewerFormat(path.string() + " was written by a newer contactd.");
+    }
+    throw DamagedTable(path.string() + " is no table of influence coefficients, or its beginning is lost.");
 }
 
 void sync_folder(const fs::path& folder) {
@@ -109,7 +128,7 @@ void write_renamed(const fs::path& path, const fs::path& temporary, const File& 
 }  // namespace
 
 std::vector<unsigned char> to_ic_file(const IcRecord& record) {
-    const std::vector<unsigned char> image = to_hdf5(record);
+    const std::vector<unsigned char> image = to_hdf5(contents_of(record));
     const auto header = header_of(image);
     std::vector<unsigned char> bytes(header.begin(), header.end());
     bytes.insert(bytes.end(), image.begin(), image.end());
@@ -136,14 +155,15 @@ IcRecord read_ic_file(const fs::path& path) {
 }
 
 IcRecord from_ic_file(std::span<const unsigned char> bytes, const fs::path& path) {
-    if (bytes.size() <= header_size || !std::equal(magic.begin(), magic.end(), bytes.begin()))
-        throw DamagedTable(path.string() + " is no table of influence coefficients, or its beginning is lost.");
+    check_header(bytes, path);
     const Bytes image = bytes.subspan(header_size);
     const Bytes digest = bytes.subspan(magic.size(), digest_size);
     const std::string kept(digest.begin(), digest.end());
     if (sha256_hex(image) != kept) throw DamagedTable(path.string() + " does not match its digest.");
     try {
-        return from_hdf5(image);
+        return record_from(from_hdf5(image));
+    } catch (const NewerFormat& error) {
+        throw NewerFormat(path.string() + ": " + error.what());
     } catch (const DamagedTable& error) {
         throw DamagedTable(path.string() + ": " + error.what());
     }

@@ -8,17 +8,49 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
+#include <format>
 #include <system_error>
 #include <vector>
+
+#include "file_format.hpp"
 
 namespace contactd {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view extension = ".h5";
+constexpr std::string_view extension = ".h5", of_owner = "by-";
 
-/// Reads "<key>.<nx>x<ny>.h5"; nothing for any other name.
+/// Beside a file of a newer version.
+std::string of_format() {
+    return "format" + std::to_string(format_version);
+}
+
+/// The letters, digits, - and _ of a name as they are, all else by its number.
+std::string escaped(const TableOwner& owner) {
+    std::string text;
+    for (const char c : owner) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+        text += plain ? std::string(1, c) : std::format("={:02x}", static_cast<unsigned char>(c));
+    }
+    return text;
+}
+
+std::string unescaped(std::string_view text) {
+    TableOwner owner;
+    while (!text.empty()) {
+        unsigned code = 0;
+        const bool is_code =
+            text.front() == '=' && text.size() > 2 &&
+            std::from_chars(text.data() + 1, text.data() + 3, code, 16).ptr == text.data() + 3;
+        owner += is_code ? static_cast<char>(code) : text.front();
+        text.remove_prefix(is_code ? 3 : 1);
+    }
+    return owner;
+}
+
+/// Reads "<key>.<nx>x<ny>.h5", or the same with the tag of an owner or of a format behind the extent; nothing for any
+/// other name.
 std::optional<StoredTable> parse(const fs::path& path) {
     const std::string name = path.filename().string();
     const std::size_t key_size = name.find('.');
@@ -32,22 +64,50 @@ std::optional<StoredTable> parse(const fs::path& path) {
     const auto [cross, x_error] = std::from_chars(name.data() + key_size + 1, end, stored.nx);
     if (x_error != std::errc() || cross == end || *cross != 'x') return std::nullopt;
     const auto [rest, y_error] = std::from_chars(cross + 1, end, stored.ny);
-    if (y_error != std::errc() || rest != end) return std::nullopt;
+    if (y_error != std::errc()) return std::nullopt;
+    if (rest == end) return stored;
+    const std::string_view tag(rest + 1, end);
+    if (*rest != '.' || !(tag.starts_with(of_owner) || tag == of_format())) return std::nullopt;
+    if (tag.starts_with(of_owner)) stored.owner = unescaped(tag.substr(of_owner.size()));
     return stored;
 }
 
-/// All tables, or those of one key; sizes and times are not looked up.
+/// All tables, or those of one key; sizes and times are not looked up. Whatever is no file is none, and links are not
+/// followed.
 std::vector<StoredTable> tables_in(const fs::path& folder, const std::string& key = "") {
     std::vector<StoredTable> tables;
     try {
         for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
             auto stored = parse(entry.path());
-            if (stored && (key.empty() || stored->key == key)) tables.push_back(std::move(*stored));
+            std::error_code gone;
+            if (stored && (key.empty() || stored->key == key) && fs::is_regular_file(entry.symlink_status(gone)))
+                tables.push_back(std::move(*stored));
         }
     } catch (const fs::filesystem_error& error) {
         throw StoreError("The store's folder " + folder.string() + " cannot be read: " + error.code().message() + ".");
     }
     return tables;
+}
+
+/// Those that serve a request, the smallest first.
+std::vector<StoredTable> serving(const fs::path& folder, const std::string& key, const IcSpec& spec,
+                                 const TableOwner& owner) {
+    std::vector<StoredTable> tables = tables_in(folder, key);
+    std::erase_if(tables, [&](const StoredTable& t) { return t.owner != owner || t.nx < spec.nx || t.ny < spec.ny; });
+    std::sort(tables.begin(), tables.end(),
+              [](const StoredTable& a, const StoredTable& b) { return 1LL * a.nx * a.ny < 1LL * b.nx * b.ny; });
+    return tables;
+}
+
+bool is_of_newer_version(const fs::path& path) {
+    try {
+        (void)read_ic_file(path);
+    } catch (const NewerFormat&) {
+        return true;
+    } catch (const StoreError&) {
+        // Missing, or damaged: whoever writes under this name loses nothing.
+    }
+    return false;
 }
 
 }  // namespace
@@ -81,17 +141,25 @@ fs::path IcStore::path_of(const IcSpec& spec) const {
     return path_of(ic_key(spec), spec.nx, spec.ny);
 }
 
-fs::path IcStore::path_of(const std::string& key, int nx, int ny) const {
-    return folder_ / (key + "." + std::to_string(nx) + "x" + std::to_string(ny) + ".h5");
+fs::path IcStore::path_of(const std::string& key, int nx, int ny, const TableOwner& owner) const {
+    const std::string name = std::format("{}.{}x{}", key, nx, ny);
+    if (!owner.empty()) return folder_ / std::format("{}.{}{}{}", name, of_owner, escaped(owner), extension);
+    return folder_ / (name + std::string(extension));
 }
 
-std::optional<IcRecord> IcStore::find(const IcSpec& spec) const {
+fs::path IcStore::path_to_write(const std::string& key, int nx, int ny, const TableOwner& owner) const {
+    fs::path path = path_of(key, nx, ny, owner);
+    if (is_of_newer_version(path)) path.replace_filename(std::format("{}.{}x{}.{}{}", key, nx, ny, of_format(), extension));
+    return path;
+}
+
+bool IcStore::may_have(const IcSpec& spec, const TableOwner& owner) const {
+    return !serving(folder_, ic_key(spec), spec, owner).empty();
+}
+
+std::optional<IcRecord> IcStore::find(const IcSpec& spec, const TableOwner& owner) const {
     const std::string key = ic_key(spec);
-    std::vector<StoredTable> tables = tables_in(folder_, key);
-    std::erase_if(tables, [&](const StoredTable& t) { return t.nx < spec.nx || t.ny < spec.ny; });
-    std::sort(tables.begin(), tables.end(),
-              [](const StoredTable& a, const StoredTable& b) { return 1LL * a.nx * a.ny < 1LL * b.nx * b.ny; });
-    for (const StoredTable& stored : tables) {
+    for (const StoredTable& stored : serving(folder_, key, spec, owner)) {
         try {
             IcRecord record = read_ic_file(stored.path);
             if (ic_key(record.spec) != key || record.spec.dx != 1 || record.spec.material.G != 1 ||
@@ -116,11 +184,13 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec) const {
     return std::nullopt;
 }
 
-void IcStore::remove_covered_by(const IcSpec& spec) const {
+void IcStore::remove_covered_by(const IcSpec& spec, const TableOwner& owner) const {
     std::error_code ignored;
-    for (const StoredTable& stored : tables_in(folder_, ic_key(spec)))
-        if (stored.nx <= spec.nx && stored.ny <= spec.ny && (stored.nx != spec.nx || stored.ny != spec.ny))
-            fs::remove(stored.path, ignored);
+    for (const StoredTable& stored : tables_in(folder_, ic_key(spec))) {
+        const bool is_covered = stored.owner == owner && stored.nx <= spec.nx && stored.ny <= spec.ny &&
+                                (stored.nx != spec.nx || stored.ny != spec.ny);
+        if (is_covered && !is_of_newer_version(stored.path)) fs::remove(stored.path, ignored);
+    }
 }
 
 std::vector<StoredTable> IcStore::list() const {
@@ -136,9 +206,10 @@ std::vector<StoredTable> IcStore::list() const {
     return tables;
 }
 
-int IcStore::remove(const std::string& key) const {
+int IcStore::remove(const std::string& key, const TableOwner& owner) const {
     int removed = 0;
     for (const StoredTable& stored : tables_in(folder_, key)) {
+        if (!stored.owner.empty() && stored.owner != owner) continue;
         std::error_code error;
         removed += fs::remove(stored.path, error);
         if (error) throw StoreError("Cannot remove " + stored.path.string() + ": " + error.message() + ".");

@@ -29,13 +29,19 @@ bool begins_with_key(const fs::path& path) {
     return is_ic_key(name.substr(0, name.find('.')));
 }
 
+/// Links are not followed, and what is no file is left alone.
+bool is_file(const fs::directory_entry& entry) {
+    std::error_code gone;
+    return fs::is_regular_file(entry.symlink_status(gone));
+}
+
 /// Damaged tables that were set aside, the oldest first.
 std::vector<AsideFile> set_aside_in(const fs::path& folder) {
     std::vector<AsideFile> files;
     std::error_code error, ignored;
     for (fs::directory_iterator entry(folder / "quarantine", error), end; !error && entry != end;
          entry.increment(error))
-        if (begins_with_key(entry->path()) && entry->is_regular_file(ignored))
+        if (begins_with_key(entry->path()) && is_file(*entry))
             files.push_back({entry->path(), entry->file_size(ignored), entry->last_write_time(ignored)});
     std::sort(files.begin(), files.end(), [](const AsideFile& a, const AsideFile& b) { return a.time < b.time; });
     return files;
@@ -59,9 +65,9 @@ int IcStore::sweep() const {
     for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
         const fs::path& path = entry->path();
         if (!begins_with_key(path)) continue;  // the folder may hold what others left there
-        if (path.extension() == ".tmp" && entry->is_regular_file(ignored) && is_abandoned(path))
+        if (path.extension() == ".tmp" && is_file(*entry) && is_abandoned(path))
             swept += fs::remove(path, ignored);
-        else if (path.extension() == ".lock" && entry->is_regular_file(ignored))
+        else if (path.extension() == ".lock" && is_file(*entry))
             swept += remove_abandoned_lock(path);
     }
     return swept;

@@ -8,35 +8,37 @@
 #include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
+#include "contactd/ic_family.hpp"
+#include "soundness.hpp"
 
 namespace contactd {
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
-    throw InvalidArgument("file", why);
+    throw InvalidArgument("datasets", why);
 }
 
-/// What of the file contactd::validate refuses is wrong with the file.
+/// What contactd::validate refuses of its contents is wrong with the file.
 template <class Check>
 void check_as_file(const Check& check) {
     try {
         check();
     } catch (const InvalidArgument& error) {
-        refuse(std::string("holds what no builder makes: ") + error.what());
+        refuse(std::string("hold what no builder makes: ") + error.what());
     }
 }
 
-void require_sound(IcTable& table, const IcSpec& spec) {
-    const GivenIcs given{std::move(table), spec.dx, spec.dy};
-    check_as_file([&] { validate(given, Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "file"); });
-    table = given.table;
+void require_solvable(IcTable& table, const IcSpec& spec) {
+    GivenIcs given{std::move(table), spec.dx, spec.dy};
+    check_as_file([&] { validate(given, Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "datasets"); });
+    table = std::move(given.table);
 }
 
-void require_sound(const ColumnSpectrum& spectrum, const IcSpec& spec) {
+void require_frames(const ColumnSpectrum& spectrum, const IcSpec& spec) {
     for (int a = 0; a < 3 * spectrum.columns; ++a)
         for (std::size_t node = 0; node < spectrum.nodes.size(); ++node)
             if (!(spectrum.values[spectrum.index(node, a, a)] > 0))
-                refuse("holds a transform under which a column yields against its load, at the wavenumber " +
+                refuse("hold a transform under which a column yields against its load, at the wavenumber " +
                        std::to_string(node) + " and the column " + std::to_string(a / 3));
     std::vector<ColumnFrame> frames;
     check_as_file([&] { frames = column_frames(*spec.section, spectrum.columns, spec.dy); });
@@ -47,28 +49,45 @@ void require_sound(const ColumnSpectrum& spectrum, const IcSpec& spec) {
                std::abs(one.angle - other.angle) < rounding;
     };
     if (!std::ranges::equal(spectrum.frames, frames, equal))
-        refuse("holds frames of columns that are not those of its section");
+        refuse("hold frames of columns that are not those of its section");
+}
+
+/// Tables lie at these Poisson's ratios and no others, or none in between can be told.
+void require_points(const std::vector<double>& family_nu) {
+    if (family_nu.size() >= 4 && family_nu.size() % 2 == 0) {
+        const std::vector<double> points = family_points(static_cast<int>(family_nu.size() / 2));
+        const auto near = [](double one, double other) { return std::abs(one - other) < 1e-9; };
+        if (std::ranges::equal(family_nu, points, near)) return;
+    }
+    refuse("hold a family of tables at other Poisson's ratios than those that are interpolated between");
 }
 
 }  // namespace
 
-IcRecord stored_record(IcRecord record) {
+IcRecord stored_record(IcRecord record, const Observer& observer) {
     IcSpec& spec = record.spec;
     if (spec.source != IcSource::fem)
-        refuse("holds a table of source analytic; stores keep those of finite elements, the others are made anew");
+        refuse("hold a table of source analytic; stores keep those of finite elements, the others are made anew");
     check_as_file([&] { validate(spec); });
+    if (spec.any_nu && (spec.material.G != 1 || spec.dx != 1))
+        refuse("hold a family of tables with dimensions; families are kept for G = 1 and dx = 1 only");
     const double factor = spec.material.G / spec.dx;
     if (auto* spectrum = std::get_if<ColumnSpectrum>(&record.tables)) {
-        require_sound(*spectrum, spec);
-    } else {
-        auto* family = std::get_if<IcFamily>(&record.tables);
-        std::vector<IcTable> one;
-        if (family == nullptr) one.push_back(std::move(record.table()));
-        for (IcTable& table : family != nullptr ? family->tables : one) {
-            require_sound(table, spec);
-            if (factor != 1) table = scaled(table, factor);
+        require_frames(*spectrum, spec);
+        require_sound(*spectrum, record.evidence, spec.section->free, observer);
+    } else if (auto* family = std::get_if<IcFamily>(&record.tables)) {
+        require_points(record.evidence.family_nu);
+        for (std::size_t n = 0; n < family->tables.size(); ++n) {
+            IcSpec of_table = spec;
+            of_table.any_nu = false;
+            of_table.material.nu = record.evidence.family_nu[n];
+            require_solvable(family->tables[n], of_table);
+            require_sound(family->tables[n], of_table, record.evidence, observer);
         }
-        if (family == nullptr) record.tables = std::move(one.front());
+    } else {
+        require_solvable(record.table(), spec);
+        require_sound(record.table(), spec, record.evidence, observer);
+        if (factor != 1) record.tables = scaled(record.table(), factor);
     }
     spec = dimensionless(spec);
     return record;

@@ -10,6 +10,12 @@
 namespace contactd {
 namespace {
 
+/// False of a FIFO or a device, which somebody may have put there.
+bool is_file(int fd) {
+    struct stat opened;
+    return ::fstat(fd, &opened) == 0 && S_ISREG(opened.st_mode);
+}
+
 /// False when the file was removed, or another took its name, between opening and locking it.
 bool is_still(int fd, const std::filesystem::path& path) {
     struct stat opened, named;
@@ -28,8 +34,11 @@ TableLock::~TableLock() {
 TableLock::State TableLock::try_lock() {
     constexpr int tries = 16;
     for (int n = 0; n < tries; ++n) {
-        const int fd = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-        if (fd < 0) return State::unavailable;
+        const int fd = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
+        if (fd < 0 || !is_file(fd)) {
+            if (fd >= 0) ::close(fd);
+            return State::unavailable;
+        }
         if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
             const bool busy = errno == EWOULDBLOCK || errno == EINTR;
             ::close(fd);

@@ -64,7 +64,7 @@ std::optional<Writer> writer_of(const fs::path& temporary) {
 enum class Lock { free, held, unknown };
 
 Lock lock_of(const fs::path& path) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (fd < 0) return Lock::unknown;
     const bool locked = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
     const int error = errno;

@@ -127,6 +127,7 @@ json encode_evidence(const IcEvidence& evidence) {
         result["errors"] = encode_errors(evidence.errors);
         result["errors_estimated"] = evidence.errors_estimated;
     }
+    if (evidence.imported) result["imported"] = true;
     if (!evidence.warnings.empty()) result["warnings"] = evidence.warnings;
     if (!evidence.solver.empty()) result["solver"] = evidence.solver;
     if (evidence.mesh) result["mesh"] = encode_fem(*evidence.mesh);
@@ -144,6 +145,7 @@ IcEvidence decode_evidence(const json& source) {
     evidence.source = source["source"].get<std::string>();
     evidence.version = source["version"].get<std::string>();
     decode_build(source, evidence);
+    evidence.imported = source.value("imported", false);
     evidence.warnings = source.value("warnings", std::vector<std::string>());
     evidence.solver = source.value("solver", std::string());
     evidence.family_nu = source.value("family_nu", std::vector<double>());

@@ -11,7 +11,8 @@ using nlohmann::json;
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t table_axes = 4;
-constexpr Words<FileFormat, 2> formats{{{"hdf5", FileFormat::hdf5}, {"contact", FileFormat::contact}}};
+constexpr Words<FileFormat, 3> formats{
+    {{"hdf5", FileFormat::hdf5}, {"contents", FileFormat::contents}, {"contact", FileFormat::contact}}};
 
 std::string text_of(const Shape& shape) {
     return json(shape).dump();
@@ -77,6 +78,13 @@ json encode_hdf5_reply(std::span<const unsigned char> file, const IcUse& body, A
     return {{"format", "hdf5"}, {"file", arrays.write(file, {file.size()})}, {"ics", {{"upper", encode_use(body)}}}};
 }
 
+json encode_contents_reply(const FileContents& contents, const IcUse& body, ArrayWriter& arrays) {
+    json result = encode_file_contents(contents, arrays);
+    result["format"] = "contents";
+    result["ics"] = {{"upper", encode_use(body)}};
+    return result;
+}
+
 json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse& lower) {
     return {{"format", "contact"},
             {"text", std::move(text)},
@@ -85,17 +93,9 @@ json encode_contact_text_reply(std::string text, const IcUse& upper, const IcUse
 
 std::string decode_ic_file(const json& result, const Frames& frames) {
     if (result.contains("text")) return result["text"].get<std::string>();
-    const std::vector<unsigned char> bytes = decode_ic_import(result, frames);
+    const std::vector<unsigned char> bytes =
+        read_byte_array(result["file"], frames, claimed_shape(result["file"], 1), "file");
     return {bytes.begin(), bytes.end()};
-}
-
-json encode_ic_import(std::string_view file, ArrayWriter& arrays) {
-    const std::span bytes(reinterpret_cast<const unsigned char*>(file.data()), file.size());
-    return {{"file", arrays.write(bytes, {bytes.size()})}};
-}
-
-std::vector<unsigned char> decode_ic_import(const json& params, const Frames& frames) {
-    return read_byte_array(params["file"], frames, claimed_shape(params["file"], 1), "file");
 }
 
 json encode_import_reply(const IcImport& imported) {

@@ -86,7 +86,7 @@ Config config_from_json(const json& given) {
     const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
     config.store = {folder.empty() ? default_store_folder() : std::filesystem::path(folder),
                     all["store"]["memory_budget_bytes"], all["store"]["disk_budget_bytes"],
-                    all["store"]["influence_budget_bytes"]};
+                    all["store"]["influence_budget_bytes"], all["store"]["share_imported_tables"]};
     const json& builds = all["builds"];
     config.builds = {builds["concurrent"],
                      builds["launcher"],
@@ -153,7 +153,8 @@ json to_json(const Config& config) {
              {{"folder", config.store.folder.string()},
               {"memory_budget_bytes", config.store.memory_budget_bytes},
               {"disk_budget_bytes", config.store.disk_budget_bytes},
-              {"influence_budget_bytes", config.store.influence_budget_bytes}}},
+              {"influence_budget_bytes", config.store.influence_budget_bytes},
+              {"share_imported_tables", config.store.share_imported_tables}}},
             {"builds",
              {{"concurrent", config.builds.concurrent},
               {"launcher", config.builds.launcher},

@@ -51,6 +51,7 @@ struct Config {
         std::size_t memory_budget_bytes;
         std::size_t disk_budget_bytes;
         std::size_t influence_budget_bytes;
+        bool share_imported_tables;
     } store;
     struct {
         int concurrent;

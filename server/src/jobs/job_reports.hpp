@@ -69,6 +69,19 @@ class Reporter {
     Call::Clock::time_point last_ = Call::Clock::now();
 };
 
+/// Ends what is done for a call without a job when the call has been answered, or its time is up.
+class CallObserver final : public Observer {
+   public:
+    explicit CallObserver(CallPtr call) : call_(std::move(call)) {}
+    bool cancelled() const override {
+        call_->check_deadline();
+        return call_->answered();
+    }
+
+   private:
+    const CallPtr call_;
+};
+
 /// Ends a computation when its job is cancelled, its call has been answered, or the call's time is up.
 class JobObserver final : public Observer {
    public:

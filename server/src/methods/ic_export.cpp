@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contactd/column_frames.hpp"
+#include "contactd/ic_contents.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/import_codec.hpp"
@@ -32,6 +33,7 @@ IcUse use_of(const IcAnswer& answer) {
     return {answer.origin, answer.key, answer.record->evidence};
 }
 
+/// Whole, or taken apart.
 void answer_with_ic_file(const Export& work) {
     const IcRecord& held = *work.answers[0].record;
     IcRecord record{work.specs[0], {}, held.evidence};
@@ -41,7 +43,10 @@ void answer_with_ic_file(const Export& work) {
         record.tables = table_for(held, record.spec);
     record.spec.any_nu = false;  // what leaves is one table of the family
     proto::ArrayWriter arrays(work.call->request.arrays);
-    const nlohmann::json result = proto::encode_hdf5_reply(to_ic_file(record), use_of(work.answers[0]), arrays);
+    const IcUse use = use_of(work.answers[0]);
+    const nlohmann::json result = work.format == FileFormat::contents
+                                      ? proto::encode_contents_reply(contents_of(record), use, arrays)
+                                      : proto::encode_hdf5_reply(to_ic_file(record), use, arrays);
     work.call->succeed(result, arrays.take_frames());
 }
 
@@ -56,10 +61,10 @@ void answer_with_contact_text(const Export& work) {
 
 void answer(const ExportPtr& work) {
     guarded(work->call, [&] {
-        if (work->format == FileFormat::hdf5)
-            answer_with_ic_file(*work);
-        else
+        if (work->format == FileFormat::contact)
             answer_with_contact_text(*work);
+        else
+            answer_with_ic_file(*work);
     });
 }
 

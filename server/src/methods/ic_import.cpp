@@ -3,17 +3,20 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "contactd/ic_contents.hpp"
+#include "contactd/ic_store.hpp"
 #include "contactd/proto/import_codec.hpp"
 #include "engine/ics/ic_import.hpp"
+#include "jobs/job_reports.hpp"
 
 namespace contactd::server {
 namespace {
 
-IcRecord read(const std::vector<unsigned char>& bytes) {
+IcRecord record_of(const proto::Request& request) {
     try {
-        return from_ic_file(bytes, "the file");
-    } catch (const DamagedTable& error) {
-        throw InvalidArgument("file", std::string("cannot be imported: ") + error.what());
+        return record_from(proto::decode_file_contents(request.params, request.frames));
+    } catch (const StoreError& error) {
+        throw InvalidArgument("datasets", std::string("and attributes cannot be imported: ") + error.what());
     }
 }
 
@@ -21,9 +24,10 @@ IcRecord read(const std::vector<unsigned char>& bytes) {
 
 void import_table(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
-    IcRecord record = read(proto::decode_ic_import(call->request.params, call->request.frames));
-    call->succeed(
-        proto::encode_import_reply(engine::import_table(std::move(record), parts.ics, parts.engine.counters())));
+    IcRecord record = record_of(call->request);
+    CallObserver observer(call);
+    call->succeed(proto::encode_import_reply(
+        engine::import_table(std::move(record), parts.ics, call->user(), parts.engine.counters(), observer)));
 }
 
 }  // namespace contactd::server

@@ -46,7 +46,7 @@ void list_tables(const CallPtr& call, const DaemonParts& parts) {
     const bool with_evidence = params.value("evidence", false);
     std::size_t limit = params.value("limit", std::size_t(1000));
     if (with_evidence) limit = std::min(limit, most_with_evidence);
-    const std::vector<StoredTable> tables = parts.ics.store().list();
+    const std::vector<StoredTable> tables = parts.ics.stored(call->user());
     json result{{"tables", json::array()}, {"count", tables.size()}, {"bytes", 0}, {"quarantined", json::array()}};
     std::uintmax_t bytes = 0;
     std::string last;
@@ -71,7 +71,7 @@ void list_tables(const CallPtr& call, const DaemonParts& parts) {
 void delete_tables(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     const std::string key = call->request.params.at("key");
-    const engine::IcService::Forgotten forgotten = parts.ics.forget(key);
+    const engine::IcService::Forgotten forgotten = parts.ics.forget(key, call->user());
     if (forgotten.tables == 0 && !forgotten.failures)
         throw proto::StatusError(
             proto::StatusCode::not_found, proto::reason::ic_unknown,

@@ -33,6 +33,7 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
              config.store.memory_budget_bytes,
              config.store.disk_budget_bytes,
              {builds.max_failures, std::chrono::seconds(builds.quarantine_seconds)},
+             config.store.share_imported_tables,
              host.log},
             true};
 }

@@ -284,11 +284,16 @@ TEST_CASE("What the daemon says of itself is read", "[client]") {
     }
     SECTION("what was imported") {
         answer = example("ic.import.result");
-        const IcImport imported = client.import_ic("the bytes of a file");
+        FileContents contents;
+        contents.attributes["spec/body"] = std::string("half_space");
+        contents.attributes["evidence/warnings"] = std::vector<std::string>{"one", "two"};
+        contents.datasets["influence_coefficients"] = {{3, 3, 1, 2}, UnsetArray(18, 0.5)};
+        const IcImport imported = client.import_ic(contents);
         CHECK(imported.is_new);
         CHECK(imported.use.key == answer["ics"]["key"].get<std::string>());
         CHECK(imported.spec.nx == 12);
-        CHECK(params["file"]["$array"]["shape"] == json{19});
+        CHECK(params["attributes"] == json{{"spec/body", "half_space"}, {"evidence/warnings", {"one", "two"}}});
+        CHECK(params["datasets"]["influence_coefficients"]["$array"]["shape"] == json{3, 3, 1, 2});
     }
     SECTION("how many tables went") {
         answer = example("ic.delete.result");

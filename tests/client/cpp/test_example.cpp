@@ -111,8 +111,10 @@ TEST_CASE("Tables leave the daemon as files, and its store is empty without buil
     CHECK(client.export_ic(spec).find("HDF") != std::string::npos);
     const std::string of_two = client.export_ic(spec, contactd::FileFormat::contact, contactd::Material{200, 0.3});
     CHECK(of_two != client.export_ic(spec, contactd::FileFormat::contact));
-    CHECK_THROWS_AS(client.import_ic(client.export_ic(spec)), contactd::StatusError);  // of a closed form
-    CHECK_THROWS_AS(client.import_ic("no file"), contactd::StatusError);
+    const contactd::FileContents contents = client.export_contents(spec);
+    CHECK(contents.datasets.at("influence_coefficients").shape == std::vector<std::size_t>{3, 3, 3, 4});
+    CHECK_THROWS_AS(client.import_ic(contents), contactd::StatusError);  // of a closed form
+    CHECK_THROWS_AS(client.import_ic({}), contactd::StatusError);
     CHECK(client.stored_ics().empty());
     CHECK(client.quarantined_ics().empty());
     CHECK_THROWS_AS(client.delete_ic(std::string(64, 'a')), contactd::client::StatusError);

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch_test_macros.hpp>
@@ -62,12 +63,17 @@ std::vector<std::string> evicted_keys(const IcStore& store, std::uintmax_t budge
     return keys;
 }
 
+std::string content_of(const fs::path& path) {
+    std::stringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    return content.str();
+}
+
 /// Changes what stands behind the header, and makes the digest right again.
 void rewrite(const fs::path& path, const std::function<void(std::string&)>& change) {
     constexpr std::size_t header_size = 512, digest_size = 64;
-    std::stringstream content;
-    content << std::ifstream(path, std::ios::binary).rdbuf();
-    std::string header = content.str().substr(0, header_size), image = content.str().substr(header_size);
+    const std::string content = content_of(path);
+    std::string header = content.substr(0, header_size), image = content.substr(header_size);
     change(image);
     const std::string digest = sha256_hex({reinterpret_cast<const unsigned char*>(image.data()), image.size()});
     header.replace(header.find('\n') - digest_size, digest_size, digest);
@@ -137,6 +143,89 @@ TEST_CASE("A damaged table is set aside, reported and not served") {
     CHECK(reports.size() == 1);
     CHECK_FALSE(fs::exists(path));
     CHECK(files_in(folder.path() / "quarantine") == 1);
+}
+
+TEST_CASE("A file of a newer version is left alone, and what is built lies beside it") {
+    const TemporaryFolder folder;
+    std::vector<std::string> reports;
+    const IcStore store(folder.path(), [&](const std::string& text) { reports.push_back(text); });
+    const IcSpec spec = fem_spec(6, 6);
+    const fs::path path = store.path_of(spec);
+    write_ic_file(path, record_of(spec));
+    SECTION("of the image") {
+        rewrite(path, [](std::string& image) {
+            const std::string name = "contactd_format";
+            const std::size_t at = image.find(std::string("\2\0\0\0\0\0\0\0", 8), image.find(name));
+            REQUIRE(at < image.find(name) + 100);
+            image[at] = 3;
+        });
+    }
+    SECTION("of the block before it") {
+        std::fstream(path) << "contactd ic table, format 2, whatever";
+    }
+    const std::string before = content_of(path);
+
+    CHECK_FALSE(store.find(spec).has_value());
+    CHECK(reports.size() == 1);
+    const fs::path beside = store.path_to_write(ic_key(spec), 6, 6);
+    CHECK(beside != path);
+    write_ic_file(beside, record_of(spec));
+    store.remove_covered_by(fem_spec(9, 9));
+    CHECK(content_of(path) == before);
+    write_ic_file(beside, record_of(spec));
+    CHECK(store.find(spec)->table().nx == 6);
+    CHECK_FALSE(fs::exists(folder.path() / "quarantine"));
+}
+
+TEST_CASE("Of an owner's tables nobody else is served") {
+    const TemporaryFolder folder;
+    const IcStore store = quiet_store(folder.path());
+    const IcSpec spec = fem_spec(5, 5);
+    for (const TableOwner owner : {"uid:1000", "alice", "[::1]", "a=b/../c"}) {
+        const fs::path path = store.path_of(ic_key(spec), 5, 5, owner);
+        CHECK(path.parent_path() == folder.path());
+        write_ic_file(path, record_of(spec));
+        CHECK(store.find(spec, owner).has_value());
+        CHECK(store.may_have(spec, owner));
+        CHECK_FALSE(store.may_have(spec));
+        CHECK_FALSE(store.find(spec, "bob").has_value());
+        CHECK_FALSE(store.find(spec).has_value());
+        CHECK(store.list().back().owner == owner);
+        CHECK(store.remove(ic_key(spec), "bob") == 0);
+        CHECK(store.remove(ic_key(spec), owner) == 1);
+    }
+}
+
+TEST_CASE("What is no file under the name of a table is passed over") {
+    const TemporaryFolder folder;
+    std::vector<std::string> reports;
+    const IcStore store(folder.path(), [&](const std::string& text) { reports.push_back(text); });
+    const IcSpec spec = fem_spec(6, 6);
+    const fs::path path = store.path_of(spec), elsewhere = folder.path() / "elsewhere";
+    write_ic_file(elsewhere, record_of(spec));
+    SECTION("a FIFO") {
+        REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+        REQUIRE(::mkfifo(store.lock_of(ic_key(spec)).c_str(), 0600) == 0);
+        CHECK_THROWS_AS(read_ic_file(path), StoreError);
+        CHECK(TableLock(store.lock_of(ic_key(spec))).try_lock() == TableLock::State::unavailable);
+    }
+    SECTION("a link to a table") {
+        fs::create_symlink(elsewhere, path);
+        CHECK_THROWS_AS(read_ic_file(path), StoreError);
+    }
+    SECTION("a link to nothing") {
+        fs::create_symlink(folder.path() / "nowhere", path);
+    }
+    SECTION("a folder") {
+        fs::create_directory(path);
+        CHECK_THROWS_AS(read_ic_file(path), StoreError);
+    }
+
+    CHECK_FALSE(store.find(spec).has_value());
+    CHECK(store.list().empty());
+    CHECK(store.sweep() == 0);
+    CHECK(fs::symlink_status(path).type() != fs::file_type::not_found);
+    CHECK(reports.empty());
 }
 
 TEST_CASE("Sweeping removes what a killed writer left, nothing else") {

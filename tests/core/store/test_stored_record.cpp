@@ -7,7 +7,9 @@
 
 #include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
+#include "contactd/half_space.hpp"
 #include "contactd/ic_exchange.hpp"
+#include "contactd/ic_family.hpp"
 #include "contactd/stored_record.hpp"
 #include "ic_records.hpp"
 
@@ -30,22 +32,53 @@ IcRecord exported_prism() {
     IcRecord record{spec, {}, {}};
     ColumnSpectrum spectrum{4, spec.material.nu, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
     spectrum.frames = column_frames(*dimensionless(spec).section, 4, 1);
-    for (std::size_t n = 0; n < spectrum.nodes.size() * spectrum.component_size(); ++n)
-        spectrum.values.push_back(2 + std::cos(0.1 * static_cast<double>(n)));
+    spectrum.values.assign(spectrum.nodes.size() * spectrum.component_size(), 0);
+    for (std::size_t node = 0; node < spectrum.nodes.size(); ++node)
+        for (int a = 0; a < 12; ++a)
+            for (int b = 0; b <= a; ++b)
+                spectrum.values[spectrum.index(node, a, b)] = (a == b ? 2 : 0) + std::cos(0.1 * (a - b));
     record.tables = spectrum;
     record.evidence.source = "fem";
     record.evidence.section = SectionEvidence{4, 21, 6e-4, 3e-4, 2e-4, 1e-4, 5e-4};
     return record;
 }
 
-IcRecord exported_half_space() {
-    const IcSpec spec = fem_spec(2, 2);
-    IcRecord record{spec, IcTable(2, 2), {}};
-    record.spec.material.G = 82000;
-    record.spec.dx = record.spec.dy = 0.5;
-    for (const Axis i : {Axis::x, Axis::y, Axis::z})
-        for (int l = 0; l < 2; ++l)
-            for (int k = 0; k < 2; ++k) record.table()(i, i, k, l) = 1e-6 / (1 + k + l);
+IcSpec steel(int nx, int ny) {
+    IcSpec spec = fem_spec(nx, ny);
+    spec.material = {82000, 0.28};
+    spec.dx = 0.5;
+    spec.dy = 0.4;
+    return spec;
+}
+
+IcTable closed_form(IcSpec spec) {
+    spec.source = IcSource::analytic;
+    spec.body = BodyShape::half_space;
+    spec.accuracy = 0;
+    return half_space_table(spec);
+}
+
+/// The closed form as finite elements of one in a thousand would have it, with the errors that it has.
+IcRecord exported_half_space(int nx = 9, int ny = 7) {
+    const IcSpec spec = steel(nx, ny);
+    IcRecord record{spec, scaled(closed_form(spec), 1.001), {}};
+    compare_with_half_space(spec, record.table(), record.evidence);
+    record.evidence.source = "fem";
+    return record;
+}
+
+/// A block that differs from the half-space by a constant, as large blocks do.
+IcRecord exported_block() {
+    IcSpec spec = steel(6, 6);
+    spec.body = BodyShape::block;
+    spec.accuracy = 1e-2;
+    spec.fem.L_over_h = 20;
+    IcRecord record{spec, closed_form(spec), {}};
+    for (const Axis i : {Axis::x, Axis::y, Axis::z}) {
+        const double difference = 0.03 * record.table()(i, i, 0, 0);
+        for (int l = 0; l < 6; ++l)
+            for (int k = 0; k < 6; ++k) record.table()(i, i, k, l) -= difference;
+    }
     record.evidence.source = "fem";
     return record;
 }
@@ -54,13 +87,17 @@ IcRecord through_a_file(const IcRecord& record) {
     return from_ic_file(to_ic_file(record), "the file");
 }
 
+IcRecord stored(IcRecord record) {
+    return stored_record(std::move(record), Observer());
+}
+
 /// What is said of the record when `change` was made to it.
 std::string refusal_of(IcRecord record, const std::function<void(IcRecord&)>& change) {
     change(record);
     try {
-        (void)stored_record(std::move(record));
+        (void)stored(std::move(record));
     } catch (const InvalidArgument& error) {
-        CHECK(error.field() == "file");
+        CHECK(error.field() == "datasets");
         return error.what();
     }
     return "taken";
@@ -70,7 +107,7 @@ std::string refusal_of(IcRecord record, const std::function<void(IcRecord&)>& ch
 
 TEST_CASE("An exported prism comes back as the record that was built, with its key", "[exchange]") {
     const IcRecord exported = exported_prism();
-    const IcRecord back = stored_record(through_a_file(exported));
+    const IcRecord back = stored(through_a_file(exported));
     CHECK(ic_key(back.spec) == ic_key(exported.spec));
     CHECK(back.spec == dimensionless(exported.spec));
     CHECK(std::get<ColumnSpectrum>(back.tables) == std::get<ColumnSpectrum>(exported.tables));
@@ -92,15 +129,16 @@ TEST_CASE("A prism that is told in units is no file of a store by itself", "[exc
 
 TEST_CASE("An exported table comes back dimensionless", "[exchange]") {
     const IcRecord exported = exported_half_space();
-    const IcRecord back = stored_record(through_a_file(exported));
+    const IcRecord back = stored(through_a_file(exported));
     CHECK(back.spec == dimensionless(exported.spec));
-    CHECK_THAT(back.table()(Axis::z, Axis::z, 1, 0), WithinRel(0.5e-6 * 82000 / 0.5, 1e-15));
+    CHECK_THAT(back.table()(Axis::z, Axis::z, 1, 0),
+               WithinRel(exported.table()(Axis::z, Axis::z, 1, 0) * 82000 / 0.5, 1e-15));
 }
 
 TEST_CASE("A store's own record comes back as it is", "[exchange]") {
     IcRecord prism = exported_prism();
     prism.spec = dimensionless(prism.spec);
-    CHECK(std::get<ColumnSpectrum>(stored_record(through_a_file(prism)).tables) ==
+    CHECK(std::get<ColumnSpectrum>(stored(through_a_file(prism)).tables) ==
           std::get<ColumnSpectrum>(prism.tables));
 }
 
@@ -122,5 +160,76 @@ TEST_CASE("What no builder makes is refused with a sentence", "[exchange]") {
     CHECK_THAT(
         refusal_of(exported_prism(), [](IcRecord& record) { std::get<Groove>(record.spec.section->shape).depth = 6; }),
         ContainsSubstring("groove.depth"));
-    CHECK(refusal_of(exported_prism(), [](IcRecord&) {}) == "taken");
+    for (const IcRecord& good : {exported_prism(), exported_half_space(), exported_block(), exported_half_space(1, 1)})
+        CHECK(refusal_of(good, [](IcRecord&) {}) == "taken");
+}
+
+TEST_CASE("A table of a half-space that errs by more than it states is refused", "[exchange]") {
+    const auto says = ContainsSubstring("against the closed form");
+    CHECK_THAT(refusal_of(exported_half_space(), [](IcRecord& record) { record.tables = scaled(record.table(), 1.5); }),
+               says);
+    CHECK_THAT(refusal_of(exported_half_space(), [](IcRecord& record) { record.spec.accuracy = 1e-4; }), says);
+    CHECK_THAT(
+        refusal_of(exported_half_space(), [](IcRecord& record) { record.table()(Axis::x, Axis::z, 3, 2) *= 1.1; }),
+        says);
+    CHECK_THAT(refusal_of(exported_half_space(), [](IcRecord& record) { record.evidence.errors = {}; }),
+               ContainsSubstring("without their errors"));
+}
+
+TEST_CASE("A family is held against the closed form at each of its Poisson's ratios", "[exchange]") {
+    IcRecord record = exported_half_space();
+    record.spec.any_nu = true;
+    record.spec.material = {1, 0};
+    record.spec.dx = 1;
+    record.spec.dy = 0.8;
+    record.spec.accuracy = 1e-2;
+    record.evidence.family_nu = family_points(2);
+    IcFamily family;
+    for (const double nu : record.evidence.family_nu) {
+        IcSpec spec = record.spec;
+        spec.any_nu = false;
+        spec.material.nu = nu;
+        family.tables.push_back(scaled(closed_form(spec), 1.0005));
+    }
+    record.tables = family;
+    record.evidence.interpolation_error = 1e-4;
+    const auto of_family = [](IcRecord& given) -> IcFamily& { return std::get<IcFamily>(given.tables); };
+
+    CHECK(refusal_of(record, [](IcRecord&) {}) == "taken");
+    CHECK_THAT(refusal_of(record, [&](IcRecord& given) { std::swap(of_family(given).tables[1], of_family(given).tables[2]); }),
+               ContainsSubstring("against the closed form"));
+    CHECK_THAT(refusal_of(record, [](IcRecord& given) { given.evidence.family_nu[1] += 0.01; }),
+               ContainsSubstring("other Poisson's ratios"));
+}
+
+TEST_CASE("A block that is no block is refused", "[exchange]") {
+    CHECK_THAT(refusal_of(exported_block(), [](IcRecord& record) { record.tables = scaled(record.table(), 1.5); }),
+               ContainsSubstring("no block of this size"));
+    CHECK_THAT(refusal_of(exported_block(), [](IcRecord& record) { record.table()(Axis::z, Axis::z, 5, 5) *= -3; }),
+               ContainsSubstring("no block of this size"));
+    CHECK_THAT(refusal_of(exported_block(),
+                          [](IcRecord& record) {
+                              for (int l = 0; l < 6; ++l)
+                                  for (int k = 0; k < 6; ++k) record.table()(Axis::x, Axis::z, k, l) *= -1;
+                          }),
+               ContainsSubstring("not reciprocal"));
+}
+
+TEST_CASE("Coefficients under which a traction takes work out of the body are refused", "[exchange]") {
+    // Each is near a half-space's, and largest at its origin; together they are not definite.
+    const auto flat = [](IcRecord& record) {
+        IcTable& table = record.table();
+        record.spec.fem.L_over_h = 2;  // whatever it is near
+        for (int l = 0; l < 6; ++l)
+            for (int k = 0; k < 6; ++k)
+                table(Axis::z, Axis::z, k, l) = table(Axis::z, Axis::z, 0, 0) * ((k + l) % 2 == 0 ? 1 : 0.2);
+        table(Axis::z, Axis::z, 1, 1) *= 0.1;
+    };
+    CHECK_THAT(refusal_of(exported_block(), flat), ContainsSubstring("take work out of the body"));
+    CHECK_THAT(refusal_of(exported_prism(),
+                          [](IcRecord& record) {
+                              auto& spectrum = std::get<ColumnSpectrum>(record.tables);
+                              spectrum.values[spectrum.index(3, 7, 4)] = 4;
+                          }),
+               ContainsSubstring("take work out of the body"));
 }

@@ -91,13 +91,18 @@ class TableCalls(Caller):
     def import_ic(self, file: bytes, *, timeout: float | None = None) -> Answering[ImportedIc]:
         """Puts a table into the daemon's store, from the content of a file: of export_ic ("hdf5"), or of another store.
 
-        What the daemon has already stays. Tables of prisms then serve any length and number of elements along x. Their
-        evidence says that they were imported. Raises InvalidArgument for what is no such file, a damaged one, or one of
-        a closed form.
+        The file is read here (needs h5py); the daemon gets what is in it. What the daemon has already stays. The table
+        serves you only, unless store.share_imported_tables says otherwise; all that uses it says in its warnings that it
+        was imported. Tables of prisms then serve any length and number of elements along x. Raises TableFileError for
+        what is no such file, or a damaged one, and InvalidArgument for a table of a closed form, one that errs by more
+        than it states, or that no elastic body has.
         """
         if not isinstance(file, bytes | bytearray | memoryview):
             raise TypeError(f"file is {file!r}; it must be the bytes of a file, such as Path(name).read_bytes()")
-        return read(ImportedIc, (yield from self.asked("ic.import", {"file": bytes(file)}, timeout=timeout)))
+        from ..hdf5 import import_params
+
+        params = import_params(bytes(file))
+        return read(ImportedIc, (yield from self.asked("ic.import", params, timeout=timeout)))
 
     def stored_asked(
         self, after: str | None, evidence: bool, timeout: float | None

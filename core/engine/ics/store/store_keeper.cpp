@@ -18,25 +18,34 @@ StoreKeeper::StoreKeeper(IcStore store, const Budgets& budgets, Log log)
     set_problem(store_.problem());
 }
 
-std::optional<IcRecord> StoreKeeper::find(const IcSpec& spec) {
+bool StoreKeeper::may_have(const IcSpec& spec, const TableOwner& owner) {
     try {
-        return store_.find(spec);
+        return store_.may_have(spec, owner);
+    } catch (const std::exception& error) {
+        set_problem(error.what());
+        return false;
+    }
+}
+
+std::optional<IcRecord> StoreKeeper::find(const IcSpec& spec, const TableOwner& owner) {
+    try {
+        return store_.find(spec, owner);
     } catch (const std::exception& error) {
         set_problem(error.what());
         return std::nullopt;
     }
 }
 
-void StoreKeeper::note_use(const std::string& key, const IcRecord& record) {
+void StoreKeeper::note_use(const std::string& key, const IcRecord& record, const TableOwner& owner) {
     if (record.spec.source != IcSource::fem) return;
     const auto [nx, ny] = extent_of(record.tables);
-    uses_.note(store_.path_of(key, nx, ny));
+    uses_.note(store_.path_of(key, nx, ny, owner));
 }
 
-void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>& kept) {
+void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>& kept, const TableOwner& owner) {
     try {
-        store_.note_use(store_.path_of(spec), store_.time_of_use());
-        store_.remove_covered_by(spec);
+        store_.note_use(store_.path_to_write(ic_key(spec), spec.nx, spec.ny, owner), store_.time_of_use());
+        store_.remove_covered_by(spec, owner);
         if (budgets_.disk_bytes == 0) return;
         uses_.write();
         for (const StoredTable& table : store_.evict(budgets_.disk_bytes, kept))
@@ -63,7 +72,7 @@ StoreKeeper::Record StoreKeeper::keep_unsaved(IcRecord record, const std::string
 
 bool StoreKeeper::save(const IcRecord& record) {
     try {
-        write_ic_file(store_.path_of(record.spec), record);
+        write_ic_file(store_.path_to_write(ic_key(record.spec), record.spec.nx, record.spec.ny), record);
         return true;
     } catch (const std::exception& error) {
         set_problem(error.what());
@@ -99,8 +108,8 @@ std::vector<StoreKeeper::Record> StoreKeeper::recover() {
     return saved;
 }
 
-int StoreKeeper::remove(const std::string& key) {
-    int removed = store_.remove(key);
+int StoreKeeper::remove(const std::string& key, const TableOwner& owner) {
+    int removed = store_.remove(key, owner);
     const std::scoped_lock lock(mutex_);
     std::erase_if(unsaved_, [&](const Record& record) {
         if (ic_key(record->spec) != key) return false;

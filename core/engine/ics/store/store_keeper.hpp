@@ -30,12 +30,13 @@ class StoreKeeper {
     StoreKeeper(IcStore store, const Budgets& budgets, Log log);
 
     const IcStore& store() const { return store_; }
-    /// As IcStore::find; nothing when the folder cannot be read.
-    std::optional<IcRecord> find(const IcSpec& spec);
+    /// As IcStore::find and may_have; nothing when the folder cannot be read.
+    std::optional<IcRecord> find(const IcSpec& spec, const TableOwner& owner = {});
+    bool may_have(const IcSpec& spec, const TableOwner& owner);
     /// A table was served from memory: its file counts as used now.
-    void note_use(const std::string& key, const IcRecord& record);
+    void note_use(const std::string& key, const IcRecord& record, const TableOwner& owner = {});
     /// A table has just been written: what it covers goes, and what no longer fits the budget; see IcStore::evict.
-    void note_stored(const IcSpec& spec, const std::vector<std::string>& kept);
+    void note_stored(const IcSpec& spec, const std::vector<std::string>& kept, const TableOwner& owner = {});
     /// A table could not be written; returns it as it is to be answered, with a warning. It is written when the folder
     /// can be used again.
     Record keep_unsaved(IcRecord record, const std::string& why);
@@ -43,7 +44,7 @@ class StoreKeeper {
     /// nothing most of the time.
     std::vector<Record> recover();
     /// Removes the tables of a key, on disk or waiting for it; returns how many.
-    int remove(const std::string& key);
+    int remove(const std::string& key, const TableOwner& owner);
     /// What keeps the folder from being used, as a sentence; empty when all is well.
     std::string problem() const;
 

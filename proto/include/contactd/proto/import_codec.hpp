@@ -1,12 +1,9 @@
 // JSON <-> plain values: ic.import, and requests for tables whose sections hold arrays.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <nlohmann/json.hpp>
 
+#include "contactd/file_contents.hpp"
 #include "contactd/ic_import.hpp"
 #include "contactd/proto/message.hpp"
 
@@ -16,9 +13,12 @@ namespace contactd::proto {
 IcSpec decode_ic_spec(const nlohmann::json& params, const Frames& frames);
 IcExport decode_ic_export(const nlohmann::json& params, const Frames& frames);
 
-nlohmann::json encode_ic_import(std::string_view file, ArrayWriter& arrays);
-/// The bytes of the file. Throws StatusError (ARRAY_INVALID).
-std::vector<unsigned char> decode_ic_import(const nlohmann::json& params, const Frames& frames);
+/// Attributes and datasets by their paths: the parameters of ic.import, and what ic.export answers as "contents".
+nlohmann::json encode_file_contents(const FileContents& contents, ArrayWriter& arrays);
+/// Throws StatusError (INVALID_FIELD, ARRAY_INVALID) naming "attributes.spec/body", "datasets.transform", ...
+FileContents decode_file_contents(const nlohmann::json& params, const Frames& frames);
+nlohmann::json encode_contents_reply(const FileContents& contents, const IcUse& body, ArrayWriter& arrays);
+
 nlohmann::json encode_import_reply(const IcImport& imported);
 IcImport decode_import_reply(const nlohmann::json& result);
 

@@ -184,3 +184,52 @@ TEST_CASE("Threads that look for work before they sleep do all of it, and end wh
     CHECK(done == 100);
     CHECK(pool.running() == 0);
 }
+
+TEST_CASE("Large tasks leave a thread to small ones") {
+    WorkerPool pool(3);
+    std::promise<void> go_on;
+    const auto gate = go_on.get_future().share();
+    std::atomic<int> large = 0;
+    for (int n = 0; n < 5; ++n)
+        pool.post({.client = std::to_string(n), .is_large = true}, [&, gate] {
+            ++large;
+            gate.wait();
+        });
+    while (large < 2) std::this_thread::yield();
+    std::promise<void> small;
+    pool.post({.client = "other"}, [&] { small.set_value(); });
+    small.get_future().wait();
+    CHECK(large == 2);
+    CHECK(pool.running() <= 3);
+    CHECK(pool.waiting() == 3);
+    go_on.set_value();
+    while (large < 5) std::this_thread::yield();
+}
+
+TEST_CASE("The only thread takes large tasks, too") {
+    WorkerPool pool(1);
+    std::promise<void> ran;
+    pool.post({.is_large = true}, [&] { ran.set_value(); });
+    ran.get_future().wait();
+}
+
+TEST_CASE("What a client sent behind a large task begins after it") {
+    WorkerPool pool(2);
+    std::promise<void> go_on;
+    const auto gate = go_on.get_future().share();
+    std::atomic<bool> first_began = false, second_began = false, third_began = false;
+    pool.post({.client = "a", .is_large = true}, [&, gate] {
+        first_began = true;
+        gate.wait();
+    });
+    while (!first_began) std::this_thread::yield();
+    pool.post({.client = "b", .is_large = true}, [&] { second_began = true; });
+    pool.post({.client = "b"}, [&] { third_began = second_began.load(); });
+    std::promise<void> other;
+    pool.post({.client = "c"}, [&] { other.set_value(); });
+    other.get_future().wait();
+    CHECK_FALSE(second_began);
+    CHECK_FALSE(third_began);
+    go_on.set_value();
+    while (!third_began) std::this_thread::yield();
+}

@@ -22,6 +22,7 @@
 #include "contactd/client/server_info.hpp"
 #include "contactd/conicity.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/file_contents.hpp"
 #include "contactd/ic_import.hpp"
 #include "contactd/ic_reply.hpp"
 #include "contactd/ic_spec.hpp"
@@ -105,10 +106,13 @@ class Client {
     std::string export_ic(const IcSpec& spec, FileFormat format = FileFormat::hdf5,
                           const std::optional<Material>& lower = {}, const CallOptions& options = {});
 
-    /// Puts the content of a file into the daemon's store: of export_ic (HDF5), or one of another store. What it has
-    /// already stays. Throws StatusError (INVALID_ARGUMENT) for what is no such file, a damaged one, or one of a closed
-    /// form.
-    IcImport import_ic(std::string_view file, const CallOptions& options = {});
+    /// The table of get_ic as import_ic takes it: the file of export_ic, taken apart.
+    FileContents export_contents(const IcSpec& spec, const CallOptions& options = {});
+
+    /// Puts a table into the daemon's store: one of export_contents, of this daemon or another, or what a program has
+    /// read from an IC file. What the daemon has already stays. Throws StatusError (INVALID_ARGUMENT) for what is no
+    /// such table, one that errs by more than it states, or one of a closed form.
+    IcImport import_ic(const FileContents& contents, const CallOptions& options = {});
 
     /// The tables in the daemon's store, by name; asked for a thousand at a time. With `evidence` each says how it was
     /// made, which takes its file to be read: asked for a hundred at a time.

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "hdf5_attributes.hpp"
-#include "ic_hdf5_parts.hpp"
+#include "contents_parts.hpp"
 
 namespace contactd {
 namespace {
@@ -18,7 +17,7 @@ constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_la
                                                 {"error_yy_origin", "error_yy_largest", &IcErrors::yy},
                                                 {"error_zz_origin", "error_zz_largest", &IcErrors::zz}}};
 
-Axis axis(const H5::Group& at) {
+Axis axis(const Place& at) {
     const int number = integer(at, "load_axis");
     if (number < static_cast<int>(Axis::x) || number > static_cast<int>(Axis::z))
         throw DamagedTable("The load axis " + std::to_string(number) + " of the file is none.");
@@ -27,7 +26,7 @@ Axis axis(const H5::Group& at) {
 
 }  // namespace
 
-void write_evidence(H5::Group group, const IcEvidence& evidence) {
+void write_evidence(const WritablePlace& group, const IcEvidence& evidence) {
     put(group, "source", evidence.source);
     put(group, "version", evidence.version);
     put(group, "elements", evidence.elements);
@@ -52,10 +51,8 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
         put(group, "end_error", section->end_error);
         put(group, "reciprocity_defect", section->reciprocity_defect);
     }
-    if (evidence.mesh) {
-        H5::Group mesh = group.createGroup("mesh");
-        write_fem(mesh, *evidence.mesh);
-    }
+    if (evidence.imported) put(group, "imported", 1);
+    if (evidence.mesh) write_fem(group.below("mesh"), *evidence.mesh);
     for (const ErrorName& name : error_names)
         if (const auto& error = evidence.errors.*name.member) {
             put(group, name.origin, error->origin);
@@ -65,7 +62,7 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
     if (evidence.errors.scaled_xz) put(group, "scaled_error_xz", *evidence.errors.scaled_xz);
     for (std::size_t n = 0; n < evidence.load_cases.size(); ++n) {
         const LoadCaseEvidence& load_case = evidence.load_cases[n];
-        H5::Group at = group.createGroup("load_case_" + std::to_string(n));
+        const WritablePlace at = group.below("load_case_" + std::to_string(n));
         put(at, "load_axis", static_cast<long long>(load_case.load));
         put(at, "iterations", static_cast<long long>(load_case.iterations));
         put(at, "residual", load_case.residual);
@@ -75,7 +72,7 @@ void write_evidence(H5::Group group, const IcEvidence& evidence) {
     }
 }
 
-IcEvidence read_evidence(const H5::Group& group) {
+IcEvidence read_evidence(const Place& group) {
     IcEvidence evidence;
     evidence.source = text(group, "source");
     evidence.version = text(group, "version");
@@ -86,32 +83,33 @@ IcEvidence read_evidence(const H5::Group& group) {
     evidence.seconds.setup = number(group, "setup_seconds");
     evidence.seconds.solve = number(group, "solve_seconds");
     evidence.seconds.total = number(group, "total_seconds");
-    if (group.attrExists("solver")) evidence.solver = text(group, "solver");
+    if (group.has("solver")) evidence.solver = text(group, "solver");
     evidence.warnings = texts(group, "warnings");
     evidence.errors_estimated = integer(group, "errors_estimated") != 0;
     evidence.family_nu = numbers(group, "family_nu");
-    if (group.attrExists("interpolation_error")) evidence.interpolation_error = number(group, "interpolation_error");
-    if (group.attrExists("modelling_error")) evidence.modelling_error = number(group, "modelling_error");
-    if (group.attrExists("section_order"))
+    if (group.has("interpolation_error")) evidence.interpolation_error = number(group, "interpolation_error");
+    if (group.has("modelling_error")) evidence.modelling_error = number(group, "modelling_error");
+    if (group.has("section_order"))
         evidence.section = {integer(group, "section_order"),    integer(group, "wavenumbers"),
                             number(group, "section_error"),     number(group, "mesh_error"),
                             number(group, "wavenumber_error"),  number(group, "end_error"),
                             number(group, "reciprocity_defect")};
-    if (group.nameExists("mesh")) evidence.mesh = read_fem(group.openGroup("mesh"));
+    if (group.has("imported")) evidence.imported = integer(group, "imported") != 0;
+    if (group.has_group("mesh")) evidence.mesh = read_fem(group.below("mesh"));
     for (const ErrorName& name : error_names)
-        if (group.attrExists(name.origin))
+        if (group.has(name.origin))
             evidence.errors.*name.member = ComponentError{number(group, name.origin), number(group, name.largest)};
-    if (group.attrExists("scaled_error_xy")) evidence.errors.scaled_xy = number(group, "scaled_error_xy");
-    if (group.attrExists("scaled_error_xz")) evidence.errors.scaled_xz = number(group, "scaled_error_xz");
-    for (int n = 0; group.nameExists("load_case_" + std::to_string(n)); ++n) {
-        const H5::Group at = group.openGroup("load_case_" + std::to_string(n));
+    if (group.has("scaled_error_xy")) evidence.errors.scaled_xy = number(group, "scaled_error_xy");
+    if (group.has("scaled_error_xz")) evidence.errors.scaled_xz = number(group, "scaled_error_xz");
+    for (int n = 0; group.has_group("load_case_" + std::to_string(n)); ++n) {
+        const Place at = group.below("load_case_" + std::to_string(n));
         LoadCaseEvidence load_case{axis(at),
                                    integer(at, "iterations"),
                                    number(at, "residual"),
                                    integer(at, "converged") != 0,
                                    number(at, "seconds"),
                                    {}};
-        if (at.attrExists("update")) load_case.update = number(at, "update");
+        if (at.has("update")) load_case.update = number(at, "update");
         evidence.load_cases.push_back(load_case);
     }
     return evidence;

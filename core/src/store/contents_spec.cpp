@@ -1,16 +1,15 @@
 // Group `spec`: what a table is.
 #include "contactd/fem_fields.hpp"
-#include "hdf5_attributes.hpp"
-#include "ic_hdf5_parts.hpp"
+#include "contents_parts.hpp"
 #include "section_numbers.hpp"
 
 namespace contactd {
 
-void write_fem(H5::Group& group, const FemSpec& fem) {
+void write_fem(const WritablePlace& group, const FemSpec& fem) {
     for_each_fem_field([&](const auto& field) { put(group, field.name, fem.*field.member); });
 }
 
-FemSpec read_fem(const H5::Group& group) {
+FemSpec read_fem(const Place& group) {
     FemSpec fem;
     for_each_fem_field([&](const auto& field) { get(group, field.name, fem.*field.member); });
     return fem;
@@ -18,7 +17,7 @@ FemSpec read_fem(const H5::Group& group) {
 
 namespace {
 
-void write_layers(H5::Group group, const Layers& body) {
+void write_layers(const WritablePlace& group, const Layers& body) {
     std::vector<double> thickness, G, nu;
     for (const Layer& layer : body.layers) {
         thickness.push_back(layer.thickness);
@@ -33,7 +32,7 @@ void write_layers(H5::Group group, const Layers& body) {
     put(group, "base_nu", body.base.nu);
 }
 
-Layers read_layers(const H5::Group& group) {
+Layers read_layers(const Place& group) {
     Layers body;
     const std::vector<double> thickness = numbers(group, "thickness"), G = numbers(group, "G"),
                               nu = numbers(group, "nu");
@@ -41,31 +40,25 @@ Layers read_layers(const H5::Group& group) {
         throw DamagedTable("The layers of the file are not complete.");
     for (std::size_t i = 0; i < G.size(); ++i) body.layers.push_back({thickness[i], G[i], nu[i]});
     body.base =
-        group.attrExists("base_G") ? Material{number(group, "base_G"), number(group, "base_nu")} : Material::rigid();
+        group.has("base_G") ? Material{number(group, "base_G"), number(group, "base_nu")} : Material::rigid();
     return body;
 }
 
-/// A dataset: attributes are small.
-void write_section(H5::Group& group, const Section& section, bool has_dimensions) {
+/// A dataset, since attributes are small.
+void write_section(const WritablePlace& group, const Section& section, bool has_dimensions) {
     const std::vector<double> numbers = numbers_of(section);
-    const hsize_t size = numbers.size();
-    H5::DataSet dataset = group.createDataSet("section", H5::PredType::IEEE_F64LE, H5::DataSpace(1, &size));
-    dataset.write(numbers.data(), H5::PredType::NATIVE_DOUBLE);
-    put(dataset, "units", has_dimensions ? "lengths in mm" : "lengths over the width of a column");
+    group.contents.datasets[group.prefix + "section"] = {{numbers.size()}, UnsetArray(numbers.begin(), numbers.end())};
+    put(group.below("section"), "units", has_dimensions ? "lengths in mm" : "lengths over the width of a column");
 }
 
-Section read_section(const H5::DataSet& dataset) {
-    constexpr hssize_t most = 1 << 20;
-    const hssize_t size = dataset.getSpace().getSimpleExtentNpoints();
-    if (size < 1 || size > most) throw DamagedTable("The section of the file has too many numbers, or none.");
-    std::vector<double> values(static_cast<std::size_t>(size));
-    dataset.read(values.data(), H5::PredType::NATIVE_DOUBLE);
-    return section_from(values);
+Section read_section(const Place& group) {
+    const UnsetArray& values = array(group, "section", 1).values;
+    return section_from({values.begin(), values.end()});
 }
 
 }  // namespace
 
-void write_spec(H5::Group group, const IcSpec& spec) {
+void write_spec(const WritablePlace& group, const IcSpec& spec) {
     put(group, "body", spec.body);
     put(group, "source", spec.source);
     put(group, "load_shape", spec.load_shape);
@@ -80,12 +73,12 @@ void write_spec(H5::Group group, const IcSpec& spec) {
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
         const std::optional<Part>& value = spec.*part.member;
         if (!value) return;
-        H5::Group object = group.createGroup(part.name);
+        const WritablePlace object = group.below(part.name);
         for_each_part_field<Part>(
             [&](const PartField<Part>& field) { put(object, field.name, (*value).*field.member); });
     });
     if (spec.section) write_section(group, *spec.section, !is_dimensionless(spec));
-    if (spec.layered) write_layers(group.createGroup("layers"), *spec.layered);
+    if (spec.layered) write_layers(group.below("layers"), *spec.layered);
     if (spec.accuracy != 0) {
         put(group, "accuracy", spec.accuracy);
         if (spec.body == BodyShape::block) put(group, "L_over_h", spec.fem.L_over_h);
@@ -94,9 +87,9 @@ void write_spec(H5::Group group, const IcSpec& spec) {
     }
 }
 
-IcSpec read_spec(const H5::Group& group) {
+IcSpec read_spec(const Place& group) {
     IcSpec spec;
-    const bool has_dimensions = group.attrExists("dx");
+    const bool has_dimensions = group.has("dx");
     spec.dx = has_dimensions ? number(group, "dx") : 1;
     spec.dy = number(group, has_dimensions ? "dy" : "dy_over_dx");
     spec.body = named<BodyShape>(group, "body");
@@ -105,14 +98,14 @@ IcSpec read_spec(const H5::Group& group) {
     spec.any_nu = integer(group, "any_nu") != 0;
     spec.material = {has_dimensions ? number(group, "G") : 1, spec.any_nu ? 0 : number(group, "nu")};
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
-        if (!group.nameExists(part.name)) return;
-        const H5::Group object = group.openGroup(part.name);
+        if (!group.has_group(part.name)) return;
+        const Place object = group.below(part.name);
         Part& value = (spec.*part.member).emplace();
         for_each_part_field<Part>([&](const PartField<Part>& field) { get(object, field.name, value.*field.member); });
     });
-    if (group.nameExists("section")) spec.section = read_section(group.openDataSet("section"));
-    if (group.nameExists("layers")) spec.layered = read_layers(group.openGroup("layers"));
-    if (group.attrExists("accuracy")) {
+    if (group.contents.datasets.contains(group.prefix + "section")) spec.section = read_section(group);
+    if (group.has_group("layers")) spec.layered = read_layers(group.below("layers"));
+    if (group.has("accuracy")) {
         spec.accuracy = number(group, "accuracy");
         spec.fem.L_over_h = spec.body == BodyShape::block ? number(group, "L_over_h") : 0;
     } else if (spec.source == IcSource::fem) {

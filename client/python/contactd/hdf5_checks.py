@@ -1,0 +1,25 @@
+"""What HDF5 does for whoever reads a file of a stranger, and no file of contactd asks for: reading other files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+__all__ = ["has_own_data", "own_members"]
+
+
+def own_members(h5py: Any, group: Any) -> Iterator[tuple[str, Any]]:
+    """Datasets and groups of a group. Raises ValueError for a link to another place or another file, and for what is
+    neither."""
+    for name in group:
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            raise ValueError(f"{name} is a link to somewhere else; these files have none")
+        if group.get(name, getclass=True) not in (h5py.Dataset, h5py.Group):
+            raise ValueError(f"{name} is neither a dataset nor a group")
+        yield name, group[name]
+
+
+def has_own_data(h5py: Any, dataset: Any) -> bool:
+    """Whether its data lie in the file itself."""
+    how = dataset.id.get_create_plist()
+    return how.get_external_count() == 0 and how.get_layout() != h5py.h5d.VIRTUAL

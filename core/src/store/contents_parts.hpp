@@ -1,0 +1,31 @@
+// The groups of an IC file.
+#pragma once
+
+#include "contactd/column_spectrum.hpp"
+#include "contactd/ic_spec.hpp"
+#include "contactd/ic_table.hpp"
+#include "file_values.hpp"
+
+namespace contactd {
+
+/// A table of the store is for G = 1 and dx = 1, of a prism also for dy = 1. Those that leave contactd may have
+/// dimensions (mm^3/N).
+inline bool is_dimensionless(const IcSpec& spec) {
+    return spec.dx == 1 && spec.material.G == 1 && (!spec.section || spec.dy == 1);
+}
+
+void write_spec(const WritablePlace& at, const IcSpec& spec);
+IcSpec read_spec(const Place& at);
+
+/// The attributes of a mesh and its solver.
+void write_fem(const WritablePlace& at, const FemSpec& fem);
+FemSpec read_fem(const Place& at);
+
+/// The transform of a prism's coefficients. Reading throws DamagedTable when the parts do not fit each other.
+void write_spectrum(const WritablePlace& at, const ColumnSpectrum& spectrum);
+ColumnSpectrum read_spectrum(const Place& at, double nu);
+
+void write_evidence(const WritablePlace& at, const IcEvidence& evidence);
+IcEvidence read_evidence(const Place& at);
+
+}  // namespace contactd

@@ -1,0 +1,21 @@
+// What the coefficients of every elastic body are, whoever computed them: held against tables of strangers.
+#pragma once
+
+#include "contactd/column_spectrum.hpp"
+#include "contactd/ic_spec.hpp"
+#include "contactd/ic_table.hpp"
+#include "contactd/observer.hpp"
+
+namespace contactd {
+
+/// Throws InvalidArgument ("datasets") when a table of offsets does not err as little as it states, where a closed form
+/// exists (half-space); when it is not near the half-space's, decays otherwise or is not reciprocal, where none does
+/// (block); and in any case when a traction on some of its elements would take work out of the body. `spec` and `table`
+/// are in one unit; `stated` is the evidence of the table.
+void require_sound(const IcTable& table, const IcSpec& spec, const IcEvidence& stated, const Observer& observer);
+
+/// Throws the same for the transform of a prism: at no wavenumber may a traction on some of its columns take work out of
+/// the body, by more than the stated error.
+void require_sound(const ColumnSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer);
+
+}  // namespace contactd
