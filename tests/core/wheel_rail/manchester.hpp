@@ -25,6 +25,8 @@ inline WheelRailSetup manchester_setup(Side side, WheelSurfaceKind wheel_surface
     WheelRailSetup setup;
     setup.side = side;
     setup.wheel_surface = wheel_surface;
+    // The reference takes gauge and top on the straight lines between the points of its profile, 0.2 um beside ours.
+    setup.track.rail_origin = ProfilePoint{760.532353, -0.000023};
     setup.friction->mu = {{0, 0.3}};
     return setup;
 }

@@ -7,6 +7,7 @@
 
 #include "contactd/error.hpp"
 #include "geometry/placement/ascending_root.hpp"
+#include "geometry/placement/gauge_point.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd::geometry {
@@ -20,18 +21,17 @@ ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
 
 /// A profile whose other side alone reaches the height of the gauge, and not by a cut a little above it, has its gauge
 /// side there.
-void check_gauge_side(const std::vector<ProfilePoint>& points, std::vector<ProfilePoint>::const_iterator top,
-                      double gauge_height) {
-    const auto reach = [&](auto from, auto to) {
-        double lowest = top->z;
-        for (; from != to; ++from) lowest = std::max(lowest, from->z);
-        return lowest - top->z;
-    };
-    const double gauge_side = reach(points.begin(), top), field_side = reach(top, points.end());
-    if (gauge_side < 0.5 * gauge_height && field_side >= gauge_height)
+void check_gauge_side(const ProfileCurve& profile, double at_top, const Track& track) {
+    const double top = canted(profile.at(at_top), track.cant).z;
+    double gauge_side = 0, field_side = 0;
+    for (std::size_t i = 0; i < profile.points().size(); ++i) {
+        double& lowest = profile.knots()[i] < at_top ? gauge_side : field_side;
+        lowest = std::max(lowest, canted(profile.points()[i], track.cant).z - top);
+    }
+    if (gauge_side < 0.5 * track.gauge_height && field_side >= track.gauge_height)
         throw InvalidArgument(
             "track.gauge_height",
-            "is " + number_text(gauge_height) + ", and the rail's profile ends " + short_text(gauge_side) +
+            "is " + number_text(track.gauge_height) + ", and the rail's profile ends " + short_text(gauge_side) +
                 " mm below its top at y < 0, the gauge side, but goes on to " + short_text(field_side) +
                 " mm at y > 0: change mirror_y where the gauge face is there, or give track.rail_origin");
 }
@@ -40,22 +40,12 @@ void check_gauge_side(const std::vector<ProfilePoint>& points, std::vector<Profi
 
 ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track) {
     if (track.rail_origin) return *track.rail_origin;
-    const double cosine = std::cos(-track.cant), sine = std::sin(-track.cant);
-    std::vector<ProfilePoint> points;
-    for (const ProfilePoint& point : profile.points()) points.push_back(turned(point, cosine, sine));
-    const auto top = std::min_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.z < b.z; });
-    check_gauge_side(points, top, track.gauge_height);
-    const double lowest = top->z + track.gauge_height;
-    double gauge_y = top->y;
-    for (auto point = top; point != points.begin();) {
-        const ProfilePoint last = *point--;
-        if (point->z > lowest) {
-            gauge_y = std::min(gauge_y, last.y + (lowest - last.z) / (point->z - last.z) * (point->y - last.y));
-            break;
-        }
-        gauge_y = std::min(gauge_y, point->y);
-    }
-    return {track.gauge / 2 - gauge_y, track.roller_radius ? 0 : -top->z};
+    const double at_top = s_of_top(profile, track.cant);
+    const ProfilePoint top = canted(profile.at(at_top), track.cant);
+    check_gauge_side(profile, at_top, track);
+    const auto at_gauge = s_of_depth(profile, track.cant, at_top, top.z + track.gauge_height);
+    const double gauge_y = least_y(profile, track.cant, at_gauge.value_or(profile.begin()), at_top);
+    return {track.gauge / 2 - gauge_y, track.roller_radius ? 0 : -top.z};
 }
 
 RailSurface::RailSurface(ProfileCurve profile, const Track& track, ProfilePoint origin, const RailDeviation& deviation)
