@@ -64,14 +64,25 @@ auto with_names(const std::string& setup, const std::string& state, const Ask& a
         return ask();
     } catch (const InvalidArgument& error) {
         const std::string &field = error.field(), sentence = error.what();
-        if (field.starts_with("friction.rolling."))
-            throw InvalidArgument(setup + "model",
-                                  "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
-                                  "everywhere; take fastsim or full, or leave friction out");
+        if (field.starts_with("left.")) throw;  // of the left side's own set-up
         const bool of_state = field.starts_with("position.") || field.starts_with("F") || field == "derivatives" ||
                               field.starts_with("rail.F") || field.starts_with("left_rail.") ||
                               field.starts_with("right_rail.");
         throw InvalidArgument((of_state ? state : setup) + field, sentence.substr(field.size() + 1));
+    }
+}
+
+/// What `ask` throws of a wheel's set-up, in the words of one that both have unless the left one has its own.
+template <class Ask>
+auto with_sides(bool left_has_own, const Ask& ask) {
+    try {
+        return ask();
+    } catch (const InvalidArgument& error) {
+        const std::string &field = error.field(), sentence = error.what();
+        for (const std::string side : {"right.", "left."})
+            if (field.starts_with(side) && !(left_has_own && side == "left."))
+                throw InvalidArgument(field.substr(side.size()), sentence.substr(field.size() + 1));
+        throw;
     }
 }
 
@@ -126,8 +137,9 @@ WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& 
         return with_names(own ? "left." : "setup.", "state.", [&] { return wheel_on_rail(setup_of(setup, side)); });
     };
     const PreparedContacts::Contact right = contact(Side::right), left = contact(Side::left);
-    WheelsetSolution solution =
-        with_names("setup.", "state.", [&] { return solve_wheelset(*left, *right, state, observer); });
+    WheelsetSolution solution = with_names("setup.", "state.", [&] {
+        return with_sides(setup.left.has_value(), [&] { return solve_wheelset(*left, *right, state, observer); });
+    });
     count(solution.left);
     count(solution.right);
     return solution;

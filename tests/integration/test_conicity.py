@@ -90,6 +90,22 @@ def test_sides_may_differ(shared):
     assert swinging.integrated != shared.equivalent_conicity(PLAIN, [3])[0].integrated
 
 
+def test_wheels_of_unequal_radii_roll_alike_beside_the_middle(shared):
+    """Cones of 1/20: of 1 mm less the left one makes up for by 10 mm."""
+    left = CONE.replace(wheelset=Wheelset(nominal_radius=459))
+    (contact,) = shared.wheelset_contacts(CONE, [-10], left=left)
+    assert contact.radius_difference == pytest.approx(0, abs=1e-6)
+    assert shared.wheelset_contacts(CONE, [0], left=left)[0].radius_difference == pytest.approx(1, abs=1e-6)
+    for conicity in shared.equivalent_conicity(CONE, [1, 3], left=left):
+        assert conicity.integrated == pytest.approx(0.05, abs=1e-6)
+        assert conicity.wavelength == pytest.approx(2 * math.pi * math.sqrt(750 * 459.5 / 0.05), rel=1e-6)
+
+
+def test_cylinders_have_no_conicity(shared):
+    (conicity,) = shared.equivalent_conicity(WheelRailSetup(wheel=ConeProfile(0.0, ends=(-60, 60))), [3])
+    assert (conicity.integrated, conicity.harmonic, conicity.wavelength) == (0, 0, None)
+
+
 def test_a_motion_that_does_not_swing_back_has_no_conicity(shared):
     setup = WheelRailSetup(
         wheel=ConeProfile(0.05, ends=(-60, 60)), rail=ArcProfile(300), track=Track(rail_origin=(750, 0))
@@ -109,6 +125,8 @@ def test_a_motion_that_does_not_swing_back_has_no_conicity(shared):
         ({}, {"amplitudes": [3], "contact_distance": -1500}, "conicity.contact_distance"),
         ({}, {"amplitudes": [3], "tolerance": 0}, "conicity.tolerance"),
         ({"track": Track(gauge=60)}, {"amplitudes": [3]}, "setup.track.gauge"),
+        ({"track": Track(roller_radius=500)}, {"amplitudes": [3]}, "setup.track.roller_radius"),
+        ({}, {"amplitudes": [3], "left": CONE.replace(track=Track(roller_radius=500))}, "left.track.roller_radius"),
         ({"track": Track(gauge=1600)}, {"amplitudes": [3]}, "conicity.amplitudes"),
         ({"wheelset": Wheelset(nominal_radius=0)}, {"amplitudes": [3]}, "setup.wheelset.nominal_radius"),
         ({"wheel": ConeProfile(-0.05, ends=(-4, 4))}, {"amplitudes": [6]}, "conicity.amplitudes"),

@@ -138,7 +138,7 @@ class WheelsetSolution(Saved, Shown):
     """Both wheels of a wheelset on their rails. Read `warnings`, and those of each wheel; ask `converged`.
 
     Attributes:
-        z: Of the wheelset, as found (mm).
+        z: Of the wheelset, as found (mm): against the mean of both nominal radii, as each wheel's own is against its.
         roll: Of the wheelset, as found (rad).
         left: The left wheel on its rail.
         right: The right wheel on its rail.

@@ -33,7 +33,8 @@ class RigidContact:
         z: In track coordinates, down (mm).
         angle: Of the rail's tangent (rad): negative at the right wheel's flange.
         radius: Rolling radius of the wheel (mm).
-        height: z of the wheelset that brings this contact, against wheels that touch z = 0 with their nominal radius (mm).
+        height: z of the wheelset that brings this contact, against wheels that touch z = 0 with the nominal radius of
+            this one (mm).
         wheel_y: y in the wheel's profile (mm).
         rail_y: y in the rail's profile, as the track's cant turns it (mm).
         at_end: Whether the wheel's or the rail's profile ends before the bodies part.
@@ -74,9 +75,10 @@ class EquivalentConicity:
 
     Attributes:
         amplitude: Half of the way from side to side (mm).
-        integrated: From the wavelength of the kinematic motion; None where the wheelset does not swing.
+        integrated: From the wavelength of the kinematic motion; 0 where there is no radius difference, None where the
+            wheelset does not swing.
         harmonic: By the first harmonic of the radius difference; None where there is no centre to swing around.
-        wavelength: Of the kinematic motion (mm); None where the wheelset does not swing.
+        wavelength: Of the kinematic motion (mm); None where the wheelset does not swing, or has no conicity.
     """
 
     amplitude: float

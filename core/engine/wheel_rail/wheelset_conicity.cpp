@@ -1,6 +1,7 @@
 #include "wheelset_conicity.hpp"
 
 #include <string>
+#include <string_view>
 
 #include "contactd/equivalent_conicity.hpp"
 #include "contactd/error.hpp"
@@ -41,7 +42,7 @@ WheelOverRail side_of(const WheelRailSetup& setup, const std::string& name) {
 
 WheelsetOnTrack wheelset_of(const WheelsetSetup& setup) {
     const WheelOverRail right = side_of(setup.setup, "setup");
-    return {setup.left ? side_of(*setup.left, "left") : right, right, setup.setup.wheelset.nominal_radius};
+    return {setup.left ? side_of(*setup.left, "left") : right, right};
 }
 
 PlacedProfiles placed(const WheelOverRail& side) {
@@ -56,8 +57,12 @@ std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, 
     try {
         return equivalent_conicities(wheelset, wanted.amplitudes, wanted.settings, observer);
     } catch (const InvalidArgument& error) {
-        if (error.field() != "shift") throw renamed(error, "conicity.", 0);
-        throw InvalidArgument("conicity.amplitudes", "lead to a " + std::string(error.what()));
+        constexpr std::string_view right = "right.";
+        if (error.field() == "shift")
+            throw InvalidArgument("conicity.amplitudes", "lead to a " + std::string(error.what()));
+        if (error.field().starts_with(right)) throw renamed(error, "setup.", right.size());
+        if (error.field().starts_with("left.")) throw;
+        throw renamed(error, "conicity.", 0);
     }
 }
 

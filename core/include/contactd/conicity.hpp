@@ -26,7 +26,7 @@ struct RigidContact {
     double y = 0, z = 0;  ///< in track coordinates
     double angle = 0;     ///< of the rail's tangent there, atan2(dz, dy): negative at the right wheel's flange
     double radius = 0;    ///< of the wheel there
-    double height = 0;    ///< z of the wheelset, against wheels that touch z = 0 with their nominal radius
+    double height = 0;    ///< z of the wheelset, against wheels that touch z = 0 with the nominal radius of this one
     double wheel_y = 0, rail_y = 0;  ///< in the profiles; the rail's as the cant turns it
     bool at_end = false;             ///< of the wheel's or the rail's profile: it ends before the bodies part
 
@@ -79,7 +79,7 @@ struct EquivalentConicity {
     double amplitude = 0;   ///< half of the way from side to side (mm)
     double integrated = 0;  ///< from the wavelength of the kinematic motion; not a number where this does not swing
     double harmonic = 0;    ///< the first harmonic of the radius difference; not a number where there is no centre
-    double wavelength = 0;  ///< of the kinematic motion (mm)
+    double wavelength = 0;  ///< of the kinematic motion (mm); infinite where there is no radius difference
 };
 
 }  // namespace contactd

@@ -14,9 +14,10 @@ namespace contactd {
 /// - the kinematic motion y'' = -dr(y)/(2e r0) along the track has the wavelength L(A), found from its energy integral;
 ///   e r0 (2 pi/L)^2 is the conicity (EN 15302);
 /// - the harmonic approximation, 1/(pi A) times the integral of dr/2(A sin t) sin t over a turn.
-/// dr is the right wheel's radius less the left one's. Where both sides differ, the wheelset swings around where it
-/// runs centred. Throws InvalidArgument for amplitudes that are not positive, or reach beyond the profiles, and
-/// Cancelled.
+/// dr is the right wheel's radius less the left one's, and r0 the mean of the nominal radii. Where both sides differ,
+/// the wheelset swings around where it runs centred, which is looked for up to 32 mm from the middle of the track.
+/// Where dr vanishes over the whole swing the conicity is zero. Throws InvalidArgument for amplitudes that are not
+/// positive, or reach beyond the profiles, for rollers ("left.track.roller_radius"), and Cancelled.
 std::vector<EquivalentConicity> equivalent_conicities(const WheelsetOnTrack& wheelset,
                                                       std::span<const double> amplitudes,
                                                       const ConicitySettings& settings = {},

@@ -180,7 +180,7 @@ struct WheelRailSolution {
 };
 
 struct WheelsetSolution {
-    double z = 0, roll = 0;  ///< of the wheelset, as found (mm, rad)
+    double z = 0, roll = 0;  ///< of the wheelset, as found (mm, rad); z against the mean of both nominal radii
     WheelRailSolution left, right;
     SolverEvidence roll_search;         ///< solves of both wheels, and by how much their heights differ (mm)
     std::vector<std::string> warnings;  ///< of both wheels together, sentences; each has those of its own

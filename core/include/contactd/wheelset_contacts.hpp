@@ -4,6 +4,8 @@
 // have y to the field side on both sides. Lengths in mm, angles in rad.
 #pragma once
 
+#include <optional>
+
 #include "contactd/conicity.hpp"
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
@@ -14,13 +16,14 @@ namespace contactd {
 struct WheelOverRail {
     ProfileCurve wheel;
     ProfileCurve rail;
-    double wheel_origin = 750;   ///< from the middle of the axle to y = 0 of the wheel's profile
-    ProfilePoint rail_origin{};  ///< of the rail's profile, from the middle of the track
+    double wheel_origin = 750;              ///< from the middle of the axle to y = 0 of the wheel's profile
+    ProfilePoint rail_origin{};             ///< of the rail's profile, from the middle of the track
+    double nominal_radius = 460;            ///< of the wheel where its profile has z = 0
+    std::optional<double> roller_radius{};  ///< as in Track; absent: a rail
 };
 
 struct WheelsetOnTrack {
     WheelOverRail left, right;
-    double nominal_radius = 460;  ///< of a wheel where its profile has z = 0
 };
 
 /// Throws InvalidArgument naming the field, "track.gauge", "wheelset.flange_back_distance", ...
@@ -30,7 +33,8 @@ WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rai
 WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track = {},
                                   const Wheelset& wheelset = {});
 
-/// The wheelset shifted to the right by `shift`, without yaw. Where a wheel touches in two points at once, that with
+/// The wheelset shifted to the right by `shift`, without yaw. Rollers are cut where they are highest, which is where
+/// such a wheelset touches them. Where a wheel touches in two points at once, that with
 /// the least gap by rounding. Throws InvalidArgument for shifts at which a wheel is not above its rail.
 WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll = WheelsetRoll::demanded);
 

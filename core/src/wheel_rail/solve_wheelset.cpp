@@ -37,26 +37,58 @@ void check(const WheelRailContact& left, const WheelRailContact& right, const Wh
     if (left.setup().side != Side::left) throw InvalidArgument("left", "is the contact of a right wheel");
     if (right.setup().side != Side::right) throw InvalidArgument("right", "is the contact of a left wheel");
     validate(state);
+    if (left.setup().track.roller_radius.has_value() != right.setup().track.roller_radius.has_value())
+        throw InvalidArgument("left.track.roller_radius",
+                              std::string(left.setup().track.roller_radius ? "is given" : "is missing") +
+                                  ", and the right wheel runs on a " +
+                                  (right.setup().track.roller_radius ? "roller" : "rail") +
+                                  "; both wheels of a wheelset run on rails, or both on rollers");
     check_loads(left.setup(), state.left_rail, "left_rail");
     check_loads(right.setup(), state.right_rail, "right_rail");
 }
 
-/// A roll that lifts the left wheel lets the right one down: the height of the left one less that of the right rises.
+/// What `ask` throws, with the name that a field of one wheel has for both: "Fz" is "Fz_left", "rail.Fy" is
+/// "left_rail.Fy", and of the set-ups "dx" is "left.dx".
+template <class Ask>
+auto of_wheel(Side side, const Ask& ask) {
+    try {
+        return ask();
+    } catch (const InvalidArgument& error) {
+        const std::string &field = error.field(), sentence = error.what();
+        const std::string name = side == Side::left ? "left" : "right";
+        const bool of_both = field.starts_with("position.") || field.starts_with("velocity.");
+        throw InvalidArgument(of_both                      ? field
+                              : field.starts_with("F")     ? field + "_" + name
+                              : field.starts_with("rail.") ? name + "_" + field
+                                                           : name + "." + field,
+                              sentence.substr(field.size() + 1));
+    }
+}
+
+/// A roll that lifts the left wheel lets the right one down: the height of the left axle's end less that of the right
+/// one rises.
 class Rolls {
    public:
     Rolls(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state)
-        : left_(left), right_(right), state_(state) {}
+        : left_(left),
+          right_(right),
+          state_(state),
+          larger_(left.setup().wheelset.nominal_radius - right.setup().wheelset.nominal_radius) {}
 
     double expected_difference(double roll) const {
-        return left_.locate(state_of(state_, Side::left, roll)).z -
-               right_.locate(state_of(state_, Side::right, roll)).z;
+        const double left = of_wheel(Side::left, [&] { return left_.locate(state_of(state_, Side::left, roll)).z; });
+        const double right =
+            of_wheel(Side::right, [&] { return right_.locate(state_of(state_, Side::right, roll)).z; });
+        return left - right - larger_;
     }
     double difference(double roll, Observer& observer) {
-        solution_.left = left_.solve(state_of(state_, Side::left, roll), observer);
-        solution_.right = right_.solve(state_of(state_, Side::right, roll), observer);
+        solution_.left =
+            of_wheel(Side::left, [&] { return left_.solve(state_of(state_, Side::left, roll), observer); });
+        solution_.right =
+            of_wheel(Side::right, [&] { return right_.solve(state_of(state_, Side::right, roll), observer); });
         solution_.roll = roll;
         solution_.z = 0.5 * (solution_.left.z + solution_.right.z);
-        return solution_.left.z - solution_.right.z;
+        return solution_.left.z - solution_.right.z - larger_;
     }
     RisingTask task(double start, double tolerance) const {
         constexpr double first_step = 1e-4;  // rad
@@ -67,6 +99,7 @@ class Rolls {
    private:
     const WheelRailContact &left_, &right_;
     const WheelsetState& state_;
+    double larger_;  // the left wheel's radius (mm): z of each wheel is against its own, and both have one axle
     WheelsetSolution solution_;
 };
 

@@ -94,9 +94,12 @@ json encode_conicities(std::span<const EquivalentConicity> conicities) {
 std::vector<EquivalentConicity> decode_conicities(const json& source) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<EquivalentConicity> conicities;
-    for (const json& entry : source)
-        conicities.push_back({entry["amplitude"].get<double>(), entry.value("integrated", none),
-                              entry.value("harmonic", none), entry.value("wavelength", none)});
+    for (const json& entry : source) {
+        const double integrated = entry.value("integrated", none);
+        const double missing = integrated == 0 ? std::numeric_limits<double>::infinity() : none;
+        conicities.push_back({entry["amplitude"].get<double>(), integrated, entry.value("harmonic", none),
+                              entry.value("wavelength", missing)});
+    }
     return conicities;
 }
 

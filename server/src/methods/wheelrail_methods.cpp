@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "all_methods.hpp"
+#include "contactd/error.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "engine/wheel_rail/wheelset_conicity.hpp"
 #include "jobs/job_reports.hpp"
@@ -83,6 +84,11 @@ void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {
 void locate(const CallPtr& call, const DaemonParts& parts) {
     const nlohmann::json& params = call->request.params;
     const WheelsetSetup wheelset = wheelset_setup_of(call);
+    if (wheelset.left && !params.contains("contacts") && !params.contains("conicity") &&
+        !params.value("profiles", false))
+        throw InvalidArgument("left",
+                              "is given, and states are those of one wheel, whose set-up is setup; leave it out, or "
+                              "ask for contacts, conicity or profiles");
     std::vector<WheelRailState> states;
     for (const nlohmann::json& state : params.value("states", nlohmann::json::array()))
         states.push_back(proto::decode_wheel_rail_state(state));

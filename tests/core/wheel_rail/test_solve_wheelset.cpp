@@ -5,14 +5,18 @@
 #include <cmath>
 
 #include "contactd/error.hpp"
+#include "contactd/make_profile.hpp"
 #include "contactd/solve_wheel_rail.hpp"
+#include "contactd/wheelset_contacts.hpp"
 #include "wheel_rail/manchester.hpp"
 #include "wheel_rail/rising_search.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::StartsWith;
 using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
 
 namespace {
 
@@ -54,6 +58,47 @@ TEST_CASE("A wheelset in the middle does not roll, and unlike loads press it dow
     const double roll = solve_wheelset(wheel(Side::left), wheel(Side::right), state, observer).roll;
     CHECK(roll > 0);
     CHECK(roll < 0.03 / 1500);
+}
+
+TEST_CASE("The axle of unequal wheels leans towards the smaller one, as rigid ones do") {
+    WheelsetSetup wheelset;
+    WheelRailSetup& setup = wheelset.setup;
+    setup.wheel.shape = ConeProfile{-0.05, -60, 60};
+    setup.rail.shape = ArcProfile{300, 0, -36, 36};
+    setup.track.rail_origin = {750, 0};
+    setup.dx = setup.dy = 0.4;
+    wheelset.left = setup;
+    wheelset.left->wheelset.nominal_radius = 459;
+    const WheelRailContact left(setup_of(wheelset, Side::left)), right(setup_of(wheelset, Side::right));
+    WheelsetState state;
+    state.Fz_left = state.Fz_right = 80e3;
+    Observer observer;
+    const WheelsetSolution solution = solve_wheelset(left, right, state, observer);
+    CHECK(solution.roll_search.converged);
+    const auto curve = [](const ProfileSpec& profile) { return make_profile(profile).curve; };
+    WheelsetOnTrack rigid = wheelset_on_track(curve(setup.wheel), curve(setup.rail), setup.track, setup.wheelset);
+    rigid.left.nominal_radius = 459;
+    CHECK_THAT(solution.roll, WithinRel(contacts_at(rigid, 0).roll, 5e-3));
+    CHECK_THAT(solution.left.z - solution.right.z, WithinAbs(-1, 1e-6));  // each against its own radius
+    CHECK_THAT(solution.z, WithinAbs((solution.left.z + solution.right.z) / 2, 1e-12));
+}
+
+TEST_CASE("A wheelset does not run on a rail and a roller") {
+    WheelRailSetup setup = manchester_setup(Side::left);
+    setup.track.roller_radius = 500;
+    Observer observer;
+    const WheelRailContact left(setup);
+    CHECK_THROWS_WITH(solve_wheelset(left, wheel(Side::right), wheelset_state(manchester_cases[0]), observer),
+                      ContainsSubstring("left.track.roller_radius is given, and the right wheel runs on a rail"));
+}
+
+TEST_CASE("What is wrong with one wheel of a wheelset is named by its side") {
+    WheelRailSetup setup = manchester_setup(Side::left);
+    setup.dx = setup.dy = 1e-4;
+    Observer observer;
+    const WheelRailContact left(setup);
+    CHECK_THROWS_WITH(solve_wheelset(left, wheel(Side::right), wheelset_state(manchester_cases[0]), observer),
+                      StartsWith("left.dx and dy"));
 }
 
 TEST_CASE("Wheels of the wrong side, and wheels that do not press, are refused") {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "geometry/conicity/radius_difference.hpp"
@@ -12,7 +14,7 @@
 namespace contactd {
 namespace {
 
-constexpr double room = 1;  // mm: that the middle of the motion may lie beside the middle of the track
+constexpr double first_room = 1, most_room = 32;  // mm: that the centre of the motion may lie beside that of the track
 
 void check(std::span<const double> amplitudes, const ConicitySettings& settings) {
     for (std::size_t i = 0; i < amplitudes.size(); ++i)
@@ -27,27 +29,91 @@ void check(std::span<const double> amplitudes, const ConicitySettings& settings)
                               "is " + number_text(settings.tolerance) + "; it must be between 1e-6 and 1 mm");
 }
 
+void check_rails(const WheelsetOnTrack& wheelset) {
+    for (const auto& [side, name] : {std::pair(&wheelset.left, "left"), std::pair(&wheelset.right, "right")})
+        if (side->roller_radius)
+            throw InvalidArgument(std::string(name) + ".track.roller_radius",
+                                  "is " + number_text(*side->roller_radius) +
+                                      "; the equivalent conicity is that of a wheelset that runs along rails, and on "
+                                      "rollers it does not: leave it out");
+}
+
+/// A wheelset at the shifts that were looked at.
+class Shifts {
+   public:
+    Shifts(const WheelsetOnTrack& wheelset, const ConicitySettings& settings, const Observer& observer)
+        : wheelset_(wheelset), settings_(settings), observer_(observer) {}
+
+    double radius_difference(double shift) {
+        observer_.throw_if_cancelled();
+        const auto contacts = contacts_at(wheelset_, shift, settings_.roll);
+        if (contacts.left.at_end || contacts.right.at_end) at_ends_.push_back(shift);
+        return contacts.radius_difference();
+    }
+
+    void refuse_ends(double centre, double amplitude) const {
+        for (const double shift : at_ends_)
+            if (std::abs(shift - centre) <= amplitude)
+                throw InvalidArgument("amplitudes", "reach " + number_text(amplitude) + " mm, and at the shift " +
+                                                        number_text(shift) +
+                                                        " mm a profile's end is in contact; take smaller ones, or "
+                                                        "profiles that go on");
+    }
+
+   private:
+    const WheelsetOnTrack& wheelset_;
+    const ConicitySettings& settings_;
+    const Observer& observer_;
+    std::vector<double> at_ends_;
+};
+
+/// Twice as far to a side where a centre may still lie; as far as now where none may, or it would be too far.
+geometry::Reach wider(const geometry::RadiusDifference& difference, std::span<const double> amplitudes,
+                      double largest) {
+    geometry::Reach reach = difference.reach();
+    for (const double amplitude : amplitudes) {
+        const int side = difference.side_of_centre(amplitude);
+        double& end = side < 0 ? reach.low : reach.high;
+        const double room = 2 * (std::abs(end) - largest);
+        if (side == 0 || room > most_room) continue;
+        end = side * (largest + room);
+        break;
+    }
+    return reach;
+}
+
+/// As far as all centres need, and both wheels are above their rails.
+geometry::RadiusDifference difference_around(Shifts& shifts, std::span<const double> amplitudes, double tolerance) {
+    const double largest = *std::max_element(amplitudes.begin(), amplitudes.end());
+    geometry::RadiusDifference difference({-largest - first_room, largest + first_room}, tolerance,
+                                          [&](double shift) { return shifts.radius_difference(shift); });
+    while (true) {
+        const geometry::Reach reach = wider(difference, amplitudes, largest);
+        if (reach == difference.reach()) return difference;
+        try {
+            difference.extend(reach);
+        } catch (const InvalidArgument&) {
+            return difference;  // a wheel has left its rail
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<EquivalentConicity> equivalent_conicities(const WheelsetOnTrack& wheelset,
                                                       std::span<const double> amplitudes,
                                                       const ConicitySettings& settings, const Observer& observer) {
     check(amplitudes, settings);
+    check_rails(wheelset);
     if (amplitudes.empty()) return {};
-    const double largest = *std::max_element(amplitudes.begin(), amplitudes.end());
-    const geometry::RadiusDifference difference(largest + room, settings.tolerance, [&](double shift) {
-        observer.throw_if_cancelled();
-        const auto contacts = contacts_at(wheelset, shift, settings.roll);
-        if (std::abs(shift) <= largest && (contacts.left.at_end || contacts.right.at_end))
-            throw InvalidArgument("amplitudes", "reach " + number_text(largest) + " mm, and at the shift " +
-                                                    number_text(shift) +
-                                                    " mm a profile's end is in contact; take smaller ones, or profiles "
-                                                    "that go on");
-        return contacts.radius_difference();
-    });
-    const double inertia = settings.contact_distance * wheelset.nominal_radius;  // 2e r0
+    Shifts shifts(wheelset, settings, observer);
+    const auto difference = difference_around(shifts, amplitudes, settings.tolerance);
+    const double radius = (wheelset.left.nominal_radius + wheelset.right.nominal_radius) / 2;
+    const double inertia = settings.contact_distance * radius;  // 2e r0
     std::vector<EquivalentConicity> conicities;
     for (const double amplitude : amplitudes) {
+        const double centre = difference.centre(amplitude);
+        shifts.refuse_ends(std::isnan(centre) ? 0 : centre, amplitude);
         const double half = difference.half_swing(amplitude), frequency = std::numbers::pi / half;
         conicities.push_back({.amplitude = amplitude,
                               .integrated = frequency * frequency / 2,

@@ -16,9 +16,9 @@ constexpr double precise = 1e-11;  // mm: of the place along the wheel
 
 class Gap {
    public:
-    Gap(const WheelOverRail& pair, double nominal_radius, double shift, double roll)
+    Gap(const WheelOverRail& pair, double shift, double roll)
         : pair_(pair),
-          radius_(nominal_radius),
+          radius_(pair.nominal_radius),
           shift_(shift),
           cos_(std::cos(roll)),
           sin_(std::sin(roll)),
@@ -88,8 +88,8 @@ std::vector<LeastGap> samples_along(const Gap& gap, double length) {
 
 }  // namespace
 
-LeastGap least_gap(const WheelOverRail& pair, double nominal_radius, double shift, double roll) {
-    const Gap gap(pair, nominal_radius, shift, roll);
+LeastGap least_gap(const WheelOverRail& pair, double shift, double roll) {
+    const Gap gap(pair, shift, roll);
     const auto samples = samples_along(gap, pair.wheel.end());
     LeastGap found;
     for (std::size_t i = 1; i + 1 < samples.size(); ++i) {

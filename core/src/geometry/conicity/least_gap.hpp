@@ -15,7 +15,7 @@ struct LeastGap {
 };
 
 /// The wheelset is shifted by `shift` and turned by `roll`, both outwards as seen from this wheel, about the middle of
-/// the axle, nominal_radius above the plane of the track.
-LeastGap least_gap(const WheelOverRail& pair, double nominal_radius, double shift, double roll);
+/// the axle, which lies the wheel's nominal radius above the plane of the track.
+LeastGap least_gap(const WheelOverRail& pair, double shift, double roll);
 
 }  // namespace contactd::geometry

@@ -15,19 +15,49 @@ constexpr double pi = std::numbers::pi;
 constexpr int turn = 3600;                                // places of a turn
 constexpr double first_step = 0.1, smallest_step = 1e-3;  // mm
 
-struct Sample {
-    double shift, value;
-};
+}  // namespace
+
+RadiusDifference::RadiusDifference(Reach reach, double tolerance, std::function<double(double)> difference)
+    : reach_(reach), tolerance_(tolerance), difference_(std::move(difference)) {
+    const auto steps_to = [](double end) { return static_cast<int>(std::ceil(std::abs(end) / first_step)); };
+    const int below = steps_to(reach.low), above = steps_to(reach.high);
+    std::vector<double> shifts;
+    for (int i = below; i > 0; --i) shifts.push_back(reach.low * i / below);
+    for (int i = 0; i <= above; ++i) shifts.push_back(reach.high * i / above);
+    take(sampled(shifts));
+}
+
+void RadiusDifference::extend(Reach reach) {
+    const auto stretch = [&](double from, double to) {
+        const int steps = static_cast<int>(std::ceil((to - from) / first_step));
+        std::vector<double> shifts;
+        for (int i = 0; i <= steps; ++i) shifts.push_back(from + (to - from) * i / steps);
+        return steps > 0 ? sampled(shifts) : std::vector<Sample>{};
+    };
+    std::vector<Sample> samples = stretch(reach.low, reach_.low);
+    if (!samples.empty()) samples.pop_back();  // is known
+    for (std::size_t i = 0; i < values_.size(); ++i) samples.push_back({find_.values()[i], values_[i]});
+    const std::vector<Sample> above = stretch(reach_.high, reach.high);
+    if (!above.empty()) samples.insert(samples.end(), above.begin() + 1, above.end());
+    reach_ = reach;
+    take(samples);
+}
+
+std::vector<RadiusDifference::Sample> RadiusDifference::sampled(const std::vector<double>& shifts) const {
+    std::vector<Sample> samples{{shifts.front(), difference_(shifts.front())}};
+    for (std::size_t i = 1; i < shifts.size(); ++i)
+        fill(samples, Sample(samples.back()), {shifts[i], difference_(shifts[i])});
+    return samples;
+}
 
 /// What lies between two samples, and the second one.
-void fill(std::vector<Sample>& samples, const Sample& from, const Sample& to, double tolerance,
-          const std::function<double(double)>& difference) {
+void RadiusDifference::fill(std::vector<Sample>& samples, const Sample& from, const Sample& to) const {
     const double shift = (from.shift + to.shift) / 2;
     if (to.shift - from.shift > smallest_step) {
-        const Sample middle{shift, difference(shift)};
-        if (std::abs(middle.value - (from.value + to.value) / 2) > tolerance) {
-            fill(samples, from, middle, tolerance, difference);
-            fill(samples, middle, to, tolerance, difference);
+        const Sample middle{shift, difference_(shift)};
+        if (std::abs(middle.value - (from.value + to.value) / 2) > tolerance_) {
+            fill(samples, from, middle);
+            fill(samples, middle, to);
             return;
         }
         samples.push_back(middle);
@@ -35,17 +65,10 @@ void fill(std::vector<Sample>& samples, const Sample& from, const Sample& to, do
     samples.push_back(to);
 }
 
-}  // namespace
-
-RadiusDifference::RadiusDifference(double reach, double tolerance, const std::function<double(double)>& difference)
-    : reach_(reach) {
-    const auto half = static_cast<int>(std::ceil(reach / first_step));
-    std::vector<Sample> samples{{-reach, difference(-reach)}};
-    for (int i = 1 - half; i <= half; ++i) {
-        const double shift = reach * i / half;
-        fill(samples, Sample(samples.back()), {shift, difference(shift)}, tolerance, difference);
-    }
+void RadiusDifference::take(const std::vector<Sample>& samples) {
     std::vector<double> shifts;
+    values_.clear();
+    integrals_.clear();
     for (const Sample& sample : samples) {
         integrals_.push_back(shifts.empty() ? 0
                                             : integrals_.back() +
@@ -58,40 +81,81 @@ RadiusDifference::RadiusDifference(double reach, double tolerance, const std::fu
 
 double RadiusDifference::operator()(double shift) const {
     const auto& shifts = find_.values();
-    const std::size_t i = find_(std::max(shift, -reach_));
+    const std::size_t i = find_(std::max(shift, reach_.low));
     return values_[i] + (shift - shifts[i]) / (shifts[i + 1] - shifts[i]) * (values_[i + 1] - values_[i]);
 }
 
 double RadiusDifference::potential(double shift) const {
     const auto& shifts = find_.values();
-    const std::size_t i = find_(std::max(shift, -reach_));
+    const std::size_t i = find_(std::max(shift, reach_.low));
     const double into = shift - shifts[i], slope = (values_[i + 1] - values_[i]) / (shifts[i + 1] - shifts[i]);
     return integrals_[i] + into * (values_[i] + into / 2 * slope);
 }
 
 double RadiusDifference::centre(double amplitude, const std::function<double(double)>& function) const {
-    const double room = reach_ - amplitude;
-    const double at_low = function(-room), at_high = function(room);
+    const double low = reach_.low + amplitude, high = reach_.high - amplitude;
+    const double at_low = function(low), at_high = function(high);
     if (!(at_low < 0 && at_high > 0)) return function(0) == 0 ? 0 : std::numeric_limits<double>::quiet_NaN();
-    return bracketed_root(-room, room, at_low, at_high, 1e-12, function);
+    return bracketed_root(low, high, at_low, at_high, 1e-12, function);
+}
+
+double RadiusDifference::unevenness(double amplitude, double centre) const {
+    return potential(centre + amplitude) - potential(centre - amplitude);
+}
+
+double RadiusDifference::centre(double amplitude) const {
+    return centre(amplitude, [&](double middle) { return unevenness(amplitude, middle); });
+}
+
+int RadiusDifference::side_of_centre(double amplitude) const {
+    const auto side = [&](const auto& function) {
+        const double at_low = function(reach_.low + amplitude), at_high = function(reach_.high - amplitude);
+        return at_low > 0 && at_high > 0 ? -1 : at_low < 0 && at_high < 0 ? 1 : 0;
+    };
+    const int of_swing = side([&](double middle) { return unevenness(amplitude, middle); });
+    return of_swing != 0 ? of_swing : side([&](double middle) { return moment(amplitude, middle, false); });
+}
+
+double RadiusDifference::largest_between(double from, double to) const {
+    double largest = std::max(std::abs((*this)(from)), std::abs((*this)(to)));
+    const auto& shifts = find_.values();
+    for (std::size_t i = 0; i < shifts.size(); ++i)
+        if (shifts[i] > from && shifts[i] < to) largest = std::max(largest, std::abs(values_[i]));
+    return largest;
+}
+
+// What is a rounding error vanishes. So does what is as little as the profiles are known, where it does not swing:
+// points of a cylinder lie beside it by less than that.
+bool RadiusDifference::vanishes(double amplitude) const {
+    constexpr double rounding = 1e-9, least_conicity = 1e-3;  // mm; digits of conicities that nobody tells
+    const double y = centre(amplitude), middle = std::isnan(y) ? 0 : y;
+    const double largest = largest_between(middle - amplitude, middle + amplitude);
+    if (largest <= rounding) return true;
+    const bool swings = std::isfinite(half_swing_around(amplitude, y));
+    return !swings && largest <= std::min(tolerance_, 2 * amplitude * least_conicity);
+}
+
+double RadiusDifference::moment(double amplitude, double centre, bool weighted) const {
+    double sum = 0;
+    for (int k = 0; k < turn; ++k) {
+        const double sine = std::sin(2 * pi * (k + 0.5) / turn);
+        sum += (*this)(centre + amplitude * sine) * (weighted ? sine : 1);
+    }
+    return sum * 2 * pi / turn;
 }
 
 double RadiusDifference::harmonic(double amplitude) const {
-    const auto moment = [&](double y, bool weighted) {
-        double sum = 0;
-        for (int k = 0; k < turn; ++k) {
-            const double sine = std::sin(2 * pi * (k + 0.5) / turn);
-            sum += (*this)(y + amplitude * sine) * (weighted ? sine : 1);
-        }
-        return sum * 2 * pi / turn;
-    };
-    const double y = centre(amplitude, [&](double middle) { return moment(middle, false); });
-    return std::isnan(y) ? y : moment(y, true) / (2 * pi * amplitude);
+    if (vanishes(amplitude)) return 0;
+    const double y = centre(amplitude, [&](double middle) { return moment(amplitude, middle, false); });
+    return std::isnan(y) ? y : moment(amplitude, y, true) / (2 * pi * amplitude);
 }
 
 double RadiusDifference::half_swing(double amplitude) const {
-    const auto unevenness = [&](double y) { return potential(y + amplitude) - potential(y - amplitude); };
-    const double y = centre(amplitude, unevenness);
+    if (vanishes(amplitude)) return std::numeric_limits<double>::infinity();
+    return half_swing_around(amplitude, centre(amplitude));
+}
+
+double RadiusDifference::half_swing_around(double amplitude, double y) const {
     if (std::isnan(y)) return y;
     const double ends = (potential(y + amplitude) + potential(y - amplitude)) / 2;
     double sum = 0;

@@ -9,6 +9,7 @@
 #include "contactd/error.hpp"
 #include "geometry/conicity/bracketed_root.hpp"
 #include "geometry/conicity/least_gap.hpp"
+#include "geometry/placement/gauge_point.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "types/number_text.hpp"
 
@@ -19,8 +20,8 @@ using geometry::LeastGap;
 
 constexpr double largest_roll = 0.2, precise_roll = 1e-13;  // rad
 
-LeastGap gap_of(const WheelOverRail& pair, double nominal_radius, double shift, double roll, double outwards) {
-    const LeastGap found = geometry::least_gap(pair, nominal_radius, outwards * shift, outwards * roll);
+LeastGap gap_of(const WheelOverRail& pair, double shift, double roll, double outwards) {
+    const LeastGap found = geometry::least_gap(pair, outwards * shift, outwards * roll);
     if (std::isinf(found.gap))
         throw InvalidArgument("shift",
                               "is " + number_text(shift) + ", where the " + (outwards > 0 ? "right" : "left") +
@@ -29,12 +30,12 @@ LeastGap gap_of(const WheelOverRail& pair, double nominal_radius, double shift, 
     return found;
 }
 
-RigidContact contact_of(const WheelOverRail& pair, double nominal_radius, const LeastGap& found, double outwards) {
+RigidContact contact_of(const WheelOverRail& pair, const LeastGap& found, double outwards) {
     const ProfilePoint along = pair.rail.slope(found.rail_s);
     return {.y = outwards * found.place.y,
             .z = found.place.z,
             .angle = outwards * std::atan2(along.z, along.y),
-            .radius = nominal_radius + pair.wheel.at(found.wheel_s).z,
+            .radius = pair.nominal_radius + pair.wheel.at(found.wheel_s).z,
             .height = found.gap,
             .wheel_y = pair.wheel.at(found.wheel_s).y,
             .rail_y = pair.rail.at(found.rail_s).y,
@@ -45,8 +46,7 @@ RigidContact contact_of(const WheelOverRail& pair, double nominal_radius, const 
 ProfileCurve canted(const ProfileCurve& rail, double cant) {
     if (cant == 0) return rail;
     std::vector<ProfilePoint> points;
-    for (const auto& [y, z] : rail.points())
-        points.push_back({std::cos(cant) * y + std::sin(cant) * z, std::cos(cant) * z - std::sin(cant) * y});
+    for (const ProfilePoint& point : rail.points()) points.push_back(geometry::canted(point, cant));
     return ProfileCurve(std::move(points), rail.kinks());
 }
 
@@ -62,26 +62,31 @@ WheelOverRail wheel_over_rail(const ProfileCurve& wheel, const ProfileCurve& rai
     if (!track.rail_origin && !(track.gauge > width))
         throw InvalidArgument("track.gauge", "is " + number_text(track.gauge) + ", less than a rail is wide, " +
                                                  short_text(width) + " mm: the rails would lie in each other");
-    return {wheel, canted(rail, track.cant), wheelset.flange_back_distance / 2 - wheelset.flange_back_position,
-            geometry::rail_origin(rail, track)};
+    return {wheel,
+            canted(rail, track.cant),
+            wheelset.flange_back_distance / 2 - wheelset.flange_back_position,
+            geometry::rail_origin(rail, track),
+            wheelset.nominal_radius,
+            track.roller_radius};
 }
 
 WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve& rail, const Track& track,
                                   const Wheelset& wheelset) {
     const WheelOverRail pair = wheel_over_rail(wheel, rail, track, wheelset);
-    return {pair, pair, wheelset.nominal_radius};
+    return {pair, pair};
 }
 
 WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll) {
     if (!std::isfinite(shift))
         throw InvalidArgument("shift", "is " + number_text(shift) + "; it must be finite, in mm");
-    const double radius = wheelset.nominal_radius;
-    const auto right = [&](double turned) { return gap_of(wheelset.right, radius, shift, turned, 1); };
-    const auto left = [&](double turned) { return gap_of(wheelset.left, radius, shift, turned, -1); };
+    const auto right = [&](double turned) { return gap_of(wheelset.right, shift, turned, 1); };
+    const auto left = [&](double turned) { return gap_of(wheelset.left, shift, turned, -1); };
     double turned = 0;
     if (roll == WheelsetRoll::demanded) {
-        // A roll to the right lowers the right wheel, and the gap on the left widens.
-        const auto imbalance = [&](double angle) { return left(angle).gap - right(angle).gap; };
+        // A roll to the right lowers the right wheel, and the gap on the left widens. Both wheels have one axle:
+        // heights are those of its middle.
+        const double larger = wheelset.left.nominal_radius - wheelset.right.nominal_radius;
+        const auto imbalance = [&](double angle) { return left(angle).gap - right(angle).gap - larger; };
         double low = 0, high = 0, at_low = imbalance(0), at_high = at_low;
         const double usual = std::abs(at_low) / wheelset.right.wheel_origin;  // about twice what is needed
         for (double reach = std::max(1e-7, usual); at_low > 0 || at_high < 0; reach *= 2) {
@@ -97,8 +102,8 @@ WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, Whee
     }
     return {.shift = shift,
             .roll = turned,
-            .left = contact_of(wheelset.left, radius, left(turned), -1),
-            .right = contact_of(wheelset.right, radius, right(turned), 1)};
+            .left = contact_of(wheelset.left, left(turned), -1),
+            .right = contact_of(wheelset.right, right(turned), 1)};
 }
 
 }  // namespace contactd

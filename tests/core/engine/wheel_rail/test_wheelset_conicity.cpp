@@ -48,6 +48,15 @@ TEST_CASE("A cone has its own conicity, and what is wrong with a request for it 
         setup.left->track.gauge = 30;
         CHECK(field() == "left.track.gauge");
     }
+    SECTION("a roller") {
+        setup.setup.track.roller_radius = 500;
+        CHECK(field() == "setup.track.roller_radius");
+    }
+    SECTION("a roller of the left side") {
+        setup.left = setup.setup;
+        setup.left->track.roller_radius = 500;
+        CHECK(field() == "left.track.roller_radius");
+    }
     SECTION("a rail that varies") {
         setup.setup.rail_slices = {{0, {}}, {1, {}}};
         CHECK(field() == "setup.rail_slices");
@@ -74,6 +83,13 @@ TEST_CASE("A wheelset touches its rails at each shift") {
         const auto mixed = wheelset_contacts(setup, {{3}}, observer);
         CHECK(mixed[0].right == contacts[2].right);
         CHECK(mixed[0].left == wheelset_contacts({}, {{3}}, observer)[0].left);
+    }
+    SECTION("also in their radii") {
+        setup.left = setup.setup;
+        setup.left->wheelset.nominal_radius = 459;
+        const auto unequal = wheelset_contacts(setup, {{3}}, observer);
+        CHECK(unequal[0].right == contacts[2].right);
+        CHECK(unequal[0].left.radius == contacts[2].left.radius - 1);
     }
     SECTION("but not where it has left them") {
         CHECK_THROWS_WITH(wheelset_contacts(setup, {{0, 300}}, observer), StartsWith("contacts.shifts[1] is 300"));

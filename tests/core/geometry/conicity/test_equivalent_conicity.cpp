@@ -84,31 +84,95 @@ TEST_CASE("the energy integral gives the wavelength of the motion integrated ste
     const auto stiffening = [](double y) { return 0.1 * y + 0.02 * y * y * y; };
     const auto jump = [](double y) { return y > 2 ? 1 + 0.1 * y : y < -2 ? -1 + 0.1 * y : 0.1 * y; };
     for (const geometry::RadiusDifference& difference :
-         {geometry::RadiusDifference(6, 1e-4, stiffening), geometry::RadiusDifference(6, 1e-4, jump)})
+         {geometry::RadiusDifference({-6, 6}, 1e-4, stiffening), geometry::RadiusDifference({-6, 6}, 1e-4, jump)})
         for (const double amplitude : {1.0, 3.0, 5.0})
             CHECK_THAT(difference.half_swing(amplitude), WithinRel(half_swing_by_steps(difference, amplitude), 2e-3));
-    CHECK_THAT(geometry::RadiusDifference(6, 1e-4, stiffening).harmonic(3), WithinRel(0.05 + 0.01 * 0.75 * 9, 1e-4));
+    CHECK_THAT(geometry::RadiusDifference({-6, 6}, 1e-4, stiffening).harmonic(3),
+               WithinRel(0.05 + 0.01 * 0.75 * 9, 1e-4));
 }
 
 TEST_CASE("a motion around another middle is that around zero", "[conicity]") {
     const auto cubic = [](double y) { return 0.1 * y + 0.02 * y * y * y; };
-    const geometry::RadiusDifference centred(6, 1e-4, cubic), beside(6, 1e-4, [&](double y) { return cubic(y - 0.4); });
+    const geometry::RadiusDifference centred({-6, 6}, 1e-4, cubic),
+        beside({-6, 6}, 1e-4, [&](double y) { return cubic(y - 0.4); });
     CHECK_THAT(beside.half_swing(3), WithinRel(centred.half_swing(3), 1e-5));
     CHECK_THAT(beside.harmonic(3), WithinRel(centred.harmonic(3), 1e-5));
 }
 
 TEST_CASE("what does not swing has no wavelength", "[conicity]") {
-    const geometry::RadiusDifference away(6, 1e-4, [](double y) { return -0.1 * y; });
+    const geometry::RadiusDifference away({-6, 6}, 1e-4, [](double y) { return -0.1 * y; });
     CHECK(std::isnan(away.half_swing(2)));
-    const geometry::RadiusDifference aside(6, 1e-4, [](double) { return 1.0; });
+    const geometry::RadiusDifference aside({-6, 6}, 1e-4, [](double) { return 1.0; });
     CHECK(std::isnan(aside.half_swing(2)));
     CHECK(std::isnan(aside.harmonic(2)));
+}
+
+TEST_CASE("wheels of unequal radii swing around where they roll alike", "[conicity]") {
+    const double r0 = GENERATE(459.0, 461.0, 459.9);
+    const std::vector<double> amplitudes{1, 3};
+    const auto cone = on_60e1(ConeProfile{-0.05, -60, 60}, 1.0 / 40);
+    auto unequal = cone;
+    unequal.left.nominal_radius = r0;
+    for (const auto& found : equivalent_conicities(unequal, amplitudes)) {
+        CHECK_THAT(found.integrated, WithinAbs(0.05, 1e-7));
+        CHECK_THAT(found.harmonic, WithinAbs(0.05, 1e-7));
+        CHECK_THAT(found.wavelength, WithinRel(2 * pi * std::sqrt(750 * (460 + r0) / 2 / 0.05), 1e-6));
+    }
+}
+
+TEST_CASE("unequal radii shift the radius difference, and the swing with it", "[conicity]") {
+    const auto equal = [](double y) { return 0.1 * y + 0.02 * y * y * y; };
+    const auto unequal = [&](double y) { return equal(y) + 1; };
+    geometry::RadiusDifference near({-4, 4}, 1e-5, unequal);
+    CHECK(std::isnan(near.centre(3)));
+    CHECK(near.side_of_centre(3) == -1);
+    near.extend({-9, 4});
+    // In closed form the potential is 0.05 y^2 + 0.005 y^4 + y, and 0.1 y + 0.01 (2 y^3 + 2 y A^2) + 1 is zero.
+    const double centre = near.centre(3);
+    CHECK_THAT(0.1 * centre + 0.02 * (centre * centre * centre + 9 * centre) + 1, WithinAbs(0, 1e-4));
+    CHECK_THAT(near.half_swing(3), WithinRel(geometry::RadiusDifference({-9, 9}, 1e-5, unequal).half_swing(3), 1e-5));
+}
+
+TEST_CASE("cylinders have no conicity", "[conicity]") {
+    const auto amplitude = GENERATE(0.01, 1.0, 5.0);
+    const auto shape = GENERATE(ProfileShape{ConeProfile{0, -60, 60}},
+                                ProfileShape{ProfilePoints{{{-60, 0}, {-20, 0}, {5, 0}, {60, 0}}}});
+    const auto roll = GENERATE(WheelsetRoll::neglected, WheelsetRoll::demanded);
+    const auto found = equivalent_conicities(on_60e1(shape, 1.0 / 40), std::vector{amplitude}, {roll}).front();
+    CHECK(found.integrated == 0);
+    CHECK(found.harmonic == 0);
+    CHECK(std::isinf(found.wavelength));
+}
+
+TEST_CASE("where the radius difference is zero for a while, so is the conicity, and grows beyond", "[conicity]") {
+    const auto idle = [](double y) { return y > 2 ? y - 2 : y < -2 ? y + 2 : 0; };
+    const geometry::RadiusDifference difference({-6, 6}, 1e-4, idle);
+    CHECK(std::isinf(difference.half_swing(1)));
+    CHECK(difference.harmonic(1) == 0);
+    CHECK_THAT(difference.half_swing(4), WithinRel(half_swing_by_steps(difference, 4), 2e-3));
+    const geometry::RadiusDifference rough({-6, 6}, 1e-3, [&](double y) { return idle(y) - 2e-4 * std::sin(y); });
+    CHECK(std::isinf(rough.half_swing(1)));
+}
+
+TEST_CASE("cylinders of unequal radii never swing back", "[conicity]") {
+    auto wheelset = on_60e1(ConeProfile{0, -60, 60}, 1.0 / 40);
+    wheelset.left.nominal_radius = 459;
+    const auto found = equivalent_conicities(wheelset, std::vector{1.0}).front();
+    CHECK(std::isnan(found.integrated));
+    CHECK(std::isnan(found.harmonic));
+}
+
+TEST_CASE("a wheelset on rollers has no equivalent conicity", "[conicity]") {
+    auto wheelset = on_60e1(S1002{}, 1.0 / 40);
+    wheelset.left.roller_radius = 500;
+    CHECK_THROWS_MATCHES(equivalent_conicities(wheelset, std::vector{1.0}), InvalidArgument,
+                         MessageMatches(ContainsSubstring("left.track.roller_radius is 500")));
 }
 
 TEST_CASE("S1002 on 60E1 has the conicity that its profiles give point by point", "[conicity]") {
     const double inclination = GENERATE(1.0 / 40, 1.0 / 20);
     const auto wheelset = on_60e1(S1002{}, inclination);
-    const auto& [wheel, rail, wheel_origin, rail_origin] = wheelset.right;
+    const auto& [wheel, rail, wheel_origin, rail_origin, nominal_radius, roller_radius] = wheelset.right;
     const auto radius = [&](double shift) {  // of the point with the least gap, among points
         double least = 1e9, z_there = 0;
         for (double y = -45; y < 45; y += 0.02) {

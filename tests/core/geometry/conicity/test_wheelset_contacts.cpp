@@ -65,6 +65,25 @@ TEST_CASE("with roll both wheels touch at one height, and arcs have the conicity
     CHECK(std::abs(contacts.roll) > 1e-7);
 }
 
+TEST_CASE("each wheel has its own radius, and the axle leans towards the smaller one", "[conicity]") {
+    const double smaller = GENERATE(0.5, 1.0, -2.0);
+    const auto equal = aligned(ConeProfile{-0.05, -60, 60}, ArcProfile{300, 0, -36, 36});
+    auto unequal = equal;
+    unequal.left.nominal_radius -= smaller;
+    for (const double shift : {0.0, 2.0}) {
+        const auto plain = contacts_at(equal, shift, WheelsetRoll::neglected);
+        const auto contacts = contacts_at(unequal, shift, WheelsetRoll::neglected);
+        CHECK(contacts.right == plain.right);
+        CHECK(contacts.left.radius == plain.left.radius - smaller);
+        CHECK_THAT(contacts.radius_difference(), WithinAbs(plain.radius_difference() + smaller, 1e-9));
+    }
+    const auto contacts = contacts_at(unequal, 0);
+    // A roll about the axle also shifts both cones sideways, which lifts one wheel and lets the other one down.
+    const double arms = contacts.right.y - contacts.left.y - 0.05 * (contacts.right.radius + contacts.left.radius);
+    CHECK_THAT(contacts.roll, WithinRel(-smaller / arms, 1e-3));
+    CHECK_THAT(contacts.left.height - contacts.right.height, WithinAbs(-smaller, 1e-9));
+}
+
 TEST_CASE("a wheelset of S1002 on 60E1 rolls as in the published benchmark", "[conicity]") {
     // The benchmark's roll balances elastic contacts of 10 kN under yaw; rigid ones without yaw come near.
     const auto wheelset = wheelset_on_track(wheel(S1002{}), rail(Rail60E1{1.0 / 40}));
