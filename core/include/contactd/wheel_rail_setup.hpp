@@ -128,12 +128,12 @@ struct WheelRailSetup {
     ProfileSpec wheel{ProfileKind::wheel, S1002{}};
     ProfileSpec rail{ProfileKind::rail, Rail60E1{1.0 / 40}};
     /// In place of `rail` where it varies along the track: two or more slices by ascending x. From slice to slice
-    /// points are joined that lie at equal shares of the length, between kinks where all slices have as many. Needs
-    /// track.rail_origin.
+    /// points are joined that lie at equal shares of the length from kink to kink, of which all slices need as many.
+    /// Slices that are equal are equal all between. Needs track.rail_origin.
     std::vector<RailSlice> rail_slices{};
     /// In place of `wheel` where it is not round: two or more slices by ascending angles, all within a turn, after
-    /// which the first one comes again. Radii go from slice to slice without overshoot. Contacts are searched on a
-    /// mesh.
+    /// which the first one comes again. Radii go from slice to slice with continuous curvature and without
+    /// overshoot. Contacts are searched on a mesh.
     std::vector<WheelSlice> wheel_slices{};
     Track track;
     Wheelset wheelset;

@@ -34,7 +34,7 @@ WheelRailSetup sliced(const WheelRailSetup& plain, double rise) {
 
 }  // namespace
 
-TEST_CASE("Between slices a point goes along a cubic spline") {
+TEST_CASE("Between slices a point goes along a smooth spline") {
     const ProfileSpec arc{ProfileKind::rail, ArcProfile{300, 0, -30, 30}};
     std::vector<double> x;
     std::vector<ProfileCurve> curves;
@@ -48,6 +48,38 @@ TEST_CASE("Between slices a point goes along a cubic spline") {
     CHECK_THAT(curve.at(curve.s_at_y(0)).z, WithinAbs(-2 * std::sin(at / 60), 2e-3));
     const ProfileCurve beyond = rail.at(900);
     CHECK_THAT(beyond.at(beyond.s_at_y(0)).z, WithinAbs(-2 * std::sin(x.back() / 60), 1e-6));
+}
+
+TEST_CASE("Between slices that are equal nothing changes, wherever others differ from them") {
+    const ProfileSpec low = moved({ProfileKind::rail, Rail60E1{1.0 / 40}}, 0), high = moved(low, 0.1);
+    const double apart = GENERATE(10.0, 100.0);
+    std::vector<double> x;
+    std::vector<ProfileCurve> curves;
+    for (const ProfileSpec& slice : {low, low, low, high, high, high}) {
+        x.push_back(apart * static_cast<double>(x.size()));
+        curves.push_back(make_profile(slice).curve);
+    }
+    const geometry::SlicedRail rail(x, curves);
+    const auto top = [&](double share) {
+        const ProfileCurve curve = rail.at(share * apart);
+        return curve.at(curve.s_at_y(3)).z;
+    };
+    for (const double share : {0.3, 1.0, 1.5, 1.9, 2.0}) CHECK(top(share) == top(0));
+    for (const double share : {3.0, 3.2, 3.5, 4.4, 5.0}) CHECK(top(share) == top(5));
+    CHECK_THAT(top(5), WithinAbs(top(0) - 0.1, 1e-9));
+    for (double share = 2; share < 3; share += 0.05) CHECK(top(share + 0.05) <= top(share) + 1e-12);
+}
+
+TEST_CASE("Slices with other parts than the first one are refused") {
+    const ProfileSpec smooth{ProfileKind::rail, ProfilePoints{{{-30, 2}, {-15, 0.5}, {0, 0}, {15, 0.5}, {30, 2}}}};
+    const ProfileSpec kinked{ProfileKind::rail, ProfilePoints{{{-30, 20}, {-15, 10}, {0, 0}, {15, 0.5}, {30, 2}}}};
+    REQUIRE(make_profile(kinked).curve.kinks().size() == 1);
+    WheelRailSetup setup = cylinder_on_arc(300);
+    setup.rail_slices = {{0, smooth}, {50, smooth}, {100, kinked}};
+    CHECK_THROWS_WITH(WheelRailContact(setup), ContainsSubstring("rail_slices[2].profile has 2 parts between kinks, "
+                                                                 "and the first slice has 1;"));
+    setup.rail_slices = {{0, kinked}, {50, kinked}};
+    CHECK_NOTHROW(WheelRailContact(setup));
 }
 
 TEST_CASE("Slices that are all the same are a rail") {

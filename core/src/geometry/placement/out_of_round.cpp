@@ -18,42 +18,34 @@ constexpr double spacing = 0.5;    // mm: of stations along the profile
 constexpr double ends_differ = 1;  // mm: at most, of a slice and the first one
 constexpr double largest = 20;     // mm: out of round by more no wheel is
 
-/// The slope at a point from those of the two intervals on either side.
-double slope_between(double before_that, double before, double behind, double behind_that) {
-    const auto weight = [](double near, double far) { return std::abs(far - near) + 0.5 * std::abs(far + near); };
-    const double of_before = weight(behind, behind_that), of_behind = weight(before_that, before);
-    const double sum = of_before + of_behind;
-    if (sum == 0) return 0;
-    // Steeper than that, a cubic leaves what its slices have between them, the farther the longer it is.
-    const double steepest = 3 * std::min(std::abs(before), std::abs(behind));
-    return std::clamp((of_before * before + of_behind * behind) / sum, -steepest, steepest);
-}
-
 }  // namespace
 
 OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices)
-    : angles_(std::move(angles)) {
+    : round_(std::move(angles), turn, EqualValues::may_flank_extremum) {
     const ProfileCurve& first = slices.front();
     const auto pieces = static_cast<std::size_t>(std::ceil(first.end() / spacing));
     for (std::size_t k = 0; k <= pieces; ++k)
         stations_.push_back(first.end() * static_cast<double>(k) / static_cast<double>(pieces));
     const std::size_t count = slices.size();
-    for (std::size_t i = 0; i < count; ++i) radii_.push_back({radii_beside(slices[i], first, i), {}});
-    slopes_.resize(count);
+    slices_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) slices_[i].radius.values = radii_beside(slices[i], first, i);
     for (std::size_t k = 0; k < stations_.size(); ++k) {
-        const auto chord = [&](std::size_t i) {
-            i %= count;
-            return (radii_[(i + 1) % count].values[k] - radii_[i].values[k]) / width(i);
-        };
+        std::vector<double> radii;
+        for (const Slice& slice : slices_) radii.push_back(slice.radius.values[k]);
+        const std::vector<KnotDerivatives> derivatives = round_.derivatives(radii);
         for (std::size_t i = 0; i < count; ++i) {
-            slopes_[i].values.push_back(
-                slope_between(chord(i + 2 * count - 2), chord(i + count - 1), chord(i), chord(i + 1)));
-            // Between slices a cubic is at most half again as steep as the chord and as both ends.
-            steepest_ = std::max({steepest_, std::abs(slopes_[i].values.back()), 1.5 * std::abs(chord(i))});
+            slices_[i].slope.values.push_back(derivatives[i].slope);
+            slices_[i].curving.values.push_back(derivatives[i].curving);
+            const std::size_t next = (i + 1) % count;
+            const double h = round_.width(i);
+            const auto polygon = bezier_ordinates(h, radii[next] - radii[i], derivatives[i], derivatives[next]);
+            for (std::size_t side = 0; side + 1 < polygon.size(); ++side)
+                steepest_ = std::max(steepest_, 5 * std::abs(polygon[side + 1] - polygon[side]) / h);
         }
     }
-    for (auto* lines : {&radii_, &slopes_})
-        for (Line& line : *lines) line.curving = natural_curving(stations_, line.values);
+    for (Slice& slice : slices_)
+        for (Line* line : {&slice.radius, &slice.slope, &slice.curving})
+            line->curving = natural_curving(stations_, line->values);
 }
 
 std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const ProfileCurve& first,
@@ -81,10 +73,6 @@ std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const Pr
     return radii;
 }
 
-double OutOfRound::width(std::size_t slice) const {
-    return slice + 1 < angles_.size() ? angles_[slice + 1] - angles_[slice] : angles_.front() + turn - angles_.back();
-}
-
 OutOfRound::Along OutOfRound::along(const Line& line, double s) const {
     const double h = stations_[1], inside = std::clamp(s, 0.0, stations_.back());
     const auto k = std::min(static_cast<std::size_t>(inside / h), stations_.size() - 2);
@@ -97,20 +85,21 @@ OutOfRound::Along OutOfRound::along(const Line& line, double s) const {
 }
 
 OutOfRound::Place OutOfRound::at(double angle, double s) const {
-    const double round = angle - angles_.front(), within = round - turn * std::floor(round / turn) + angles_.front();
-    const auto behind = std::upper_bound(angles_.begin() + 1, angles_.end(), within);
-    const auto i = static_cast<std::size_t>(behind - angles_.begin()) - 1, next = (i + 1) % angles_.size();
-    const double h = width(i), t = (within - angles_[i]) / h, u = 1 - t;
-    const Along from = along(radii_[i], s), to = along(radii_[next], s);
-    const Along leaving = along(slopes_[i], s), arriving = along(slopes_[next], s);
-    const double of_to = t * t * (3 - 2 * t), of_leaving = h * t * u * u, of_arriving = -h * t * t * u;
-    const auto mixed = [&](double Along::* part) {
-        return from.*part + of_to * (to.*part - from.*part) + of_leaving * leaving.*part + of_arriving * arriving.*part;
+    const std::vector<double>& angles = round_.knots();
+    const double round = angle - angles.front(), within = round - turn * std::floor(round / turn) + angles.front();
+    const auto behind = std::upper_bound(angles.begin() + 1, angles.end(), within);
+    const auto i = static_cast<std::size_t>(behind - angles.begin()) - 1;
+    const Slice &from = slices_[i], &to = slices_[(i + 1) % angles.size()];
+    const double h = round_.width(i), t = (within - angles[i]) / h;
+    const Along begin = along(from.radius, s), end = along(to.radius, s);
+    const Along leaving = along(from.slope, s), arriving = along(to.slope, s);
+    const Along bending = along(from.curving, s), unbending = along(to.curving, s);
+    const auto sum = [&](const QuinticWeights& weights, double Along::* part) {
+        return weights.sum(end.*part - begin.*part, {leaving.*part, bending.*part}, {arriving.*part, unbending.*part});
     };
-    return {
-        mixed(&Along::value),
-        6 * t * u * (to.value - from.value) / h + u * (1 - 3 * t) * leaving.value + t * (3 * t - 2) * arriving.value,
-        mixed(&Along::slope)};
+    const QuinticWeights weights = QuinticWeights::of_value(t, h);
+    return {begin.value + sum(weights, &Along::value), sum(QuinticWeights::of_slope(t, h), &Along::value),
+            begin.slope + sum(weights, &Along::slope)};
 }
 
 }  // namespace contactd::geometry

@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "contactd/profile.hpp"
+#include "geometry/placement/quintic_spline.hpp"
 
 namespace contactd::geometry {
 
 /// Radii by the angle about the axle and along the profile of the first slice, beside the radii of that profile.
 ///
-/// Round the wheel they go through the slices by cubics whose slopes are those of the modified method of Akima (J. ACM
-/// 17, 1970, with the weights that also count how steep both sides are), and no steeper than three times the lesser
-/// chord beside (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980): they depend on five slices only and do not swing
-/// beyond a flat's edges, and slices that are equal are equal all between, also over the long way round from the last
-/// one to the first. Along the profile they are cubic splines through points 0.5 mm apart.
+/// Round the wheel they go through the slices by the quintic splines of quintic_spline.hpp, whose curvature is
+/// continuous: they depend on six slices only, do not swing beyond a flat's edges, and slices that are equal are equal
+/// all between, also over the long way round from the last one to the first; but for two that lie on both sides of the
+/// lowest or highest place of smooth slices. Along the profile they are cubic splines
+/// through points 0.5 mm apart.
 class OutOfRound {
    public:
     struct Place {
@@ -39,12 +40,17 @@ class OutOfRound {
         double value, slope;
     };
 
+    /// Radii of a slice, and how they go on from there round the wheel.
+    struct Slice {
+        Line radius, slope, curving;
+    };
+
     std::vector<double> radii_beside(const ProfileCurve& slice, const ProfileCurve& first, std::size_t index) const;
     Along along(const Line& line, double s) const;
-    double width(std::size_t slice) const;  // from a slice to the next one, round the wheel
 
-    std::vector<double> angles_, stations_;
-    std::vector<Line> radii_, slopes_;  // of each slice; slopes round the wheel
+    QuinticSpline round_;
+    std::vector<double> stations_;
+    std::vector<Slice> slices_;
     double steepest_ = 0;
 };
 

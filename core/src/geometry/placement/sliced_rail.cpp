@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
-#include "geometry/profile/natural_spline.hpp"
+#include "contactd/error.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -12,26 +13,31 @@ namespace {
 constexpr double spacing = 0.5;  // mm: of points on the longest slice
 
 /// s of the ends of each part.
-std::vector<double> ends_of_parts(const ProfileCurve& curve, bool by_kinks) {
+std::vector<double> ends_of_parts(const ProfileCurve& curve) {
     std::vector<double> ends{curve.begin()};
-    if (by_kinks)
-        for (const std::size_t kink : curve.kinks()) ends.push_back(curve.knots()[kink]);
+    for (const std::size_t kink : curve.kinks()) ends.push_back(curve.knots()[kink]);
     ends.push_back(curve.end());
     return ends;
 }
 
-bool equally_many_kinks(const std::vector<ProfileCurve>& curves) {
-    return std::all_of(curves.begin(), curves.end(), [&](const ProfileCurve& curve) {
-        return curve.kinks().size() == curves.front().kinks().size();
-    });
+/// Parts that begin or end between two slices have nothing to be joined with.
+void check_parts(const std::vector<ProfileCurve>& curves) {
+    const std::size_t parts = curves.front().kinks().size() + 1;
+    for (std::size_t i = 1; i < curves.size(); ++i)
+        if (const std::size_t here = curves[i].kinks().size() + 1; here != parts)
+            throw InvalidArgument("rail_slices[" + std::to_string(i) + "].profile",
+                                  "has " + std::to_string(here) + (here == 1 ? " part" : " parts") +
+                                      " between kinks, and the first slice has " + std::to_string(parts) +
+                                      "; slices are joined part by part, so all need as many kinks (turns of more than "
+                                      "30 degrees at a point): smooth what is noise, or cut the slices alike");
 }
 
 }  // namespace
 
-SlicedRail::SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& curves) : x_(std::move(x)) {
-    const bool by_kinks = equally_many_kinks(curves);
+SlicedRail::SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& curves) : along_(std::move(x)) {
+    check_parts(curves);
     std::vector<std::vector<double>> ends;
-    for (const ProfileCurve& curve : curves) ends.push_back(ends_of_parts(curve, by_kinks));
+    for (const ProfileCurve& curve : curves) ends.push_back(ends_of_parts(curve));
     for (std::size_t part = 0; part + 1 < ends.front().size(); ++part) {
         double longest = 0;
         for (const auto& of_slice : ends) longest = std::max(longest, of_slice[part + 1] - of_slice[part]);
@@ -47,7 +53,7 @@ SlicedRail::SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& c
                 y.values.push_back(at.y);
                 z.values.push_back(at.z);
             }
-            for (Line* line : {&y, &z}) line->curving = natural_curving(x_, line->values);
+            for (Line* line : {&y, &z}) line->derivatives = along_.derivatives(line->values);
             y_.push_back(std::move(y));
             z_.push_back(std::move(z));
         }
@@ -55,13 +61,15 @@ SlicedRail::SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& c
 }
 
 ProfileCurve SlicedRail::at(double x) const {
-    const double inside = std::clamp(x, x_.front(), x_.back());
-    const auto behind = std::upper_bound(x_.begin() + 1, x_.end() - 1, inside);
-    const auto i = static_cast<std::size_t>(behind - x_.begin()) - 1;
-    const double h = x_[i + 1] - x_[i], b = (inside - x_[i]) / h, a = 1 - b;
+    const std::vector<double>& slices = along_.knots();
+    const double inside = std::clamp(x, slices.front(), slices.back());
+    const auto behind = std::upper_bound(slices.begin() + 1, slices.end() - 1, inside);
+    const auto i = static_cast<std::size_t>(behind - slices.begin()) - 1;
+    const double h = along_.width(i);
+    const QuinticWeights weights = QuinticWeights::of_value((inside - slices[i]) / h, h);
     const auto value = [&](const Line& line) {
-        return a * line.values[i] + b * line.values[i + 1] +
-               h * h / 6 * ((a * a * a - a) * line.curving[i] + (b * b * b - b) * line.curving[i + 1]);
+        return line.values[i] +
+               weights.sum(line.values[i + 1] - line.values[i], line.derivatives[i], line.derivatives[i + 1]);
     };
     std::vector<ProfilePoint> points;
     points.reserve(y_.size());

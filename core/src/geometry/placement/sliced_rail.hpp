@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "contactd/profile.hpp"
+#include "geometry/placement/quintic_spline.hpp"
 
 namespace contactd::geometry {
 
-/// Cubic splines along the track through points of the slices that correspond: at equal shares of the length, of the
-/// whole curve, or from kink to kink where all slices have as many of them. Beyond the ends the profile stays.
+/// Quintic splines along the track (quintic_spline.hpp) through points of the slices that correspond: at equal shares
+/// of the length from kink to kink. Slices that are equal are equal all between. Beyond the ends the profile stays.
 class SlicedRail {
    public:
-    /// Of two slices at least; x ascends.
+    /// Of two slices at least; x ascends. Throws InvalidArgument ("rail_slices[i].profile") for slices that have more
+    /// parts between kinks than the first one, or fewer: they cannot be joined.
     SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& curves);
 
     /// The profile at a place along the track.
@@ -21,10 +23,11 @@ class SlicedRail {
    private:
     /// Of one point from slice to slice.
     struct Line {
-        std::vector<double> values, curving;
+        std::vector<double> values;
+        std::vector<KnotDerivatives> derivatives;
     };
 
-    std::vector<double> x_;
+    QuinticSpline along_;
     std::vector<Line> y_, z_;
     std::vector<std::size_t> kinks_;
 };
