@@ -14,6 +14,7 @@ constexpr double largest_length = 1e4;    // mm
 constexpr double largest_angle = 0.5;     // rad
 constexpr double largest_velocity = 1e9;  // mm/s, rad/s
 constexpr double largest_force = 1e9;     // N
+constexpr double least_vertical = 1e-6;   // N: brings an approach of 1e-8 mm
 
 void check(double value, double largest, const std::string& field, const char* unit) {
     if (!(std::abs(value) <= largest))
@@ -52,6 +53,10 @@ void check_vertical(double force, const std::string& field) {
     if (!(force > 0 && std::isfinite(force)))
         throw InvalidArgument(field,
                               "is " + number_text(force) + "; a wheel presses on its rail with a positive force (N)");
+    if (force < least_vertical)
+        throw InvalidArgument(field, "is " + number_text(force) + "; a wheel presses on its rail with " +
+                                         number_text(least_vertical) +
+                                         " N at least, for heights have no digits that less would change");
 }
 
 WheelRailState state_of_wheel(const WheelsetState& state, const RailDeviation& rail, double Fz) {

@@ -39,8 +39,8 @@ struct WheelRailState {
     RailDeviation rail{};
     double roller_pitch =
         0;  ///< pitch rate of a roller (rad/s): > 0 where the wheel on it turns as when rolling forwards
-    /// Vertical force of this wheel on the rail (N, > 0), which position.z is found for; its value then only tells
-    /// where to start. Absent: position.z is prescribed.
+    /// Vertical force of this wheel on the rail (N, 1e-6 at least), which position.z is found for; its value then only
+    /// tells where to start. Absent: position.z is prescribed.
     std::optional<double> Fz{};
     /// Longitudinal force on the rail (N), along the wheelset's x axis, which velocity.pitch is found for; its value
     /// then means nothing. Needs friction.
@@ -57,7 +57,7 @@ struct WheelsetState {
     WheelsetVelocity velocity{};
     RailDeviation left_rail{}, right_rail{};
     double roller_pitch = 0;           ///< as in WheelRailState
-    double Fz_left = 0, Fz_right = 0;  ///< on the rails (N), > 0
+    double Fz_left = 0, Fz_right = 0;  ///< on the rails (N), 1e-6 at least
 
     bool operator==(const WheelsetState&) const = default;
 };

@@ -226,8 +226,8 @@ bool Position::bend(PlaceWithGap& found, const WheelSurface& wheel, int more_bel
     return true;
 }
 
-void Position::measure(PlaceWithGap& found, double z) const {
-    if (setup_.model != Model::full) return;
+bool Position::measure(PlaceWithGap& found, double z) const {
+    if (setup_.model != Model::full) return std::isfinite(found.place.approach);
     constexpr int most_rounds = 50;
     const WheelSurface wheel = wheel_.lowered(z);
     ContactPlace& place = found.place;
@@ -235,6 +235,7 @@ void Position::measure(PlaceWithGap& found, double z) const {
     for (int round = 0; round < most_rounds; ++round) {
         found.gap = distances(setup_, wheel, rail_, place);
         place.approach = take_out_approach(found.gap);
+        if (!std::isfinite(place.approach)) return false;
         Grid grid = place.grid;
         if (round + 1 == most_rounds || !grow(grid, found.gap, place.approach)) break;
         const Grid before = place.grid;
@@ -255,6 +256,7 @@ void Position::measure(PlaceWithGap& found, double z) const {
     } else if (setup_.rigid_slip == RigidSlipKind::surfaces) {
         found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
     }
+    return true;
 }
 
 }  // namespace contactd::geometry

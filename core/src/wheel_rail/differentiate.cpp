@@ -111,7 +111,7 @@ class Differences {
             return false;
         wheel_.set_velocity(state_.velocity);
         for (PlaceWithGap& found : wheel_.position().places(solution_.z)) {
-            wheel_.position().measure(found, solution_.z);
+            if (!wheel_.position().measure(found, solution_.z)) continue;
             ContactProblem problem = wheel_.problem_of(found);
             if (!problem.friction) return true;
             problem.derivatives = true;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
+#include "contactd/error.hpp"
 #include "contactd/solve_contact.hpp"
 
 namespace contactd {
@@ -131,6 +133,26 @@ class Blending {
     Values gap_;
 };
 
+/// A spin that moves no element by more than a rounding error of creepages.
+bool is_next_to_nothing(double phi, const Grid& grid) {
+    constexpr double least_creepage = 1e-9;
+    return std::abs(phi) * std::hypot(grid.nx * grid.dx, grid.ny * grid.dy) <= least_creepage;
+}
+
+/// What is wrong with the contact problem of a patch, in the words of the set-up that it was made from.
+[[noreturn]] void refuse_as_of_wheel(const InvalidArgument& error, const ContactProblem& problem) {
+    const std::string &field = error.field(), sentence = std::string(error.what()).substr(field.size() + 1);
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (field == "friction.rolling.phi" && problem.model == Model::hertz)
+        throw InvalidArgument("model",
+                              "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
+                              "everywhere; take fastsim or full, or leave friction out");
+    if (field == "friction.rolling.dq")
+        throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
+                              "as the step of rolling " + sentence);
+    throw;
+}
+
 double largest_difference(const Values& a, const Values& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
@@ -179,6 +201,7 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWith
             problem.rigid_slip =
                 rigid_slip_of(found.row_slips, problem.grid, spin_offset * rolling.dq * std::cos(rolling.chi));
         }
+        if (setup.model == Model::hertz && is_next_to_nothing(rolling.phi, problem.grid)) rolling.phi = 0;
         if (!found.slip_beside.empty()) problem.rigid_slip = found.slip_beside;
         problem.motion = rolling;
     }
@@ -187,10 +210,14 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWith
 
 ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchColumns& columns,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
-    if (problem.model != Model::full) return solve_contact(problem, {}, observer);
-    const ContactInfluence influence = influences(problem, columns, observer);
-    if (place.regions.size() > 1) blend(problem, place, rules, influence, observer);
-    return solve_contact(problem, influence, observer);
+    try {
+        if (problem.model != Model::full) return solve_contact(problem, {}, observer);
+        const ContactInfluence influence = influences(problem, columns, observer);
+        if (place.regions.size() > 1) blend(problem, place, rules, influence, observer);
+        return solve_contact(problem, influence, observer);
+    } catch (const InvalidArgument& error) {
+        refuse_as_of_wheel(error, problem);
+    }
 }
 
 }  // namespace contactd

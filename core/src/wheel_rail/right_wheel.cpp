@@ -150,7 +150,10 @@ WheelRailSolution RightWheel::at(double z, std::vector<PlaceWithGap> places, Obs
     solution.pitch = state_.velocity.pitch;
     solution.clearance = position_.clearance(z);
     for (PlaceWithGap& found : places) {
-        position_.measure(found, z);
+        if (!position_.measure(found, z)) {
+            solution.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
+            continue;
+        }
         solution.patches.push_back(solve(found, z, observer));
         const WheelRailPatch& patch = solution.patches.back();
         solution.forces = sum(solution.forces, patch.forces);

@@ -19,6 +19,13 @@ std::string name_of(const ContactReference& reference, Side side) {
 
 }  // namespace
 
+std::string apart_along_normal(const ContactReference& reference, Side side) {
+    return name_of(reference, side) +
+           " is left out: wheel and rail overlap as seen from above, but at no element of its plane are both there "
+           "along "
+           "the normal. Profiles that end there have nothing to touch; give more of them, or check position.z.";
+}
+
 std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction) {
     std::vector<std::string> warnings;
     const std::string name = name_of(found.place.reference, side);

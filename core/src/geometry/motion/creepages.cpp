@@ -10,6 +10,8 @@
 namespace contactd::geometry {
 namespace {
 
+constexpr double largest_creepage = 1e9;  // (1, rad/mm): what moves faster than that beside its rolling does not roll
+
 /// Of the wheel over the rail and of its rim about its axle, along x: what rolls.
 struct RollingSpeeds {
     double over_ground, of_rim;
@@ -38,6 +40,8 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     result.xi = dot(over, contact.axes.x) / result.velocity;
     result.eta = dot(over, contact.axes.y) / result.velocity;
     result.phi = dot(ground.turning - rim.turning, contact.axes.z) / result.velocity;
+    for (const double creepage : {result.xi, result.eta, result.phi})
+        if (!(std::abs(creepage) <= largest_creepage)) return {};
     return result;
 }
 
