@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <variant>
 
@@ -95,7 +96,32 @@ void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Conta
                                 "creepages are, and not in mm.");
 }
 
+/// Loads, radii and moduli in different units lead to pressures that no body bears.
+void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, ContactSolution& solution) {
+    constexpr double share = 0.1;  // of the shear modulus: strains are no longer small
+    if (problem.bodies.pair || !(solution.pmax > 0)) return;
+    double softest = std::numeric_limits<double>::infinity();
+    for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
+        if (body->computed() != nullptr && !body->material.is_rigid()) softest = std::min(softest, body->material.G);
+    if (!(solution.pmax > share * softest)) return;
+    solution.warnings.push_back("The largest pressure, " + short_text(solution.pmax) +
+                                " N/mm^2, is more than a tenth of the shear modulus, " + short_text(softest) +
+                                " N/mm^2, where strains are not small and nothing is linear elastic: check the units "
+                                "of forces, lengths and moduli.");
+}
+
+void warn_of_friction_in_percent(const ContactProblem& problem, ContactSolution& solution) {
+    constexpr double most = 2;
+    if (!problem.friction || problem.friction->mu.empty()) return;
+    const double largest = *std::ranges::max_element(problem.friction->mu);
+    if (largest > most)
+        solution.warnings.push_back("friction.mu is up to " + short_text(largest) +
+                                    "; coefficients of friction are below 2: it is not in percent.");
+}
+
 void warn(const ContactProblem& problem, ContactSolution& solution) {
+    warn_of_pressures_beyond_elasticity(problem, solution);
+    warn_of_friction_in_percent(problem, solution);
     warn_of_rigid_slip_that_is_no_creepage(problem, solution);
     warn_of_friction_that_never_falls(problem, solution);
     if (problem.model == Model::full)

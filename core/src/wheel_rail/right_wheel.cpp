@@ -11,6 +11,7 @@
 #include "wheel_rail/differentiate.hpp"
 #include "wheel_rail/estimates.hpp"
 #include "wheel_rail/patch_solver.hpp"
+#include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/rail_on_springs.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/rising_search.hpp"
@@ -98,6 +99,8 @@ WheelRailGeometry RightWheel::locate() {
     for (const PlaceWithGap& found : position_.places(geometry.z)) {
         geometry.places.push_back(found.place);
         warn(geometry, warnings_of(found, setup_.side, false));
+        warn(geometry, plausibility_warnings(found.place.reference, setup_.side, position_.wheel(geometry.z),
+                                             position_.rail()));
     }
     return geometry;
 }
@@ -158,6 +161,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<PlaceWithGap> places, Obs
         const WheelRailPatch& patch = solution.patches.back();
         solution.forces = sum(solution.forces, patch.forces);
         warn(solution, warnings_of(found, setup_.side, setup_.friction.has_value()));
+        warn(solution, plausibility_warnings(patch.place.reference, setup_.side, position_.wheel(z), position_.rail()));
         warn(solution, warnings_of(patch.place.reference, setup_.side, patch.solution));
     }
     if (estimates_) estimates_->patches = estimates_of(solution);

@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "geometry/position.hpp"
 #include "wheel_rail/influence_keeper.hpp"
 #include "wheel_rail/mirror.hpp"
+#include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/right_wheel.hpp"
 #include "wheel_rail/warnings.hpp"
 
@@ -21,9 +23,10 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
     };
 }
 
-/// With what the state itself should make its user think about.
+/// With what set-up and state themselves should make their user think about.
 template <class Answer>
-Answer warned(Answer answer, const WheelRailState& state) {
+Answer warned(Answer answer, const std::vector<std::string>& of_setup, const WheelRailState& state) {
+    answer.warnings.insert(answer.warnings.end(), of_setup.begin(), of_setup.end());
     for (std::string& warning : warnings_of(state)) answer.warnings.push_back(std::move(warning));
     return answer;
 }
@@ -32,7 +35,10 @@ Answer warned(Answer answer, const WheelRailState& state) {
 
 struct WheelRailContact::Parts {
     Parts(WheelRailSetup given, std::shared_ptr<const geometry::Profiles> curves, InfluenceSource source)
-        : setup(std::move(given)), profiles(std::move(curves)), influences(std::move(source)) {
+        : setup(std::move(given)),
+          profiles(std::move(curves)),
+          influences(std::move(source)),
+          warnings(plausibility_warnings(setup, *profiles)) {
         if (setup.conformal != Conformal::automatic) return;
         plane = curved = setup;
         plane->conformal = Conformal::off;
@@ -42,6 +48,7 @@ struct WheelRailContact::Parts {
     WheelRailSetup setup;
     std::shared_ptr<const geometry::Profiles> profiles;
     InfluenceSource influences;
+    std::vector<std::string> warnings;  // of every solution
     std::optional<WheelRailSetup> plane{}, curved{};  // what setup may become where conformal is automatic
 
     /// What a right wheel answers, in a mirror where it is a left one.
@@ -78,7 +85,8 @@ WheelRailContact WheelRailContact::with_friction(const WheelRailFriction& fricti
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {
-    return warned(parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); }), state);
+    return warned(parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); }),
+                  parts_->warnings, state);
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRailEstimates& estimates,
@@ -88,11 +96,12 @@ WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRail
                                              wheel.start_from(estimates);
                                              return wheel.solve(observer);
                                          }),
-                  state);
+                  parts_->warnings, state);
 }
 
 WheelRailGeometry WheelRailContact::locate(const WheelRailState& state) const {
-    return warned(parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.locate(); }), state);
+    return warned(parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.locate(); }),
+                  parts_->warnings, state);
 }
 
 std::optional<double> WheelRailContact::touch(const WheelRailState& state) const {

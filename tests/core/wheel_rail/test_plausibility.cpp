@@ -1,0 +1,92 @@
+// Set-ups that can be solved and that nobody means.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <string>
+
+#include "contactd/make_profile.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+ProfilePoints points_of(const ProfileSpec& profile) {
+    return ProfilePoints{make_profile(profile).curve.points()};
+}
+
+/// The warnings of a solve under Fz, one behind the other.
+std::string warnings_of(const WheelRailSetup& setup, double y = 0) {
+    WheelRailState state;
+    state.Fz = 80e3;
+    state.position.y = y;
+    Observer observer;
+    std::string all;
+    for (const std::string& warning : WheelRailContact(setup).solve(state, observer).warnings) all += warning + "\n";
+    return all;
+}
+
+WheelRailSetup quick_setup() {
+    WheelRailSetup setup;
+    setup.model = Model::hertz;
+    setup.friction.reset();
+    return setup;
+}
+
+}  // namespace
+
+TEST_CASE("A usual wheel on a usual rail is warned of nothing, across the track") {
+    WheelRailSetup setup = quick_setup();
+    SECTION("by formulae") {}
+    SECTION("by points") {
+        setup.wheel.shape = points_of(setup.wheel);
+        setup.rail.shape = points_of(setup.rail);
+    }
+    for (const double y : {-6.0, 0.0, 6.5}) CHECK(warnings_of(setup, y) == "");
+}
+
+TEST_CASE("Points in inches are warned of") {
+    WheelRailSetup setup = quick_setup();
+    setup.track.rail_origin = ProfilePoint{750, 0};
+    const auto shrunk = [](const ProfileSpec& profile) {
+        ProfilePoints points = points_of(profile);
+        for (ProfilePoint& point : points.points) point = {point.y / 25.4, point.z / 25.4};
+        return points;
+    };
+    SECTION("of a wheel") {
+        setup.wheel.shape = shrunk(setup.wheel);
+        CHECK_THAT(warnings_of(setup), ContainsSubstring("profile of the wheel is 5.") && ContainsSubstring("unit 25.4"));
+    }
+    SECTION("of a rail") {
+        setup.rail.shape = shrunk(setup.rail);
+        CHECK_THAT(warnings_of(setup), ContainsSubstring("profile of the rail is 2.") && ContainsSubstring("unit 25.4"));
+    }
+}
+
+TEST_CASE("Dense points that are rounded are warned of, until they are smoothed") {
+    WheelRailSetup setup = quick_setup();
+    ProfilePoints points;
+    for (double y = -36; y <= 36; y += 0.25) points.points.push_back({y, std::round(y * y / 6) / 100});
+    setup.rail.shape = points;
+    setup.track.rail_origin = ProfilePoint{750, 0};
+    CHECK_THAT(warnings_of(setup), ContainsSubstring("points of the rail are rounded to 0.01 and 0.25") &&
+                                       ContainsSubstring("smoothing_length"));
+    points.smoothing_length = 5;
+    setup.rail.shape = points;
+    CHECK(warnings_of(setup).find("rounded") == std::string::npos);
+}
+
+TEST_CASE("The back of a flange that lies nowhere on the wheel is warned of") {
+    WheelRailSetup setup = quick_setup();
+    setup.wheelset.flange_back_position = -30;
+    CHECK_THAT(warnings_of(setup), ContainsSubstring("wheelset.flange_back_position is -30"));
+}
+
+TEST_CASE("A wheel that runs on the tip of its flange is warned of") {
+    WheelRailSetup setup = quick_setup();
+    setup.track.rail_origin = ProfilePoint{694, 0};  // as if the gauge were narrower by the width of a flange
+    CHECK_THAT(warnings_of(setup), ContainsSubstring("tip or the back of the wheel's flange"));
+}
