@@ -19,11 +19,11 @@ using namespace std::chrono_literals;
 /// One request for a table, and the thread that waits for its answer.
 class Awaited {
    public:
-    IcCaller caller(const std::shared_ptr<Awaited>& self) const {
+    IcCaller caller(const std::shared_ptr<Awaited>& self, const Observer& observer) const {
         return {[self](const IcAnswer& answer) { self->settle(answer, {}); },
                 [self](const Status& status) { self->settle({}, status); },
                 [self](const Job& job, const JobProgress& progress) { self->hear(job, progress); },
-                {.client = {}, .abandoned = [self] { return self->given_up(); }}};
+                {.client = {}, .abandoned = [self] { return self->given_up(); }, .user = std::string(observer.user())}};
     }
 
     /// Throws StatusError where there is no table, and Cancelled, when the build ends with its last caller, unless it
@@ -123,7 +123,7 @@ IcAnswer Engine::fetch(const IcSpec& spec, Observer& observer) {
         return {std::move(made), key, "closed_form"};
     }
     const auto awaited = std::make_shared<Awaited>();
-    tables().request(spec, awaited->caller(awaited));
+    tables().request(spec, awaited->caller(awaited, observer));
     return awaited->wait(jobs_, observer, settings_.keeps_building);
 }
 

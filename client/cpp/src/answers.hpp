@@ -72,6 +72,8 @@ inline void from_json(const nlohmann::json& source, Job& job) {
     source["callers"].get_to(job.callers);
     source["seconds"].get_to(job.seconds);
     if (source.contains("seconds_left")) job.seconds_left = source["seconds_left"].get<double>();
+    if (source.contains("users")) source["users"].get_to(job.users);
+    if (source.contains("description")) source["description"].get_to(job.description);
     if (source.contains("memory_bytes")) job.memory_bytes = source["memory_bytes"].get<std::uint64_t>();
 }
 

@@ -185,6 +185,8 @@ class Job:
         seconds: Since it was queued (s).
         seconds_left: Time to go as last reported (s), of builds; None where there is no estimate.
         memory_bytes: The most memory that it will take, of builds; None where there is no estimate.
+        users: Whose calls these are, each user once: names of keys, IP addresses, or uid:NUMBER over ipc.
+        description: Words for people: what is built or solved; "" of a daemon that does not tell it.
     """
 
     job: str
@@ -196,3 +198,5 @@ class Job:
     seconds: float
     seconds_left: float | None = None
     memory_bytes: int | None = None
+    users: tuple[str, ...] = ()
+    description: str = ""

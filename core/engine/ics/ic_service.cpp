@@ -7,6 +7,7 @@
 #include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_family.hpp"
+#include "description.hpp"
 #include "request_in_flight.hpp"
 
 namespace contactd::engine {
@@ -124,7 +125,8 @@ IcService::RequestPtr IcService::join_or_open(const IcSpec& spec, const std::str
         ++counters_.builds_joined;
         return *serving;
     }
-    auto request = std::make_shared<RequestInFlight>(RequestInFlight{dimensionless(spec), key, nullptr, {}});
+    auto request =
+        std::make_shared<RequestInFlight>(RequestInFlight{dimensionless(spec), key, nullptr, {}, description(spec)});
     request->callers.push_back(std::move(caller));
     in_flight_.push_back(request);
     opened = true;
@@ -144,7 +146,31 @@ void IcService::look_up(const RequestPtr& request) {
         return complete(request, std::make_shared<const IcRecord>(std::move(*record)), "disk");
     }
     if (const auto refusal = quarantine_.refusal(request->key, request->spec)) return fail(request, *refusal);
-    if (!queue_build(request)) fail(request, stop_status_);
+    if (!turn_away(request) && !queue_build(request)) fail(request, stop_status_);
+}
+
+/// Those who may not have it built. True when nobody is left, and the request has ended.
+bool IcService::turn_away(const RequestPtr& request) {
+    if (!settings_.may_build) return false;
+    std::vector<IcCaller> denied;
+    bool is_empty = false;
+    {
+        const std::scoped_lock lock(mutex_);
+        std::vector<IcCaller>& callers = request->callers;
+        const auto first = std::stable_partition(callers.begin(), callers.end(), [this](const IcCaller& caller) {
+            return settings_.may_build(caller.turn.user);
+        });
+        std::move(first, callers.end(), std::back_inserter(denied));
+        callers.erase(first, callers.end());
+        is_empty = callers.empty();
+        if (is_empty) std::erase(in_flight_, request);
+    }
+    const Status status =
+        failure(proto::StatusCode::permission_denied, proto::reason::build_denied,
+                "There is no such table yet, and only users whom the daemon's configuration names may "
+                "have one built (methods.allowed_users, builds).");
+    for (const IcCaller& caller : denied) caller.failed(status);
+    return is_empty;
 }
 
 std::vector<IcCaller> IcService::close(const RequestPtr& request) {
@@ -163,12 +189,14 @@ void IcService::fail(const RequestPtr& request, const Status& status) {
     for (const IcCaller& caller : close(request)) caller.failed(status);
 }
 
-int IcService::callers_of(const std::weak_ptr<RequestInFlight>& request) {
+std::vector<std::string> IcService::users_of(const std::weak_ptr<RequestInFlight>& request) {
+    std::vector<std::string> users;
     const RequestPtr known = request.lock();
-    if (!known) return 0;
+    if (!known) return users;
     const std::scoped_lock lock(mutex_);
-    return static_cast<int>(std::count_if(known->callers.begin(), known->callers.end(),
-                                          [](const IcCaller& caller) { return !caller.has_gone(); }));
+    for (const IcCaller& caller : known->callers)
+        if (!caller.has_gone()) users.push_back(caller.turn.user);
+    return users;
 }
 
 void IcService::drop_abandoned() {

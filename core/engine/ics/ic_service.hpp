@@ -55,6 +55,8 @@ class IcService {
         BuildQuarantine::Settings quarantine = {};
         bool shares_imported_tables = false;  ///< serves everybody what somebody has imported
         LogSink log = {};
+        /// Whether a user may have tables built; left out, all may. What is there already serves everybody.
+        std::function<bool(const std::string& user)> may_build = {};
     };
 
     IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters);
@@ -102,13 +104,14 @@ class IcService {
     bool answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller);
     RequestPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
     void look_up(const RequestPtr& request);
+    bool turn_away(const RequestPtr& request);
     bool queue_build(const RequestPtr& request);
     void build(const RequestPtr& request);
     void wait_for_turn(const RequestPtr& request, TableLock& lock);
     IcCache::Record run_build(const RequestPtr& request, const TableLock& lock);
     void report(const RequestPtr& request, const JobProgress& progress);
     std::vector<std::string> keys_in_flight();
-    int callers_of(const std::weak_ptr<RequestInFlight>& request);
+    std::vector<std::string> users_of(const std::weak_ptr<RequestInFlight>& request);
     void cancel_queued(const RequestPtr& request);
     void complete(const RequestPtr& request, IcCache::Record record, const char* origin);
     void fail(const RequestPtr& request, const proto::Status& status);

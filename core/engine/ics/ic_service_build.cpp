@@ -68,12 +68,10 @@ bool IcService::queue_build(const RequestPtr& request) {
     const std::scoped_lock lock(mutex_);
     if (stopping_) return false;
     const std::weak_ptr waiting(request);
-    request->job = jobs_.create(
-        "build",
-        [this, waiting] {
-            if (const RequestPtr known = waiting.lock()) cancel_queued(known);
-        },
-        [this, waiting] { return callers_of(waiting); });
+    JobOrigin origin{"build", request->description, [this, waiting] { return users_of(waiting); }};
+    request->job = jobs_.create(std::move(origin), [this, waiting] {
+        if (const RequestPtr known = waiting.lock()) cancel_queued(known);
+    });
     for (const IcCaller& caller : request->callers) caller.progress(*request->job, request->job->progress());
     // A build goes on for the cache when its callers have gone.
     Turn turn = request->callers.empty() ? Turn{} : request->callers.front().turn;

@@ -14,6 +14,7 @@ struct IcService::RequestInFlight {
     std::string key;
     std::shared_ptr<Job> job;  // null until it is known that a build is needed
     std::vector<IcCaller> callers;
+    std::string description{};  // of what the first caller asked for, with its lengths
 
     bool serves(const std::string& wanted, const IcSpec& other) const {
         return key == wanted && spec.nx >= other.nx && spec.ny >= other.ny && !(job && job->cancelled());

@@ -24,18 +24,27 @@ struct JobProgress {
         std::nullopt;  ///< the most it will take, an estimate, where there is one
 };
 
+/// What a job is, and for whom.
+struct JobOrigin {
+    std::string kind;         ///< "build", "solve", "subsurface" or "step"
+    std::string description;  ///< words for people: what is built or solved
+    /// Users of the requests that wait for the job at present, one for each request; "" where there are no users.
+    std::function<std::vector<std::string>()> users;
+};
+
+/// `on_cancel` is called once, from whatever thread cancels, so that those who wait are answered at once.
 class Job {
    public:
-    /// `on_cancel` is called once, from whatever thread cancels, so that those who wait are answered at once. `callers`
-    /// counts the requests that wait for the job at present; without it there is one until the job ends.
-    Job(std::string job_name, std::string job_kind, std::function<void()> on_cancel, std::function<int()> callers = {})
+    Job(std::string job_name, JobOrigin origin, std::function<void()> on_cancel)
         : name(std::move(job_name)),
-          kind(std::move(job_kind)),
-          on_cancel_(std::move(on_cancel)),
-          callers_(std::move(callers)) {}
+          kind(std::move(origin.kind)),
+          description(std::move(origin.description)),
+          users_(std::move(origin.users)),
+          on_cancel_(std::move(on_cancel)) {}
 
     const std::string name;  ///< "build-3"
-    const std::string kind;  ///< "build", "solve", "subsurface" or "step"
+    const std::string kind;  ///< as JobOrigin::kind
+    const std::string description;
     const std::chrono::steady_clock::time_point created = std::chrono::steady_clock::now();
 
     void cancel() {
@@ -47,7 +56,8 @@ class Job {
     bool ended() const { return ended_; }
     void set_running() { running_ = true; }
     bool running() const { return running_; }
-    int callers() const { return callers_ ? callers_() : 1; }
+    std::vector<std::string> users() const { return users_(); }
+    int callers() const { return static_cast<int>(users_().size()); }
 
     void set_progress(JobProgress progress) {
         const std::scoped_lock lock(mutex_);
@@ -59,8 +69,8 @@ class Job {
     }
 
    private:
+    const std::function<std::vector<std::string>()> users_;
     const std::function<void()> on_cancel_;
-    const std::function<int()> callers_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<bool> running_ = false;
     std::atomic<bool> ended_ = false;
@@ -72,12 +82,11 @@ class Job {
 class JobTable {
    public:
     /// As the constructor of Job; the name is the kind and a number.
-    std::shared_ptr<Job> create(const std::string& kind, std::function<void()> on_cancel,
-                                std::function<int()> callers = {}) {
+    std::shared_ptr<Job> create(JobOrigin origin, std::function<void()> on_cancel) {
         const std::scoped_lock lock(mutex_);
         forget_ended();
-        auto job = std::make_shared<Job>(kind + "-" + std::to_string(++serial_), kind, std::move(on_cancel),
-                                         std::move(callers));
+        std::string name = origin.kind + "-" + std::to_string(++serial_);
+        auto job = std::make_shared<Job>(std::move(name), std::move(origin), std::move(on_cancel));
         jobs_.emplace(serial_, job);
         return job;
     }

@@ -27,6 +27,8 @@ class Observer {
     virtual void on_progress(const Progress&) {}
     /// Asked between iterations; when true the solver throws Cancelled.
     virtual bool cancelled() const { return false; }
+    /// In whose name it computes, for what it has others make, such as tables; empty where there are no users.
+    virtual std::string_view user() const { return {}; }
 
     void throw_if_cancelled() const {
         if (cancelled()) throw Cancelled();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -26,11 +27,14 @@ inline std::function<void(const Job&, const JobProgress&)> reports_to(const Call
     return [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); };
 }
 
-/// The job of a call, made when it is first asked for: of kind "solve", ..., listed from when the call begins to wait;
-/// cancelling it answers the call.
+/// What the job of a call is told to be; `kind` is "solve", ...
+engine::JobOrigin origin_of(const Call& call, const std::string& kind);
+
+/// The job of a call, made when it is first asked for, and listed from when the call begins to wait; cancelling it
+/// answers the call.
 inline std::shared_ptr<Job> job_of(const CallPtr& call, const std::string& kind, JobTable& jobs) {
     if (call->job) return call->job;
-    call->job = jobs.create(kind, [waiting = std::weak_ptr(call)] {
+    call->job = jobs.create(origin_of(*call, kind), [waiting = std::weak_ptr(call)] {
         if (const CallPtr known = waiting.lock()) known->fail(status_of(Cancelled("The job was cancelled.")));
     });
     // Nobody waits for it any more, whatever holds it still.
@@ -92,6 +96,7 @@ class JobObserver final : public Observer {
         call_->check_deadline();
         return job_->cancelled() || call_->answered();
     }
+    std::string_view user() const override { return call_->user(); }
 
    private:
     const CallPtr call_;

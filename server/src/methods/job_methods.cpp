@@ -1,7 +1,9 @@
 // job.* and request.cancel: work that waits and runs, and its end.
 #include <chrono>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "all_methods.hpp"
 
@@ -13,16 +15,26 @@ using proto::StatusError;
 
 namespace {
 
+/// Each once, without those who have no name.
+std::set<std::string> named(const std::vector<std::string>& users) {
+    std::set<std::string> names(users.begin(), users.end());
+    names.erase("");
+    return names;
+}
+
 void list_jobs(const CallPtr& call, const DaemonParts& parts) {
     json jobs = json::array();
     for (const auto& job : parts.jobs.all()) {
         const engine::JobProgress progress = job->progress();
+        const std::vector<std::string> callers = job->users();
         json entry = {{"job", job->name},
                       {"kind", job->kind},
                       {"state", job->running() ? "running" : "queued"},
                       {"stage", progress.stage},
                       {"fraction", progress.fraction},
-                      {"callers", job->callers()},
+                      {"callers", callers.size()},
+                      {"users", named(callers)},
+                      {"description", job->description},
                       {"seconds", std::chrono::duration<double>(Call::Clock::now() - job->created).count()}};
         if (progress.seconds_left) entry["seconds_left"] = *progress.seconds_left;
         if (progress.memory_bytes) entry["memory_bytes"] = *progress.memory_bytes;

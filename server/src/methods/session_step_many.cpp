@@ -49,7 +49,7 @@ void answer(Batch& batch) {
 }
 
 proto::ResultOrStatus solved(Batch& batch, std::size_t index) {
-    const std::shared_ptr<Job> job = batch.parts.jobs.create("step", [] {});
+    const std::shared_ptr<Job> job = batch.parts.jobs.create(origin_of(*batch.call, "step"), [] {});
     proto::ResultOrStatus result;
     const auto send = [&](const StepAnswer& answer) {
         result = proto::Result{answer.result, answer.frames};

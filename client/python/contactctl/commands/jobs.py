@@ -32,12 +32,13 @@ def jobs() -> None:
 
 def shown_jobs(found: tuple[Job, ...]) -> RenderableType:
     """A line each."""
-    columns = ["job", "state", "stage", "done", "waiting", "since", "to go", "memory"]
+    columns = ["job", "state", "stage", "done", "waiting", "since", "to go", "memory", "for", "what"]
     rows = [
         (
             job.job, job.state, job.stage or "-", f"{100 * job.fraction:.0f} %", job.callers, span(job.seconds),
             None if job.seconds_left is None else span(job.seconds_left),
             None if job.memory_bytes is None else size(job.memory_bytes),
+            ", ".join(job.users) or None, job.description or None,
         )
         for job in found
     ]  # fmt: skip

@@ -35,6 +35,7 @@ class SilentObserver final : public Observer {
    public:
     explicit SilentObserver(const Observer& outer) : outer_(outer) {}
     bool cancelled() const override { return outer_.cancelled(); }
+    std::string_view user() const override { return outer_.user(); }
 
    private:
     const Observer& outer_;
@@ -50,6 +51,7 @@ class PartObserver : public Observer {
         whole_.on_progress(progress);
     }
     bool cancelled() const override { return whole_.cancelled(); }
+    std::string_view user() const override { return whole_.user(); }
 
    private:
     Observer& whole_;

@@ -58,15 +58,17 @@ struct Outcome {
 /// A service in a folder of its own, whose builder is `script` (run by sh; $3 is the output).
 class Bench {
    public:
-    explicit Bench(const std::string& script) {
+    explicit Bench(const std::string& script, std::function<bool(const std::string&)> may_build = {}) {
         std::string name = (fs::temp_directory_path() / "contactd-ics-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
         folder = name;
         const fs::path program = folder / "builder";
         std::ofstream(program) << "#!/bin/sh\n" << script << "\n";
         fs::permissions(program, fs::perms::owner_all);
-        ics = std::make_unique<IcService>(IcService::Settings{{{}, program}, 1, 1 << 20},
-                                          IcStore(folder / "store", [](const std::string&) {}), jobs, counters);
+        IcService::Settings settings{{{}, program}, 1, 1 << 20};
+        settings.may_build = std::move(may_build);
+        ics = std::make_unique<IcService>(std::move(settings), IcStore(folder / "store", [](const std::string&) {}),
+                                          jobs, counters);
         // A table for scripts that succeed.
         IcSpec spec = dimensionless(fem_spec());
         write_ic_file(folder / "good.h5", IcRecord{spec, IcTable(spec.nx, spec.ny)});
@@ -77,12 +79,13 @@ class Bench {
         fs::remove_all(folder);
     }
 
-    std::future<Outcome> ask(const IcSpec& spec, const std::function<bool()>& has_gone = {}) {
+    std::future<Outcome> ask(const IcSpec& spec, const std::function<bool()>& has_gone = {},
+                             const std::string& user = {}) {
         auto promise = std::make_shared<std::promise<Outcome>>();
         ics->request(spec, {[promise](const IcAnswer& a) { promise->set_value({a.origin, {}, a}); },
                             [promise](const proto::Status& s) { promise->set_value({"", s, {}}); },
                             [](const Job&, const JobProgress&) {},
-                            {.client = {}, .abandoned = has_gone}});
+                            {.client = {}, .abandoned = has_gone, .user = user}});
         return promise->get_future();
     }
     void wait_until_running(const std::string& name) {
@@ -131,6 +134,37 @@ TEST_CASE("Simultaneous requests join one build") {
     for (auto& outcome : outcomes) CHECK(outcome.get().origin == "built");
     CHECK(bench.counters.builds_started == 1);
     CHECK(bench.counters.builds_joined == 7);
+}
+
+TEST_CASE("Who may not have tables built gets those that are there, and joins a build of who may") {
+    Bench bench("sleep 0.3; " + succeeding, [](const std::string& user) { return user == "alice"; });
+
+    const Outcome denied = bench.ask(fem_spec(), {}, "bob").get();
+    CHECK(denied.status.code == proto::StatusCode::permission_denied);
+    CHECK(denied.status.reason == proto::reason::build_denied);
+    CHECK(bench.ask(fem_spec()).get().status.reason == proto::reason::build_denied);
+    CHECK(bench.counters.builds_started == 0);
+
+    auto built = bench.ask(fem_spec(), {}, "alice");
+    bench.wait_until_running("build-1");
+    CHECK(bench.jobs.find("build-1")->users() == std::vector<std::string>{"alice"});
+    auto joined = bench.ask(fem_spec(), {}, "bob");
+    CHECK(built.get().origin == "built");
+    CHECK(joined.get().origin == "built");
+    CHECK(bench.ask(fem_spec(), {}, "bob").get().origin == "memory");
+    CHECK(bench.counters.builds_started == 1);
+}
+
+TEST_CASE("A build says what it builds, in the lengths of who asked first") {
+    Bench bench("sleep 0.3; " + succeeding);
+    IcSpec spec = fem_spec();
+    spec.accuracy = 1e-3;
+    auto outcome = bench.ask(spec);
+    bench.wait_until_running("build-1");
+
+    CHECK_THAT(bench.jobs.find("build-1")->description, ContainsSubstring("finite elements, a half-space of nu"));
+    CHECK_THAT(bench.jobs.find("build-1")->description, ContainsSubstring(", accuracy 0.001"));
+    outcome.wait();
 }
 
 TEST_CASE("A failing builder's words reach its callers, and the next request starts anew") {

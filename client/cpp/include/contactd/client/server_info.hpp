@@ -96,6 +96,8 @@ struct Job {
     double seconds = 0;                           ///< since it was queued
     std::optional<double> seconds_left{};         ///< time to go as last reported, of builds where there is an estimate
     std::optional<std::uint64_t> memory_bytes{};  ///< the most it will take, of builds where there is an estimate
+    std::vector<std::string> users{};  ///< whose requests wait, each once: names of keys, IP addresses, or uid:NUMBER
+    std::string description{};         ///< words for people: what is built or solved
 };
 
 /// One session; its name is the key to it and is not told.

@@ -1,0 +1,14 @@
+// What a table is, in words for people.
+#pragma once
+
+#include <string>
+
+#include "contactd/ic_spec.hpp"
+
+namespace contactd::engine {
+
+/// Such as "finite elements, a block of nu 0.28: 25 x 25 offsets of 0.8 x 0.8 mm, accuracy 0.001", for job.list. Keys
+/// tell tables apart, this does not.
+std::string description(const IcSpec& spec);
+
+}  // namespace contactd::engine
