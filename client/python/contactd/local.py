@@ -15,7 +15,7 @@ from .in_process import InProcessClient, can_solve_here
 __all__ = ["local"]
 
 #: Of a configuration, what only a daemon has.
-_OF_DAEMONS = ("endpoint", "security", "log", "http", "shutdown")
+_OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
 
 
 @contextmanager
@@ -33,7 +33,7 @@ def local(
 
     Where the extension contactd_local is installed it solves in this process, and otherwise starts a private daemon: the
     answers are the same, and so are the errors. `in_process` insists on one of the two. Who names the `program` or says
-    what only a daemon has in `config` (endpoint, security, log, http, shutdown) gets a daemon.
+    what only a daemon has in `config` (endpoint, security, methods, log, http, shutdown) gets a daemon.
 
     `program`, `folder` and `config` are those of LocalDaemon. Tables by finite elements are kept in `folder`; without
     one they go with the block. In process they are built by ``contactd-ic``, as CONTACTD_IC names it, the package

@@ -22,7 +22,8 @@ json error(StatusCode code) {
 
 /// What every method may answer, and what its schema says that it may answer besides.
 json errors_of(const json& params) {
-    json errors{error(StatusCode::invalid_argument), error(StatusCode::unavailable), error(StatusCode::internal)};
+    json errors{error(StatusCode::invalid_argument), error(StatusCode::permission_denied),
+                error(StatusCode::unimplemented), error(StatusCode::unavailable), error(StatusCode::internal)};
     for (const json& name : params.at("x-errors")) errors.push_back(error(code_named(name.get<std::string>())));
     return errors;
 }

@@ -1,5 +1,6 @@
 #include "config.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -61,6 +62,26 @@ std::filesystem::path default_builder() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "contactd-ic";
 }
 
+/// What a misspelt name would leave open must not pass: a sentence for each, below "\n  ".
+std::string method_problems(const json& given) {
+    const auto at = given.find("methods");
+    if (at == given.end() || !at->is_object()) return {};
+    std::string problems;
+    const std::vector<std::string>& known = proto::method_names();
+    const auto check = [&](const std::string& field, const std::string& name) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) return;
+        problems += "\n  " + field + " is " + json(name).dump() +
+                    ", which is no method; docs/protocol.md has their names, such as ic.import";
+    };
+    if (const auto disabled = at->find("disabled"); disabled != at->end() && disabled->is_array())
+        for (std::size_t i = 0; i < disabled->size(); ++i)
+            if ((*disabled)[i].is_string()) check("methods.disabled[" + std::to_string(i) + "]", (*disabled)[i]);
+    if (const auto allowed = at->find("allowed_users"); allowed != at->end() && allowed->is_object())
+        for (const auto& [name, users] : allowed->items())
+            if (name != MethodRules::builds) check("a name in methods.allowed_users", name);
+    return problems;
+}
+
 }  // namespace
 
 Config config_from_json(const json& given) {
@@ -69,6 +90,7 @@ Config config_from_json(const json& given) {
     for (const auto& [field, description] : proto::violations_against(config_schema(), given))
         problems += "\n  " + field + " " + description;
     if (const std::string problem = http_problem(given); !problem.empty()) problems += "\n  " + problem;
+    problems += method_problems(given);
     if (!problems.empty()) throw Error("The configuration cannot be used:" + problems);
 
     const json all = with_defaults(config_schema(), given);
@@ -81,6 +103,7 @@ Config config_from_json(const json& given) {
         security["handshake_seconds"],
         {security["per_user"]["requests_per_second"], security["per_user"]["burst"],
          security["per_user"]["open_requests"]}};
+    config.methods = {all["methods"]["disabled"], all["methods"]["allowed_users"]};
     config.workers = all["workers"];
     config.spin = std::chrono::microseconds(all["spin_microseconds"].get<int>());
     const std::string folder = all["store"]["folder"], program = all["builds"]["program"];
@@ -147,6 +170,7 @@ json to_json(const Config& config) {
                {{"requests_per_second", security.per_user.requests_per_second},
                 {"burst", security.per_user.burst},
                 {"open_requests", security.per_user.open_requests}}}}},
+            {"methods", {{"disabled", config.methods.disabled}, {"allowed_users", config.methods.allowed_users}}},
             {"workers", config.workers},
             {"spin_microseconds", config.spin.count()},
             {"store",

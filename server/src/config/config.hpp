@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,14 @@ struct RecentSolvesLimits {
     std::size_t max_bytes;  ///< of the pressures of all together; the oldest go first
 };
 
+/// Who may call which methods.
+struct MethodRules {
+    static constexpr const char* builds = "builds";  ///< the name that stands for having tables built, whatever asks
+    std::vector<std::string> disabled;
+    /// By names of methods, or `builds`: users as AccessControl::user_of names them. What is not here everybody may.
+    std::map<std::string, std::vector<std::string>> allowed_users;
+};
+
 /// Field by field as in configs/schema.json, where every default stands too.
 struct Config {
     std::string endpoint;
@@ -44,6 +53,7 @@ struct Config {
             std::size_t open_requests;  ///< 0: no limit
         } per_user;
     } security;
+    MethodRules methods;
     int workers;
     std::chrono::microseconds spin;
     struct {

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "access/method_access.hpp"
 #include "all_methods.hpp"
 #include "collect_metrics.hpp"
 #include "contactd/proto/schema.hpp"
@@ -64,8 +65,10 @@ void health(const CallPtr& call, const DaemonParts& parts) {
     call->succeed({{"state", name_of(parts.health.state())}, {"warnings", std::move(warnings)}});
 }
 
-void describe(const CallPtr& call, const DaemonParts&) {
-    call->succeed(proto::openrpc());
+void describe(const CallPtr& call, const DaemonParts& parts) {
+    const MethodRules& rules = parts.config.methods;
+    const bool holds_for_all = rules.disabled.empty() && rules.allowed_users.empty();
+    call->succeed(holds_for_all ? proto::openrpc() : described_for(rules, call->user(), proto::openrpc()));
 }
 
 void metrics(const CallPtr& call, const DaemonParts& parts) {

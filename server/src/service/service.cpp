@@ -1,7 +1,10 @@
 #include "service.hpp"
 
+#include <functional>
+#include <string>
 #include <utility>
 
+#include "access/method_access.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/schema.hpp"
 #include "engine/ics/store/store_folder.hpp"
@@ -22,6 +25,12 @@ const Status& stopping_status() {
     return status;
 }
 
+/// Empty where everybody may have tables built.
+std::function<bool(const std::string&)> builders_of(const MethodRules& rules) {
+    if (!rules.allowed_users.contains(MethodRules::builds)) return {};
+    return [&rules](const std::string& user) { return is_allowed(rules, MethodRules::builds, user); };
+}
+
 engine::EngineSettings engine_settings(const Config& config, const Host& host) {
     const auto& builds = config.builds;
     return {config.store.folder,
@@ -34,7 +43,8 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
              config.store.disk_budget_bytes,
              {builds.max_failures, std::chrono::seconds(builds.quarantine_seconds)},
              config.store.share_imported_tables,
-             host.log},
+             host.log,
+             builders_of(config.methods)},
             true};
 }
 
@@ -72,6 +82,8 @@ CallPtr Service::open(const Route& route, proto::Request request, Call::Clock::t
 
 void Service::handle(CallPtr call) {
     const Method* method = methods_.find(call->request.method);
+    if (const auto denied = refusal(parts_.config.methods, call->request.method, call->user()))
+        return call->fail(*denied);
     if (!method || method->is_quick) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
     if (method->job) job_of(call, method->job, engine_.jobs());

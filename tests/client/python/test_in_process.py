@@ -92,7 +92,7 @@ def test_an_extension_that_cannot_be_loaded_is_no_reason_for_something_else(monk
         pass
 
 
-@pytest.mark.parametrize("section", ["endpoint", "security", "log", "http", "shutdown"])
+@pytest.mark.parametrize("section", ["endpoint", "security", "methods", "log", "http", "shutdown"])
 def test_what_only_a_daemon_has_takes_a_daemon(monkeypatch, section):
     monkeypatch.setenv("PATH", str(BIN))
     config = {section: "ipc:///nowhere/socket" if section == "endpoint" else {"no such": 1}}

@@ -74,6 +74,39 @@ TEST_CASE("Every problem of a configuration is named with its field") {
     CHECK_THROWS_MATCHES(config_from_json(given), contactd::Error, MessageMatches(ContainsSubstring(field)));
 }
 
+TEST_CASE("Methods that there are can be switched off and given to users") {
+    const Config config = config_from_json(
+        {{"methods",
+          {{"disabled", {"ic.delete"}},
+           {"allowed_users",
+            {{"ic.import", {"alice", "uid:1000", "192.168.0.7", "::1", "b_o.b-2@x"}}, {"builds", json::array()}}}}}});
+
+    CHECK(config.methods.disabled == std::vector<std::string>{"ic.delete"});
+    CHECK(config.methods.allowed_users.at("ic.import").size() == 5);
+    CHECK(config.methods.allowed_users.at("builds").empty());
+    CHECK(to_json(config_from_json(to_json(config))) == to_json(config));
+    CHECK(public_part(config)["methods"] == to_json(config)["methods"]);
+}
+
+TEST_CASE("A misspelt method or user is refused, since it would leave open what was meant to be closed") {
+    const auto [given, sentence] = GENERATE(table<json, const char*>({
+        {{{"disabled", {"ic.get", "ic.imprt"}}}, R"(methods.disabled[1] is "ic.imprt", which is no method)"},
+        {{{"disabled", {"builds"}}}, "methods.disabled[0]"},
+        {{{"disabled", {"ic.*"}}}, "methods.disabled[0]"},
+        {{{"disabled", "ic.get"}}, "methods.disabled"},
+        {{{"allowed_users", {{"ic.Import", {"alice"}}}}},
+         R"(methods.allowed_users is "ic.Import", which is no method)"},
+        {{{"allowed_users", {{"ic.import", "alice"}}}}, "methods.allowed_users"},
+        {{{"allowed_users", {{"ic.import", {""}}}}}, "methods.allowed_users"},
+        {{{"allowed_users", {{"ic.import", {"uid:alice"}}}}}, "methods.allowed_users"},
+        {{{"allowed_users", {{"ic.import", {"uid: 1000"}}}}}, "methods.allowed_users"},
+        {{{"allow_users", json::object()}}, "methods.allow_users"},
+    }));
+
+    CHECK_THROWS_MATCHES(config_from_json({{"methods", given}}), contactd::Error,
+                         MessageMatches(ContainsSubstring(sentence)));
+}
+
 TEST_CASE("A configuration that is no JSON, no object or no file is refused with its name") {
     const auto path = std::filesystem::temp_directory_path() / "contactd-test-config.json";
     std::ofstream(path) << "{\"workers\": ";
