@@ -22,6 +22,10 @@ body { background: #f6f5f2; color: #1d1d2b; }
 .q-card { box-shadow: none; border: 1px solid #e4e1da; }
 .figures b { font-variant-numeric: tabular-nums; }
 .q-table td, .q-table th { font-variant-numeric: tabular-nums; }
+@media (max-width: 480px) {
+    .q-tab { padding: 0 6px; }
+    .q-tab__label { font-size: 13px; }
+}
 """
 _TABS = (("Work", (RatesPanel, JobsPanel)), ("Solves", (SolvesPanel,)), ("Tables", (TablesPanel,)),
          ("Sessions", (SessionsPanel,)), ("Configuration", (ConfigurationPanel,)))  # fmt: skip
@@ -36,7 +40,7 @@ def add_page(watcher: Watcher) -> None:
         panels: list[Panel] = []
         with ui.column().classes("w-full max-w-6xl mx-auto gap-3"):
             panels.append(StatePanel(watcher))
-            with ui.tabs().props("align=left dense no-caps") as tabs:
+            with ui.tabs().props("align=left dense no-caps").classes("max-w-full") as tabs:
                 for name, _ in _TABS:
                     ui.tab(name)
             with ui.tab_panels(tabs, value=_TABS[0][0], animated=False).classes("w-full bg-transparent"):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from nicegui import ui
 
 from contactd import Job
 
-from ..output import size, span
+from ..output import counted, size, span
 from .panel import Panel, answer_of
 from .view import View
 from .watcher import Watcher
@@ -17,6 +18,7 @@ __all__ = ["JobsPanel"]
 
 
 _MOMENT = 0.3  #: seconds: what is done sooner nobody could cancel
+_WORK = {"build": "It builds a table", "solve": "It solves", "subsurface": "It computes stresses", "step": "It takes a step"}
 
 
 class JobsPanel(Panel):
@@ -28,7 +30,8 @@ class JobsPanel(Panel):
         with ui.card().classes("w-full jobs p-3 gap-2"):
             ui.label("Jobs").classes("font-medium")
             self._none = ui.label("There are none.").classes("text-gray-600")
-            self._place = ui.column().classes("w-full gap-2")
+            self._place = ui.column().classes("w-full gap-3")
+        self._question = _Question(watcher)
 
     async def show(self, view: View) -> None:
         jobs = {job.job: job for job in view.jobs if job.seconds > _MOMENT}
@@ -38,31 +41,29 @@ class JobsPanel(Panel):
         for name, job in jobs.items():
             if name not in self._lines:
                 with self._place:
-                    self._lines[name] = _Line(self.watcher, name)
+                    self._lines[name] = _Line(name, self._question.ask)
             self._lines[name].show(job)
+        self._question.show(jobs)
         self._none.visible = not jobs
 
 
 class _Line:
     """Kept for as long as its job is there, so that its button stays where it is pressed."""
 
-    def __init__(self, watcher: Watcher, name: str) -> None:
-        with ui.row().classes("w-full items-center no-wrap gap-3 job").props(f"data-job={name}") as self._row:
-            ui.label(name).classes("w-24 font-mono")
-            self._stage = ui.label().classes("w-32")
-            self._bar: Any = ui.linear_progress(0, show_value=False, size="12px").classes("flex-1")
-            self._part = ui.label().classes("w-12 text-right part")
-            self._remark = ui.label().classes("w-72 text-gray-600")
-
-            async def cancel() -> None:
-                button.disable()
-                ended = await answer_of(watcher, watcher.cancel, name)
-                if ended is not None:
-                    ui.notify(f"{name} is cancelled." if ended else f"{name} had ended before.")
-
-            button = ui.button("Cancel", on_click=cancel).props("outline dense no-caps size=sm").classes("cancel px-2")
+    def __init__(self, name: str, ask: Callable[[Job], None]) -> None:
+        with ui.column().classes("w-full gap-1 job").props(f"data-job={name}") as self._all:
+            with ui.row().classes("w-full items-center gap-x-3 gap-y-1"):
+                ui.label(name).classes("w-24 font-mono")
+                self._stage = ui.label().classes("w-32")
+                self._bar: Any = ui.linear_progress(0, show_value=False, size="12px").classes("flex-1 min-w-24")
+                self._part = ui.label().classes("w-12 text-right part")
+                self._remark = ui.label().classes("w-72 text-gray-600")
+                button = ui.button("Cancel", on_click=lambda: ask(self._job))
+                button.props("outline dense no-caps size=sm").classes("cancel px-2")
+            self._what = ui.label().classes("what text-gray-600 text-sm break-words")
 
     def show(self, job: Job) -> None:
+        self._job = job
         self._stage.text = job.stage or job.state
         self._bar.value = job.fraction
         self._part.text = f"{100 * job.fraction:.0f} %"
@@ -74,6 +75,57 @@ class _Line:
         if job.callers != 1:
             remarks.append(f"{job.callers} wait for it")
         self._remark.text = ", ".join(remarks)
+        words = [job.description, f"for {_users(job)}" if job.callers else "for nobody who still waits"]
+        self._what.text = "; ".join(filter(None, words))
 
     def remove(self) -> None:
-        self._row.delete()
+        self._all.delete()
+
+
+class _Question:
+    """Whether a job shall really end. It goes away when the job ends by itself."""
+
+    def __init__(self, watcher: Watcher) -> None:
+        self._watcher = watcher
+        self._job = ""
+        with ui.dialog() as self._dialog, ui.card().classes("question max-w-full gap-3"):
+            self._title = ui.label().classes("font-medium")
+            self._what = ui.label().classes("break-words")
+            self._whose = ui.label().classes("break-words")
+            with ui.row().classes("gap-2"):
+                ui.button("End it", color="negative", on_click=self._cancel).props("no-caps").classes("end")
+                ui.button("Let it run", on_click=self._dialog.close).props("flat no-caps").classes("keep")
+
+    def ask(self, job: Job) -> None:
+        self._job = job.job
+        self._title.text = f"End {job.job}?"
+        self._say(job)
+        self._dialog.open()
+
+    def show(self, jobs: dict[str, Job]) -> None:
+        if not self._dialog.value:
+            return
+        if (job := jobs.get(self._job)) is not None:
+            self._say(job)
+            return
+        self._dialog.close()
+        ui.notify(f"{self._job} has ended.")
+
+    def _say(self, job: Job) -> None:
+        work = _WORK.get(job.kind, f"It is a {job.kind}")
+        self._what.text = f"{work}: {job.description}." if job.description else f"{work}."
+        if job.callers:
+            self._whose.text = f"It is for {_users(job)}. What waits for it ends with an error: {counted(job.callers, 'request')}."
+        else:
+            self._whose.text = "Nobody waits for it any more."
+
+    async def _cancel(self) -> None:
+        name = self._job
+        self._dialog.close()
+        ended = await answer_of(self._watcher, self._watcher.cancel, name)
+        if ended is not None:
+            ui.notify(f"{name} is cancelled." if ended else f"{name} had ended before.")
+
+
+def _users(job: Job) -> str:
+    return ", ".join(job.users) or "somebody whom the daemon does not name"

@@ -25,12 +25,12 @@ class RatesPanel(Panel):
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)
         self._figures: dict[str, Any] = {}
-        with ui.row().classes("figures w-full gap-6"):
+        with ui.row().classes("figures w-full gap-x-6 gap-y-2"):
             for name in _FIGURES:
                 with ui.column().classes("gap-0"):
                     ui.label(name).classes("text-xs text-gray-600")
                     self._figures[name] = ui.label("-").classes("text-base font-medium")
-        with ui.row().classes("w-full no-wrap gap-4"):
+        with ui.row().classes("w-full gap-4"):
             self._charts = [(_chart(title, make), make) for title, make in _CHARTS]
 
     async def show(self, view: View) -> None:
@@ -42,7 +42,7 @@ class RatesPanel(Panel):
 
 
 def _chart(title: str, make: Any) -> Any:
-    with ui.card().classes("flex-1 min-w-0 p-3"):
+    with ui.card().classes("flex-1 min-w-72 p-3"):
         ui.label(title).classes("font-medium")
         return ui.echart(make(())).classes("h-56")
 

@@ -32,7 +32,7 @@ class SolvesPanel(Panel):
         ui.label("Those of the user as whom this dashboard connects. Press a line for its picture.").classes("text-gray-600")
         self._table = table(_COLUMNS, "number", "There are none, or the daemon keeps none (recent_solves.count).")
         self._table.classes("solves cursor-pointer").on("row-click", self._draw, js_handler="(event, row) => emit(row.number)")
-        with ui.dialog() as self._dialog, ui.card().classes("max-w-none"):
+        with ui.dialog() as self._dialog, ui.card().classes("max-w-full"):
             self._title = ui.label().classes("font-medium")
             self._picture = ui.image().props("no-spinner no-transition").classes("picture")
             ui.button("Close", on_click=self._dialog.close).props("flat no-caps")
@@ -56,7 +56,7 @@ class SolvesPanel(Panel):
             return
         self._title.text = f"Solve {found.number}, {found.method} at {_time_of(found)}" + ("" if found.converged else ", NOT CONVERGED")
         self._picture.source = await run.io_bound(picture_of, patches)
-        self._picture.style(f"width: {504 * len(patches)}px")
+        self._picture.style(f"width: {504 * len(patches)}px; max-width: 100%")
         self._dialog.open()
 
 

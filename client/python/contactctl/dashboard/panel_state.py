@@ -24,7 +24,7 @@ class StatePanel(Panel):
         with ui.row().classes("items-center w-full gap-3 pt-3"):
             ui.label("contactd").classes("text-xl font-bold")
             self._state = ui.badge().classes("state text-sm")
-            ui.label(watcher.endpoint).classes("font-mono")
+            ui.label(watcher.endpoint).classes("font-mono break-all")
             self._version = ui.label().classes("text-gray-600")
         with ui.card().classes("w-full away bg-red-50") as self._away:
             self._why = ui.label()

@@ -1,9 +1,11 @@
 """The page of contactctl dashboard, in a headless Chromium. Left out where NiceGUI could not be had from PyPI."""
 
+import http.server
 import os
 import re
 import signal
 import socket
+import threading
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -89,7 +91,17 @@ def test_a_build_is_followed_and_cancelled(page, shared, background):
     eventually(lambda: re.search(r"[1-9]\d* %", page.text(".job .part")))
     bar = "document.querySelector('.job .q-linear-progress').getAttribute('aria-valuenow')"
     assert float(page.evaluate(bar)) > 0
+    page.wait_for("finite elements, a half-space", ".job .what")
     page.click(".job .cancel")
+    page.wait_for(f"End {build}?", ".question")
+    asked = page.text(".question")
+    assert "It builds a table: finite elements" in asked
+    assert f"for uid:{os.getuid()}." in asked
+    page.click(".question .keep")
+    eventually(lambda: page.text(".question") == "")
+    assert not waiting.done()
+    page.click(".job .cancel")
+    page.click(".question .end")
     page.wait_for(f"{build} is cancelled.")
     page.wait_for("There are none.", ".jobs")
     assert waiting.exception(30).name == "CANCELLED"
@@ -176,14 +188,105 @@ def status_of(link, **headers):
             return error.code, error.read().decode()
 
 
-def test_who_has_not_the_token_sees_nothing(dashboard):
-    base, _, token = dashboard.link.partition("?token=")
-    for link in (base, f"{base}?token=", f"{base}?token={token}x", f"{base}_nicegui_ws/socket.io/?EIO=4&transport=polling"):
-        status, said = status_of(link)
-        assert status == 403
-        assert said.startswith("Open the address that contactctl dashboard has printed")
-    assert status_of(base, Cookie="contactd_dashboard=guess")[0] == 403
-    assert status_of(base, Cookie=f"contactd_dashboard={token}")[0] == 200
+#: Texts that lie on one another, and what is wider than the window but does not scroll.
+OVERLAPS = """(() => {
+    const boxes = [];
+    const walker = document.createTreeWalker(document.querySelector('.nicegui-content'), NodeFilter.SHOW_TEXT);
+    for (let node; (node = walker.nextNode());) {
+        if (!node.textContent.trim()) continue;
+        const range = document.createRange();
+        range.selectNodeContents(node);
+        const scrolls = node.parentElement.closest('.q-table__middle');
+        for (const box of range.getClientRects()) {
+            if (box.width < 1 || box.height < 1 || scrolls) continue;
+            boxes.push([node.textContent, box]);
+        }
+    }
+    const wrong = [];
+    boxes.forEach(([text, a], i) => {
+        if (a.right > document.documentElement.clientWidth + 1 || a.left < 0) wrong.push([text, 'is cut off']);
+        for (const [other, b] of boxes.slice(i + 1)) {
+            const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+            const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+            if (width > 1 && height > 3) wrong.push([text, other]);
+        }
+    });
+    if (document.documentElement.scrollWidth > document.documentElement.clientWidth) wrong.push(['the page', 'is too wide']);
+    return wrong;
+})()"""
+
+
+@pytest.fixture
+def at_width(browser):
+    yield lambda width: browser.resize(width, 900)
+    browser.send("Emulation.clearDeviceMetricsOverride")
+
+
+@pytest.mark.parametrize("width", [390, 700, 1400])
+def test_nothing_lies_on_anything_else(page, shared, background, at_width, width):
+    at_width(width)
+    waiting = background(shared.get_ic, STEEL, GRID, LONG)
+    page.wait_for("build-", ".job")
+    for tab in ("Work", "Solves", "Tables", "Sessions", "Configuration"):
+        show(page, tab)
+        eventually(lambda: page.evaluate(OVERLAPS) == [], "texts lie on one another")
+    (job,) = shared.jobs()
+    shared.cancel_job(job.job)
+    assert waiting.exception(30).name == "CANCELLED"
+
+
+def test_two_dashboards_in_one_browser_leave_each_other_alone(dashboard, browser, lonely):
+    other = Dashboard(lonely)
+    browser.open(dashboard.link)
+    browser.wait_for("serving", ".state")
+    browser.open(other.link)
+    browser.wait_for("away", ".state")
+    for link, state in ((dashboard.link, "serving"), (other.link, "away"), (dashboard.link, "serving")):
+        browser.open(link.partition("?")[0])
+        browser.wait_for(state, ".state")
+    assert "token" not in browser.evaluate("location.href")
+    assert other.end() == (130, "")
+
+
+def test_what_another_page_of_the_machine_gets_from_the_browser_opens_nothing(dashboard, browser):
+    """Cookies know no ports: a page on another one receives ours."""
+    received = []
+
+    class Page(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            received.append(self.headers)
+            self.send_response(200)
+            self.end_headers()
+            self.wfile.write(b"<title>another page</title>")
+
+        def log_message(self, *_):
+            pass
+
+    browser.open(dashboard.link)
+    browser.wait_for("serving", ".state")
+    base = dashboard.link.partition("?")[0]
+    with http.server.HTTPServer(("127.0.0.1", 0), Page) as server:
+        serving = threading.Thread(target=server.serve_forever)
+        serving.start()
+        try:
+            browser.open(f"http://127.0.0.1:{server.server_port}/")
+            eventually(lambda: received)
+            eventually(lambda: browser.evaluate("document.title") == "another page")
+            assert browser.evaluate("localStorage.length") == 0
+            refused = browser.evaluate(f"fetch('{base}', {{credentials: 'include'}}).then(() => false, () => true)")
+        finally:
+            server.shutdown()
+            serving.join()
+    assert refused
+    cookie = received[0]["Cookie"]
+    assert "contactd_dashboard_" in cookie  # it has it
+    assert not any("token" in str(headers) for headers in received)
+    for path in ("_nicegui_ws/socket.io/?EIO=4&transport=polling", "none/"):
+        assert status_of(f"{base}{path}", Cookie=cookie)[0] == 403
+    status, said = status_of(base, Cookie=cookie)
+    assert status == 200
+    assert "serving" not in said
+    assert "ipc://" not in said
 
 
 def test_it_listens_on_the_loopback_only(dashboard):

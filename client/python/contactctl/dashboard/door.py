@@ -1,0 +1,27 @@
+"""The page at /, which fetches the dashboard by the key that this origin keeps."""
+
+__all__ = ["DOOR"]
+
+DOOR = b"""<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>contactd</title>
+<p id="said"><noscript>The dashboard needs JavaScript.</noscript></p>
+<script>
+  const given = location.hash.slice(1);
+  if (given) {
+    localStorage.setItem("contactd_dashboard", given);
+    history.replaceState(null, "", "/");
+  }
+  const key = localStorage.getItem("contactd_dashboard") ?? "none";
+  fetch(`/${encodeURIComponent(key)}/`, { cache: "no-store" }).then(async (answer) => {
+    const said = await answer.text();
+    if (!answer.ok) throw new Error(said);
+    document.open();
+    document.write(said);
+    document.close();
+  }).catch((error) => { document.getElementById("said").textContent = error.message; });
+</script>
+</html>
+"""

@@ -1,0 +1,56 @@
+"""By which names browsers reach the dashboard."""
+
+from __future__ import annotations
+
+import ipaddress
+import socket
+from collections.abc import Sequence
+
+__all__ = ["Names"]
+
+_ADDRESSES = ("127.0.0.1", "[::1]")
+
+
+class Names:
+    """Values of Host, such as ``127.0.0.1:5580``. A name that somebody else may point at this machine must be given."""
+
+    def __init__(self, address: str, port: int, others: Sequence[str] = ()) -> None:
+        """`address` is where the dashboard listens, in numbers; `others` are NAME or NAME:PORT."""
+        listens = ipaddress.ip_address(address)
+        self._port = port
+        self._takes_addresses = listens.is_unspecified  # all of this machine, which it may get later, too
+        names = [f"[{address}]" if listens.version == 6 else address]
+        if listens.is_loopback or listens.is_unspecified:
+            names += ["localhost", *_ADDRESSES]
+        if not listens.is_loopback:
+            names.append(socket.gethostname())
+        own = [_with_port(name, port) for name in names]
+        given = [other.lower() for name in others for other in (name, f"{name}:{port}")]
+        self._own = tuple(dict.fromkeys(name.lower() for name in own))
+        self._given = tuple(dict.fromkeys(given))
+
+    def __str__(self) -> str:
+        return ", ".join((*self._own, *self._given))
+
+    def hold(self, host: str) -> bool:
+        """Whether a request with this Host is meant for the dashboard."""
+        host = host.lower()
+        return host in self._own or host in self._given or (self._takes_addresses and self._is_address(host))
+
+    def is_origin(self, origin: str, host: str) -> bool:
+        """Whether a page of `host`, which they hold, says `origin` of itself: with https where a proxy is in front."""
+        schemes = ("http", "https") if host.lower() in self._given else ("http",)
+        return origin.lower() in [f"{scheme}://{host.lower()}" for scheme in schemes]
+
+    def _is_address(self, host: str) -> bool:
+        name = host.removesuffix(f":{self._port}") if self._port != 80 else host
+        try:
+            ipaddress.ip_address(name.removeprefix("[").removesuffix("]"))
+        except ValueError:
+            return False
+        return host == _with_port(name, self._port)
+
+
+def _with_port(name: str, port: int) -> str:
+    """As browsers write it, who leave out HTTP's own."""
+    return name if port == 80 else f"{name}:{port}"
