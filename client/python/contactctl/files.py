@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import sys
 from collections.abc import Hashable, Iterable
 from pathlib import Path
 from typing import Any
 
 import click
-import numpy as np
 
 from contactd.saving import write_whole
+from contactd.whole_files import read_whole
+
+from .array_files import read_array
+from .yaml_files import parse_yaml
 
 __all__ = ["read_document", "read_named", "read_object", "with_arrays", "writable", "write_text"]
 
 _DEEPEST = 50  #: levels of fields; no request has a quarter of them
+_MOST_BYTES = 1 << 25  #: of a document; what is larger is arrays, which have files of their own
+_MOST_VALUES = 2_000_000  #: of a document of JSON
 
 
 def read_object(path: str) -> dict[str, Any]:
@@ -49,7 +53,7 @@ def read_document(path: str) -> Any:
     # JSON is YAML, but for what both say about doubtful numbers and signs.
     is_json = path.endswith(".json") or (path == "-" and text.lstrip()[:1] in ("{", "["))
     try:
-        return _json(text) if is_json else _yaml(text)
+        return _json(text) if is_json else parse_yaml(text, _object)
     except RecursionError:
         raise click.UsageError(f"{path} is nested too deeply.") from None
     except ValueError as error:
@@ -78,7 +82,12 @@ def write_text(path: str | Path, text: str) -> None:
 
 def _text(path: str) -> str:
     try:
-        return sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8")
+        if path != "-":
+            return read_whole(path, _MOST_BYTES).decode("utf-8-sig")
+        text = sys.stdin.read(_MOST_BYTES + 1)
+        if len(text) > _MOST_BYTES:
+            raise click.UsageError(f"What stands on standard input has more than {_MOST_BYTES} characters; put arrays into files ($file).")
+        return text
     except OSError as error:
         raise click.UsageError(f"{path} cannot be read: {error.strerror}.") from None
     except UnicodeDecodeError:
@@ -90,6 +99,9 @@ def _kind(value: Any) -> str:
 
 
 def _json(text: str) -> Any:
+    if sum(map(text.count, ",[{")) > _MOST_VALUES:
+        raise ValueError(f"it has more than {_MOST_VALUES} values; put arrays into files of their own ($file)")
+
     def constant(name: str) -> Any:
         raise ValueError(f"{name} is no number that contact problems have; every number must be finite")
 
@@ -107,67 +119,15 @@ def _object(pairs: Iterable[tuple[Hashable, Any]]) -> dict[str, Any]:
     return found
 
 
-def _yaml(text: str) -> Any:
-    try:
-        import yaml
-    except ImportError:
-        raise click.UsageError(
-            "Reading YAML needs the package PyYAML: pip install PyYAML, or on Debian python3-yaml. JSON needs none."
-        ) from None
-
-    # Numbers and words as YAML 1.2 has them: 1e-3 is a number, yes and 12:30 are texts.
-    Loader: Any = type("Loader", (yaml.SafeLoader,), {})
-
-    def pairs(loader: Any, node: Any) -> dict[str, Any]:
-        def construct(part: Any) -> Any:
-            return loader.construct_object(part, deep=True)
-
-        own = [key for key, _ in node.value if not key.tag.endswith(":merge")]
-        _object((construct(key), None) for key in own)  # before what is merged, which they may replace
-        loader.flatten_mapping(node)
-        return {construct(key): construct(value) for key, value in node.value}
-
-    Loader.yaml_implicit_resolvers = {}
-    for tag, pattern, first in (
-        ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
-        ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
-        ("int", r"[-+]?[0-9]+", list("-+0123456789")),
-        ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)", list("-+.0123456789")),
-        ("merge", r"<<", ["<"]),
-    ):  # fmt: skip
-        Loader.add_implicit_resolver(f"tag:yaml.org,2002:{tag}", re.compile(f"^(?:{pattern})$"), first)
-    Loader.add_constructor("tag:yaml.org,2002:int", lambda loader, node: int(loader.construct_scalar(node)))
-    Loader.add_constructor("tag:yaml.org,2002:map", pairs)
-    try:
-        return yaml.load(text, Loader)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        where = "" if mark is None else f", line {mark.line + 1}, column {mark.column + 1}"
-        raise ValueError(f"{getattr(error, 'problem', None) or str(error)}{where}") from None
-
-
 def _with_arrays(value: Any, folder: Path, path: str, depth: int = 0) -> Any:
     if depth > _DEEPEST:
         raise click.UsageError(f"{path} is nested too deeply.")
     if isinstance(value, dict):
         if value.keys() == {"$file"}:
-            return _array(folder / str(value["$file"]), path)
+            if not isinstance(name := value["$file"], str):
+                raise click.UsageError(f"{path}: $file is {name!r:.60}; it must be the name of a file.")
+            return read_array(folder / name, path)
         return {name: _with_arrays(member, folder, path, depth + 1) for name, member in value.items()}
     if isinstance(value, list):
         return [_with_arrays(member, folder, path, depth + 1) for member in value]
     return value
-
-
-def _array(file: Path, path: str) -> np.ndarray[Any, Any]:
-    try:
-        if file.suffix == ".npy":
-            loaded = np.load(file, allow_pickle=False)
-            if isinstance(loaded, np.ndarray):
-                return loaded
-            raise ValueError("it is an archive of arrays, as .npz is")
-        text = file.read_text()
-        return np.loadtxt(text.splitlines(), delimiter="," if "," in text else None, ndmin=2)
-    except OSError as error:
-        raise click.UsageError(f"{path} names {file}, which cannot be read: {error.strerror or error}.") from None
-    except (ValueError, EOFError) as error:
-        raise click.UsageError(f"{path} names {file}, which holds no array of numbers: {error}.") from None

@@ -10,6 +10,7 @@ import zmq
 import zmq.auth
 
 from .errors import ConnectionFailed, Unauthenticated
+from .whole_files import read_whole
 
 if TYPE_CHECKING:
     from .sockets import Event
@@ -22,6 +23,7 @@ HANDSHAKE_EVENTS = (
 )
 #: A daemon that cannot read what a client says hangs up without a word, and so does one that is ending, once.
 SILENT_ENDS = 3
+_MOST_BYTES = 1 << 16  #: of a key file
 
 
 @dataclass(frozen=True)
@@ -66,6 +68,7 @@ def load_curve_keys(server_key: str | Path | None, own_key: str | Path | None) -
 
 def _load(path: str | Path) -> tuple[bytes, bytes | None]:
     try:
+        read_whole(path, _MOST_BYTES)  # no pipe that waits
         public, secret = zmq.auth.load_certificate(path)
     except OSError as error:
         raise ValueError(f"The key file {path} cannot be read: {error.strerror or error}.") from None

@@ -13,6 +13,7 @@ import io
 import json
 import math
 import os
+import zipfile
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from .reading import read
 from .saving import write_whole
 from .solution import IcEvidence, IcSpec, IcTable
 from .table_ics import TableIcs, check_finite
+from .whole_files import MOST_BYTES, check_npy, read_whole
 
 __all__ = ["load_table", "save_table"]
 
@@ -87,10 +89,12 @@ def _members(table: IcTable | TableIcs) -> dict[str, Any]:
 
 def _read_npz(path: PathLike) -> IcTable | TableIcs:
     name = os.fspath(path)
-    content = io.BytesIO(Path(path).read_bytes())
+    content = io.BytesIO(read_whole(path, MOST_BYTES))
     try:
+        _check_archive(content)
+        content.seek(0)
         archive = np.load(content, allow_pickle=False)
-        members = {} if isinstance(archive, np.ndarray) else {member: archive[member] for member in archive.files}
+        members = {member: archive[member] for member in archive.files}
     except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
         raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
@@ -120,6 +124,18 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
         raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
     _check(array, spec, name)
     return IcTable(str(members.get("key", "")), "file", spec, array, evidence, frames)
+
+
+def _check_archive(content: io.BytesIO) -> None:
+    """Raises, before memory is taken for it, where a member is not the array that its header promises, or where all take far
+    more than the file: numbers are not compressed a hundredfold."""
+    with zipfile.ZipFile(content) as archive:
+        members = archive.infolist()
+        if sum(member.file_size for member in members) > 1_000_000 + 100 * content.getbuffer().nbytes:
+            raise ValueError("it would take more than a hundred times its size")
+        for member in members:
+            with archive.open(member) as file:
+                check_npy(file, member.file_size, "fiubU")
 
 
 def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:

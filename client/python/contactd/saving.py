@@ -14,6 +14,7 @@ from ._version import __version__
 from .errors import ContactdError, SavedFileError
 from .hdf5_checks import has_own_data, own_members
 from .plain_values import HasDict, from_dict, to_dict
+from .whole_files import MOST_BYTES, read_whole
 
 __all__ = ["Saved", "load", "save", "write_whole"]
 
@@ -45,7 +46,7 @@ def load(path: PathLike) -> Any:
 
     Raises SavedFileError when the file holds none, or a damaged one, and OSError when it cannot be read.
     """
-    h5py, name, content = _h5py(), os.fspath(path), Path(path).read_bytes()
+    h5py, name, content = _h5py(), os.fspath(path), read_whole(path, MOST_BYTES)
     try:
         with h5py.File(io.BytesIO(content), "r") as file:
             if (found := file.attrs.get("contactd_saved")) != _FORMAT:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +13,7 @@ from .arrays import array_of, whole
 from .contact_text import format_text, parse_text
 from .errors import TableFileError
 from .showing import Rows, Shown
+from .whole_files import MOST_BYTES, read_whole
 
 if TYPE_CHECKING:
     from .grid import Array
@@ -146,7 +146,7 @@ class TableIcs(Shown):
         largest coefficient) is refused. Raises TableFileError naming the line.
         """
         try:
-            array, dx, dy, modulus = parse_text(Path(path).read_text(encoding="ascii", errors="replace"), G, tolerance)
+            array, dx, dy, modulus = parse_text(read_whole(path, MOST_BYTES).decode("ascii", "replace"), G, tolerance)
         except TableFileError as error:
             raise TableFileError(f"{os.fspath(path)}, {error}") from None
         return cls(array, dx, dy, modulus)

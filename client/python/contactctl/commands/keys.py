@@ -11,10 +11,14 @@ import typer
 import zmq
 import zmq.auth
 
+from contactd.whole_files import read_whole
+
 from ..common import Command, Group, setting
 from ..output import emit, facts
 
 __all__ = ["add_to"]
+
+_MOST_BYTES = 1 << 16  #: of a key file
 
 
 def add_to(app: typer.Typer) -> None:
@@ -55,6 +59,7 @@ def show(file: Annotated[Path, typer.Argument(help="NAME.key or NAME.key_secret.
     And whether the file has a secret one, too, which is never shown.
     """
     try:
+        read_whole(file, _MOST_BYTES)  # no pipe that waits
         public, secret = zmq.auth.load_certificate(file)
     except OSError as error:
         raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import io
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +14,7 @@ import click
 import typer
 
 from contactd import Client, ContactdError
+from contactd.whole_files import read_whole
 
 from ..asking import ask
 from ..common import Command, connected, setting
@@ -22,6 +25,8 @@ from ..progress import Bar
 from .solve import Set, contact_rows
 
 __all__ = ["add_to"]
+
+_MOST_BYTES = 1 << 26  #: of a file with steps
 
 
 def add_to(app: typer.Typer) -> None:
@@ -105,7 +110,7 @@ def _steps(file: str, history: dict[str, Any]) -> list[dict[str, Any]]:
 def _steps_of_csv(path: Path) -> list[dict[str, Any]]:
     steps = []
     try:
-        with path.open(newline="", encoding="utf-8") as file:
+        with io.StringIO(read_whole(path, _MOST_BYTES).decode("utf-8-sig"), newline="") as file:
             for number, row in enumerate(csv.DictReader(file), 1):
                 step: dict[str, Any] = {}
                 for column, text in row.items():
@@ -125,6 +130,9 @@ def _steps_of_csv(path: Path) -> list[dict[str, Any]]:
 
 def _number(path: Path, number: int, column: str, text: str) -> float | int:
     try:
-        return int(text) if text.strip().lstrip("+-").isdigit() else float(text)
+        found = int(text) if text.strip().lstrip("+-").isdigit() else float(text)
     except ValueError:
-        raise click.UsageError(f"{path}: step {number} has {column} = {text!r}, which is no number.") from None
+        raise click.UsageError(f"{path}: step {number} has {column} = {text[:40]!r}, which is no number.") from None
+    if isinstance(found, float) and not math.isfinite(found):
+        raise click.UsageError(f"{path}: step {number} has {column} = {text[:40]!r}; it must be finite.")
+    return found

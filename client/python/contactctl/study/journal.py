@@ -15,11 +15,14 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+from contactd.whole_files import read_whole
+
 from ..codes import Code, Ended
 from ..output import note
 
-__all__ = ["Journal", "rows_in"]
+__all__ = ["MOST_BYTES", "Journal", "rows_in"]
 
+MOST_BYTES = 1 << 32  #: of a file with rows
 _SYNC = 1.0  # seconds of work that a loss of power may cost
 
 
@@ -85,7 +88,7 @@ class Journal:
         self.rows = {row["key"]: row for row in kept}
 
     def _read(self) -> None:
-        content = self.path.read_bytes()
+        content = read_whole(self.path, MOST_BYTES)
         whole = content.rfind(b"\n") + 1
         if whole < len(content):  # killed within a line
             os.ftruncate(self._file, whole)

@@ -11,8 +11,10 @@ from typing import Any
 
 import click
 
+from contactd.whole_files import read_whole
+
 from ..codes import Code, Ended
-from .journal import rows_in
+from .journal import MOST_BYTES, rows_in
 from .plan import Case
 
 __all__ = ["Rows", "Share", "best", "check_ended", "rows_beside", "share_of"]
@@ -47,7 +49,7 @@ def rows_beside(rows: Path, own: Path) -> Rows:
     """Those of the study's file and of all its shares, however many these were, but for the `own` file. Who writes them may
     be at work: a line that is not whole is none."""
     files = [path for path in (rows, *_files(rows)) if path != own and path.is_file()]
-    return best(*(rows_in(path, path.read_bytes()) for path in files))
+    return best(*(rows_in(path, read_whole(path, MOST_BYTES)) for path in files))
 
 
 def best(*sources: Rows) -> Rows:

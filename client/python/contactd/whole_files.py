@@ -1,0 +1,73 @@
+"""Files that somebody names, read whole: of a kind that ends, and of a size that memory has room for."""
+
+from __future__ import annotations
+
+import errno
+import math
+import os
+import stat
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+
+__all__ = ["MOST_BYTES", "check_npy", "read_whole"]
+
+MOST_BYTES = 1 << 34  #: of tables and solutions
+_KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"),
+          (stat.S_ISFIFO, "a named pipe"))  # fmt: skip
+_OPEN_FILES = ("/dev/fd", "/proc/self/fd")  #: where a shell puts what <(COMMAND) writes
+_PIECE = 1 << 20
+
+
+def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
+    """The content of a file of at most `most` bytes.
+
+    Raises OSError, whose `strerror` says what is wrong: also of what is no regular file. A device may have no end, and who
+    reads a named pipe waits for somebody to write.
+    """
+    name = os.fspath(path)
+    try:
+        # Opening a named pipe would wait, too.
+        opened = os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
+    except ValueError:  # a null character
+        raise OSError(errno.EINVAL, "this is no name of a file", name) from None
+    try:
+        status = os.fstat(opened)
+        for is_kind, kind in _KINDS:
+            if is_kind(status.st_mode) and not (kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES):
+                raise OSError(errno.EINVAL, f"it is {kind}; it must be a file", name)
+        os.set_blocking(opened, True)
+    except BaseException:
+        os.close(opened)
+        raise
+    with open(opened, "rb") as file:
+        pieces: list[bytes] = []
+        size, wanted = status.st_size, max(_PIECE, status.st_size + 1)
+        while size <= most and (piece := file.read(wanted)):
+            pieces.append(piece)
+            size, wanted = sum(map(len, pieces)), _PIECE
+        if size > most:
+            raise OSError(errno.EFBIG, f"it has {size} bytes or more; at most {most} are read", name)
+    return b"".join(pieces)
+
+
+def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
+    """Raises ValueError where a file of numpy's (.npy) with `size` bytes does not hold the array that its header promises, or
+    one of another kind than `kinds` (numpy.dtype.kind): before memory is taken for it. Leaves the file where it stops."""
+    npy: Any = np.lib.format
+    version = npy.read_magic(file)
+    if version not in ((1, 0), (2, 0)):
+        raise ValueError(f"it has the version {version[0]}.{version[1]}, which is that of no array of numbers")
+    read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+    try:
+        shape, _, dtype = read(file)
+    except Exception:  # there is no end of what numpy and Python's parser raise
+        raise ValueError("its header is none of numpy's") from None
+    if dtype.kind not in kinds:
+        raise ValueError(f"its type is {dtype}; it must be one of real numbers")
+    if any(extent < 0 for extent in shape):
+        raise ValueError(f"its header says the shape {list(shape)}")
+    promised, there = math.prod(shape) * dtype.itemsize, size - file.tell()
+    if promised != there:
+        raise ValueError(f"its header says {promised} bytes of shape {list(shape)}, and {there} follow")
