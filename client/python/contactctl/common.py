@@ -17,6 +17,7 @@ import contactd
 from contactd import Client, LocalDaemon
 from contactd.in_process import can_solve_here
 
+from .output import warned
 from .reporting import reported
 
 __all__ = ["Command", "Group", "Setting", "connected", "setting"]
@@ -87,7 +88,7 @@ class Command(_Helpful, TyperCommand):
         self.params.extend(_options())
 
     def invoke(self, ctx: click.Context) -> Any:
-        with reported():
+        with reported(), warned():
             return super().invoke(ctx)
 
 

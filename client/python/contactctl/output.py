@@ -5,8 +5,12 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+import warnings
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import fields, is_dataclass
+from threading import Lock
 from typing import Any, NoReturn
 
 import numpy as np
@@ -15,11 +19,16 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from contactd import ContactWarning
+
 __all__ = [
     "above_rounding", "console", "counted", "emit", "facts", "listing", "note", "number", "on_terminal", "plain_json", "size",
-    "span", "warn",
+    "span", "warn", "warned",
 ]  # fmt: skip
 
+_MOST_WARNINGS = 20  # that are said of a command
+_MOST_KEPT = 1000
+_OTHERS = "other sentences"
 _UNBOUNDED = 10_000  # columns where there is no terminal: nothing is cut off in a pipe
 
 
@@ -46,9 +55,36 @@ def note(text: str) -> None:
 
 
 def warn(sentences: Iterable[str]) -> None:
-    """Warnings of an answer, each once."""
+    """Warnings, each once."""
     for sentence in dict.fromkeys(sentences):
         note(f"warning: {sentence}")
+
+
+@contextmanager
+def warned() -> Iterator[None]:
+    """What answers warn of inside is said at its end, with how many of them do."""
+    counts: Counter[str] = Counter()
+    lock = Lock()
+
+    def keep(message: Warning | str, *where: Any, **more: Any) -> None:
+        if not isinstance(message, ContactWarning):
+            return shown(message, *where, **more)
+        with lock:
+            known = len(counts) < _MOST_KEPT
+            counts.update(sentence if known or sentence in counts else _OTHERS for sentence in message.sentences)
+
+    with warnings.catch_warnings():
+        shown = warnings.showwarning
+        warnings.showwarning = keep
+        warnings.simplefilter("always", ContactWarning)
+        try:
+            yield
+        finally:
+            with lock:
+                said = [sentence if count == 1 else f"{sentence} ({count} answers)" for sentence, count in counts.items()]
+            warn(said[:_MOST_WARNINGS])
+            if len(said) > _MOST_WARNINGS:
+                note(f"and {len(said) - _MOST_WARNINGS} other warnings.")
 
 
 def emit(as_json: bool, value: Any, *shown: RenderableType) -> None:

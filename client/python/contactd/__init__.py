@@ -33,6 +33,7 @@ from .errors import (
     InternalError,
     InvalidArgument,
     NotFound,
+    PermissionDenied,
     ProtocolError,
     ResourceExhausted,
     SavedFileError,
@@ -74,6 +75,7 @@ from .solution import (
 from .steps import StepInput, StepSolution
 from .subsurface import LargestStress, StressBlock, SubsurfaceStress
 from .table_ics import TableIcs, combined_modulus
+from .warned import ContactWarning
 from .wheel_rail_session import WheelRailSession
 from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
 
@@ -92,6 +94,7 @@ __all__ = [
     "ContactColumns",
     "ContactProblem",
     "ContactSolution",
+    "ContactWarning",
     "ContactdError",
     "DaemonFailed",
     "DeadlineExceeded",
@@ -117,6 +120,7 @@ __all__ = [
     "NotFound",
     "Paraboloid",
     "PartialSolution",
+    "PermissionDenied",
     "Progress",
     "ProtocolError",
     "QuarantinedIc",

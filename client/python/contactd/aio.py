@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from .any_session import AnySession
 from .calls import Awaits, ContactCalls, ServerCalls, SessionCalls, TableCalls, WheelRailCalls, solved, solved_many
-from .calls.asking import Asked, Pause
+from .calls.asking import Pause
 from .calls.caller import Caller, ProgressCallback
 from .errors import ConnectionFailed, ContactdError, StatusError
 from .exchanges import Exchanges
@@ -35,7 +35,7 @@ __all__ = ["AsyncClient", "AsyncSession", "AsyncWheelRailSession"]
 class SessionThatAwaits(AnySession, Awaits):
     """A session whose calls are awaited, and which ends with its ``async with`` block."""
 
-    async def _carry_out(self, asked: Asked) -> Any:
+    async def _carry_out(self, asked: Request | Pause) -> Any:
         return await self._client._carry_out(asked)  # type: ignore[attr-defined]
 
     async def __aenter__(self) -> Self:
@@ -245,7 +245,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         """As Client.step_many."""
         return await self._run(stepped_sessions(self, steps, timeout))
 
-    async def _carry_out(self, asked: Asked) -> Reply | None:
+    async def _carry_out(self, asked: Request | Pause) -> Reply | None:
         if isinstance(asked, Pause):
             await asyncio.sleep(asked.seconds)
             return None

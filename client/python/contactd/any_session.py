@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-from .calls.asking import Answering, Asked, Waits, asks, insist
+from .calls.asking import Answering, Pause, Waits, asks, insist
 from .checks import check_type
 from .errors import ContactdError, ProtocolError
+from .messages import Request
 from .showing import Rows, Shown
 from .solution import Progress
 from .steps import Steps
@@ -152,7 +153,7 @@ class AnySession(Shown):
 class SessionThatWaits(AnySession, Waits):
     """A session whose calls wait, and which ends with its ``with`` block."""
 
-    def _carry_out(self, asked: Asked) -> Any:
+    def _carry_out(self, asked: Request | Pause) -> Any:
         return self._client._carry_out(asked)  # type: ignore[attr-defined]
 
     def __enter__(self) -> Self:

@@ -9,7 +9,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, overload
 
 from .calls import ContactCalls, ServerCalls, SessionCalls, TableCalls, Waits, WheelRailCalls, solved, solved_many
-from .calls.asking import Asked, Pause
+from .calls.asking import Pause
 from .calls.caller import Caller, ProgressCallback
 from .connections import Connections, Lender
 from .errors import StatusError, TimeoutExpired, Unauthenticated
@@ -245,7 +245,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         """
         return self._run(stepped_sessions(self, steps, timeout))
 
-    def _carry_out(self, asked: Asked) -> Reply | None:
+    def _carry_out(self, asked: Request | Pause) -> Reply | None:
         if isinstance(asked, Pause):
             time.sleep(asked.seconds)
             return None

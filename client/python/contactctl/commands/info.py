@@ -9,7 +9,7 @@ from contactd import ServerInfo
 
 from ..codes import Code
 from ..common import Command, connected, setting
-from ..output import emit, facts, listing, size, span, warn
+from ..output import emit, facts, listing, size, span
 
 __all__ = ["add_to"]
 
@@ -35,7 +35,6 @@ def health() -> None:
     with connected() as client:
         said = client.call("server.health")
     emit(setting().json, said, str(said["state"]))
-    warn(said.get("warnings", ()))
     if said["state"] != "serving":
         raise typer.Exit(Code.CONNECTION)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,7 +14,8 @@ from typing import Annotated, Any
 import click
 import typer
 
-from contactd import Client, ContactdError
+from contactd import Client, ContactdError, ContactWarning
+from contactd.warned import sentences_in
 from contactd.whole_files import read_whole
 
 from ..asking import ask
@@ -54,7 +56,9 @@ def session(
             for number, step in enumerate(steps, 1):
                 bar.show((number - 1) / len(steps), f"step {number} of {len(steps)}")
                 params = {"fields": [], **step, "session": name, "step": number}
-                answers.append(client.call("session.step", params))
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore", ContactWarning)  # said below the steps, with their numbers
+                    answers.append(client.call("session.step", params))
         except BaseException:
             _show(answers)
             raise
@@ -70,7 +74,7 @@ def _show(answers: list[dict[str, Any]]) -> None:
         counts = [answer["elements"][name] for name in ("adhesion", "slip")]
         rows.append((answer["step"], *found, *counts, bool(answer["converged"])))
     emit(setting().json, {"steps": answers}, listing(None, columns, rows))
-    warn(f"step {answer['step']}: {sentence}" for answer in answers for sentence in answer["warnings"])
+    warn(f"step {answer['step']}: {sentence}" for answer in answers for sentence in sentences_in("session.step", answer))
 
 
 @contextmanager

@@ -16,7 +16,7 @@ from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
 from ..files import read_object
-from ..output import above_rounding, emit, facts, number, warn
+from ..output import above_rounding, emit, facts, number
 from ..paths import changed
 from ..saving import ARRAYS, check_outputs, save
 
@@ -47,7 +47,6 @@ def solve(
     for path in outputs:
         save(path, answer, lambda: _solution(params, answer))
     emit(setting().json, answer, facts(_title(params), contact_rows(answer)))
-    warn(answer["warnings"])
     if not answer["converged"]:
         raise Ended(Code.NOT_CONVERGED, "a solver missed its tolerance; evidence says which.")
 

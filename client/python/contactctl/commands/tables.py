@@ -13,7 +13,7 @@ from contactd import Client, NotFound, QuarantinedIc, StoredIc
 from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
-from ..output import counted, emit, facts, listing, note, size, span, warn
+from ..output import counted, emit, facts, listing, note, size, span
 from ..table_files import check_suffix, import_files, send_files, shown_file, write_export
 from ..table_spec import (
     DX,
@@ -64,7 +64,6 @@ def build(
         said = ask(client, "ic.get", part, "building")
     del said["table"], said["rows"], said["components"]
     emit(setting().json, said, _shown(said))
-    warn(said["evidence"].get("warnings", ()))
 
 
 def _shown(said: dict[str, Any]) -> RenderableType:

@@ -14,7 +14,7 @@ from ..asking import ask
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
 from ..files import read_object
-from ..output import emit, facts, listing, warn
+from ..output import emit, facts, listing
 from ..paths import changed, get
 from ..saving import check_outputs, save
 from .solve import Fields, Outputs, Set, wanted_fields
@@ -53,7 +53,6 @@ def solve(
     for path in outputs:
         save(path, answer, lambda: read_wheel_rail(params.get("fields"), params.get("gap", False), answer))
     emit(setting().json, answer, *_shown(answer))
-    warn([*answer["warnings"], *(text for patch in answer["patches"] for text in patch["solution"]["warnings"])])
     if not answer["converged"]:
         raise Ended(Code.NOT_CONVERGED, "a solver or a search missed its tolerance; evidence says which.")
 
@@ -74,7 +73,6 @@ def geometry(
         rows = [[found.get(name) for name in ("amplitude", "integrated", "harmonic", "wavelength")] for found in answer["conicities"]]
         shown.append(listing("Equivalent conicity", columns, rows))
     emit(setting().json, answer, *shown)
-    warn(text for found in answer.get("geometries", ()) for text in found["warnings"])
 
 
 def _params(

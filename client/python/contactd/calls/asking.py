@@ -1,7 +1,7 @@
 """Calls that are said once, and carried out in two ways: a thread waits for answers, or a coroutine awaits them.
 
 A call is a generator. It yields each Request it makes, is sent the Reply, or thrown what came instead, and returns its
-answer. It may also yield a Pause.
+answer. It may also yield a Pause, or what an answer warns of.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, overload
 
 from ..errors import ConnectionFailed, DeadlineExceeded, TimeoutExpired
 from ..messages import Request
+from ..warned import give
 
-__all__ = ["Answering", "Asked", "Awaits", "Pause", "Waits", "asks", "insist"]
+__all__ = ["Answering", "Asked", "Awaits", "Noted", "Pause", "Waits", "asks", "insist"]
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -29,7 +30,14 @@ class Pause:
     seconds: float
 
 
-Asked = Request | Pause
+@dataclass(frozen=True)
+class Noted:
+    """What an answer warns of: sentences, which are given as a warning of Python when the call has ended."""
+
+    sentences: tuple[str, ...]
+
+
+Asked = Request | Pause | Noted
 Answering = Generator[Asked, Any, T]
 
 
@@ -48,14 +56,19 @@ def insist(ask: Callable[[], Answering[T]], retries: int) -> Answering[T]:
 class Waits:
     """What carries calls out in the thread that makes them."""
 
-    def _carry_out(self, asked: Asked) -> Any:
+    def _carry_out(self, asked: Request | Pause) -> Any:
         """The Reply to a Request; None after a Pause."""
         raise NotImplementedError
 
     def _run(self, steps: Answering[T]) -> T:
+        noted: list[str] = []
         try:
             asked = next(steps)
             while True:
+                if isinstance(asked, Noted):
+                    noted.extend(asked.sentences)
+                    asked = next(steps)
+                    continue
                 try:
                     reply = self._carry_out(asked)
                 except BaseException as error:
@@ -64,20 +77,26 @@ class Waits:
                     asked = steps.send(reply)
         except StopIteration as end:
             answer: T = end.value
-            return answer
+        give(noted)
+        return answer
 
 
 class Awaits:
     """What carries calls out in an event loop."""
 
-    async def _carry_out(self, asked: Asked) -> Any:
+    async def _carry_out(self, asked: Request | Pause) -> Any:
         """The Reply to a Request; None after a Pause."""
         raise NotImplementedError
 
     async def _run(self, steps: Answering[T]) -> T:
+        noted: list[str] = []
         try:
             asked = next(steps)
             while True:
+                if isinstance(asked, Noted):
+                    noted.extend(asked.sentences)
+                    asked = next(steps)
+                    continue
                 try:
                     reply = await self._carry_out(asked)
                 except BaseException as error:
@@ -86,7 +105,8 @@ class Awaits:
                     asked = steps.send(reply)
         except StopIteration as end:
             answer: T = end.value
-            return answer
+        give(noted)
+        return answer
 
 
 class asks(Generic[P, T]):  # noqa: N801: a decorator

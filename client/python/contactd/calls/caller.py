@@ -18,7 +18,8 @@ from ..reading import read
 from ..showing import Rows, Shown
 from ..solution import Limits, Progress, ServerInfo
 from ..waiting import may_build, say_that_the_build_goes_on, seconds_of
-from .asking import Answering, asks
+from ..warned import sentences_in
+from .asking import Answering, Noted, asks
 
 __all__ = ["Caller", "ProgressCallback", "check_shapes"]
 
@@ -126,6 +127,8 @@ class Caller(Shown):
                 if builds:
                     say_that_the_build_goes_on(error, build)
                 raise
+        if sentences := sentences_in(method, reply.result):
+            yield Noted(sentences)
         if not reply.frames:  # nothing to decode; server.describe speaks of "$array" without meaning one
             return reply.result
         result: dict[str, Any] = decode(reply.result, reply.frames)

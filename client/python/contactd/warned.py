@@ -1,0 +1,81 @@
+"""What answers warn of, as warnings of Python."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Iterable
+from typing import Any
+
+__all__ = ["ContactWarning", "give", "sentences_in"]
+
+#: Methods that tell what lies in the store, and use none of it.
+_LISTS = ("ic.list", "ic.import")
+#: Where answers have `warnings` besides at their top, and what the request calls that part; "" where it is of the whole.
+_PARTS = {"result": "", "evidence": "", "ics": "", "upper": "", "lower": "", "pair": "", "wheelrail": "", "solution": "",
+          "solutions": "problems", "steps": "steps", "geometries": "states", "left": "left", "right": "right",
+          "patches": "patches"}  # fmt: skip
+_MOST_PARTS = 5  #: that are named of those that have the same sentence
+
+
+class ContactWarning(UserWarning):
+    """Whole sentences of an answer's `warnings`, which say what should be known of it, one after the other.
+
+    Each answer gives at most one, where it was asked for. The filters of Python's `warnings` silence it, or make it an
+    exception, which comes when the call has ended: a step that warns has been taken then.
+
+    Attributes:
+        sentences: One by one. Of a call with several problems, steps or patches each begins with the part that it is of,
+            such as ``problems[3]: ``.
+    """
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        return self.args
+
+    def __str__(self) -> str:
+        return " ".join(self.args)
+
+
+def sentences_in(method: str, answer: dict[str, Any]) -> tuple[str, ...]:
+    """All that the answer to `method` warns of, each sentence once."""
+    found: dict[str, list[str]] = {}
+    if method not in _LISTS:
+        _collect(answer, "", found)
+    return tuple(_of_parts(parts, sentence) for sentence, parts in found.items())
+
+
+def _collect(value: Any, part: str, found: dict[str, list[str]]) -> None:
+    if isinstance(value, list):
+        for index, item in enumerate(value):
+            _collect(item, f"{part}[{index}]", found)
+    elif isinstance(value, dict):
+        said = value.get("warnings")
+        for sentence in said if isinstance(said, list) else ():
+            parts = found.setdefault(str(sentence), [])
+            if part not in parts:
+                parts.append(part)
+        for name, shown in _PARTS.items():
+            if name in value:
+                _collect(value[name], ".".join(filter(None, (part, shown))), found)
+
+
+def _of_parts(parts: list[str], sentence: str) -> str:
+    if "" in parts:
+        return sentence
+    more = f" and {len(parts) - _MOST_PARTS} more" if len(parts) > _MOST_PARTS else ""
+    return f"{', '.join(parts[:_MOST_PARTS])}{more}: {sentence}"
+
+
+def give(sentences: Iterable[str]) -> None:
+    """Warns of them, where the caller of this package is."""
+    if said := tuple(dict.fromkeys(sentences)):
+        warnings.warn(ContactWarning(*said), stacklevel=_level_of_caller())
+
+
+def _level_of_caller() -> int:
+    """For `give` to call warnings.warn with."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "contactd":
+        frame, level = frame.f_back, level + 1
+    return level
