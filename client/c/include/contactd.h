@@ -156,7 +156,8 @@ CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection,
 CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection* connection, double seconds);
 /* Files of CURVE keys (docs/security.md): the daemon's public one, and one's own secret one. */
 CONTACTD_API int32_t contactd_set_keys(contactd_connection* connection, const char* server_key, const char* own_key);
-/* `log` may be NULL: nothing is told, as at first. */
+/* `log` may be NULL: nothing is told. While it was not called, what answers warn of goes to standard error, each
+ * sentence once for each contact or wheel, and nothing else is told. */
 CONTACTD_API int32_t contactd_set_log(contactd_connection* connection, contactd_log log, void* user);
 
 /* --- contacts ------------------------------------------------------------------------------------------------ */

@@ -74,7 +74,7 @@ std::int32_t contactd_set_keys(contactd_connection* connection, const char* serv
 
 std::int32_t contactd_set_log(contactd_connection* connection, contactd_log log, void* user) {
     return with(connection,
-                [&](Connection& changed) { changed.change([&](Settings&, Log& mine) { mine = {log, user}; }); });
+                [&](Connection& changed) { changed.change([&](Settings&, Log& mine) { mine = {log, user, true}; }); });
 }
 
 std::int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds) {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstdio>
 #include <mutex>
+#include <set>
 #include <stop_token>
+#include <string>
 
 #include "connection.hpp"
 #include "turn.hpp"
@@ -23,6 +26,13 @@ class Called {
     }
 
     const Log& log() const { return log_; }
+    /// Tells the log; where none was set, standard error, and each sentence once.
+    void warn(const std::string& sentence) {
+        constexpr std::size_t most = 1000;
+        if (log_.is_set) return log_(CONTACTD_LOG_WARNING, sentence);
+        if (told_.size() < most && told_.insert(sentence).second)
+            std::fprintf(stderr, "contactd: warning: %s\n", sentence.c_str());
+    }
     void keep(const Failure& failure) {
         const std::scoped_lock lock(mutex_);
         last_ = failure;
@@ -62,6 +72,7 @@ class Called {
     const Log log_;
 
    private:
+    std::set<std::string> told_;
     mutable std::mutex mutex_;  // guards what follows
     std::stop_source stop_{std::nostopstate};
     Failure last_;

@@ -13,10 +13,11 @@
 
 namespace contactd::c {
 
-/// Whom the user wants to be told.
+/// Whom the user wants to be told. While nobody has said (`is_set`), warnings go to standard error.
 struct Log {
     contactd_log function = nullptr;
     void* user = nullptr;
+    bool is_set = false;
 
     explicit operator bool() const { return function != nullptr; }
     void operator()(std::int32_t level, const std::string& text) const {

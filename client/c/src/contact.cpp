@@ -1,5 +1,6 @@
 #include "contact.hpp"
 
+#include <set>
 #include <utility>
 
 namespace contactd::c {
@@ -38,6 +39,10 @@ void Contact::start() {
             };
         open_ = backend_->open(spec, settings_, control);
     });
+    std::set<std::string> of_tables;  // both bodies may have the same one
+    for (const auto* use : {&open_->ics().upper, &open_->ics().lower, &open_->ics().pair})
+        if (*use) of_tables.insert((*use)->evidence.warnings.begin(), (*use)->evidence.warnings.end());
+    for (const std::string& warning : of_tables) warn(warning);
     said.problem.previous = {};  // the contact has it now, and steps need not check it
     said.changed = {};
 }
@@ -54,8 +59,7 @@ void Contact::step(Which which) {
     });
     said.take_estimates(result->reply.solution.motion);
     result_ = std::move(result);
-    if (!log_) return;
-    for (const std::string& warning : result_->reply.solution.warnings) log_(CONTACTD_LOG_WARNING, warning);
+    for (const std::string& warning : result_->reply.solution.warnings) warn(warning);
 }
 
 void Contact::close() {

@@ -25,8 +25,12 @@ void Wheel::solve() {
 
 void Wheel::take(Result result) {
     result_ = std::move(result);
-    if (!log_) return;
-    for (const std::string& warning : result_->solution.warnings) log_(CONTACTD_LOG_WARNING, warning);
+    const WheelRailSolution& found = result_->solution;
+    for (const std::string& warning : found.warnings) warn(warning);
+    for (std::size_t i = 0; i < found.patches.size(); ++i)
+        for (const std::string& warning : found.patches[i].solution.warnings)
+            if (std::ranges::find(found.warnings, warning) == found.warnings.end())
+                warn("patches[" + std::to_string(i) + "]: " + warning);
 }
 
 const Wheel::Result& Wheel::result() const {

@@ -1,6 +1,8 @@
 // What the parts of the client share.
 #pragma once
 
+#include <iostream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "connection.hpp"
 #include "contactd/client/client.hpp"
 #include "contactd/proto/status.hpp"
+#include "warnings.hpp"
 
 namespace contactd::client {
 
@@ -55,7 +58,10 @@ class Client::Impl {
             };
         const auto timeout = options.timeout.value_or(builds ? options_.build_timeout : options_.timeout);
         try {
-            return connection_.call(method, std::move(params), std::move(frames), timeout, on_progress, options.stop);
+            Reply reply =
+                connection_.call(method, std::move(params), std::move(frames), timeout, on_progress, options.stop);
+            tell(warnings_in(method, reply.result));
+            return reply;
         } catch (const TimeoutError& error) {
             if (!builds) throw;
             throw TimeoutError(error.what() + build_goes_on(build));
@@ -91,8 +97,18 @@ class Client::Impl {
                "its table.";
     }
 
+    void tell(const std::vector<std::string>& sentences) {
+        constexpr std::size_t most = 1000;  // a program that runs for months must not keep more
+        if (sentences.empty()) return;
+        if (options_.on_warnings) return options_.on_warnings(sentences);
+        for (const std::string& sentence : sentences)
+            if (told_.size() < most && told_.insert(sentence).second)
+                std::cerr << "contactd: warning: " + sentence + "\n";
+    }
+
     ClientOptions options_;
     Connection connection_;
+    std::set<std::string> told_;
 };
 
 /// Throws ProtocolError where pressures were asked for and did not come.

@@ -294,3 +294,34 @@ TEST_CASE("The log tells of the warnings of a wheel", "[c]") {
     require_ok(contactd_wheel_solve(w), w);
     CHECK(told.starts_with("No part of the wheel is above the rail"));
 }
+
+TEST_CASE("Without a log warnings go to standard error, each once, and NULL silences them", "[c]") {
+    const auto printed = [](bool silenced) {
+        std::FILE* const file = std::tmpfile();
+        REQUIRE(file != nullptr);
+        std::fflush(stderr);
+        const int before = ::dup(2);
+        ::dup2(::fileno(file), 2);
+        {
+            const Place place("local");
+            if (silenced) require_ok(contactd_set_log(place, nullptr, nullptr), place);
+            const WheelHandle w(place);
+            require_ok(contactd_wheel_set_position(w, 2000, 0, 0, 0), w);
+            require_ok(contactd_wheel_solve(w), w);
+            require_ok(contactd_wheel_solve(w), w);
+        }
+        std::fflush(stderr);
+        ::dup2(before, 2);
+        ::close(before);
+        std::rewind(file);
+        std::string text(10'000, '\0');
+        text.resize(std::fread(text.data(), 1, text.size(), file));
+        std::fclose(file);
+        return text;
+    };
+
+    const std::string text = printed(false);
+    CHECK(text.starts_with("contactd: warning: No part of the wheel is above the rail"));
+    CHECK(std::count(text.begin(), text.end(), '\n') == 1);
+    CHECK(printed(true).empty());
+}

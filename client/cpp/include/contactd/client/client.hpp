@@ -45,6 +45,11 @@ struct ClientOptions {
     /// How long a call looks for its answer before its thread sleeps. Waking it takes 20 to 50 us, which this saves
     /// while it keeps a processor busy (docs/performance.md).
     std::chrono::microseconds spin{};
+    /// Hears what an answer warns of, once an answer that does: whole sentences, which of several problems, steps or
+    /// patches begin with the part that they are of ("problems[3]: "). Called in the calling thread before the call
+    /// returns; it must neither throw nor use this client. Empty: each sentence goes to standard error, once for each
+    /// client. `[](const auto&) {}` silences them; answers have them all the same.
+    std::function<void(const std::vector<std::string>& sentences)> on_warnings{};
 };
 
 /// How far the work of a call is.

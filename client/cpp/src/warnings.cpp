@@ -1,0 +1,72 @@
+#include "warnings.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace contactd::client {
+namespace {
+
+using nlohmann::json;
+
+struct Part {
+    const char* name;   ///< in answers
+    const char* shown;  ///< what the request calls it; empty: it is of the whole
+};
+/// Where answers have warnings besides at their top.
+constexpr Part parts[] = {{"result", ""},
+                          {"evidence", ""},
+                          {"ics", ""},
+                          {"upper", ""},
+                          {"lower", ""},
+                          {"pair", ""},
+                          {"wheelrail", ""},
+                          {"solution", ""},
+                          {"solutions", "problems"},
+                          {"steps", "steps"},
+                          {"geometries", "states"},
+                          {"left", "left"},
+                          {"right", "right"},
+                          {"patches", "patches"}};
+
+class Collected {
+   public:
+    void collect(const json& value, const std::string& part) {
+        if (value.is_array()) {
+            for (std::size_t i = 0; i < value.size(); ++i) collect(value[i], part + "[" + std::to_string(i) + "]");
+        } else if (value.is_object()) {
+            if (const auto warnings = value.find("warnings"); warnings != value.end() && warnings->is_array())
+                for (const json& sentence : *warnings)
+                    if (sentence.is_string()) add(sentence, part);
+            for (const auto& [name, shown] : parts)
+                if (const auto at = value.find(name); at != value.end()) collect(*at, below(part, shown));
+        }
+    }
+    std::vector<std::string> take() { return std::move(found_); }
+
+   private:
+    static std::string below(const std::string& part, const std::string& name) {
+        return part.empty() || name.empty() ? part + name : part + "." + name;
+    }
+    void add(const std::string& sentence, const std::string& part) {
+        const auto is_found = [&](const std::string& text) {
+            return std::find(found_.begin(), found_.end(), text) != found_.end();
+        };
+        std::string text = part.empty() ? sentence : part + ": " + sentence;
+        if (!is_found(sentence) && !is_found(text)) found_.push_back(std::move(text));  // the whole has said it already
+    }
+
+    std::vector<std::string> found_;
+};
+
+}  // namespace
+
+std::vector<std::string> warnings_in(const std::string& method, const json& answer) {
+    // These tell what lies in the store, and use none of it.
+    if (method == "ic.list" || method == "ic.import") return {};
+    Collected collected;
+    collected.collect(answer, "");
+    return collected.take();
+}
+
+}  // namespace contactd::client

@@ -1,0 +1,15 @@
+// What answers warn of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace contactd::client {
+
+/// All sentences that the answer to a method warns of, each once; of a part of the request, as one of many problems,
+/// with that part before it: "problems[3]: ...".
+std::vector<std::string> warnings_in(const std::string& method, const nlohmann::json& answer);
+
+}  // namespace contactd::client
