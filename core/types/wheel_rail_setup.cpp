@@ -10,9 +10,9 @@
 namespace contactd {
 namespace {
 
-constexpr double largest_length = 1e4;    // mm: of tracks and wheelsets
-constexpr double largest_angle = 0.5;     // rad
-constexpr double stiffest_spring = 1e10;  // N/mm
+constexpr double largest_length = 1e4;                           // mm: of tracks and wheelsets
+constexpr double largest_angle = 0.5;                            // rad
+constexpr double softest_spring = 1e-3, stiffest_spring = 1e10;  // N/mm
 
 void require(bool right, const std::string& field, double value, const std::string& must) {
     if (!right) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + must);
@@ -44,8 +44,12 @@ void check(const Track& track) {
     if (!track.springs) return;
     const auto& [y, z] = *track.springs;
     if (!y && !z) throw InvalidArgument("track.springs", "has neither y nor z; leave it out where the rail is rigid");
-    if (y) check_positive(*y, stiffest_spring, "track.springs.y", "N/mm; leave it out where the rail is rigid");
-    if (z) check_positive(*z, stiffest_spring, "track.springs.z", "N/mm; leave it out where the rail is rigid");
+    for (const auto& [spring, field] : {std::pair(y, "track.springs.y"), std::pair(z, "track.springs.z")})
+        if (spring) {
+            check_positive(*spring, stiffest_spring, field, "N/mm; leave it out where the rail is rigid");
+            require(*spring >= softest_spring, field, *spring,
+                    "be " + number_text(softest_spring) + " N/mm at least; rails on sleepers have 1e4 to 1e6");
+        }
 }
 
 void check(const Wheelset& wheelset) {

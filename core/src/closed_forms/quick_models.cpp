@@ -57,7 +57,8 @@ void check_is_simple(const ContactProblem& problem) {
 }
 
 EllipticFriction friction_of(const ContactProblem& problem, const EllipticContact& contact) {
-    const double mu = problem.friction->mu[0];
+    constexpr double least_mu = 1e-100;  // products of less with pressures are no numbers that can be divided by
+    const double given = problem.friction->mu[0], mu = given >= least_mu ? given : 0;
     if (const auto* shift = std::get_if<Shift>(&problem.motion))
         return cattaneo_mindlin(problem.grid, contact, mu, *shift);
     const auto& rolling = std::get<Rolling>(problem.motion);

@@ -153,6 +153,7 @@ WheelRailSolution RightWheel::at(double z, std::vector<PlaceWithGap> places, Obs
     solution.pitch = state_.velocity.pitch;
     solution.clearance = position_.clearance(z);
     for (PlaceWithGap& found : places) {
+        observer.throw_if_cancelled();
         if (!position_.measure(found, z)) {
             solution.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
             continue;

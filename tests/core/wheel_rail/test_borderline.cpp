@@ -62,6 +62,37 @@ TEST_CASE("Forces and steps that are next to nothing are refused by name") {
     CHECK_THROWS_WITH(solve(setup, state), StartsWith("dq as the step of rolling is"));
 }
 
+TEST_CASE("Springs that are next to nothing are refused by name") {
+    WheelRailSetup setup;
+    setup.track.springs = RailSprings{{}, 5e-324};
+    CHECK_THROWS_WITH(WheelRailContact(setup),
+                      StartsWith("track.springs.z is ") && ContainsSubstring("0.001 N/mm at least"));
+}
+
+TEST_CASE("A friction that is next to nothing is none to the quick models") {
+    WheelRailSetup setup;
+    setup.model = Model::fastsim;
+    setup.friction = WheelRailFriction{{{0, 5e-324}}, false, {}};
+    WheelRailState state;
+    state.velocity = {20000, 100, 0, 0, 0, -43};
+    state.Fz = 60000;
+    const WheelRailSolution solution = solve(setup, state);
+    CHECK(solution.converged());
+    CHECK(is_finite(solution));
+}
+
+TEST_CASE("A curved contact under next to no rolling has no friction") {
+    WheelRailSetup setup;
+    setup.conformal = Conformal::rotated;
+    setup.dx = setup.dy = 0.5;
+    WheelRailState state;
+    state.velocity = {5e-324, 14, 0, 0, 0, 158};
+    state.Fz = 6000;
+    const WheelRailSolution solution = solve(setup, state);
+    CHECK(is_finite(solution));
+    CHECK_THAT(solution.warnings.front(), ContainsSubstring("does not roll"));
+}
+
 TEST_CASE("A wheel that slides beside next to no rolling is told not to roll") {
     WheelRailSetup setup;
     setup.dx = setup.dy = 0.5;

@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "geometry/conformal/curved_rows.hpp"
 #include "geometry/distance/heights.hpp"
+#include "geometry/motion/creepages.hpp"
 #include "geometry/motion/surface_motion.hpp"
 
 namespace contactd::geometry {
@@ -96,6 +98,7 @@ CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const
             if (gap[i] < place.approach) fit.add(grid.x(ix), grid.y(static_cast<int>(row)), slips[i]);
         }
     fit.find(result.creepages);
+    if (!is_rolling(result.creepages)) return {{}, std::move(result.rest)};
     const auto& [xi, eta, phi, chi, velocity] = result.creepages;
     for (i = 0; i < slips.size(); ++i) {
         if (!known[i]) continue;

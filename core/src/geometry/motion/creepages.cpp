@@ -10,6 +10,7 @@
 namespace contactd::geometry {
 namespace {
 
+constexpr double least_velocity = 1e-30;  // mm/s: as contact problems have it
 constexpr double largest_creepage = 1e9;  // (1, rad/mm): what moves faster than that beside its rolling does not roll
 
 /// Of the wheel over the rail and of its rim about its axle, along x: what rolls.
@@ -21,6 +22,12 @@ struct RollingSpeeds {
 };
 
 }  // namespace
+
+bool is_rolling(const Creepages& creepages) {
+    const double largest = std::max({std::abs(creepages.xi), std::abs(creepages.eta), std::abs(creepages.phi)});
+    return creepages.velocity >= least_velocity && largest <= largest_creepage &&
+           std::isfinite(creepages.xi + creepages.eta + creepages.phi);
+}
 
 Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                     const ContactReference& reference, double approach) {
@@ -35,14 +42,12 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     Creepages result;
     result.velocity = rail.axle() ? 0.5 * std::abs(ground.velocity.x + rim.velocity.x) : speeds.mean();
     result.chi = speeds.forwards() ? 0 : std::numbers::pi;
-    if (!(result.velocity > 0)) return {};
+    if (!(result.velocity >= least_velocity)) return {};
     const Vector3 over = ground.velocity - rim.velocity;
     result.xi = dot(over, contact.axes.x) / result.velocity;
     result.eta = dot(over, contact.axes.y) / result.velocity;
     result.phi = dot(ground.turning - rim.turning, contact.axes.z) / result.velocity;
-    for (const double creepage : {result.xi, result.eta, result.phi})
-        if (!(std::abs(creepage) <= largest_creepage)) return {};
-    return result;
+    return is_rolling(result) ? result : Creepages{};
 }
 
 namespace {

@@ -10,6 +10,10 @@
 
 namespace contactd::geometry {
 
+/// Whether there are creepages that a contact problem takes: none where the rolling velocity is next to nothing, or
+/// what slides beside it is beyond 1e9 times as fast.
+bool is_rolling(const Creepages& creepages);
+
 /// Taken at the reference: that of the rail, and of the wheel by `approach` deeper. The rolling velocity is the mean of
 /// the speeds of the wheel over the ground and of its rim about the axle, or of rim and roller; creepages are zero
 /// where it is.
