@@ -239,12 +239,12 @@ MeshSize mesh_size(const IcSpec& spec) {
     const double t1 = hs * (fem.t1_over_hs > 0 ? fem.t1_over_hs : fem.f);
     const double layers = fem.f == 1 ? thickness / t1 : std::log1p(thickness * (fem.f - 1) / t1) / std::log(fem.f);
     constexpr double most = 1e9;
-    const int m = static_cast<int>(std::lround(fem.l_over_h * fem.h_over_hs));
+    const int m = static_cast<int>(std::lround(std::clamp(fem.l_over_h * fem.h_over_hs, 0.0, most)));
     const int k = static_cast<int>(std::lround(std::clamp(layers, 1.0, most)));
-    long long elements = 1LL * m * m * (m + 3LL * k);
+    double elements = 1.0 * m * m * (m + 3.0 * k);
     // Mesh2: the cross-section of m^2 + 2 m k quadrilaterals, each two triangles, times m + k slices.
-    if (fem.mesh == MeshKind::prism && k < 1'000'000) elements = 2LL * (1LL * m * m + 2LL * m * k) * (m + k);
-    return {m, k, elements};
+    if (fem.mesh == MeshKind::prism && k < 1'000'000) elements = 2 * (1.0 * m * m + 2.0 * m * k) * (m + k);
+    return {m, k, static_cast<long long>(std::min(elements, 9e18))};
 }
 
 IcSpec dimensionless(const IcSpec& spec) {

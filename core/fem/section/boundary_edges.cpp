@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "types/count_of.hpp"
+
 namespace contactd::fem {
 namespace {
 
@@ -191,10 +193,11 @@ class Division {
         const double length = stretch.to - stretch.from;
         std::vector<double> cuts;
         if (stretch.column >= 0) {
-            const int count =
-                std::max({1, static_cast<int>(std::ceil(length * density_.edges_a_column - 1e-6)),
-                          static_cast<int>(
-                              std::ceil(length * turn_rate(piece, stretch.from + length / 2) / largest_turn - 1e-6))});
+            const double by_turn = length * turn_rate(piece, stretch.from + length / 2) / largest_turn;
+            const int count = std::max(
+                1,
+                count_of(std::max(0.0, std::ceil(std::max(length * density_.edges_a_column, by_turn) - 1e-6)),
+                         {"section", "turns too much within a column", "edges of elements", "take narrower columns"}));
             for (int i = 0; i <= count; ++i) cuts.push_back(stretch.from + length * i / count);
             return cuts;
         }
@@ -207,7 +210,9 @@ class Division {
         for (int step = 0; step < steps; ++step)
             sum.push_back(sum.back() +
                           edges_a_length(piece, (place(step) + place(step + 1)) / 2) * (place(step + 1) - place(step)));
-        const int count = std::max(1, static_cast<int>(std::ceil(sum.back() - 1e-6)));
+        const int count = std::max(1, count_of(std::max(0.0, std::ceil(sum.back() - 1e-6)),
+                                               {"section", "has an outline that is thin or long for its columns",
+                                                "edges of elements", "take wider columns, or a thicker section"}));
         int step = 0;
         for (int i = 0; i < count; ++i) {
             const double wanted = sum.back() * i / count;

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "contactd/error.hpp"
 #include "geometry/section/ready_made.hpp"
-#include "types/number_text.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd {
 namespace {
@@ -14,6 +13,7 @@ namespace {
 constexpr double accuracy = 1e-2;  // of coefficients: pressures of conformal contact hardly feel the sections
 constexpr int block = 32;          // tables begin and end at multiples of so many columns
 constexpr int margin = 2;          // columns that a table has beside a patch
+constexpr int most_stations = 100'000'000;
 
 /// A profile as the carrier of columns. Stations are multiples of dy along it, from its zero on; a column lies about
 /// each.
@@ -22,9 +22,12 @@ class ColumnCarrier {
     ColumnCarrier(const ProfileSpec& profile, const ProfileCurve& curve, double ds)
         : profile_(profile),
           ds_(ds),
-          zero_(is_60e1() ? curve.arc_length(curve.end()) / 2 : curve.arc_length(curve.s_at_y(0))),
-          first_(static_cast<int>(std::ceil(-zero_ / ds + 0.5))),
-          last_(static_cast<int>(std::floor((curve.arc_length(curve.end()) - zero_) / ds - 0.5))) {
+          zero_(is_60e1() ? curve.arc_length(curve.end()) / 2 : curve.arc_length(curve.s_at_y(0))) {
+        const double length = curve.arc_length(curve.end());
+        count_of(length / ds, {"dy", "is " + number_text(ds) + " mm along a profile of " + short_text(length) + " mm",
+                               "columns", "take longer elements, or conformal rotated", most_stations});
+        first_ = static_cast<int>(std::ceil(-zero_ / ds + 0.5));
+        last_ = static_cast<int>(std::floor((length - zero_) / ds - 0.5));
         double lowest = 0;
         for (const ProfilePoint& point : curve.points()) lowest = std::max(lowest, is_wheel() ? -point.z : point.z);
         depth_ = lowest + (curve.points().back().y - curve.points().front().y) / 2;
@@ -83,8 +86,8 @@ class ColumnCarrier {
 
     const ProfileSpec& profile_;
     double ds_, zero_;
-    int first_, last_;  // stations whose columns lie on the profile
-    double depth_ = 0;  // of the cut: half as deep below the profile as that is wide
+    int first_ = 0, last_ = 0;  // stations whose columns lie on the profile
+    double depth_ = 0;          // of the cut: half as deep below the profile as that is wide
 };
 
 }  // namespace

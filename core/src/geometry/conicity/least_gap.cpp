@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "geometry/conicity/bracketed_root.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
 
-constexpr double step = 0.5;       // mm: of the search along the wheel
+constexpr double step = 0.5;  // mm: of the search along the wheel
+constexpr int most_places = 100'000;
 constexpr int closer = 8;          // times finer around what comes near the least, for the bumps of measured profiles
 constexpr double rivals = 0.1;     // mm: what is near
 constexpr double precise = 1e-11;  // mm: of the place along the wheel
@@ -69,7 +71,9 @@ LeastGap refined(const Gap& gap, const LeastGap& before, const LeastGap& sample,
 
 /// Along the wheel, in small steps around the least gaps; with nothing beyond both ends.
 std::vector<LeastGap> samples_along(const Gap& gap, double length) {
-    const int count = static_cast<int>(std::ceil(length / step));
+    const int count = count_of(std::ceil(length / step),
+                               {"wheel", "has a profile that is " + short_text(length) + " mm long",
+                                "places to look at", "leave out points that leap up and down", most_places});
     std::vector<LeastGap> coarse;
     for (int i = 0; i <= count; ++i) coarse.push_back(gap.at(length * i / count));
     const double near = rivals + std::min_element(coarse.begin(), coarse.end(), [](const auto& a, const auto& b) {

@@ -6,15 +6,15 @@
 #include <string>
 #include <utility>
 
-#include "contactd/error.hpp"
 #include "geometry/profile/natural_spline.hpp"
-#include "types/number_text.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double spacing = 0.5;    // mm: of stations along the profile
+constexpr double spacing = 0.5;  // mm: of stations along the profile
+constexpr int most_stations = 1'000'000;
 constexpr double ends_differ = 1;  // mm: at most, of a slice and the first one
 constexpr double largest = 20;     // mm: out of round by more no wheel is
 
@@ -23,7 +23,11 @@ constexpr double largest = 20;     // mm: out of round by more no wheel is
 OutOfRound::OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices)
     : round_(std::move(angles), turn, EqualValues::may_flank_extremum) {
     const ProfileCurve& first = slices.front();
-    const auto pieces = static_cast<std::size_t>(std::ceil(first.end() / spacing));
+    const auto pieces = static_cast<std::size_t>(
+        count_of(std::ceil(first.end() / spacing),
+                 {"wheel_slices[0].profile", "is " + short_text(first.end()) + " mm long",
+                  "stations, as many on each slice", "take fewer slices, or leave out points that leap up and down",
+                  most_stations / static_cast<int>(slices.size())}));
     for (std::size_t k = 0; k <= pieces; ++k)
         stations_.push_back(first.end() * static_cast<double>(k) / static_cast<double>(pieces));
     const std::size_t count = slices.size();

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
 
-constexpr double spacing = 0.5;  // mm: of points on the longest slice
+constexpr double spacing = 0.5;         // mm: of points on the longest slice
+constexpr int most_places = 2'000'000;  // 64 MB
 
 /// s of the ends of each part.
 std::vector<double> ends_of_parts(const ProfileCurve& curve) {
@@ -41,7 +43,12 @@ SlicedRail::SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& c
     for (std::size_t part = 0; part + 1 < ends.front().size(); ++part) {
         double longest = 0;
         for (const auto& of_slice : ends) longest = std::max(longest, of_slice[part + 1] - of_slice[part]);
-        const int pieces = std::max(3, static_cast<int>(std::ceil(longest / spacing)));
+        const int pieces =
+            std::max(3, count_of(std::ceil(longest / spacing),
+                                 {"rail_slices", "have a part that is " + short_text(longest) + " mm long",
+                                  "places along all slices together",
+                                  "take fewer slices, or leave out points that leap up and down",
+                                  most_places / static_cast<int>(curves.size())}));
         if (part > 0) kinks_.push_back(y_.size() - 1);
         for (int piece = part > 0 ? 1 : 0; piece <= pieces; ++piece) {
             Line y, z;

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
-#include "contactd/error.hpp"
-#include "types/number_text.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
 
-constexpr std::size_t most_elements = 200'000;  // of one patch
+constexpr int most_elements = 200'000;  // of one patch
 
 /// Multiples of the step around zero that cover the extent, with one more on both sides.
 struct Range {
@@ -20,6 +19,13 @@ struct Range {
 
 Range range_of(double from, double to, double step) {
     return {static_cast<int>(std::floor(from / step)) - 1, static_cast<int>(std::ceil(to / step)) + 1};
+}
+
+void check_elements(double elements, double dx, double dy, double length, double width, int most) {
+    count_of(elements, {"dx",
+                        "and dy are " + number_text(dx) + " and " + number_text(dy) + " mm, and the contact " +
+                            short_text(length) + " by " + short_text(width) + " mm",
+                        "elements", "make them larger, or lift the wheelset (position.z)", most});
 }
 
 double along_rail(const RailSurface& rail, double y) {
@@ -35,11 +41,7 @@ Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, doubl
     const double x_from = group.x.from - group.reference.x, x_to = group.x.to - group.reference.x;
     const double y_from = along_rail(rail, group.y.from) - here, y_to = along_rail(rail, group.y.to) - here;
     const double elements = ((x_to - x_from) / dx + 4) * ((y_to - y_from) / dy + 4);
-    if (!(elements <= static_cast<double>(most_elements)))
-        throw InvalidArgument("dx", "and dy are " + number_text(dx) + " and " + number_text(dy) +
-                                        " mm, of which a contact of " + short_text(x_to - x_from) + " mm by " +
-                                        short_text(y_to - y_from) + " mm would have " + short_text(elements) +
-                                        "; make them larger, or lift the wheelset (position.z)");
+    check_elements(elements, dx, dy, x_to - x_from, y_to - y_from, most_elements);
     const Range columns = range_of(x_from, x_to, dx), rows = range_of(y_from, y_to, dy);
     return {columns.count(), rows.count(), dx, dy, (columns.first - 0.5) * dx, (rows.first - 0.5) * dy};
 }
@@ -63,10 +65,13 @@ bool grow(Grid& grid, const std::vector<double>& gap, double approach) {
     grid.y0 -= below * more * grid.dy;
     grid.nx += (left + right) * more;
     grid.ny += (below + above) * more;
-    return (left || right || below || above) && grid.size() <= most_elements;
+    return (left || right || below || above) && grid.size() <= static_cast<std::size_t>(most_elements);
 }
 
 void cover(Grid& grid, double along, double across) {
+    const double width = std::max(2 * along, grid.nx * grid.dx), height = std::max(2 * across, grid.ny * grid.dy);
+    check_elements((width / grid.dx + 4) * (height / grid.dy + 4), grid.dx, grid.dy, width, height,
+                   static_cast<int>(max_grid_elements));
     const auto more = [](double beyond, double size) {
         return std::max(0, static_cast<int>(std::ceil(beyond / size)));
     };
