@@ -15,6 +15,13 @@ namespace contactd {
 std::vector<ColumnFrame> column_frames(const Section& section, int columns, double ds,
                                        const std::string& field = "section");
 
+/// Whether the body ends where its columns do: at a convex corner of the outline.
+struct ColumnEnds {
+    bool first = false, last = false;
+};
+/// Throws as column_frames() does.
+ColumnEnds column_ends(const Section& section, int columns, double ds, const std::string& field = "section");
+
 /// Those that a request's table has: of a prism, and none of other bodies.
 inline std::vector<ColumnFrame> column_frames(const IcSpec& spec) {
     return spec.section ? column_frames(*spec.section, spec.ny, spec.dy, "ics.section") : std::vector<ColumnFrame>();

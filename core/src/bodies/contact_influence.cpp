@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "column_influence.hpp"
+#include "contactd/half_space.hpp"
 #include "influence/layered/shifted_layers.hpp"
 #include "operators/column_parts.hpp"
 #include "operators/convolution.hpp"
@@ -105,6 +106,42 @@ ContactInfluence influence_alone(const ContactProblem& problem, const Body& body
     return column_influence(alone, is_upper ? mirrored(table) : std::move(table));
 }
 
+bool is_closed_half_space(const Body& body) {
+    const Ics* ics = body.computed();
+    return ics != nullptr && ics->source == IcSource::analytic && ics->body == BodyShape::half_space &&
+           ics->load_shape == LoadShape::constant && !ics->line_contact;
+}
+
+/// A half-space as the columns that a prism's table has: one product with both costs a third of two.
+ColumnTable half_space_columns(const ContactProblem& problem, const Body& body, const ColumnTable& beside) {
+    IcSpec spec;
+    spec.material = body.material;
+    spec.dx = problem.grid.dx;
+    spec.dy = problem.grid.dy;
+    spec.nx = beside.nx;
+    spec.ny = beside.columns;
+    return column_table_of(half_space_table(spec));
+}
+
+/// Bodies of which only one has columns.
+template <class Upper, class Lower>
+ContactInfluence influence_of_two_kinds(const ContactProblem& problem, Upper upper, Lower lower) {
+    const auto& [above, below, pair] = problem.bodies;
+    if constexpr (std::is_same_v<Upper, ColumnTable>) {
+        if (!above.material.is_rigid() && is_closed_half_space(below) && !below.material.is_rigid()) {
+            ColumnTable columns = half_space_columns(problem, below, upper);
+            return influence_of(problem, std::move(upper), std::move(columns));
+        }
+    } else {
+        if (!below.material.is_rigid() && is_closed_half_space(above) && !above.material.is_rigid()) {
+            ColumnTable columns = half_space_columns(problem, above, lower);
+            return influence_of(problem, std::move(columns), std::move(lower));
+        }
+    }
+    return sum_of(influence_alone(problem, above, std::move(upper), true),
+                  influence_alone(problem, below, std::move(lower), false));
+}
+
 }  // namespace
 
 std::size_t ContactInfluence::bytes() const {
@@ -136,8 +173,7 @@ ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, 
             if constexpr (std::is_same_v<Upper, Lower>)
                 return influence_of(problem, std::move(above), std::move(below));
             else
-                return sum_of(influence_alone(problem, problem.bodies.upper, std::move(above), true),
-                              influence_alone(problem, problem.bodies.lower, std::move(below), false));
+                return influence_of_two_kinds(problem, std::move(above), std::move(below));
         },
         upper, lower);
 }

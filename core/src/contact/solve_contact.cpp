@@ -10,6 +10,7 @@
 #include "closed_forms/quick_models.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
+#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "curved_columns.hpp"
 #include "discretisation.hpp"
@@ -18,13 +19,30 @@
 namespace contactd {
 namespace {
 
+/// Of prisms by finite elements: the half-space of an analytic one does go on behind an edge.
+ColumnEnds ends_of(const Body& body, const Grid& grid, const char* name) {
+    if (body.section() == nullptr || body.computed()->source == IcSource::analytic) return {};
+    return column_ends(*body.section(), grid.ny, grid.dy, name);
+}
+
+BorderRows border_rows(const ContactProblem& problem) {
+    if (is_line_contact(problem)) return {false, false};
+    if (!problem.bodies.any_prism()) return {};
+    const ColumnEnds below = ends_of(problem.bodies.lower, problem.grid, "bodies.lower.ics.section"),
+                     above = ends_of(problem.bodies.upper, problem.grid, "bodies.upper.ics.section");
+    // The upper body's columns run the other way.
+    return {!below.first && !above.last, !below.last && !above.first};
+}
+
 void count_elements(const ContactProblem& problem, ContactSolution& solution) {
     for (const ElementState state : solution.element_division) {
         if (state == ElementState::adhesion) ++solution.elements.adhesion;
         if (state == ElementState::slip) ++solution.elements.slip;
     }
     solution.elements.contact = solution.elements.adhesion + solution.elements.slip;
-    solution.elements.border = border_elements(problem.grid, solution.pressure, is_line_contact(problem));
+    solution.elements.border = border_elements(problem.grid, solution.pressure);
+    if (solution.elements.border > 0)  // takes a look at sections
+        solution.elements.border = border_elements(problem.grid, solution.pressure, border_rows(problem));
 }
 
 void sum_up(const ContactSetup& setup, ContactSolution& solution) {

@@ -17,13 +17,14 @@ NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<
     return NormalSolver(influence).solve({undeformed_distance, pressure_sum, settings}, initial, closed_form, observer);
 }
 
-int border_elements(const Grid& grid, std::span<const double> pressure, bool line_contact) {
+int border_elements(const Grid& grid, std::span<const double> pressure, const BorderRows& rows) {
     require_size(pressure, grid.size(), "pressure");
     int count = 0;
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix) {
-            const bool inside = ix > 0 && ix < grid.nx - 1 && (line_contact || (iy > 0 && iy < grid.ny - 1));
-            count += !inside && pressure[static_cast<std::size_t>(iy * grid.nx + ix)] > 0;
+            const bool border =
+                ix == 0 || ix == grid.nx - 1 || (rows.first && iy == 0) || (rows.last && iy == grid.ny - 1);
+            count += border && pressure[static_cast<std::size_t>(iy * grid.nx + ix)] > 0;
         }
     return count;
 }

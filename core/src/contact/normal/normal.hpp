@@ -37,8 +37,13 @@ NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
                                   Observer& observer, const PressureEstimate& closed_form = {});
 
-/// Elements with pressure in the first or last column or row: where there are any, the contact may reach beyond the
-/// potential contact area, and the solution is that of bodies cut off there.
-int border_elements(const Grid& grid, std::span<const double> pressure, bool line_contact = false);
+/// Beyond which of them a contact may go on: it does not beyond the row where a body ends at an edge of its own.
+struct BorderRows {
+    bool first = true, last = true;
+};
+
+/// Elements with pressure in the first or last column, or in these rows: where there are any, the contact may reach
+/// beyond the potential contact area, and the solution is that of bodies cut off there.
+int border_elements(const Grid& grid, std::span<const double> pressure, const BorderRows& rows = {});
 
 }  // namespace contactd

@@ -17,7 +17,8 @@ struct Surface {
     SectionPoint start;
     std::vector<OutlinePart> parts;
     std::size_t part_at_origin = 0;
-    double from_origin = 0;  // of the point with y = 0 from the beginning of its part
+    double from_origin = 0;         // of the point with y = 0 from the beginning of its part
+    double before = 0, behind = 0;  // along all of it, from y = 0
 
     Surface(const ProfileCurve& curve, bool reversed) {
         const auto& points = curve.points();
@@ -34,6 +35,8 @@ struct Surface {
             return reversed ? curve.arc_length(curve.end()) - curve.arc_length(s) : curve.arc_length(s);
         };
         const double origin = arc_length(curve.s_at_y(0));
+        before = origin;
+        behind = curve.arc_length(curve.end()) - origin;
         start = point(0);
         std::size_t from = 0;
         for (const std::size_t to : ends) {
@@ -58,6 +61,14 @@ Profile profile_of(const ProfileSection& section, const std::string& field) {
     }
 }
 
+// The sides and the cut are no profile any more.
+void check_from(const Surface& surface, double from, const std::string& field) {
+    if (from >= -surface.before && from < surface.behind) return;
+    throw InvalidArgument(field, "is " + number_text(from) + "; from the point with y = 0 the profile reaches from " +
+                                     short_text(-surface.before) + " to " + short_text(surface.behind) +
+                                     " mm along its curve, and columns must begin on it");
+}
+
 // Upright sides from the ends of the surface to a level cut.
 OutlineSection with_cut(Surface surface, double z, double from) {
     const SectionPoint begin = surface.start, end = std::get<SplineTo>(surface.parts.back().curve).through.back();
@@ -70,9 +81,11 @@ OutlineSection with_cut(Surface surface, double z, double from) {
 
 }  // namespace
 
-OutlineSection outline_of(const WheelRimSection& rim, double) {
+OutlineSection outline_of(const WheelRimSection& rim, double, const std::string& field) {
     const Profile wheel = make_profile({ProfileKind::wheel, S1002{}});
-    return with_cut(Surface(wheel.curve, true), rim.thickness, rim.from);
+    Surface surface(wheel.curve, true);
+    check_from(surface, rim.from, field + ".rim_s1002.from");
+    return with_cut(std::move(surface), rim.thickness, rim.from);
 }
 
 OutlineSection outline_of(const ProfileSection& section, double, const std::string& field) {
@@ -88,7 +101,9 @@ OutlineSection outline_of(const ProfileSection& section, double, const std::stri
             throw InvalidArgument(field + ".profile_section.depth",
                                   "is " + number_text(section.depth) + ", where the profile reaches to " +
                                       place_text({point.y, -point.z}) + "; the cut must lie inside the body");
-    return with_cut(Surface(profile.curve, wheel), wheel ? section.depth : -section.depth, section.from);
+    Surface surface(profile.curve, wheel);
+    check_from(surface, section.from, field + ".profile_section.from");
+    return with_cut(std::move(surface), wheel ? section.depth : -section.depth, section.from);
 }
 
 }  // namespace contactd::geometry

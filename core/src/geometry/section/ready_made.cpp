@@ -44,7 +44,7 @@ OutlineSection outline_of(const Section& section, double width, const std::strin
             using Shape = std::decay_t<decltype(shape)>;
             if constexpr (std::is_same_v<Shape, OutlineSection>)
                 return shape;
-            else if constexpr (std::is_same_v<Shape, ProfileSection>)
+            else if constexpr (std::is_same_v<Shape, ProfileSection> || std::is_same_v<Shape, WheelRimSection>)
                 return outline_of(shape, width / section.size, field);
             else
                 return outline_of(shape, width / section.size);

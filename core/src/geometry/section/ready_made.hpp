@@ -13,7 +13,7 @@ OutlineSection outline_of(const Section& section, double width, const std::strin
 
 /// Of its shape alone, as large as its numbers say and not turned.
 OutlineSection outline_of(const RailSection& rail, double width);
-OutlineSection outline_of(const WheelRimSection& rim, double width);
+OutlineSection outline_of(const WheelRimSection& rim, double width, const std::string& field);
 OutlineSection outline_of(const ProfileSection& section, double width, const std::string& field);
 OutlineSection outline_of(const EdgeBlock& block, double width);
 OutlineSection outline_of(const Groove& groove, double width);

@@ -74,6 +74,27 @@ class ColumnCheck {
             }
     }
 
+    /// `from` is counted along the curve from where a part begins, `way` to the first column: `given` is what the
+    /// section says, in a field of that name.
+    void way(const OutlineSection& outline, const std::string& name, double given) const {
+        const auto refuse = [&](const std::string& problem) {
+            throw InvalidArgument(field_ + "." + name, "is " + number_text(given) + "; " + problem);
+        };
+        const double length = curve_.length();
+        if (std::abs(outline.from) > length)
+            refuse("it leads once round the curve, " + short_text(length) + " mm, and further: leave that out");
+        const double start = curve_.begin_of(outline.part), low = std::min(start, start + outline.from) + rounding,
+                     high = std::max(start, start + outline.from) - rounding;
+        for (const double lap : {-length, 0.0, length})
+            for (std::size_t i = 0; i < curve_.pieces().size(); ++i) {
+                if (!curve_.pieces()[i].held() || i == outline.part) continue;
+                if (lap + curve_.begin_of(i) < high && lap + curve_.begin_of(i + 1) > low)
+                    refuse("it leads across what is held, at " + place_text(curve_.pieces()[i].place(0).at) +
+                           ", to columns that begin on another side of the body, at " +
+                           place_text(curve_.place(section_.begin_of(0)).at));
+            }
+    }
+
    private:
     // With the arc lengths of its ends; at most twice, where columns pass the start of the curve.
     template <class Visit>
@@ -108,6 +129,20 @@ class ColumnCheck {
     const double begin_, end_;  // of all columns, but for rounding
 };
 
+/// Where a section says itself where its columns begin.
+struct StatedFrom {
+    const char* name = nullptr;
+    double value = 0;
+};
+
+StatedFrom stated_from(const SectionShape& shape) {
+    if (const auto* own = std::get_if<OutlineSection>(&shape)) return {"outline.from", own->from};
+    if (const auto* rail = std::get_if<RailSection>(&shape)) return {"rail_60e1.from", rail->from};
+    if (const auto* rim = std::get_if<WheelRimSection>(&shape)) return {"rim_s1002.from", rim->from};
+    if (const auto* profile = std::get_if<ProfileSection>(&shape)) return {"profile_section.from", profile->from};
+    return {};
+}
+
 }  // namespace
 
 SectionGeometry::SectionGeometry(const Section& section, int columns, double ds, const std::string& field)
@@ -132,12 +167,23 @@ SectionGeometry::SectionGeometry(const Section& section, int columns, double ds,
     check.corners();
     check.support();
     check.curvature();
+    if (const StatedFrom from = stated_from(section.shape); from.name != nullptr)
+        check.way(outline, from.name, from.value);
 }
 
 double SectionGeometry::perimeter() const {
     for (std::size_t piece = 0; piece < carrier().pieces().size(); ++piece)
         if (std::abs(carrier().turn_before(piece)) > least_corner) return 0;
     return carrier().length();
+}
+
+bool SectionGeometry::is_edge(double s) const {
+    constexpr double near = 1e-6;  // of a column
+    for (std::size_t piece = 0; piece < carrier().pieces().size(); ++piece) {
+        const double apart = carrier().reduced(s - carrier().begin_of(piece) + near * ds_);
+        if (apart < 2 * near * ds_ && carrier().turn_before(piece) > least_corner) return true;
+    }
+    return false;
 }
 
 std::vector<ColumnFrame> SectionGeometry::frames() const {

@@ -35,6 +35,8 @@ class SectionGeometry {
     double begin_of(int column) const { return first_ + column * ds_; }
     /// Length of the carrier where it has no corner, so that columns may lie on it all round; otherwise 0.
     double perimeter() const;
+    /// Whether the body has a convex corner at this arc length of the carrier, but for rounding.
+    bool is_edge(double s) const;
 
     /// At the midpoints of the columns.
     std::vector<ColumnFrame> frames() const;

@@ -3,7 +3,9 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <limits>
 #include <string>
+#include <utility>
 
+#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "geometry/section/section_geometry.hpp"
 
@@ -107,6 +109,50 @@ TEST_CASE("Columns that do not lie on a smooth free part are refused with coordi
     refuses({RailSection{0, RailSupport::cut, 30}}, "section", "has a corner of", 100);
     CHECK_NOTHROW(SectionGeometry({EdgeBlock{100, 50, 0}}, 20, 0.5));
     CHECK_NOTHROW(SectionGeometry({EdgeBlock{100, 50, 0}}, 200, 0.5));
+}
+
+TEST_CASE("Columns that begin on another side of the body than `from` is counted on are refused", "[section]") {
+    const std::string across = "leads across what is held, at (y, z) = (";
+    for (const double from : {200.0, 150.0, -150.0, -200.0})
+        refuses({RailSection{0, RailSupport::cut, from}}, "section.rail_60e1.from", across);
+    refuses({RailSection{0, RailSupport::foot, 550}}, "section.rail_60e1.from", "is 550; it leads across");
+    refuses({RailSection{0, RailSupport::cut, 1000}}, "section.rail_60e1.from", "leads once round the curve");
+    OutlineSection section = block();
+    section.from = 65;
+    refuses({section}, "section.outline.from", across + "10, -20)");
+    section.from = -45;
+    refuses({section}, "section.outline.from", across);
+    section.from = -15;
+    CHECK_NOTHROW(SectionGeometry({section}, 4, 0.5));
+    const ProfileSpec arc{ProfileKind::rail, ArcProfile{300, 0, -30, 30}};
+    for (const double from : {31.0, -31.0, 500.0})
+        refuses({ProfileSection{arc, 40, from}}, "section.profile_section.from",
+                "the profile reaches from -30.1 to 30.1 mm");
+    CHECK_NOTHROW(SectionGeometry({ProfileSection{arc, 40, 20}}, 4, 0.5));
+    for (const double from : {-100.0, 200.0})
+        refuses({WheelRimSection{.from = from}}, "section.rim_s1002.from", "must begin on it");
+    // Round bodies have no other side.
+    OutlineSection disc{.outside = {{-10, 0}, {{ArcTo{{10, 0}, 10}}, {ArcTo{{-10, 0}, 10}}}}, .from = -5};
+    disc.holes = {{{1, 0}, {{ArcTo{{-1, 0}, -1}, true}, {ArcTo{{1, 0}, -1}, true}}}};
+    CHECK_NOTHROW(SectionGeometry({disc}, 4, 0.5));
+}
+
+TEST_CASE("A body ends with its columns at convex corners", "[section]") {
+    const auto ends = [](const Section& section, int columns, double ds) {
+        const ColumnEnds found = column_ends(section, columns, ds);
+        return std::pair(found.first, found.last);
+    };
+    CHECK(ends({EdgeBlock{100, 50, 0}}, 20, 0.5) == std::pair(false, true));
+    CHECK(ends({EdgeBlock{100, 50, 0}}, 200, 0.5) == std::pair(true, true));
+    CHECK(ends({EdgeBlock{100, 50, 1e-3}}, 20, 0.5) == std::pair(false, false));
+    CHECK(ends({.shape = EdgeBlock{100, 50, 0}, .size = 0.7, .turn = 2}, 20, 0.35) == std::pair(false, true));
+    CHECK(ends({RailSection{0, RailSupport::cut, 2}}, 20, 0.5) == std::pair(false, false));
+    OutlineSection section = block();
+    section.from = 0;
+    CHECK(ends({section}, 3, 0.1) == std::pair(true, false));
+    section.outside = {{-10, 0},
+                       {line(10, 0), line(10, 5), line(20, 5), line(20, -20), line(-10, -20, true), line(-10, 0)}};
+    CHECK(ends({section}, 200, 0.1) == std::pair(true, false));  // a hollow corner
 }
 
 TEST_CASE("Columns wider than the curvature allows are refused with coordinates", "[section]") {

@@ -1,0 +1,140 @@
+// Prisms in contact: beside half-spaces, and where their columns end at an edge of the body.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <cmath>
+#include <string>
+
+#include "contact_cases.hpp"
+#include "contactd/column_frames.hpp"
+#include "contactd/rotated_prism.hpp"
+
+using namespace contactd;
+using namespace contactd::test;
+
+namespace {
+
+const Material steel{82000, 0.28}, rubber{5, 0.45};
+
+Body prism(const Material& material, const Section& section, IcSource source = IcSource::analytic) {
+    Ics ics;
+    ics.source = source;
+    ics.body = BodyShape::prism;
+    if (source == IcSource::fem) ics.accuracy = 1e-2;
+    ics.section = section;
+    return {material, ics};
+}
+
+/// On columns that end at the edge of a block, whose table is that of half-spaces here.
+ContactProblem ball_at_edge(IcSource source, bool mirrored = false) {
+    ContactProblem problem;
+    problem.grid = {12, 20, 0.25, 0.25, -1.5, -4.5};
+    const Body block = prism(steel, {EdgeBlock{100, 50, 0}}, source), rigid{Material::rigid()};
+    problem.bodies = mirrored ? Bodies{block, rigid} : Bodies{rigid, block};
+    problem.gap = Paraboloid{50, 50};
+    problem.Fn = 3000;
+    return problem;
+}
+
+ContactSolution solve(const ContactProblem& problem) {
+    Grid longer = problem.grid;
+    ++longer.nx;
+    const auto table = [&](const Body& body) {
+        if (const Section* section = body.section())
+            return BodyTable(rotated_prism(*section, longer, body.material, LoadShape::constant));
+        return BodyTable(ColumnTable());
+    };
+    Observer observer;
+    return solve_contact(problem, make_influence(problem, table(problem.bodies.upper), table(problem.bodies.lower)),
+                         observer);
+}
+
+bool says_cut_off(const ContactSolution& solution) {
+    return std::ranges::any_of(solution.warnings, [](const std::string& warning) {
+        return warning.find("cut off there") != std::string::npos;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("A contact that ends where the body does is not cut off by the grid", "[prisms]") {
+    const ContactProblem problem = ball_at_edge(IcSource::fem);
+    const ContactSolution solution = solve(problem);
+    REQUIRE(solution.converged());
+    REQUIRE(solution.pressure[static_cast<std::size_t>(problem.grid.nx * (problem.grid.ny - 1) + 6)] > 0);
+    CHECK(solution.elements.border == 0);
+    CHECK(!says_cut_off(solution));
+    SECTION("but a half-space goes on behind its columns") {
+        CHECK(says_cut_off(solve(ball_at_edge(IcSource::analytic))));
+    }
+    SECTION("and so does a block that begins before them") {
+        ContactProblem inside = problem;
+        inside.grid.y0 = -0.5;
+        CHECK(says_cut_off(solve(inside)));
+    }
+    SECTION("the upper body's columns run the other way") {
+        CHECK(says_cut_off(solve(ball_at_edge(IcSource::fem, true))));
+        ContactProblem above = ball_at_edge(IcSource::fem, true);
+        above.grid.y0 = -0.5;
+        CHECK(!says_cut_off(solve(above)));
+    }
+}
+
+TEST_CASE("A prism and a half-space have the products of both together", "[prisms]") {
+    const bool prism_above = GENERATE(false, true);
+    const double dq = GENERATE(0.4, 0.25);
+    ContactProblem problem;
+    problem.grid = Grid::centred(14, 10, 0.4, 0.4);
+    const Section section = prism_above ? Section{EdgeBlock{100, 50, 3}} : Section{RailSection{.from = 8}};
+    problem.bodies = prism_above ? Bodies{prism(rubber, section), {steel}} : Bodies{{steel}, prism(rubber, section)};
+    if (!prism_above) problem.columns = ContactColumns{.frames = column_frames(section, 10, 0.4)};
+    problem.friction = FrictionLaw{{0.3}};
+    problem.motion = Rolling{.xi = 1e-3, .dq = dq};
+    Grid longer = problem.grid;
+    longer.nx += 2;
+    const ColumnTable columns = rotated_prism(section, longer, rubber, LoadShape::constant);
+    const IcTable flat = body_table(problem.grid, steel);
+    const auto influence = [&](const ContactProblem& of, const BodyTable& upper, const BodyTable& lower) {
+        return make_influence(of, upper, lower);
+    };
+    const ContactInfluence both = prism_above ? influence(problem, BodyTable(columns), BodyTable(flat))
+                                              : influence(problem, BodyTable(flat), BodyTable(columns));
+    // One body after the other, each on a rigid one.
+    ContactProblem one = problem, other = problem;
+    (prism_above ? one.bodies.lower : one.bodies.upper) = Body{Material::rigid()};
+    (prism_above ? other.bodies.upper : other.bodies.lower) = Body{Material::rigid()};
+    other.columns.reset();
+    const BodyTable none{IcTable(problem.grid.nx, problem.grid.ny)};
+    const ContactInfluence of_prism = prism_above ? influence(one, BodyTable(columns), BodyTable(ColumnTable()))
+                                                  : influence(one, BodyTable(ColumnTable()), BodyTable(columns));
+    const ContactInfluence of_flat =
+        prism_above ? influence(other, none, BodyTable(flat)) : influence(other, BodyTable(flat), none);
+
+    const auto n = problem.grid.size();
+    Values p(n), q(n), found_x(n), found_y(n), x(n), y(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        p[i] = std::sin(1.0 + static_cast<double>(i));
+        q[i] = std::cos(0.3 * static_cast<double>(i * i));
+    }
+    const double scale = columns(Axis::z, Axis::z, 0, 0, 0);
+    const auto compare = [&](const auto& apply) {
+        apply(both, found_x, found_y);
+        Values sum_x(n, 0), sum_y(n, 0);
+        for (const ContactInfluence* part : {&of_prism, &of_flat}) {
+            apply(*part, x, y);
+            for (std::size_t i = 0; i < n; ++i) sum_x[i] += x[i], sum_y[i] += y[i];
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            CHECK(std::abs(found_x[i] - sum_x[i]) < 1e-4 * scale);
+            CHECK(std::abs(found_y[i] - sum_y[i]) < 1e-4 * scale);
+        }
+    };
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) {
+        of.here->normal(p, ux);
+        of.here->normal(q, uy);
+    });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.here->tangential(p, q, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.here->tangential_of_normal(p, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.change->tangential(p, q, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.change->tangential_of_normal(p, ux, uy); });
+}
