@@ -7,6 +7,7 @@
 
 #include "closed_forms/hertz.hpp"
 #include "closed_forms/undeformed_distance.hpp"
+#include "layer_resolution.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -53,6 +54,11 @@ int elements_across(const Grid& grid, const ContactSize& size) {
     if (ends_x) return size.along_x;
     if (ends_y) return size.along_y;
     return std::max(size.along_x, size.along_y);
+}
+
+/// Of a direction in which the contact fills the grid nothing is known: 0.
+PatchSize lengths_of(const Grid& grid, const ContactSize& size) {
+    return {size.along_x < grid.nx ? size.along_x * grid.dx : 0, size.along_y < grid.ny ? size.along_y * grid.dy : 0};
 }
 
 const Rolling* rolling_of(const ContactSolution& solution) {
@@ -166,6 +172,13 @@ std::optional<Discretisation> discretisation(const ContactProblem& problem, cons
         evidence.force_error = error(force_factor);
         evidence.pmax_error = error(pmax_factor);
     }
+    const PatchSize contact = lengths_of(problem.grid, size);
+    require_layers_resolved(problem, contact);
+    if (const auto ratio = compliance_ratio(problem, contact)) {
+        const double of_layers = compliance_error(*ratio);
+        for (double* error : {&evidence.force_error, &evidence.pmax_error})
+            *error = std::min(*error + of_layers, certain_error);
+    }
     if (const Rolling* rolling = rolling_of(solution))
         evidence.rolling_error = rolling_error({*rolling, problem.grid, size}, evidence.elements_across);
     return evidence;
@@ -177,6 +190,8 @@ std::vector<std::string> discretisation_warnings(const ContactProblem& problem, 
     if (!solution.evidence.discretisation) return warnings;
     warn_of_few_elements(*solution.evidence.discretisation, warnings);
     warn_of_long_step(problem, solution, warnings);
+    const PatchSize contact = lengths_of(problem.grid, contact_size(problem.grid, solution.pressure));
+    if (auto warning = layer_warning(problem, contact)) warnings.push_back(std::move(*warning));
     return warnings;
 }
 

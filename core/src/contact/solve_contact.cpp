@@ -14,6 +14,7 @@
 #include "contactd/error.hpp"
 #include "curved_columns.hpp"
 #include "discretisation.hpp"
+#include "layer_resolution.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
@@ -171,6 +172,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
         throw InvalidArgument("grid", "has " + std::to_string(problem.grid.size()) +
                                           " elements; the influence coefficients are for " +
                                           std::to_string(influence.here->size()));
+    require_layers_resolved(problem);
     ContactSolution solution = solve_boundary_elements(problem, influence, observer);
     count_elements(problem, solution);
     sum_up(problem, solution);
