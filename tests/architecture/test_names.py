@@ -48,7 +48,7 @@ SAME = [
     ("definitions", "wheel_rail_setup", "WheelRailSetup", ""),
     ("definitions", "wheel_rail_setup/wheelset", "Wheelset", "Wheelset"),
     ("definitions", "wheel_rail_setup/track", "Track", "Track"),
-    ("definitions", "wheel_rail_setup/friction", "WheelRailFriction", "WheelRailFriction"),
+    ("definitions", "wheel_rail_friction", "WheelRailFriction", "WheelRailFriction"),
     ("definitions", "wheel_rail_setup/patches", "PatchRules", "PatchRules"),
     ("definitions", "wheel_rail_state", "WheelRailState", "WheelRailState"),
     ("definitions", "wheel_rail_state/position", "WheelsetPosition", "WheelsetPosition"),

@@ -196,14 +196,17 @@ TEST_CASE("Each profile arrives as it was sent", "[codec]") {
     CHECK(decode_wheel_rail_setup(params, {}) == setup);
 }
 
-TEST_CASE("What is not said of a wheel on a rail is as in C++, but without friction", "[codec]") {
-    WheelRailSetup setup;
-    setup.friction.reset();
-    CHECK(decode_wheel_rail_setup(json::object(), {}) == setup);
-    CHECK(decode_wheel_rail_setup(minimal(), {}) == setup);
-    CHECK(decode_wheel_rail_state(json::object()) == WheelRailState{});
+TEST_CASE("What is not said of a wheel on a rail is as in C++, and no friction is said", "[codec]") {
+    CHECK(decode_wheel_rail_setup(minimal(), {}) == WheelRailSetup{});
     CHECK(decode_patch_fields(minimal()).solution == all_solution_fields);
     CHECK_FALSE(decode_patch_fields(minimal()).gap);
+    WheelRailSetup frictionless;
+    frictionless.friction.reset();
+    ArrayWriter arrays(ArrayEncoding::frame);
+    const json params = sent(encode_wheel_rail_request(frictionless, {}, {}, arrays));
+    CHECK(params["setup"]["friction"].is_null());
+    CHECK_NOTHROW(check_params("wheelrail.solve", params));
+    CHECK(decode_wheel_rail_setup(params, {}) == frictionless);
 }
 
 TEST_CASE("The states of a search arrive as they were sent", "[codec]") {
@@ -363,7 +366,7 @@ TEST_CASE("A bad field of a wheel on a rail is named", "[codec]") {
         Case{"/setup/rail", R"({"points": [[1, 2, 3]]})", "setup.rail.points has shape [1,3]; it must be [n,2]"},
         Case{"/setup/rail", R"({"points": [[1, 2], [3]]})", "setup.rail.points has 1 values at [1]; it must have 2"},
         Case{"/setup/bodies", R"({"upper": {"G": 1, "nu": 0, "ics": {}}})", "setup.bodies.upper.ics is not a field"},
-        Case{"/setup/friction", "{}", "setup.friction.mu is missing"},
+        Case{"/setup/friction", "0.3", "setup.friction is 0.3; it must be an object with"},
         Case{"/setup/friction", R"({"mu": [{"angle": 0}]})", "setup.friction.mu[0].mu is missing"},
         Case{"/setup/friction", R"({"mu": []})", "setup.friction.mu has 0 values"},
         Case{"/setup/rail_slices", R"([{"x": 0, "profile": {"s1002": true}}])", "setup.rail_slices has 1 values"},

@@ -27,12 +27,14 @@ def parts(path: str) -> list[str | int]:
 
 
 def put(document: Any, path: str, value: Any) -> None:
-    """Changes `document`; objects on the way are made where they are missing."""
+    """Changes `document`; objects on the way are made where they are missing or null."""
     *way, last = parts(path)
     at = document
     for part in way:
         if isinstance(part, str) and isinstance(at, dict):
-            at = at.setdefault(part, {})
+            if at.get(part) is None:
+                at[part] = {}
+            at = at[part]
         else:
             at = _member(at, part, path)
     if isinstance(last, str) and isinstance(at, dict):

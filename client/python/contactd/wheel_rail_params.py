@@ -60,8 +60,7 @@ def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:
             ]
     if setup.track is not None:
         params["track"] = _track_params(setup.track)
-    if setup.friction is not None:
-        params["friction"] = friction_params(setup.friction)
+    params["friction"] = None if setup.friction is None else friction_params(setup.friction)
     if bodies := {name: _body_params(given[name]) for name in ("upper", "lower") if name in given}:
         params["bodies"] = {"upper": plain(Material(G=82000, nu=0.28)), **bodies}
     if settings := {name: plain(given[name]) for name in ("normal", "tangential", "outer") if name in given}:

@@ -146,7 +146,7 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
     if (field == "friction.rolling.phi" && problem.model == Model::hertz)
         throw InvalidArgument("model",
                               "is hertz, whose closed form of friction has no spin, which a wheel has nearly "
-                              "everywhere; take fastsim or full, or leave friction out");
+                              "everywhere; take fastsim or full, or no friction (friction null)");
     if (field == "friction.rolling.dq")
         throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
                               "as the step of rolling " + sentence);

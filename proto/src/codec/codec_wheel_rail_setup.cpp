@@ -117,15 +117,16 @@ json encode_friction(const WheelRailFriction& friction) {
     return result;
 }
 
+std::vector<FrictionAtAngle> decode_coefficients(const json& mu) {
+    if (mu.is_number()) return {{0, mu.get<double>()}};
+    std::vector<FrictionAtAngle> coefficients;
+    for (const json& entry : mu) coefficients.push_back({entry["angle"].get<double>(), entry["mu"].get<double>()});
+    return coefficients;
+}
+
 WheelRailFriction decode_friction(const json& source) {
     WheelRailFriction friction;
-    friction.mu.clear();
-    if (source["mu"].is_number()) {
-        friction.mu.push_back({0, source["mu"].get<double>()});
-    } else {
-        for (const json& entry : source["mu"])
-            friction.mu.push_back({entry["angle"].get<double>(), entry["mu"].get<double>()});
-    }
+    if (source.contains("mu")) friction.mu = decode_coefficients(source["mu"]);
     friction.along_profile = source.value("along_profile", false);
     if (source.contains("kinetic")) friction.kinetic = decode_kinetic(source["kinetic"]);
     return friction;
@@ -173,7 +174,7 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
     result["wheelset"] = encode_numbers(numbers_of_wheelset(setup.wheelset));
     result["bodies"] = encode_bodies(setup.bodies);
     result["model"] = word_for(model_words, setup.model);
-    if (setup.friction) result["friction"] = encode_friction(*setup.friction);
+    result["friction"] = setup.friction ? encode_friction(*setup.friction) : json();
     result["patches"] = encode_numbers(numbers_of_patches(setup.patches));
     result["patches"]["search"] = word_for(searches, setup.patches.search);
     result["wheel_surface"] = word_for(wheel_surfaces, setup.wheel_surface);
@@ -187,7 +188,6 @@ json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
 
 WheelRailSetup decode_setup(const json& params, const std::string& name, const Frames& frames) {
     WheelRailSetup setup;
-    setup.friction.reset();
     if (!params.contains(name)) return setup;
     const json& source = params[name];
     const auto has = [&](const char* field) { return source.contains(field); };
@@ -209,7 +209,10 @@ WheelRailSetup decode_setup(const json& params, const std::string& name, const F
         setup.bodies.lower = bodies.contains("lower") ? decode_body(bodies["lower"]) : setup.bodies.upper;
     }
     if (has("model")) setup.model = meaning_of(source["model"], model_words);
-    if (has("friction")) setup.friction = decode_friction(source["friction"]);
+    if (has("friction") && source["friction"].is_null())
+        setup.friction.reset();
+    else if (has("friction"))
+        setup.friction = decode_friction(source["friction"]);
     if (has("patches")) {
         const json& patches = source["patches"];
         decode_numbers(patches, numbers_of_patches(setup.patches));

@@ -40,7 +40,7 @@ GRID = ANSWER["patches"][0]["place"]["grid"]
 
 def test_a_set_up_that_says_nothing_leaves_all_but_friction_to_the_daemon():
     assert setup_params(WheelRailSetup()) == {"friction": {"mu": 0.3}}
-    assert setup_params(WheelRailSetup(friction=None)) == {}
+    assert setup_params(WheelRailSetup(friction=None)) == {"friction": None}
 
 
 def test_all_fields_are_sent_as_the_schema_has_them():

@@ -80,7 +80,7 @@ def _params(
     side: str | None, mu: float | None, sets: list[str] | None,
 ) -> dict[str, Any]:  # fmt: skip
     """`setup` and `state`; options are laid over what the file says."""
-    params = read_object(file) if file is not None else {"setup": {"friction": {"mu": 0.3}}, "state": {}}
+    params = read_object(file) if file is not None else {"setup": {}, "state": {}}
     given: list[tuple[str, Any]] = [(f"state.position.{name}", value) for name, value in position.items()]
     given += [("state.Fz", force), ("state.velocity.x", speed), ("setup.side", side), ("setup.friction.mu", mu)]
     params = changed(params, [f"{path}={value}" for path, value in given if value is not None])
