@@ -1,5 +1,7 @@
 """contact.solve and contact.solve_many: forces, rolling, rigid bodies, quick models, histories and batches."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -20,6 +22,7 @@ from contactd import (
     SemiAxes,
     SolverSettings,
     StatusError,
+    StressBlock,
     load_table,
     save_table,
 )
@@ -314,9 +317,28 @@ def test_the_table_of_a_line_contact_is_answered_but_not_exported(shared, tmp_pa
             shared.export_ic(STEEL, LINE.grid, LINE.ics, kind)
 
 
-def test_below_a_line_contact_there_are_no_stresses(shared):
-    with pytest.raises(InvalidArgument, match="ics.line_contact"):
-        shared.subsurface(LINE, shared.solve(LINE), points=[[0, 0, -1]])
+def test_below_a_roller_the_largest_shear_is_that_of_handbooks(shared):
+    """Norton: a steel wheel of 12 in on a flat rail, 0.875 in wide, 5000 lbf (inch, pound): 0.304 p0 at 0.786 a."""
+    steel, force, width, radius = Material(G=30e6 / 2.56, nu=0.28), 5000.0, 0.875, 6.0
+    a = math.sqrt(8 * force / width * radius * (1 - 0.28**2) / 30e6 / math.pi)
+    line = AnalyticIcs(line_contact=LineContact(datum=100))
+    roller = ContactProblem(grid=Grid.centred(120, 1, 2.4 * a, width), upper=steel, gap=Paraboloid(Rx=radius), Fn=force, ics=line)
+    solution = shared.solve(roller)
+    assert solution.pmax == pytest.approx(70243, rel=1e-3)
+    for body in ("lower", "upper"):
+        stress = shared.subsurface(roller, solution, body=body, block=StressBlock(x=0, y=[0, 3], z=-np.linspace(0.005, 0.1, 96)))
+        shear = abs(stress.xx - stress.zz)[:, 0, 0] / 2
+        assert shear.max() == pytest.approx(21354, rel=0.015)  # 0.304 stands for 0.3003
+        assert shear.max() == pytest.approx(0.30028 * 70243, rel=1e-3)
+        assert 0.005 + 0.001 * shear.argmax() == pytest.approx(0.041, abs=0.001)
+        assert stress.yy == pytest.approx(0.28 * (stress.xx + stress.zz))
+        assert (stress.xx[:, 0] == stress.xx[:, 1]).all()
+
+
+def test_stresses_below_a_line_contact_are_asked_for_as_one(shared):
+    with pytest.raises(InvalidArgument, match="^grid.ny is 3"):
+        wide = LINE.replace(grid=Grid.centred(40, 3, 2.4, 7))
+        shared.subsurface(wide, Estimate(pressure=np.ones((3, 40))), points=[[0, 0, -1]])
 
 
 def test_elements_beyond_1000_to_1_are_refused_with_what_would_be_right(shared):

@@ -173,10 +173,11 @@ def _ics(problem: ContactProblem, body: str) -> dict[str, Any]:
             "are curved; the closed form of the stresses is that of the half-space, under a plane, and says nothing of "
             "what is below them",
         )
-    if problem.model not in (None, "full"):
-        return {}  # of half-spaces by their theory
     own = problem.upper_ics if body == "upper" else problem.lower_ics
     name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
+    if problem.model not in (None, "full"):  # of half-spaces by their theory
+        line = getattr(ics, "line_contact", None)
+        return {} if line is None else {"ics": {"source": "analytic", "line_contact": plain(line)}}
     if isinstance(ics, TableIcs):
         raise invalid(
             name,

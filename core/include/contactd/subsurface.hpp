@@ -31,6 +31,19 @@ SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tra
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    const StressBlock& block, Observer& observer);
 
+/// A half-space under a line contact: tractions neither change nor end along y, and nothing stretches along it.
+struct PlaneStrain {
+    double nu = 0;  ///< Poisson's ratio; it decides yy alone
+};
+
+/// Inside it, by line forces integrated over the elements (Johnson, sections 2.2 and 2.3); tractions along y make
+/// anti-plane shear. The grid has one row; dy and the points' y mean nothing. Accuracy and errors as above, and
+/// InvalidArgument ("grid.ny").
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, PlaneStrain body,
+                                   std::span<const std::array<double, 3>> points, Observer& observer);
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, PlaneStrain body,
+                                   const StressBlock& block, Observer& observer);
+
 /// Inside a body of layers: transfer functions of StressWaves, integrated along the edges of elements, and in the first
 /// layer the half-space's closed form besides. Absolute accuracy 1e-9 of the largest traction. On the border of two
 /// layers stresses are those of the upper one; xx, yy and xy jump there. Each depth takes some tens of milliseconds;

@@ -42,7 +42,7 @@ struct SubsurfaceRequest {
     Grid grid;
     double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5; of no meaning where ics has layers
     ContactBody body = ContactBody::lower;
-    Ics ics;  ///< of the body that the tractions were solved with: a half-space, or layers; others are refused
+    Ics ics;  ///< that the tractions were solved with: of a half-space (also of a line contact) or layers; none else
     /// Of a contact solution, for either body: the tractions are those on the upper one. Shape [ny, nx] (N/mm^2);
     /// tractions may be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;

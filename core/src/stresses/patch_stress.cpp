@@ -8,6 +8,14 @@
 //   N_x: ln(rho+y)   N_d: -atan(xy/(d rho))   N_xx: x/(rho(rho+y))   N_xy: 1/rho   N_xd: d/(rho(rho+y))
 //   I_xx: atan(xy(rho-d)/(x^2 rho + d y^2))   I_xy: ln(rho+d)   I_xyy: y/(rho(rho+d))   W_xyy: -y/(rho+d)
 // and the rest follows by Laplace's equation. With z = -d, and the traction along z = -p, xz = -xd and yz = -yd.
+//
+// A row of elements that never ends along y is in plane strain (Johnson, section 2.2 and 2.3; McEwen for Hertz's
+// pressure): line forces give radial stresses, 2 cos(t)/(pi r) of the direction of the force, and along y shear
+// stresses 1/(pi r). Their integrals over x, with r^2 = x^2 + d^2 and A = atan(x/d), are, pi times,
+//   traction q_z:  xx A - x d/r^2          zz A + x d/r^2     xz d^2/r^2
+//   traction q_x:  xx -2 ln r - d^2/r^2    zz d^2/r^2         xz A - x d/r^2
+//   traction q_y:  xy -ln r                yz A
+// with yy = nu (xx + zz).
 #include "patch_stress.hpp"
 
 #include <algorithm>
@@ -61,9 +69,31 @@ StressComponents load_along_x(const Corner& c, double nu) {
             c.d / c.rho};
 }
 
+constexpr double per_pi = 1 / std::numbers::pi;
+
+StressComponents plane_strain(double xx, double zz, double xz, double nu) {
+    return {per_pi * xx, per_pi * nu * (xx + zz), per_pi * zz, 0, per_pi * xz, 0};
+}
+
 }  // namespace
 
+StressComponents edge_stress(Axis load, double x, double d, double nu, double smallest) {
+    if (std::abs(x) < 1e-6 * smallest) x = 0;
+    d = std::abs(d);
+    const double r = std::max(std::hypot(x, d), smallest), angle = std::atan2(x, d);
+    const double sine = x / r, cosine = d / r;  // of the angle from the depth
+    if (load == Axis::y) return {0, 0, 0, -per_pi * std::log(r), 0, per_pi * angle};
+    if (load == Axis::x)
+        return plane_strain(-2 * std::log(r) - cosine * cosine, cosine * cosine, angle - sine * cosine, nu);
+    return plane_strain(angle - sine * cosine, angle + sine * cosine, cosine * cosine, nu);
+}
+
 StressComponents corner_stress(Axis load, double x, double y, double d, double nu, double smallest) {
+    if (std::isinf(y)) {  // each end of a row that has none brings half of its edge
+        StressComponents half = edge_stress(load, x, d, nu, smallest);
+        for (double& component : half) component *= std::copysign(0.5, y);
+        return half;
+    }
     const double rounding = 1e-6 * smallest;  // a point on an edge must not fall to one of its sides
     if (std::abs(x) < rounding) x = 0;
     if (std::abs(y) < rounding) y = 0;

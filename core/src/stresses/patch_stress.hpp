@@ -12,8 +12,13 @@ using StressComponents = std::array<double, 6>;
 
 /// Antiderivative, in x and in y, of the stresses at (x, y) and depth d >= 0 below a unit force along `load` at the
 /// origin. The difference between the corners of a rectangle, at (x, y) - corner, is the stress under a unit traction.
-/// Distances below `smallest` count as `smallest` where the antiderivative is infinite.
+/// Distances below `smallest` count as `smallest` where the antiderivative is infinite. `y` may be infinite, of rows
+/// that never end: the rectangle is a strip then, in plane strain.
 StressComponents corner_stress(Axis load, double x, double y, double d, double nu, double smallest);
+
+/// Antiderivative, in x, of the stresses below a unit line force along `load`, in plane strain: the difference between
+/// the edges of a strip is the stress under a unit traction.
+StressComponents edge_stress(Axis load, double x, double d, double nu, double smallest);
 
 /// Parity along x and along y of a stress component below a point force.
 Parity stress_parity(Axis load, std::size_t component);

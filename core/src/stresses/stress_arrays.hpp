@@ -12,6 +12,9 @@ namespace contactd {
 inline std::array<std::vector<double>*, 6> components_of(SubsurfaceStress& stress) {
     return {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.xz, &stress.yz};
 }
+inline std::array<const std::vector<double>*, 6> components_of(const SubsurfaceStress& stress) {
+    return {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.xz, &stress.yz};
+}
 
 /// From the components, with the largest.
 void find_von_mises(SubsurfaceStress& stress);

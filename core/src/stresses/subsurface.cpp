@@ -155,6 +155,72 @@ class ClassPair {
     bool convolve_;
 };
 
+void check_is_one_row(const Grid& grid) {
+    if (grid.ny != 1)
+        throw InvalidArgument("grid.ny", "is " + std::to_string(grid.ny) +
+                                             "; a line contact has one row of elements, which never ends along y");
+}
+
+SubsurfaceStress at_points(const LoadedPatch& patch, double nu, std::span<const std::array<double, 3>> points,
+                           Observer& observer) {
+    if (points.empty()) throw InvalidArgument("points", "is empty; there must be at least one");
+    for (const auto& [x, y, z] : points) {
+        check_coordinate(x, false, "points");
+        check_coordinate(y, false, "points");
+        check_coordinate(z, true, "points");
+    }
+    const DirectSum direct(patch, nu);
+    const double work = static_cast<double>(direct.corners());
+    Meter meter(observer, work * static_cast<double>(points.size()));
+    SubsurfaceStress result = zeros(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        store(direct.at(points[i][0], points[i][1], points[i][2]), i, result);
+        meter.add(work);
+    }
+    find_von_mises(result);
+    return result;
+}
+
+void check(const StressBlock& block) {
+    for (const auto& [values, field] :
+         {std::pair{&block.x, "block.x"}, std::pair{&block.y, "block.y"}, std::pair{&block.z, "block.z"}}) {
+        if (values->empty()) throw InvalidArgument(field, "is empty; there must be at least one coordinate");
+        for (const double value : *values) check_coordinate(value, values == &block.z, field);
+    }
+}
+
+SubsurfaceStress on_block(const Grid& grid, const LoadedPatch& patch, double nu, const StressBlock& block,
+                          Observer& observer) {
+    const DirectSum direct(patch, nu);
+    const auto along_x = classes_of(block.x, patch.x(), grid.dx), along_y = classes_of(block.y, patch.y(), grid.dy);
+    std::vector<ClassPair> pairs;
+    double work = 0;
+    for (const Class& of_y : along_y)
+        for (const Class& of_x : along_x) work += pairs.emplace_back(patch, of_x, of_y, direct.corners()).work();
+    Meter meter(observer, work * static_cast<double>(block.z.size()));
+    SubsurfaceStress result = zeros(block.size());
+    for (std::size_t iz = 0; iz < block.z.size(); ++iz)
+        for (const ClassPair& pair : pairs) pair.compute(block, iz, direct, nu, meter, result);
+    find_von_mises(result);
+    return result;
+}
+
+// Of the plane y = 0, the values at every y of the block.
+SubsurfaceStress spread_along_y(const SubsurfaceStress& plane, const StressBlock& block) {
+    SubsurfaceStress result = zeros(block.size());
+    const auto from = components_of(plane);
+    const auto to = components_of(result);
+    const auto nx = static_cast<std::ptrdiff_t>(block.x.size());
+    for (std::size_t c = 0; c < 6; ++c) {
+        auto next = to[c]->begin();
+        for (std::size_t iz = 0; iz < block.z.size(); ++iz)
+            for (std::size_t iy = 0; iy < block.y.size(); ++iy)
+                next = std::copy_n(from[c]->begin() + static_cast<std::ptrdiff_t>(iz) * nx, nx, next);
+    }
+    find_von_mises(result);
+    return result;
+}
+
 }  // namespace
 
 SurfaceTractions tractions_on(ContactBody body, std::span<const double> pressure, std::span<const double> traction_x,
@@ -171,45 +237,31 @@ SurfaceTractions tractions_on(ContactBody body, std::span<const double> pressure
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    std::span<const std::array<double, 3>> points, Observer& observer) {
     check(grid, tractions, nu);
-    if (points.empty()) throw InvalidArgument("points", "is empty; there must be at least one");
-    for (const auto& [x, y, z] : points) {
-        check_coordinate(x, false, "points");
-        check_coordinate(y, false, "points");
-        check_coordinate(z, true, "points");
-    }
-    const DirectSum direct(LoadedPatch(grid, tractions), nu);
-    const double work = static_cast<double>(direct.corners());
-    Meter meter(observer, work * static_cast<double>(points.size()));
-    SubsurfaceStress result = zeros(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        store(direct.at(points[i][0], points[i][1], points[i][2]), i, result);
-        meter.add(work);
-    }
-    find_von_mises(result);
-    return result;
+    return at_points(LoadedPatch(grid, tractions), nu, points, observer);
 }
 
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    const StressBlock& block, Observer& observer) {
     check(grid, tractions, nu);
-    for (const auto& [values, field] :
-         {std::pair{&block.x, "block.x"}, std::pair{&block.y, "block.y"}, std::pair{&block.z, "block.z"}}) {
-        if (values->empty()) throw InvalidArgument(field, "is empty; there must be at least one coordinate");
-        for (const double value : *values) check_coordinate(value, values == &block.z, field);
-    }
-    const LoadedPatch patch(grid, tractions);
-    const DirectSum direct(patch, nu);
-    const auto along_x = classes_of(block.x, patch.x(), grid.dx), along_y = classes_of(block.y, patch.y(), grid.dy);
-    std::vector<ClassPair> pairs;
-    double work = 0;
-    for (const Class& of_y : along_y)
-        for (const Class& of_x : along_x) work += pairs.emplace_back(patch, of_x, of_y, direct.corners()).work();
-    Meter meter(observer, work * static_cast<double>(block.z.size()));
-    SubsurfaceStress result = zeros(block.size());
-    for (std::size_t iz = 0; iz < block.z.size(); ++iz)
-        for (const ClassPair& pair : pairs) pair.compute(block, iz, direct, nu, meter, result);
-    find_von_mises(result);
-    return result;
+    check(block);
+    return on_block(grid, LoadedPatch(grid, tractions), nu, block, observer);
+}
+
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, PlaneStrain body,
+                                   std::span<const std::array<double, 3>> points, Observer& observer) {
+    check(grid, tractions, body.nu);
+    check_is_one_row(grid);
+    return at_points(LoadedPatch(grid, tractions, RowEnds::nowhere), body.nu, points, observer);
+}
+
+SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, PlaneStrain body,
+                                   const StressBlock& block, Observer& observer) {
+    check(grid, tractions, body.nu);
+    check_is_one_row(grid);
+    check(block);
+    const StressBlock plane{block.x, {0}, block.z};
+    return spread_along_y(on_block(grid, LoadedPatch(grid, tractions, RowEnds::nowhere), body.nu, plane, observer),
+                          block);
 }
 
 }  // namespace contactd

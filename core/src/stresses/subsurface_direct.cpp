@@ -1,11 +1,13 @@
 #include "subsurface_direct.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace contactd {
 
-LoadedPatch::LoadedPatch(const Grid& grid, const SurfaceTractions& tractions)
-    : grid_(grid), first_x_(grid.nx), first_y_(grid.ny) {
+LoadedPatch::LoadedPatch(const Grid& grid, const SurfaceTractions& tractions, RowEnds ends)
+    : grid_(grid), ends_(ends), first_x_(grid.nx), first_y_(grid.ny) {
+    const double dy = ends == RowEnds::grid ? grid.dy : std::numeric_limits<double>::infinity();
     const std::array<const std::vector<double>*, 3> all = {&tractions.x, &tractions.y, &tractions.z};
     int last_x = -1, last_y = -1;
     for (const auto* values : all)
@@ -20,7 +22,7 @@ LoadedPatch::LoadedPatch(const Grid& grid, const SurfaceTractions& tractions)
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::vector<double>& values = *all[axis];
         TractionPatch& load = loads_[axis];
-        load = {std::max(0, last_x - first_x_ + 1), std::max(0, last_y - first_y_ + 1), grid.dx, grid.dy, {}};
+        load = {std::max(0, last_x - first_x_ + 1), std::max(0, last_y - first_y_ + 1), grid.dx, dy, {}};
         if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
         for (int iy = first_y_; iy <= last_y; ++iy) {
             const auto row = values.begin() + static_cast<std::ptrdiff_t>(iy) * grid.nx;

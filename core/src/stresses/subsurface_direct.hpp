@@ -12,15 +12,18 @@
 
 namespace contactd {
 
-/// The smallest rectangle of elements that holds all tractions.
+/// Where rows of elements end along y: with the grid, or nowhere, in plane strain.
+enum class RowEnds { grid, nowhere };
+
+/// The smallest rectangle of elements that holds all tractions. Rows that end nowhere have an infinite dy about y = 0.
 class LoadedPatch {
    public:
-    LoadedPatch(const Grid& grid, const SurfaceTractions& tractions);
+    LoadedPatch(const Grid& grid, const SurfaceTractions& tractions, RowEnds ends = RowEnds::grid);
 
     int nx() const { return loads_[0].nx; }
     int ny() const { return loads_[0].ny; }
     double x() const { return grid_.x(first_x_); }  ///< centre of the first element
-    double y() const { return grid_.y(first_y_); }
+    double y() const { return ends_ == RowEnds::grid ? grid_.y(first_y_) : 0; }
     /// Where stresses are infinite, those at this distance are given.
     double smallest() const { return 1e-6 * std::min(grid_.dx, grid_.dy); }
     /// Along x, y and z; values are empty where all are zero.
@@ -28,6 +31,7 @@ class LoadedPatch {
 
    private:
     Grid grid_;
+    RowEnds ends_;
     int first_x_, first_y_;
     std::array<TractionPatch, 3> loads_;
 };

@@ -82,10 +82,9 @@ StressBlock decode_block(const json& source, const Frames& frames, const Message
 }
 
 void check_has_stresses(const Ics& ics) {
-    if (ics.line_contact)
+    if (ics.line_contact && (ics.body != BodyShape::half_space || ics.source != IcSource::analytic))
         throw invalid_field("ics.line_contact",
-                            "has loads that never end along y; the closed form of the stresses is that of elements, "
-                            "which do");
+                            "goes with half-spaces in closed form; stresses below a line contact are theirs");
     if (ics.body == BodyShape::layered) return;
     if (ics.body == BodyShape::prism)
         throw invalid_field("ics.body",

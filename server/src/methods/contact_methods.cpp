@@ -64,6 +64,8 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
         [&](const auto& points) {
             if (request.ics.layered)
                 return subsurface_stress(request.grid, tractions, *request.ics.layered, points, observer);
+            if (request.ics.line_contact)
+                return subsurface_stress(request.grid, tractions, PlaneStrain{request.nu}, points, observer);
             return subsurface_stress(request.grid, tractions, request.nu, points, observer);
         },
         request.points);
