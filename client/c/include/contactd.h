@@ -197,7 +197,8 @@ CONTACTD_API int32_t contactd_set_fem(contactd_contact* contact, int32_t body, i
  * mm^3/N; count = 9*nx*ny. dx, dy: the size of the elements that they are for (mm). docs/ic-tables.md. */
 CONTACTD_API int32_t contactd_set_table(contactd_contact* contact, int32_t body, int32_t nx, int32_t ny, double dx,
                                         double dy, const double* values, int32_t count);
-/* Of half-spaces on a grid with ny = 1: plane strain, displacements vanish at `datum` (mm). */
+/* Of half-spaces on a grid with ny = 1: plane strain, displacements vanish at `datum` (mm). Of models full and hertz.
+ */
 CONTACTD_API int32_t contactd_set_line_contact(contactd_contact* contact, double datum);
 /* Layers bonded to each other, from the surface down: thickness[count] (mm), G[count] (N/mm^2), nu[count], on a
  * half-space of base_G and base_nu; base_G = 0: on a rigid base. They are the body's material, too. docs/layers.md. */

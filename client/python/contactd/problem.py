@@ -112,8 +112,9 @@ class ContactProblem(Saved):
         tangential: Stop test of Newton's method on the friction law, for the tractions.
         initial: Where the solvers start: tractions of a similar problem.
         Fn: Normal force (N), >= 0, instead of the approach, which is found then.
-        model: "full": boundary elements; "hertz": closed forms of elliptic contact; "fastsim": Hertzian contact and
-            Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes, and materials.
+        model: "full": boundary elements; "hertz": closed forms of elliptic contact, and of line contact where `ics` says
+            so; "fastsim": Hertzian contact and Kalker's simplified theory of rolling. The quick ones need a paraboloid or
+            semi-axes, and materials.
         previous: The step before, where a shift or transient rolling starts.
         outer: Stop test of the loop that bodies that differ, kinetic friction and forces need.
         derivatives: Whether the solution has those of its forces by motion, load and friction.

@@ -40,7 +40,7 @@ struct ContactSetup {
     std::optional<ContactColumns> columns{};  ///< where the surface is curved along y; absent: a plane
 };
 
-/// Whether its coefficients are those of a line contact.
+/// Whether its bodies are those of a line contact; of models full and hertz.
 bool is_line_contact(const ContactSetup& setup);
 
 }  // namespace contactd

@@ -35,4 +35,13 @@ EllipseCompliance ellipse_compliance(const SemiAxes& axes, const Material& combi
     return {unit * sums.centre_x, unit * sums.centre_y, unit * sums.along_x, unit * sums.along_y};
 }
 
+// Line forces displace the surface by (1-nu)/(pi G) ln(datum/|x|), and along the strip by 1/(pi G) ln(datum/|x|), of
+// each body; twice that of the combined material. Integrated over an elliptic traction this is a parabola inside.
+EllipseCompliance compliance_of(const EllipticContact& contact, const SemiAxes& axes) {
+    if (!contact.is_strip()) return ellipse_compliance(axes, contact.combined);
+    const double a = contact.axes.a, logarithm = std::log(2 * contact.datum / a) + 0.5;
+    const double y = 2 / (std::numbers::pi * contact.combined.G * contact.length), x = (1 - contact.combined.nu) * y;
+    return {x * logarithm, y * logarithm, x / (a * a), y / (a * a), 1 / logarithm};
+}
+
 }  // namespace contactd

@@ -31,11 +31,12 @@ EllipticFriction ellipse_difference(const Grid& grid, const EllipticContact& con
             result.element_division[i] = adhering[ix] > 0 ? ElementState::adhesion : ElementState::slip;
         }
     }
-    const double force = mu * contact.Fn;
-    result.Fx = force * (1 - k * k * k) * direction[0];
-    result.Fy = force * (1 - k * k * k) * direction[1];
-    result.Mz = -force * k * k * k * (xc * direction[1] - yc * direction[0]);
-    result.adhesion_area = k * k * contact.area();
+    const int n = contact.force_power();
+    const double force = mu * contact.Fn, share = times_power(k, k, n - 1);
+    result.Fx = force * (1 - share) * direction[0];
+    result.Fy = force * (1 - share) * direction[1];
+    result.Mz = times_power(-force, k, n) * (xc * direction[1] - yc * direction[0]);
+    result.adhesion_area = times_power(k, k, n - 2) * contact.area();
     result.slip_area = contact.area() - result.adhesion_area;
     return result;
 }

@@ -12,6 +12,18 @@
 
 namespace contactd {
 
+/// value k^n, multiplied from left to right.
+template <class Number>
+Number times_power(Number value, const Number& k, int n) {
+    for (int i = 0; i < n; ++i) value = value * k;
+    return value;
+}
+
+/// The n-th root, n being the force_power of a contact.
+inline double root(double value, int n) {
+    return n == 2 ? std::sqrt(value) : std::cbrt(value);
+}
+
 /// Direction of the force when all slips, |w/full| >= 1: the elastic displacement (or its gradient along the rolling
 /// direction) is -full n, and the rest of the motion w slips, against the force. Joins w/full where slip becomes full.
 /// w = -(lambda + full) n with |n| = 1, by Newton's method on 1/|n| - 1, which is nearly linear in lambda.
@@ -42,8 +54,9 @@ struct EllipseState {
     std::array<Number, 2> direction{};
     Number k = 1;
 
-    std::array<Number, 2> force(double bound) const {
-        const Number size = bound * (1 - k * k * k);
+    /// `n` is the contact's force_power.
+    std::array<Number, 2> force(double bound, int n) const {
+        const Number size = bound * (1 - times_power(k, k, n - 1));
         return {size * direction[0], size * direction[1]};
     }
 };

@@ -14,11 +14,12 @@ Material combined_material(const MaterialPair& bodies) {
 }
 
 double EllipticContact::area() const {
-    return std::numbers::pi * axes.a * axes.b;
+    return is_strip() ? 2 * axes.a * length : std::numbers::pi * axes.a * axes.b;
 }
 
 double EllipticContact::pmax() const {
-    return empty() ? 0 : 1.5 * Fn / area();
+    if (empty()) return 0;
+    return (is_strip() ? 4 / std::numbers::pi : 1.5) * Fn / area();
 }
 
 std::vector<double> hertz_pressure(const Grid& grid, const SemiAxes& axes, double pmax) {

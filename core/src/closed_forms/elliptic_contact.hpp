@@ -15,15 +15,21 @@ namespace contactd {
 Material combined_material(const MaterialPair& bodies);
 
 /// An elliptic contact area centred at the origin, its axes along x and y, with Hertz's pressure
-/// p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Johnson, section 4.2).
+/// p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Johnson, section 4.2). Where b is infinite it is the strip of a line contact.
 struct EllipticContact {
     SemiAxes axes;      ///< (mm); zeros without contact
     double Fn = 0;      ///< (N), zero without contact
     Material combined;  ///< of combined_material
+    double length = 0;  ///< of a strip: what forces and areas are counted over (mm)
+    double datum = 0;   ///< of a strip: that of LineContactSpec (mm)
 
     bool empty() const { return !(Fn > 0 && axes.a > 0 && axes.b > 0); }
-    double area() const;  ///< pi a b (mm^2)
-    double pmax() const;  ///< p0 = 3 Fn/(2 area) (N/mm^2)
+    bool is_strip() const { return length > 0; }
+    /// The power n of the size that a force like Hertz's pressure grows with: over a similar area, k times as large,
+    /// it is k^n times as large, and the area k^(n-1) times.
+    int force_power() const { return is_strip() ? 2 : 3; }
+    double area() const;  ///< pi a b, or 2 a length (mm^2)
+    double pmax() const;  ///< p0 = 3 Fn/(2 area), or 4 Fn/(pi area) (N/mm^2)
 };
 
 /// Hertz's pressure at the element centres, shape [ny, nx] (N/mm^2); zero outside the ellipse. A semi-axis may be

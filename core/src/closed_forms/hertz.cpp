@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "contactd/error.hpp"
@@ -150,6 +151,62 @@ HertzContact hertz_of_approach(const Paraboloid& gap, double compliance, double 
     const double R = std::min(gap.Rx, gap.Ry);
     const double shorter = std::sqrt(2 * R * approach * shape.strong_curvature() / shape.integrals.K());
     contact = shape.contact(shorter, shorter / (2 * R * shape.strong_curvature()), compliance);
+    contact.approach = approach;
+    return contact;
+}
+
+namespace {
+
+void check(const CylinderGap& gap, double compliance) {
+    require_positive(gap.R, "gap.paraboloid.Rx");
+    require_positive(gap.length, "grid.dy");
+    require_positive(gap.datum, "ics.line_contact.datum");
+    require_positive(compliance, "bodies");
+}
+
+[[noreturn]] void refuse_wide(const CylinderGap& gap, const std::string& how) {
+    throw InvalidArgument("ics.line_contact.datum", "is " + number_text(gap.datum) + ", and the contact " + how +
+                                                        " wide on each side; the datum lies outside the contact");
+}
+
+double approach_of(const CylinderGap& gap, double a) {
+    return a * a / (2 * gap.R) * (std::log(2 * gap.datum / a) + 0.5);
+}
+
+HertzContact line_contact(const CylinderGap& gap, double compliance, double a) {
+    const double pmax = a / (2 * gap.R * compliance);
+    return {a, std::numeric_limits<double>::infinity(), pmax, approach_of(gap, a), 0.5 * pi * a * gap.length * pmax};
+}
+
+}  // namespace
+
+HertzContact hertz_of_line_force(const CylinderGap& gap, double compliance, double Fn) {
+    check(gap, compliance);
+    require_finite(Fn, "Fn");
+    if (!(Fn > 0)) return {};
+    const double a = std::sqrt(4 * Fn / gap.length * gap.R * compliance / pi);
+    if (a > gap.datum) refuse_wide(gap, "is " + number_text(a) + " mm");
+    HertzContact contact = line_contact(gap, compliance, a);
+    contact.Fn = Fn;
+    return contact;
+}
+
+// By Newton's method on the logarithms of width and approach, of which one grows 1.1 to 2 times as fast as the other.
+HertzContact hertz_of_line_approach(const CylinderGap& gap, double compliance, double approach) {
+    check(gap, compliance);
+    require_finite(approach, "approach");
+    HertzContact contact;
+    contact.approach = approach;
+    if (!(approach > 0)) return contact;
+    if (approach > approach_of(gap, gap.datum)) refuse_wide(gap, "is more than that");
+    double log_a = std::log(gap.datum);
+    for (int iteration = 0; iteration < 60; ++iteration) {
+        const double a = std::exp(log_a), slope = 2 - 1 / (std::log(2 * gap.datum / a) + 0.5);
+        const double change = (std::log(approach_of(gap, a)) - std::log(approach)) / slope;
+        log_a -= change;
+        if (std::abs(change) <= Shape::rounding * (1 + std::abs(log_a))) break;
+    }
+    contact = line_contact(gap, compliance, std::exp(log_a));
     contact.approach = approach;
     return contact;
 }

@@ -1,5 +1,7 @@
 #include "quick_derivatives.hpp"
 
+#include <cmath>
+
 #include "cattaneo_mindlin.hpp"
 #include "derivative_table.hpp"
 #include "fastsim.hpp"
@@ -21,21 +23,23 @@ KnownMotion known_motion(const ContactProblem& problem, const EllipticContact& c
     if (const auto* shift = std::get_if<Shift>(&motion))
         return {{shift->rigid_shift.x, shift->rigid_shift.y, 0},
                 mu > 0 ? cattaneo_mindlin_by_motion(contact, mu, *shift) : ForcesByMotion{},
-                2.0 / 3};
+                mu > 0 ? cattaneo_mindlin_exponent(contact, mu, *shift) : 0};
     const auto& rolling = std::get<Rolling>(motion);
     ForcesByMotion by_motion{};
     if (mu > 0)
         by_motion = problem.model == Model::fastsim ? fastsim_by_motion(contact, mu, rolling)
                                                     : vermeulen_johnson_by_motion(contact, mu, rolling);
-    return {{rolling.xi, rolling.eta, rolling.phi}, by_motion, 1.0 / 3};
+    return {{rolling.xi, rolling.eta, rolling.phi}, by_motion, 1.0 / contact.force_power()};
 }
 
 // Contacts of one gap are similar to each other: their axes grow as Fn^(1/3), and with F = mu Fn f(motion)
 //
 //     F / (mu Fn) is the same for the same  xi, eta / (mu Fn^(1/3)),  phi / mu,  shift / (mu Fn^(2/3)),
 //
-// and so is Mz / (mu Fn^(4/3)). What they do by friction and by Fn follows from what they do by the motion.
-void take_friction(const KnownMotion& known, double mu, const ContactSolution& solution, Table& table) {
+// and so is Mz / (mu Fn^(4/3)). What they do by friction and by Fn follows from what they do by the motion. The width
+// of a strip grows as Fn^(1/2), and its shift as cattaneo_mindlin_exponent says.
+void take_friction(const KnownMotion& known, double mu, const EllipticContact& contact, const ContactSolution& solution,
+                   Table& table) {
     const std::array forces{solution.forces.Fx, solution.forces.Fy, solution.forces.Mz};
     const double Fn = solution.forces.Fn, by_approach = table.values[Table::Fn][Table::approach];
     for (std::size_t row = 0; row < 3; ++row) {
@@ -43,10 +47,17 @@ void take_friction(const KnownMotion& known, double mu, const ContactSolution& s
         auto& values = table.values[Table::Fx + row];
         const double by_translation = known.motion[0] * by[0] + known.motion[1] * by[1];
         const double by_all = by_translation + known.motion[2] * by[2];
-        const double exponent = row == 2 ? 4.0 / 3 : 1;
+        const double exponent = row == 2 ? 1 + 1.0 / contact.force_power() : 1;
         values = {(exponent * forces[row] - known.size_exponent * by_translation) / Fn * by_approach, by[0], by[1],
                   by[2], mu > 0 ? (forces[row] - by_all) / mu : 0};
     }
+}
+
+// The approach of a strip grows as Fn (ln(2 datum/a) + 1/2), in which the logarithm falls by 1/2 where Fn grows e-fold.
+double stiffness(const EllipticContact& contact, double approach) {
+    if (!contact.is_strip()) return 1.5 * contact.Fn / approach;
+    const double logarithm = std::log(2 * contact.datum / contact.axes.a);
+    return contact.Fn / approach * (logarithm + 0.5) / logarithm;
 }
 
 }  // namespace
@@ -54,10 +65,10 @@ void take_friction(const KnownMotion& known, double mu, const ContactSolution& s
 Derivatives quick_derivatives(const ContactProblem& problem, const EllipticContact& contact,
                               const ContactSolution& solution) {
     DerivativeTable table;
-    table.values[Table::Fn][Table::approach] = 1.5 * contact.Fn / solution.approach;
+    table.values[Table::Fn][Table::approach] = stiffness(contact, solution.approach);
     if (problem.friction) {
         const double mu = problem.friction->mu[0];
-        take_friction(known_motion(problem, contact, *solution.motion), mu, solution, table);
+        take_friction(known_motion(problem, contact, *solution.motion), mu, contact, solution, table);
         table.has_turn = problem.model == Model::fastsim;
         table.has_mu = mu > 0;
     }

@@ -25,10 +25,21 @@ namespace {
 void check_is_curved(double radius, const char* field) {
     if (!(radius > 0 && std::isfinite(radius)))
         throw InvalidArgument(field,
-                              "is flat or concave; Hertz's theory needs both radii of the gap positive and finite");
+                              "is flat or concave; Hertz's theory needs both radii of the gap positive and finite, "
+                              "or, of a contact that does not change along y, ics.line_contact and Rx");
+}
+
+HertzContact line_hertz(const ContactProblem& problem, const LineContactSpec& line) {
+    const double compliance = problem.bodies.materials().normal_compliance();
+    const auto& paraboloid = std::get<Paraboloid>(*problem.gap);
+    check_is_curved(paraboloid.Rx, "gap.paraboloid.Rx");
+    const CylinderGap gap{paraboloid.Rx, problem.grid.dy, line.datum};
+    return problem.Fn ? hertz_of_line_force(gap, compliance, *problem.Fn)
+                      : hertz_of_line_approach(gap, compliance, *problem.approach);
 }
 
 HertzContact hertz(const ContactProblem& problem) {
+    if (const auto line = line_contact_of(problem.bodies)) return line_hertz(problem, *line);
     const double compliance = problem.bodies.materials().normal_compliance();
     if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap))
         return problem.Fn ? hertz_of_semi_axes_and_force(*axes, compliance, *problem.Fn)
@@ -108,7 +119,11 @@ ContactSolution solve_by_quick_model(const ContactProblem& problem) {
     check_is_elliptic(problem);
     if (problem.friction) check_is_simple(problem);
     const HertzContact found = hertz(problem);
-    const EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies.materials())};
+    EllipticContact contact{{found.a, found.b}, found.Fn, combined_material(problem.bodies.materials())};
+    if (const auto line = line_contact_of(problem.bodies)) {
+        contact.length = problem.grid.dy;
+        contact.datum = line->datum;
+    }
     ContactSolution solution;
     solution.evidence.normal.converged = true;  // closed form
     solution.approach = found.approach;

@@ -22,7 +22,7 @@ EllipseState<Number> state_of_creepage(const std::array<Number, 2>& creepage, co
 
 // Of the creepages at which all slips; what both tractions do is below.
 Pair full_creepage(const RollingFrame& frame, const EllipticContact& contact, double bound) {
-    const EllipseCompliance u = ellipse_compliance(frame.axes, contact.combined);
+    const EllipseCompliance u = compliance_of(contact, frame.axes);
     const double unit = 2 * bound * frame.axes.a;
     return {unit * u.along_x, unit * u.along_y};
 }
@@ -52,9 +52,10 @@ EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& cont
             const Pair n = local.direction;
             return EllipseState<double>{{frame.x_of(n[0], n[1]), frame.y_of(n[0], n[1])}, local.k};
         };
-        const auto force = [&](const Pair& w) { return state_of(w).force(bound); };
+        const int n = contact.force_power();
+        const auto force = [&](const Pair& w) { return state_of(w).force(bound, n); };
         const double Fx = rolling.force.Fx.value_or(0), Fy = rolling.force.Fy.value_or(0), size = std::hypot(Fx, Fy);
-        const double share = size > 0 ? (1 - std::cbrt(1 - size / bound)) / size : 0;
+        const double share = size > 0 ? (1 - root(1 - size / bound, n)) / size : 0;
         const double along = -share * full[0] * frame.along(Fx, Fy), across = -share * full[1] * frame.across(Fx, Fy);
         Pair w{rolling.force.Fx ? frame.x_of(along, across) : rolling.xi,
                rolling.force.Fy ? frame.y_of(along, across) : rolling.eta};
@@ -80,8 +81,10 @@ ForcesByMotion vermeulen_johnson_by_motion(const EllipticContact& contact, doubl
     const Pair w =
         away_from_zero({frame.along(rolling.xi, rolling.eta), frame.across(rolling.xi, rolling.eta)}, full[0]);
     const auto state = state_of_creepage(std::array{Dual::input(w[0], 0), Dual::input(w[1], 1)}, full);
-    const auto force = state.force(bound);
-    const Dual k = state.k, moment = -bound * k * k * k * (1 - k) * frame.axes.a * state.direction[1];
+    const auto force = state.force(bound, contact.force_power());
+    const Dual k = state.k;
+    const Dual adhering = times_power(-bound * k, k, contact.force_power() - 1);
+    const Dual moment = adhering * (1 - k) * frame.axes.a * state.direction[1];
     return in_coordinates(frame, {force[0].by, force[1].by, moment.by});
 }
 

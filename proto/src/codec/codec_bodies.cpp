@@ -17,12 +17,17 @@ bool is_layered(const json& ics) {
     return ics.value("body", "") == name_of(BodyShape::layered);
 }
 
-// Coefficients mean nothing to quick models; but a section is what the body is.
-void refuse_prism(const json* ics) {
-    if (ics == nullptr || ics->value("body", "") != name_of(BodyShape::prism)) return;
-    throw invalid_field("model",
-                        "is a closed form; closed forms know half-spaces only, and a body has a section: take model "
-                        "full");
+// Coefficients mean nothing to quick models; but a section is what the body is, and a line contact what the contact is.
+Ics ics_of_quick_model(const json* ics) {
+    Ics result;
+    if (ics == nullptr) return result;
+    if (ics->value("body", "") == name_of(BodyShape::prism))
+        throw invalid_field("model",
+                            "is a closed form; closed forms know half-spaces only, and a body has a section: take "
+                            "model full");
+    if (ics->contains("line_contact"))
+        result.line_contact = LineContactSpec{(*ics)["line_contact"]["datum"].get<double>()};
+    return result;
 }
 
 /// The source that stands for both bodies, or null where they have different ones, tables, or layers.
@@ -67,7 +72,7 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
     }
     body.material = decode_material(source);
     if (setup.model != Model::full) {
-        refuse_prism(source.contains("ics") ? &source["ics"] : shorthand);
+        body.ics = ics_of_quick_model(source.contains("ics") ? &source["ics"] : shorthand);
         return body;
     }
     if (source.contains("ics"))
@@ -102,6 +107,11 @@ void encode_bodies(const ContactSetup& setup, json& params, ArrayWriter& arrays)
     if (apart || bodies.lower.material != bodies.upper.material || bodies.any_layered())
         params["bodies"]["lower"] = encode_body(bodies.lower, apart, arrays);
     if (full && both != nullptr) params["ics"] = encode_ics(*both);
+    if (const auto line = line_contact_of(bodies); !full && line) {
+        Ics of_lines;
+        of_lines.line_contact = line;
+        params["ics"] = encode_ics(of_lines);
+    }
 }
 
 void decode_bodies(const json& params, const Frames& frames, ContactSetup& setup) {
