@@ -33,7 +33,7 @@ ordered_json described(const Variable& variable) {
                      {"unit", variable.unit},
                      {"start", start_of(variable)},
                      {"says", variable.says}};
-    if (variable.enumeration)
+    if (variable.type == Type::enumeration)
         all["enumeration"] = {{"name", variable.enumeration->name}, {"words", variable.enumeration->words}};
     return all;
 }

@@ -19,11 +19,23 @@ std::string quoted(double value) {
 void validate(const Variable& of, double value) {
     if (!std::isfinite(value))
         throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be a finite number.");
-    if (!of.enumeration || (value >= 0 && value < static_cast<double>(of.enumeration->words.size()))) return;
+    const double least = of.same_as.empty() ? 0 : as_the_enumeration;
+    if (!of.enumeration || (value >= least && value < static_cast<double>(of.enumeration->words.size()))) return;
     std::string words;
     for (std::size_t word = 0; word < of.enumeration->words.size(); ++word)
         words += (word ? ", " : "") + std::to_string(word) + " (" + std::string(of.enumeration->words[word]) + ")";
     throw Failure(std::string(of.name) + " is " + quoted(value) + "; it must be one of " + words + ".");
+}
+
+/// Numbers that were set in the place of enumerations are what these are, whichever of them was set last: importers set
+/// all parameters in an order of their own. From then on both are the same.
+void choose_words(std::span<const Variable> list, Values& values) {
+    for (std::size_t at = 0; at < list.size(); ++at) {
+        if (list[at].same_as.empty()) continue;
+        const std::size_t enumeration = reference_in(list, list[at].same_as);
+        if (values[at] >= 0) values[enumeration] = values[at];
+        values[at] = values[enumeration];
+    }
 }
 
 }  // namespace
@@ -52,9 +64,12 @@ double Instance::time() const {
     return values_[time_reference];
 }
 
-void Instance::set_start(double time) {
+void Instance::set_start(double time, std::optional<double> stop) {
     require(Phase::instantiated, "The start time");
     if (!std::isfinite(time)) throw Failure("The start time is " + quoted(time) + "; it must be a finite number.");
+    if (stop && !(*stop >= time))
+        throw Failure("The stop time is " + quoted(*stop) + "; it must not lie before the start time, " + quoted(time) +
+                      " s.");
     values_[time_reference] = time;
 }
 
@@ -65,7 +80,16 @@ void Instance::enter_initialization() {
 
 void Instance::exit_initialization() {
     require(Phase::initialization, "Leaving the initialization");
-    start(values_, {}, true);
+    Values first = values_;
+    choose_words(kind_.variables, first);
+    start(first, {}, true);
+    try {
+        model_->solve_start(first);
+    } catch (...) {
+        model_.reset();
+        throw;
+    }
+    values_ = std::move(first);
     phase_ = Phase::stepping;
 }
 
@@ -85,10 +109,24 @@ void Instance::step(double time, double size) {
     if (!std::isfinite(time) || !std::isfinite(size) || !(size > 0))
         throw Failure("A step from " + quoted(time) + " by " + quoted(size) +
                       " s is none; both must be finite, and the size more than 0.");
+    check_time(time, size);
     Values after = values_;
     model_->step(after, size);
     after[time_reference] = time + size;
     values_ = std::move(after);
+    set_back_ = false;
+}
+
+void Instance::check_time(double time, double size) const {
+    if (set_back_) return;
+    const double now = this->time(), rounding = 1e-6 * size + 1e-9 * std::abs(now);
+    if (time < now - rounding)
+        throw Failure("A step from " + quoted(time) + " s lies in the past: the last one ended at " + quoted(now) +
+                      " s. To go back, set an FMU state that was taken there.");
+    if (time > now + rounding)
+        tell(Status::warning, Category::warnings,
+             "A step from " + quoted(time) + " s leaves a gap behind the last one, which ended at " + quoted(now) +
+                 " s: nothing moves between them.");
 }
 
 void Instance::terminate() {
@@ -100,6 +138,7 @@ void Instance::reset() {
     model_.reset();
     values_ = Values(kind_.variables);
     phase_ = Phase::instantiated;
+    set_back_ = false;
 }
 
 void Instance::cancel() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,7 +44,7 @@ class Instance {
     void tell(Status status, Category category, const std::string& sentence) const;
 
     double time() const;
-    void set_start(double time);
+    void set_start(double time, std::optional<double> stop);
     void enter_initialization();
     void exit_initialization();
     void step(double time, double size);
@@ -69,6 +70,9 @@ class Instance {
     const Variable& variable(std::uint32_t reference, std::initializer_list<Type> types) const;
     const Variable& settable(std::uint32_t reference, std::initializer_list<Type> types) const;
     void require(Phase phase, const char* what) const;
+    /// Where a step may start: where the last one ended, but for rounding, or anywhere after a state was set. Throws
+    /// Failure for the past.
+    void check_time(double time, double size) const;
     /// With a model of its own, or with the one that runs, whose parameters are the same.
     void start(const Values& values, const Carried& from, bool anew);
 
@@ -77,6 +81,7 @@ class Instance {
     const Log log_;
     bool tells_[3] = {true, false, false};  // by category
     Phase phase_ = Phase::instantiated;
+    bool set_back_ = false;  // to a state, by which no step was made yet
     Values values_;
     std::unique_ptr<Model> model_;
 };

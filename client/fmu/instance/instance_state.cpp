@@ -38,6 +38,7 @@ void Instance::set_state(const State& state) {
         model_.reset();
     values_ = state.values;
     phase_ = state.phase;
+    set_back_ = runs;
 }
 
 std::vector<double> Instance::derivative(std::span<const std::uint32_t> of, std::span<const std::uint32_t> by,

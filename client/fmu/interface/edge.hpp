@@ -5,6 +5,7 @@
 #include <new>
 
 #include "instance/instance.hpp"
+#include "live.hpp"
 
 namespace contactd::fmu {
 
@@ -30,11 +31,35 @@ Value& given(Value* value, const char* name) {
     return *value;
 }
 
-/// The status of what `body` does with the instance.
+/// A state that an importer holds.
+inline State& state_of(void* state) {
+    if (state == nullptr) throw Failure("The FMU state is NULL.");
+    State* const found = Live<State>::all().find(state);
+    if (found == nullptr) throw Failure("The FMU state is none: it was freed, or came from another FMU.");
+    return *found;
+}
+
+/// In place of what `*place` holds, which may be a state of before, or nothing.
+inline void hand_over(std::unique_ptr<State> state, void** place) {
+    if (place == nullptr) throw Failure("The place of the FMU state is NULL.");
+    Live<State>::all().take(*place);
+    *place = Live<State>::all().add(std::move(state));
+}
+
+inline void free_state(void** place) {
+    if (place == nullptr || *place == nullptr) return;
+    state_of(*place);
+    Live<State>::all().take(*place);
+    *place = nullptr;
+}
+
+/// The status of what `body` does with the instance that `handle` is.
 template <class Body>
-Status guarded(Instance* instance, const Body& body) noexcept {
-    if (instance == nullptr) return Status::error;
+Status guarded(void* handle, const Body& body) noexcept {
+    Instance* instance = nullptr;
     try {
+        instance = Live<Instance>::all().find(handle);
+        if (instance == nullptr) return Status::error;  // and nobody to tell: it is freed, or was never made
         try {
             body(*instance);
             return Status::ok;

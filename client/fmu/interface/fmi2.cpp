@@ -1,7 +1,7 @@
 // FMI 2.0 for co-simulation: the life of an instance, and its values.
 #include "fmi2.hpp"
 
-#include "resources.hpp"
+#include "models/place.hpp"
 
 using namespace contactd::fmu;
 
@@ -62,24 +62,25 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                                                          "belongs to another shared object."
                                                        : nullptr;
         if (wrong != nullptr) return log(Status::error, Category::errors, wrong), nullptr;
-        auto made = std::make_unique<Instance>(*kind, folder_of(resources ? resources : ""), log);
+        auto made = std::make_unique<Instance>(*kind, path_of(resources ? resources : ""), log);
         made->set_log(logging, {});
-        return made.release();
+        return Live<Instance>::all().add(std::move(made));
     } catch (...) {
         return nullptr;
     }
 }
 
 void fmi2FreeInstance(fmi2Component c) {
-    delete static_cast<Instance*>(c);
+    Live<Instance>::all().take(c);
 }
 
 fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, std::size_t count, const fmi2String categories[]) {
     return with(c, [&](Instance& instance) { instance.set_log(on, texts_of(categories, count)); });
 }
 
-fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean, fmi2Real) {
-    return with(c, [&](Instance& instance) { instance.set_start(start); });
+fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean stops,
+                               fmi2Real stop) {
+    return with(c, [&](Instance& instance) { instance.set_start(start, stops ? std::optional(stop) : std::nullopt); });
 }
 fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
     return with(c, [](Instance& instance) { instance.enter_initialization(); });

@@ -11,7 +11,7 @@ inline constexpr fmi2Status fmi2_statuses[] = {fmi2OK, fmi2Warning, fmi2Discard,
 
 template <class Body>
 fmi2Status with(fmi2Component instance, const Body& body) noexcept {
-    return fmi2_statuses[static_cast<int>(guarded(static_cast<Instance*>(instance), body))];
+    return fmi2_statuses[static_cast<int>(guarded(instance, body))];
 }
 
 }  // namespace contactd::fmu

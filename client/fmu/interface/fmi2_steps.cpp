@@ -8,10 +8,6 @@ using namespace contactd::fmu;
 
 namespace {
 
-State& state_of(fmi2FMUstate state) {
-    return given(static_cast<State*>(state), "FMUstate");
-}
-
 fmi2Status refuse(fmi2Component c, const char* sentence) {
     return with(c, [&](Instance&) { throw Failure(Status::discard, sentence); });
 }
@@ -31,11 +27,7 @@ fmi2Status fmi2CancelStep(fmi2Component c) {
 }
 
 fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* state) {
-    return with(c, [&](Instance& instance) {
-        auto kept = instance.state();
-        delete static_cast<State*>(given(state, "FMUstate"));  // one of before may be used again
-        *state = kept.release();
-    });
+    return with(c, [&](Instance& instance) { hand_over(instance.state(), state); });
 }
 
 fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
@@ -43,11 +35,7 @@ fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* state) {
-    return with(c, [&](Instance&) {
-        if (state == nullptr) return;
-        delete static_cast<State*>(*state);
-        *state = nullptr;
-    });
+    return with(c, [&](Instance&) { free_state(state); });
 }
 
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, std::size_t* size) {
@@ -61,8 +49,7 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte b
 
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], std::size_t size, fmi2FMUstate* state) {
     return with(c, [&](Instance& instance) {
-        given(state, "FMUstate") =
-            deserialized(instance.kind(), std::as_bytes(given(bytes, size, "serializedState"))).release();
+        hand_over(deserialized(instance.kind(), std::as_bytes(given(bytes, size, "serializedState"))), state);
     });
 }
 

@@ -2,16 +2,9 @@
 #include "fmi3.hpp"
 
 #include "instance/serialized.hpp"
+#include "models/place.hpp"
 
 using namespace contactd::fmu;
-
-namespace {
-
-State& state_of(fmi3FMUState state) {
-    return given(static_cast<State*>(state), "FMUState");
-}
-
-}  // namespace
 
 const char* fmi3GetVersion() {
     return "3.0";
@@ -35,26 +28,26 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                             : intermediate > 0            ? "This FMU has no intermediate updates."
                                                           : nullptr;
         if (wrong != nullptr) return log(Status::error, Category::errors, wrong), nullptr;
-        auto made = std::make_unique<Instance>(*kind, resources ? resources : "", log);
+        auto made = std::make_unique<Instance>(*kind, path_of(resources ? resources : ""), log);
         made->set_log(logging, {});
-        return made.release();
+        return Live<Instance>::all().add(std::move(made));
     } catch (...) {
         return nullptr;
     }
 }
 
 void fmi3FreeInstance(fmi3Instance instance) {
-    delete static_cast<Instance*>(instance);
+    Live<Instance>::all().take(instance);
 }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance handle, fmi3Boolean on, std::size_t count, const fmi3String categories[]) {
     return with(handle, [&](Instance& instance) { instance.set_log(on, texts_of(categories, count)); });
 }
 
-fmi3Status fmi3EnterInitializationMode(fmi3Instance handle, fmi3Boolean, fmi3Float64, fmi3Float64 start, fmi3Boolean,
-                                       fmi3Float64) {
+fmi3Status fmi3EnterInitializationMode(fmi3Instance handle, fmi3Boolean, fmi3Float64, fmi3Float64 start,
+                                       fmi3Boolean stops, fmi3Float64 stop) {
     return with(handle, [&](Instance& instance) {
-        instance.set_start(start);
+        instance.set_start(start, stops ? std::optional(stop) : std::nullopt);
         instance.enter_initialization();
     });
 }
@@ -80,21 +73,13 @@ fmi3Status fmi3DoStep(fmi3Instance handle, fmi3Float64 time, fmi3Float64 size, f
 }
 
 fmi3Status fmi3GetFMUState(fmi3Instance handle, fmi3FMUState* state) {
-    return with(handle, [&](Instance& instance) {
-        auto kept = instance.state();
-        delete static_cast<State*>(given(state, "FMUState"));  // one of before may be used again
-        *state = kept.release();
-    });
+    return with(handle, [&](Instance& instance) { hand_over(instance.state(), state); });
 }
 fmi3Status fmi3SetFMUState(fmi3Instance handle, fmi3FMUState state) {
     return with(handle, [&](Instance& instance) { instance.set_state(state_of(state)); });
 }
 fmi3Status fmi3FreeFMUState(fmi3Instance handle, fmi3FMUState* state) {
-    return with(handle, [&](Instance&) {
-        if (state == nullptr) return;
-        delete static_cast<State*>(*state);
-        *state = nullptr;
-    });
+    return with(handle, [&](Instance&) { free_state(state); });
 }
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance handle, fmi3FMUState state, std::size_t* size) {
     return with(handle,
@@ -105,8 +90,7 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance handle, fmi3FMUState state, fmi3By
 }
 fmi3Status fmi3DeserializeFMUState(fmi3Instance handle, const fmi3Byte bytes[], std::size_t size, fmi3FMUState* state) {
     return with(handle, [&](Instance& instance) {
-        given(state, "FMUState") =
-            deserialized(instance.kind(), std::as_bytes(given(bytes, size, "serializedState"))).release();
+        hand_over(deserialized(instance.kind(), std::as_bytes(given(bytes, size, "serializedState"))), state);
     });
 }
 

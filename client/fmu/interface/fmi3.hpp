@@ -11,7 +11,7 @@ inline constexpr fmi3Status fmi3_statuses[] = {fmi3OK, fmi3Warning, fmi3Discard,
 
 template <class Body>
 fmi3Status with(fmi3Instance instance, const Body& body) noexcept {
-    return fmi3_statuses[static_cast<int>(guarded(static_cast<Instance*>(instance), body))];
+    return fmi3_statuses[static_cast<int>(guarded(instance, body))];
 }
 
 }  // namespace contactd::fmu

@@ -21,18 +21,16 @@ constexpr std::int32_t arrays[] = {CONTACTD_PRESSURE, CONTACTD_TRACTION_X, CONTA
 
 void ContactModel::start(const Values& values, const Carried& from) {
     if (!connection_) connection_ = opened(values, tell_);
-    contactd_contact* made = nullptr;
-    check(contactd_new(connection_.get(), &made), connection_.get());
-    ContactHandle contact(made);
-    set_up(made, values);
+    ContactHandle contact = made(values);
+    contactd_contact* c = contact.get();
     const bool goes_on = !from.pressure.empty();
     if (goes_on)
-        check(contactd_set_previous(made, from.pressure.data(), from.traction_x.data(), from.traction_y.data(),
+        check(contactd_set_previous(c, from.pressure.data(), from.traction_x.data(), from.traction_y.data(),
                                     static_cast<std::int32_t>(from.pressure.size())),
-              made);
-    say(made, values, 1);
-    for (const std::int32_t array : arrays) check(contactd_want(made, array, goes_on), made);
-    check(contactd_start(made), made);
+              c);
+    say(c, values, {});
+    for (const std::int32_t array : arrays) check(contactd_want(c, array, goes_on), c);
+    check(contactd_start(c), c);
     contact_ = std::move(contact);
     from_ = from;
     elements_ = static_cast<std::size_t>(values[at("grid.nx")]) * static_cast<std::size_t>(values[at("grid.ny")]);
@@ -44,6 +42,32 @@ void ContactModel::start(const Values& values, const Carried& from) {
     force_is_prescribed_ = values.is(at("force.prescribe_x")) || values.is(at("force.prescribe_y"));
 }
 
+ContactHandle ContactModel::made(const Values& values) const {
+    contactd_contact* made = nullptr;
+    check(contactd_new(connection_.get(), &made), connection_.get());
+    ContactHandle contact(made);
+    set_up(made, values);
+    return contact;
+}
+
+/// By a contact of its own, which leaves nothing to the first step: rolling in its steady state as it is, and what goes
+/// on from step to step pressed together and not moved yet. A model without history knows the former only.
+void ContactModel::solve_start(Values& values) {
+    const ContactHandle contact = made(values);
+    contactd_contact* c = contact.get();
+    check(contactd_set_accept_unconverged(c, 1), c);
+    check(contactd_set_step_timeout(c, values[at("limits.start")]), c);
+    say(c, values, {});
+    const bool rolls_on = values.whole(at("motion.kind")) == transient;
+    if (rolls_on && has_history_ && !values.is(at("friction.none"))) check(contactd_set_shift(c, 0, 0, 0), c);
+    check(contactd_start(c), c);
+    check(contactd_step(c), c);
+    read(c, values);
+    if (rolls_on) values[at("xi")] = values[at("motion.xi")], values[at("eta")] = values[at("motion.eta")];
+    if (!values.is(at("converged")))
+        tell_(Status::warning, "The outputs before the first step did not converge: they are estimates.");
+}
+
 void ContactModel::step(Values& values, double size) {
     failed_ = true;
     say(contact_.get(), values, size);
@@ -51,10 +75,10 @@ void ContactModel::step(Values& values, double size) {
     failed_ = false;
     made_ = true;
     step_size_ = size;
-    read(values);
+    read(contact_.get(), values);
 }
 
-void ContactModel::say(contactd_contact* c, const Values& values, double size) {
+void ContactModel::say(contactd_contact* c, const Values& values, std::optional<double> size) {
     check(values.whole(at("gap.kind")) == 0 ? contactd_set_paraboloid(c, values[at("gap.Rx")], values[at("gap.Ry")])
                                             : contactd_set_semi_axes(c, values[at("gap.a")], values[at("gap.b")]),
           c);
@@ -72,13 +96,14 @@ void ContactModel::say(contactd_contact* c, const Values& values, double size) {
     if (values.is(at("force.prescribe_y"))) check(contactd_set_Fy(c, values[at("force.y")]), c);
 }
 
-void ContactModel::say_motion(contactd_contact* c, const Values& values, double size) {
+void ContactModel::say_motion(contactd_contact* c, const Values& values, std::optional<double> size) {
     const int kind = values.whole(at("motion.kind"));
     if (kind == shift) {
-        check(contactd_set_shift(c, values[at("motion.shift_x")] * size, values[at("motion.shift_y")] * size,
-                                 values[at("motion.shift_turn")] * size),
+        const double seconds = size.value_or(0);
+        check(contactd_set_shift(c, values[at("motion.shift_x")] * seconds, values[at("motion.shift_y")] * seconds,
+                                 values[at("motion.shift_turn")] * seconds),
               c);
-        return check(contactd_set_duration(c, size), c);
+        return check(contactd_set_duration(c, size.value_or(1)), c);
     }
     const double velocity = values[at("motion.velocity")];
     check(contactd_set_rolling(c, kind == steady ? CONTACTD_STEADY : CONTACTD_TRANSIENT, values[at("motion.xi")],
@@ -86,10 +111,10 @@ void ContactModel::say_motion(contactd_contact* c, const Values& values, double 
           c);
     check(contactd_set_velocity(c, velocity), c);
     double dq = 0;
-    if (kind == transient) {
+    if (kind == transient && size) {
         // As far as the step goes, in steps of rolling that are no longer than an element.
         constexpr double most = 10'000, nearly = 1e-9;
-        const double distance = velocity * size, steps = std::ceil(distance / values[at("grid.dx")] - nearly);
+        const double distance = velocity * *size, steps = std::ceil(distance / values[at("grid.dx")] - nearly);
         if (!(distance > 0) || steps > most)
             throw Failure("motion.velocity times the step is " + std::to_string(distance) +
                           " mm; transient rolling takes more than 0, and at most 10000 elements a step.");
@@ -99,8 +124,7 @@ void ContactModel::say_motion(contactd_contact* c, const Values& values, double 
     check(contactd_set_direction(c, values[at("motion.chi")], dq), c);
 }
 
-void ContactModel::read(Values& values) {
-    contactd_contact* c = contact_.get();
+void ContactModel::read(contactd_contact* c, Values& values) {
     check(contactd_get_forces(c, &values[at("Fn")], &values[at("Fx")], &values[at("Fy")], &values[at("Mz")]), c);
     check(contactd_get_approach(c, &values[at("approach")]), c);
     check(contactd_get_pmax(c, &values[at("pmax")]), c);

@@ -1,6 +1,8 @@
 // A plain contact, step by step.
 #pragma once
 
+#include <optional>
+
 #include "handles.hpp"
 
 namespace contactd::fmu {
@@ -10,6 +12,7 @@ class ContactModel final : public Model {
     explicit ContactModel(Tell tell) : tell_(std::move(tell)) {}
 
     void start(const Values& values, const Carried& from) override;
+    void solve_start(Values& values) override;
     void step(Values& values, double size) override;
     Carried carried() override;
     const DerivativePlaces& derivative_places() const override;
@@ -17,10 +20,12 @@ class ContactModel final : public Model {
     void cancel() override;
 
    private:
-    /// What differs from step to step: the inputs, and the parameters that may change.
-    static void say(contactd_contact* c, const Values& values, double size);
-    static void say_motion(contactd_contact* c, const Values& values, double size);
-    void read(Values& values);
+    /// What differs from step to step: the inputs, and the parameters that may change. Without a size nothing has moved
+    /// yet; transient rolling is told with steps of an element.
+    static void say(contactd_contact* c, const Values& values, std::optional<double> size);
+    static void say_motion(contactd_contact* c, const Values& values, std::optional<double> size);
+    static void read(contactd_contact* c, Values& values);
+    ContactHandle made(const Values& values) const;
     std::vector<double> array(std::int32_t which);
     /// The last step, solved anew for what it has to bring along. `what` for the sentence when that cannot be.
     void step_again(const char* what);

@@ -34,6 +34,9 @@ class Model {
     /// Opens it with the parameters, to go on from where `from` was left, which may be empty. A model that is open goes
     /// there; its parameters are those that it was opened with.
     virtual void start(const Values& values, const Carried& from) = 0;
+    /// What is so before the first step, with the inputs of `values`: its outputs come into these. Made once, after the
+    /// start; what did not converge is told, and no failure.
+    virtual void solve_start(Values& values) = 0;
     /// A step of `size` seconds with the inputs of `values`; its outputs come into these.
     virtual void step(Values& values, double size) = 0;
     /// What the steps made so far leave behind; asked for the first time it solves the last step once more.

@@ -32,12 +32,47 @@ void WheelModel::start(const Values& values, const Carried& from) {
     has_derivatives_ = false;
 }
 
+/// In the position of the start, which the initialization has time for.
+void WheelModel::solve_start(Values& values) {
+    contactd_wheel* w = wheel_.get();
+    check(contactd_wheel_set_timeout(w, values[at("limits.start")]), w);
+    const bool converged = solved(values);
+    check(contactd_wheel_set_timeout(w, values[at("limits.step")]), w);
+    if (!converged)
+        tell_(Status::warning,
+              "The outputs before the first step did not converge: they are estimates. " + doubts(values));
+}
+
 void WheelModel::step(Values& values, double) {
+    has_derivatives_ = false;  // those that the handle has are of a solve that may be discarded
+    const std::vector<double> asked = values.numbers;
+    if (!solved(values) && !values.is(at("accept_unconverged")))
+        throw Failure(Status::discard, "The step did not converge, and is discarded. " + doubts(values) +
+                                           " Try another position or force, other tolerances, or accept_unconverged.");
+    solved_ = asked;
+    has_derivatives_ = wants_derivatives_;
+}
+
+bool WheelModel::solved(Values& values) {
     say(values);
     check(contactd_wheel_solve(wheel_.get()), wheel_.get());
-    solved_ = values.numbers;
-    has_derivatives_ = wants_derivatives_;
     read(values);
+    return values.is(at("converged"));
+}
+
+std::string WheelModel::doubts(const Values& values) const {
+    std::string text = "Fz is " + std::to_string(values[at("Fz")]) + " N";
+    if (values.whole(at("vertical")) == 0) text += " of " + std::to_string(values[at("load.Fz")]) + " N";
+    text += ".";
+    contactd_wheel* w = wheel_.get();
+    std::int32_t warnings = 0;
+    check(contactd_wheel_get_warnings(w, &warnings), w);
+    for (std::int32_t k = 0; k < warnings; ++k) {
+        char warning[1000] = {};
+        if (contactd_wheel_get_warning(w, k, warning, sizeof warning) == CONTACTD_OK)
+            text += std::string(" ") + warning;
+    }
+    return text;
 }
 
 void WheelModel::say(const Values& v) {

@@ -11,6 +11,7 @@ class WheelModel final : public Model {
     WheelModel(Tell tell, std::filesystem::path resources) : tell_(std::move(tell)), resources_(std::move(resources)) {}
 
     void start(const Values& values, const Carried& from) override;
+    void solve_start(Values& values) override;
     void step(Values& values, double size) override;
     Carried carried() override { return {solved_, {}, {}, {}}; }
     const DerivativePlaces& derivative_places() const override;
@@ -19,6 +20,10 @@ class WheelModel final : public Model {
 
    private:
     void say(const Values& values);
+    /// With outputs in `values`, and whether it converged.
+    bool solved(Values& values);
+    /// Why the step just made is discarded.
+    std::string doubts(const Values& values) const;
     void read(Values& values);
     void read_patches(Values& values);
 

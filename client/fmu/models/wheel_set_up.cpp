@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "place.hpp"
 #include "variables/wheel_variables.hpp"
 
 namespace contactd::fmu {
@@ -23,29 +24,28 @@ constexpr BodyPlaces bodies[] = {
      at("rail.smoothing"), at("rail.G"), at("rail.nu"), at("rail.rigid")},
 };
 
-/// A path that begins at the root is one; all others are of the FMU's resources.
 void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, const std::filesystem::path& resources) {
     const std::string& name = values.text(of.profile);
-    const std::filesystem::path path = resources / name;
-    std::error_code failed;
-    if (name.empty() || !std::filesystem::is_regular_file(path, failed))
-        throw Failure(std::string(wheel_variables[of.profile].name) + " is \"" + name + "\"; " + path.string() +
-                      " is no file. It must be " + (of.body == CONTACTD_WHEEL ? "S1002" : "60E1") +
-                      ", cone, arc, a path from / on, or a file in the FMU's resources.");
-    check(contactd_wheel_set_file(w, of.body, path.c_str(), values[of.smoothing]), w);
+    const auto path = file_named(name, resources);
+    if (!path)
+        throw Failure(std::string(wheel_variables[of.profile].name) + " is \"" + name + "\"; " +
+                      (resources / path_of(name)).string() + " is no file. It must be " +
+                      (of.body == CONTACTD_WHEEL ? "S1002" : "60E1") +
+                      ", cone, arc, a path from / on, a URI file:///..., or a file in the FMU's resources.");
+    check(contactd_wheel_set_file(w, of.body, path->c_str(), values[of.smoothing]), w);
 }
 
 void set_profile(contactd_wheel* w, const Values& values, const BodyPlaces& of,
                  const std::filesystem::path& resources) {
-    const std::string& name = values.text(of.profile);
+    const std::string name = word_of(values.text(of.profile));
     if (name == "cone")
         check(contactd_wheel_set_cone(w, of.body, values[of.slope], values[of.from], values[of.to]), w);
     else if (name == "arc")
         check(contactd_wheel_set_arc(w, of.body, values[of.radius], values[of.slope], values[of.from], values[of.to]),
               w);
-    else if (name == "S1002" && of.body == CONTACTD_WHEEL)
+    else if (name == "s1002" && of.body == CONTACTD_WHEEL)
         check(contactd_wheel_set_s1002(w), w);
-    else if (name == "60E1" && of.body == CONTACTD_RAIL)
+    else if (name == "60e1" && of.body == CONTACTD_RAIL)
         check(contactd_wheel_set_rail_60e1(w, values[at("rail.inclination")]), w);
     else
         set_file(w, values, of, resources);

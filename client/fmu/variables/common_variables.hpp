@@ -26,9 +26,12 @@ inline constexpr auto common_variables = std::to_array<Variable>({
          "How long to wait for somebody to listen; never more than limits.step."),
     word("model", models, 0,
          "full: boundary elements. hertz: closed forms. fastsim: Hertz, and Kalker's simplified theory."),
+    number("model_number", "model", models, "In the place of model: 0 full, 1 hertz, 2 fastsim; -1: as model says."),
     real("friction.mu", Role::input, "", 0.3, "Coefficient of (static) friction."),
     boolean("friction.none", Role::parameter, false, "No friction: nothing but normal contact is solved."),
     word("friction.kinetic.law", kinetic_laws, 0, "How friction falls with the velocity of slip."),
+    number("friction.kinetic.law_number", "friction.kinetic.law", kinetic_laws,
+           "In the place of friction.kinetic.law: 0 none, 1 linear, 2 exponential; -1: as friction.kinetic.law says."),
     real("friction.kinetic.mu", Role::tunable, "", 0.2,
          "Coefficient at high velocities of slip, where there is a law."),
     real("friction.kinetic.slip_velocity", Role::tunable, "mm/s", 1000, "The law's scale."),
@@ -38,6 +41,8 @@ inline constexpr auto common_variables = std::to_array<Variable>({
          "Of the loop that unlike bodies, laws of slip and forces need."),
     integer("tolerances.iterations", Role::parameter, 0,
             "Most of each of these solvers; 0: 1000, and 100 of the outer loop."),
+    boolean("accept_unconverged", Role::parameter, false,
+            "A step that missed a tolerance counts; otherwise it is discarded."),
 });
 
 /// One list behind the other.

@@ -27,7 +27,8 @@ struct Variable {
     std::string_view unit{};                   ///< of reals; one of `units`, or none
     double start = 0;                          ///< but of texts, which start empty unless `text` says otherwise
     std::string_view text{};                   ///< what a text starts with
-    const Enumeration* enumeration = nullptr;  ///< of enumerations
+    const Enumeration* enumeration = nullptr;  ///< of enumerations, and of integers in the place of one
+    std::string_view same_as{};                ///< of such an integer: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
 };
 
@@ -62,11 +63,29 @@ constexpr Variable word(std::string_view name, const Enumeration& of, int start,
     return {.name = name, .type = Type::enumeration, .start = double(start), .enumeration = &of, .says = says};
 }
 
-/// The value reference of a name, while compiling: a name that is in no list is a mistake of ours.
-consteval std::size_t reference_of(std::span<const Variable> list, std::string_view name) {
+/// Of an integer in the place of an enumeration: what that says, holds.
+inline constexpr int as_the_enumeration = -1;
+
+/// An integer in the place of the enumeration `as`, for importers that know none.
+constexpr Variable number(std::string_view name, std::string_view as, const Enumeration& of, std::string_view says) {
+    return {.name = name,
+            .type = Type::integer,
+            .start = as_the_enumeration,
+            .enumeration = &of,
+            .same_as = as,
+            .says = says};
+}
+
+/// The value reference of a name. Throws for one that is not in the list.
+constexpr std::size_t reference_in(std::span<const Variable> list, std::string_view name) {
     for (std::size_t at = 0; at < list.size(); ++at)
         if (list[at].name == name) return at;
     throw "the list has no variable of this name";
+}
+
+/// The same while compiling: a name that is in no list is a mistake of ours.
+consteval std::size_t reference_of(std::span<const Variable> list, std::string_view name) {
+    return reference_in(list, name);
 }
 
 }  // namespace contactd::fmu

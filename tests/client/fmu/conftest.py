@@ -41,3 +41,19 @@ def contact(instances: Callable[..., Fmu], fmi: int) -> Callable[..., Fmu]:
 @pytest.fixture
 def wheel(instances: Callable[..., Fmu], fmi: int) -> Callable[..., Fmu]:
     return partial(instances, "contactd_wheel", fmi)
+
+
+@pytest.fixture
+def refused() -> Callable[..., None]:
+    """Checks that a call is refused with a status, and a sentence in the log."""
+    from fmpy.fmi1 import FMICallException
+
+    def check(fmu: Fmu, call: Callable[[], object], *words: str, status: int = 3) -> None:
+        with pytest.raises(FMICallException) as caught:
+            call()
+        assert caught.value.status == status
+        told_status, category, sentence = fmu.log[-1]
+        assert (told_status, category) == (status, "errors")
+        assert all(word in sentence for word in words), sentence
+
+    return check

@@ -14,11 +14,15 @@ from support.fmus import PACKAGES, archive
 from support.patience import SLOWER
 
 HERE = Path(__file__).parent
-#: Without enumerations, which libcosim does not know.
+#: Without enumerations, which libcosim does not know: their numbers stand for them.
 CASES = {
-    "contactd_contact": ({"grid.nx": 15, "grid.ny": 15, "load.Fn": 40e3, "motion.xi": 1e-3}, ("Fx", "pmax")),
-    "contactd_wheel": ({"elements.dx": 1.0, "elements.dy": 1.0, "position.y": 2.0}, ("Fy", "patch[1].Fn")),
-}
+    "contactd_contact": (
+        {"grid.nx": 15, "grid.ny": 15, "load.Fn": 40e3, "motion.xi": 1e-3, "model_number": 1}, ("Fx", "pmax")
+    ),
+    "contactd_wheel": (
+        {"elements.dx": 1.0, "elements.dy": 1.0, "position.y": 2.0, "side_number": 0}, ("Fy", "patch[1].Fn")
+    ),
+}  # fmt: skip
 
 
 def by_another(script, *arguments):

@@ -95,6 +95,29 @@ def test_profiles_come_from_a_path_or_the_resources(wheel, tmp_path):
     assert by_name["patch[1].pmax"] == pytest.approx(from_path["patch[1].pmax"], rel=1e-2)
 
 
+def test_names_of_profiles_are_taken_as_they_are_meant(wheel, tmp_path):
+    """In any case, with spaces, as URIs, and with the slashes of other systems."""
+    usual = wheel(name="usual").start(COARSE).step(values_at(1))
+    for at, names in enumerate((("s1002", "60e1"), (" S 1002 ", "60 E1"), ("S1002\n", "60E1 "))):
+        told = dict(zip(("wheel.profile", "rail.profile"), names, strict=True))
+        assert wheel(name=f"names {at}").start({**COARSE, **told}).step(values_at(1)) == usual
+    folder = tmp_path / "my profiles"
+    folder.mkdir()
+    write_arc(folder / "rail 1.txt")
+    fmu = wheel(name="path")
+    resources = tmp_path / f"contactd_wheel_fmi{fmu.fmi}" / "resources" / "rails"
+    resources.mkdir()
+    write_arc(resources / "rail 1.txt")
+    path = str(folder / "rail 1.txt")
+    from_path = fmu.start({**ARC, "wheel.profile": "Cone", "rail.profile": path}).step(values_at(0))
+    uri = path.replace(" ", "%20")
+    for at, name in enumerate((
+        f"file://{uri}", f"file://localhost{uri}", f"FILE:{uri}", f"file://{path}", f" {path} ", path.replace("/", "\\"),
+        "rails/rail 1.txt", "rails\\rail 1.txt", "file:rails/rail%201.txt",
+    )):  # fmt: skip
+        assert wheel(name=f"place {at}").start({**ARC, "rail.profile": name}).step(values_at(0)) == from_path, name
+
+
 def test_no_friction_no_forces_along_the_track(wheel):
     outputs = wheel().start({**COARSE, "model": 2, "friction.none": True}).step(values_at(2))
     assert outputs["patch[1].Fx"] == outputs["power"] == 0

@@ -1,0 +1,65 @@
+#include "place.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace contactd::fmu {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+char small(char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool is_uri(std::string_view name) {
+    constexpr std::string_view scheme = "file:";
+    return name.size() >= scheme.size() && std::ranges::equal(name.substr(0, scheme.size()), scheme, {}, small);
+}
+
+std::optional<std::filesystem::path> if_file(const std::filesystem::path& path) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(path, failed) ? std::optional(path) : std::nullopt;
+}
+
+}  // namespace
+
+std::filesystem::path path_of(std::string_view uri) {
+    if (!is_uri(uri)) return uri;
+    uri.remove_prefix(uri.find(':') + 1);
+    if (uri.starts_with("//")) uri.remove_prefix(std::min(uri.size(), uri.find('/', 2)));  // with the machine's name
+    std::string path;
+    for (std::size_t at = 0; at < uri.size(); ++at) {
+        unsigned char letter = static_cast<unsigned char>(uri[at]);
+        if (letter == '%' && at + 2 < uri.size() &&
+            std::from_chars(uri.data() + at + 1, uri.data() + at + 3, letter, 16).ptr == uri.data() + at + 3)
+            at += 2;
+        path += static_cast<char>(letter);
+    }
+    return path;
+}
+
+std::optional<std::filesystem::path> file_named(const std::string& name, const std::filesystem::path& resources) {
+    if (name.empty()) return {};
+    if (auto found = if_file(resources / name)) return found;
+    std::string meant(trimmed(name));
+    if (meant.empty()) return {};
+    if (auto found = if_file(resources / path_of(meant))) return found;
+    std::ranges::replace(meant, '\\', '/');
+    return if_file(resources / path_of(meant));
+}
+
+std::string word_of(std::string_view name) {
+    std::string word;
+    for (const char letter : name)
+        if (blanks.find(letter) == std::string_view::npos) word += small(letter);
+    return word;
+}
+
+}  // namespace contactd::fmu

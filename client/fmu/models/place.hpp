@@ -1,0 +1,21 @@
+// Where files lie that importers and users name: by paths, by URIs, or by names in the FMU's resources.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace contactd::fmu {
+
+/// Of a URI, file:///... with its %20, or of a path, which stays as it is.
+std::filesystem::path path_of(std::string_view name);
+
+/// The file that `name` means: a URI, a path from the root on, or one from `resources` on; where there is none of this
+/// name, without the spaces around it, and with \ as /. Nothing where there is no such file.
+std::optional<std::filesystem::path> file_named(const std::string& name, const std::filesystem::path& resources);
+
+/// In small letters and without spaces: s1002 of "S 1002".
+std::string word_of(std::string_view name);
+
+}  // namespace contactd::fmu
