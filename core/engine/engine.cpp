@@ -141,8 +141,9 @@ IcReply Engine::table(const IcSpec& spec, Observer& observer) {
     // Tells of a bad section in the lengths of the request, before anything is built.
     std::vector<ColumnFrame> frames = column_frames(spec);
     const IcAnswer answer = fetch(spec, observer);
-    return {answer.key,       answer.origin, spec, table_for(*answer.record, spec), answer.record->evidence,
-            std::move(frames)};
+    return {
+        answer.key,       answer.origin, spec, table_for(*answer.record, spec, 1, observer), answer.record->evidence,
+        std::move(frames)};
 }
 
 // --- solves ----------------------------------------------------------------------------------------------------------
@@ -160,7 +161,7 @@ SolveReply Engine::solve(const ContactProblem& problem, Observer& observer) {
 
 SolveReply Engine::solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer) {
     SolveReply reply;
-    reply.solution = solve_contact(problem, influence_of(problem, ics, influences_), observer);
+    reply.solution = solve_contact(problem, influence_of(problem, ics, influences_, observer), observer);
     count(reply.solution);
     reply.ics = uses_of(problem, ics);
     return reply;
@@ -169,11 +170,11 @@ SolveReply Engine::solve(const ContactProblem& problem, const IcAnswers& ics, Ob
 std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, Observer& observer) {
     check_opening({spec.setup, spec.load});
     const IcAnswers ics = fetch(spec.setup, observer);
-    return open(std::move(spec), ics);
+    return open(std::move(spec), ics, observer);
 }
 
-std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, const IcAnswers& ics) {
-    ContactInfluence influence = influence_of({spec.setup, spec.load}, ics, influences_);
+std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, const IcAnswers& ics, const Observer& observer) {
+    ContactInfluence influence = influence_of({spec.setup, spec.load}, ics, influences_, observer);
     return std::make_unique<ContactSteps>(std::move(spec), ics, std::move(influence));
 }
 

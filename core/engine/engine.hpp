@@ -29,6 +29,7 @@ struct EngineSettings {
     std::size_t most_patch_elements = 200'000;                  ///< of a patch between wheel and rail
     IcService::Settings tables{};
     bool keeps_building = false;  ///< a build goes on for the store when nobody waits for its table any more
+    std::size_t most_patch_bytes = std::size_t{1} << 32;  ///< of a patch's coefficients, where its rows differ
 };
 
 /// Safe to use from several threads at once. What waits, waits in the thread that calls, and ends when its observer
@@ -55,7 +56,7 @@ class Engine {
     /// a set-up of its own), and "state.left_rail.y", ...
     WheelsetSolution solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer);
     /// The steps of a wheel on its rail. Throws the same.
-    std::unique_ptr<WheelRailSteps> open(const WheelRailSessionSpec& spec);
+    std::unique_ptr<WheelRailSteps> open(const WheelRailSessionSpec& spec, const Observer& observer = {});
     /// One of them; see WheelRailSteps::solve. Throws the same, naming "friction.mu", too.
     WheelRailSolution solve(WheelRailSteps& steps, const StepState& before, const WheelRailStepInput& input,
                             StepState& after, Observer& observer);
@@ -68,7 +69,7 @@ class Engine {
     IcService& tables();
     /// Of a valid problem, whose tables are at hand.
     SolveReply solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer);
-    std::unique_ptr<ContactSteps> open(SessionSpec spec, const IcAnswers& ics);
+    std::unique_ptr<ContactSteps> open(SessionSpec spec, const IcAnswers& ics, const Observer& observer = {});
 
     JobTable& jobs() { return jobs_; }
     Counters& counters() { return counters_; }
@@ -79,7 +80,7 @@ class Engine {
     IcAnswers fetch(const ContactSetup& setup, Observer& observer);
     void count(const ContactSolution& solution);
     void count(const WheelRailSolution& solution);
-    PreparedContacts::Contact wheel_on_rail(const WheelRailSetup& setup);
+    PreparedContacts::Contact wheel_on_rail(const WheelRailSetup& setup, const Observer& observer);
     ContactInfluence sections_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
     ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
 

@@ -36,6 +36,20 @@ void check_patch(const Grid& grid, std::size_t most) {
                                    proto::reason::limit_exceeded);
 }
 
+/// Where coefficients differ from row to row they are as many as offsets along a row and pairs of rows.
+void check_rows(const Grid& grid, std::size_t most_bytes) {
+    constexpr double bytes_of_pair =
+        70 * sizeof(double);  // tables of both bodies, their sum, symbols, and a step ahead
+    const double bytes = bytes_of_pair * grid.nx * grid.ny * grid.ny;
+    if (bytes > static_cast<double>(most_bytes))
+        throw proto::invalid_field(
+            "setup.dy",
+            "makes a curved patch of " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
+                " elements, which takes about " + std::to_string(static_cast<long long>(bytes)) + " bytes; at most " +
+                std::to_string(most_bytes) + " are allowed (limits.max_work_bytes): take longer elements",
+            proto::reason::limit_exceeded);
+}
+
 void check_half_spaces(const Bodies& bodies) {
     for (const auto& [body, field] : {std::pair(&bodies.upper, "upper"), std::pair(&bodies.lower, "lower")}) {
         const Ics* ics = body->computed();
@@ -103,7 +117,7 @@ ContactInfluence Engine::sections_influence(const ContactProblem& problem, const
     const std::string key = influence_key(problem, key_of(rail, columns.rail), key_of(wheel, columns.wheel));
     return influences_.of(key, [&] {
         ContactInfluence influence =
-            contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get());
+            contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get(), observer);
         influence.warnings = table_warnings({wheel, rail});
         return influence;
     });
@@ -112,20 +126,21 @@ ContactInfluence Engine::sections_influence(const ContactProblem& problem, const
 ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchColumns& columns,
                                          Observer& observer) {
     check_patch(problem.grid, settings_.most_patch_elements);
+    if (!columns.flat()) check_rows(problem.grid, settings_.most_patch_bytes);
     if (columns.of_sections()) return sections_influence(problem, columns, observer);
     if (!columns.flat())
         return influences_.of(rotated_key(problem, columns),
-                              [&] { return contactd::patch_influence(problem, columns); });
+                              [&] { return contactd::patch_influence(problem, columns, nullptr, nullptr, observer); });
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);
     larger.grid.ny = rounded_up(problem.grid.ny);
-    return influence_of(problem, fetch(larger, observer), influences_);
+    return influence_of(problem, fetch(larger, observer), influences_, observer);
 }
 
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
     validate_below("state", state);
     WheelRailSolution solution =
-        with_names("setup.", "state.", [&] { return wheel_on_rail(setup)->solve(state, observer); });
+        with_names("setup.", "state.", [&] { return wheel_on_rail(setup, observer)->solve(state, observer); });
     count(solution);
     return solution;
 }
@@ -134,7 +149,8 @@ WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& 
     validate_below("state", state);
     const auto contact = [&](Side side) {
         const bool own = side == Side::left && setup.left;
-        return with_names(own ? "left." : "setup.", "state.", [&] { return wheel_on_rail(setup_of(setup, side)); });
+        return with_names(own ? "left." : "setup.", "state.",
+                          [&] { return wheel_on_rail(setup_of(setup, side), observer); });
     };
     const PreparedContacts::Contact right = contact(Side::right), left = contact(Side::left);
     WheelsetSolution solution = with_names("setup.", "state.", [&] {
@@ -145,9 +161,9 @@ WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& 
     return solution;
 }
 
-std::unique_ptr<WheelRailSteps> Engine::open(const WheelRailSessionSpec& spec) {
+std::unique_ptr<WheelRailSteps> Engine::open(const WheelRailSessionSpec& spec, const Observer& observer) {
     return with_names("setup.", "state.", [&] {
-        return std::make_unique<WheelRailSteps>(wheel_on_rail(spec.setup), spec.accept_unconverged);
+        return std::make_unique<WheelRailSteps>(wheel_on_rail(spec.setup, observer), spec.accept_unconverged);
     });
 }
 
@@ -161,9 +177,9 @@ WheelRailSolution Engine::solve(WheelRailSteps& steps, const StepState& before, 
     return solution;
 }
 
-PreparedContacts::Contact Engine::wheel_on_rail(const WheelRailSetup& setup) {
+PreparedContacts::Contact Engine::wheel_on_rail(const WheelRailSetup& setup, const Observer& observer) {
     check_half_spaces(setup.bodies);
-    return wheels_on_rails_.of(setup);
+    return wheels_on_rails_.of(setup, observer);
 }
 
 void Engine::count(const WheelRailSolution& solution) {
@@ -175,12 +191,13 @@ void Engine::count(const WheelRailSolution& solution) {
 
 std::vector<WheelRailGeometry> Engine::locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
                                               Observer& observer) {
-    const PreparedContacts::Contact contact = with_names("setup.", "", [&] { return wheels_on_rails_.of(setup); });
+    const PreparedContacts::Contact contact =
+        with_names("setup.", "", [&] { return wheels_on_rails_.of(setup, observer); });
     std::vector<WheelRailGeometry> geometries;
     for (const WheelRailState& state : states) {
         const std::string name = "states[" + std::to_string(geometries.size()) + "]";
         validate_below(name, state);
-        geometries.push_back(with_names("setup.", name + ".", [&] { return contact->locate(state); }));
+        geometries.push_back(with_names("setup.", name + ".", [&] { return contact->locate(state, observer); }));
         Progress progress;
         progress.stage = "search";
         progress.fraction = static_cast<double>(geometries.size()) / static_cast<double>(states.size());

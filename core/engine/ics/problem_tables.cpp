@@ -17,10 +17,10 @@ std::optional<IcSpec> spec_of(const ContactSetup& setup, const Body& body) {
     return IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny};
 }
 
-BodyTable table_of(const ContactSetup& setup, const Body& body, const IcAnswer& answer) {
+BodyTable table_of(const ContactSetup& setup, const Body& body, const IcAnswer& answer, const Observer& observer) {
     const Grid& grid = setup.grid;
     if (const GivenIcs* given = body.given()) return cropped(given->table, grid.nx, grid.ny);
-    if (const auto spec = spec_of(setup, body)) return body_table(*answer.record, *spec);
+    if (const auto spec = spec_of(setup, body)) return body_table(*answer.record, *spec, 1, observer);
     return IcTable(grid.nx, grid.ny);
 }
 
@@ -65,13 +65,14 @@ void check_opening(const ContactProblem& problem) {
     check_tables(problem);
 }
 
-ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache) {
+ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
+                              const Observer& observer) {
     const Bodies& bodies = problem.bodies;
     if (problem.model != Model::full) return {};
-    if (bodies.pair) return make_influence(problem, bodies.pair->table);
+    if (bodies.pair) return make_influence(problem, bodies.pair->table, observer);
     const auto make = [&] {
-        ContactInfluence influence = make_influence(problem, table_of(problem, bodies.upper, ics[0]),
-                                                    table_of(problem, bodies.lower, ics[1]));
+        ContactInfluence influence = make_influence(problem, table_of(problem, bodies.upper, ics[0], observer),
+                                                    table_of(problem, bodies.lower, ics[1], observer), observer);
         influence.warnings = table_warnings(ics);
         return influence;
     };

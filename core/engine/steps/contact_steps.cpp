@@ -37,7 +37,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Statement& st
     statement(before.motion, problem_);
     // The quick models know no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;
-    fit_influence(cache);
+    fit_influence(cache, observer);
     ContactSolution solution = solve_contact(problem_, influence_, observer);
     if (!solution.converged() && !accept_unconverged) throw not_converged(solution.evidence);
     return solution;
@@ -50,11 +50,11 @@ StepState ContactSteps::after(const StepState& before, ContactSolution&& solutio
             {}};
 }
 
-void ContactSteps::fit_influence(InfluenceCache& cache) {
+void ContactSteps::fit_influence(InfluenceCache& cache, const Observer& observer) {
     const auto wanted = step_of(problem_);
     if (problem_.model != Model::full || wanted == std::array<double, 2>{} || wanted == rolling_step_) return;
     validate(problem_);
-    influence_ = influence_of(problem_, ics_, cache);
+    influence_ = influence_of(problem_, ics_, cache, observer);
     rolling_step_ = wanted;
 }
 

@@ -47,7 +47,7 @@ class ContactSteps {
     const IcAnswers& ics() const { return ics_; }
 
    private:
-    void fit_influence(InfluenceCache& cache);
+    void fit_influence(InfluenceCache& cache, const Observer& observer);
 
     const IcAnswers ics_;
     ContactProblem problem_;  // of the step that runs

@@ -9,7 +9,7 @@ constexpr std::size_t most_kept = 32;  // both wheels of 16 wheelsets; at most 2
 
 }  // namespace
 
-PreparedContacts::Contact PreparedContacts::of(const WheelRailSetup& setup) {
+PreparedContacts::Contact PreparedContacts::of(const WheelRailSetup& setup, const Observer& observer) {
     {
         const std::scoped_lock lock(mutex_);
         const auto found =
@@ -19,7 +19,7 @@ PreparedContacts::Contact PreparedContacts::of(const WheelRailSetup& setup) {
             return contacts_.front();
         }
     }
-    auto made = std::make_shared<const WheelRailContact>(setup, source_);  // two steps may make the same
+    auto made = std::make_shared<const WheelRailContact>(setup, source_, observer);  // two steps may make the same
     const std::scoped_lock lock(mutex_);
     contacts_.push_front(made);
     if (contacts_.size() > most_kept) contacts_.pop_back();

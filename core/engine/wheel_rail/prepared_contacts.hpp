@@ -18,7 +18,7 @@ class PreparedContacts {
 
     using Contact = std::shared_ptr<const WheelRailContact>;
     /// The contact of an equal set-up, from memory or made now. Throws as WheelRailContact.
-    Contact of(const WheelRailSetup& setup);
+    Contact of(const WheelRailSetup& setup, const Observer& observer = {});
 
     std::size_t size() const;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contactd/column_table.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/section.hpp"
 
 namespace contactd {
@@ -39,9 +40,9 @@ struct ColumnSpectrum {
 /// component. Between the wavenumbers the difference to the half-space, its load and its displacement each turned by
 /// half the angle between the columns, is interpolated (cubic, with its parity); the half-space itself is exact. So
 /// many threads share the work, the caller's among them; the coefficients are the same to the last bit. Throws
-/// NotFinite when one is beyond a double's range.
+/// NotFinite when one is beyond a double's range, and Cancelled when the observer, which all threads ask, says so.
 ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1,
-                         int threads = 1);
+                         int threads = 1, const Observer& observer = {});
 
 /// The largest change of a coefficient, over zz of the half-space under an element of the same size, when every other
 /// wavenumber is left out; a cubic interpolation's own error is about a sixteenth of it. Their number must be odd.

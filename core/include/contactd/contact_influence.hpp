@@ -10,6 +10,7 @@
 #include "contactd/ic_record.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/influence_operator.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/step_operator.hpp"
 
 namespace contactd {
@@ -28,12 +29,14 @@ struct ContactInfluence {
 std::size_t influence_bytes(const Grid& grid, const Bodies& bodies);
 
 /// `pair` holds the coefficients of both bodies (pair_of), or those given of the pair; a rigid body has none. Where one
-/// has layers and rolls, the other's must be analytic, too; else give them one by one.
-ContactInfluence make_influence(const ContactProblem& problem, IcTable pair);
+/// has layers and rolls, the other's must be analytic, too; else give them one by one. Throws Cancelled when the
+/// observer says so: coefficients one step ahead of a large grid take some seconds.
+ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, const Observer& observer = {});
 
 /// Of the bodies one by one: their tables are added where they are of a kind, else their operators (sum_of). That of a
-/// rigid body means nothing.
-ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower);
+/// rigid body means nothing. Throws Cancelled.
+ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
+                                const Observer& observer = {});
 
 /// Of bodies whose tables are of unlike kinds and cannot be added: products with both, xz, yz, zx and zy of the upper
 /// body subtracted from those of the lower. A body without operators is rigid. Throws InvalidArgument when both are, or

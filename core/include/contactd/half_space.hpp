@@ -6,6 +6,7 @@
 
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/observer.hpp"
 
 namespace contactd {
 
@@ -23,8 +24,9 @@ double half_space_tent_coefficient(Axis i, Axis j, double x, double y, double dx
 /// Throws InvalidArgument ("point") above the surface; `spec` is not checked otherwise.
 std::array<double, 3> half_space_displacement(const IcSpec& spec, Axis load, const std::array<double, 3>& point);
 
-/// All nine components, for the load shape and the offsets of `spec` (whose source must be analytic), in mm^3/N.
-IcTable half_space_table(const IcSpec& spec);
+/// All nine components, for the load shape and the offsets of `spec` (whose source must be analytic), in mm^3/N. Throws
+/// Cancelled when the observer, which is asked row by row, says so.
+IcTable half_space_table(const IcSpec& spec, const Observer& observer = {});
 
 /// Near the clamped faces of a block coefficients vanish, and those of a nearly incompressible one change their sign on
 /// the way: errors of a block are relative to no less than this share of the half-space's coefficient.

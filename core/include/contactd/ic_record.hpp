@@ -11,6 +11,7 @@
 #include "contactd/column_table.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/observer.hpp"
 
 namespace contactd {
 
@@ -50,10 +51,10 @@ using BodyTable = std::variant<IcTable, ColumnTable>;
 
 /// What `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument when the
 /// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other
-/// points than family_points(). `threads`: at most as many, for what is large.
-BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads = 1);
+/// points than family_points(), and Cancelled. `threads`: at most as many, for what is large.
+BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads = 1, const Observer& observer = {});
 /// The same as ic.get answers it: of a prism with table_rows() rows. Throws NotFinite when a coefficient is beyond a
 /// double's range.
-IcTable table_for(const IcRecord& record, const IcSpec& request, int threads = 1);
+IcTable table_for(const IcRecord& record, const IcSpec& request, int threads = 1, const Observer& observer = {});
 
 }  // namespace contactd

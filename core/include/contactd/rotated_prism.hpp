@@ -6,6 +6,7 @@
 #include "contactd/column_table.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/ic_spec.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/section.hpp"
 
 namespace contactd {
@@ -13,8 +14,9 @@ namespace contactd {
 /// mm^3/N, at the offsets k dx + shift, k = 0..nx-1, between the grid.ny columns of the section, each grid.dy wide: the
 /// half-space's closed form at the distance along the surface, in axes midway between those of the two columns, then
 /// turned by half the angle between them (Blanco-Lorenzo et al.). It knows curvature, but no edges, no thickness, and
-/// not how the body is held. On flat columns it is the half-space's table. Throws InvalidArgument as column_frames().
+/// not how the body is held. On flat columns it is the half-space's table. Throws InvalidArgument as column_frames(),
+/// and Cancelled when the observer, which is asked column by column, says so.
 ColumnTable rotated_prism(const Section& section, const Grid& grid, const Material& material, LoadShape load,
-                          double shift = 0, const std::string& field = "section");
+                          double shift = 0, const std::string& field = "section", const Observer& observer = {});
 
 }  // namespace contactd

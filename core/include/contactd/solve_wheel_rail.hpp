@@ -24,8 +24,8 @@ using InfluenceSource = std::function<ContactInfluence(const ContactProblem&, co
 class WheelRailContact {
    public:
     /// Half-spaces where no source is given; other bodies, and conformal fem, need one. Throws InvalidArgument naming
-    /// the field.
-    explicit WheelRailContact(WheelRailSetup setup, InfluenceSource source = nullptr);
+    /// the field, and Cancelled when the observer says so while profiles are read.
+    explicit WheelRailContact(WheelRailSetup setup, InfluenceSource source = nullptr, const Observer& observer = {});
 
     /// No contact is an answer, and so is one that has not converged, or has warnings. Throws InvalidArgument where the
     /// state makes no sense ("position.z" where the wheel stands far inside the rail), and Cancelled.
@@ -37,10 +37,10 @@ class WheelRailContact {
 
     /// The search for contacts alone: at position.z or, where Fz is given, where Hertz's theory expects that force.
     /// Throws as solve.
-    WheelRailGeometry locate(const WheelRailState& state) const;
+    WheelRailGeometry locate(const WheelRailState& state, const Observer& observer = {}) const;
 
     /// position.z at which wheel and rail begin to touch (mm); nothing where they are not above each other.
-    std::optional<double> touch(const WheelRailState& state) const;
+    std::optional<double> touch(const WheelRailState& state, const Observer& observer = {}) const;
 
     /// The same wheel on the same rail with another friction; shares what is kept. Throws InvalidArgument
     /// ("friction.mu", ...).

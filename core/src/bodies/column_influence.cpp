@@ -46,7 +46,7 @@ Step step_along_x(const ContactProblem& problem) {
     return {static_cast<int>(std::floor(steps)), steps - std::floor(steps)};
 }
 
-IcTable half_space(const ContactProblem& problem, const Body& body, int nx) {
+IcTable half_space(const ContactProblem& problem, const Body& body, int nx, const Observer& observer) {
     if (body.material.is_rigid()) return {nx, problem.grid.ny};
     IcSpec spec;
     spec.material = body.material;
@@ -54,7 +54,7 @@ IcTable half_space(const ContactProblem& problem, const Body& body, int nx) {
     spec.dy = problem.grid.dy;
     spec.nx = nx;
     spec.ny = problem.grid.ny;
-    return half_space_table(spec);
+    return half_space_table(spec, observer);
 }
 
 /// By what products may change a coefficient, over zz of half-spaces under an element: a thousandth of the error that
@@ -124,18 +124,21 @@ void complete(ColumnTable& table) {
 }
 
 /// A(k) less the mean of A' = A(k + step) at both signs of k, by parity, and half of what these differ by.
-ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx, double left_out) {
+ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx, double left_out,
+                       const Observer& observer) {
     ColumnTable natural(nx, table.columns), opposite(nx, table.columns);
     for (const Axis i : {Axis::x, Axis::y})
         for (const Axis j : {Axis::x, Axis::y, Axis::z}) {
             const int sign = parity(i, j).along_x;
-            for (int I = 0; I < table.columns; ++I)
+            for (int I = 0; I < table.columns; ++I) {
+                observer.throw_if_cancelled();
                 for (int J = 0; J < table.columns; ++J)
                     for (int k = 0; k < nx; ++k) {
                         const double front = ahead(i, j, I, J, k), back = sign * ahead(i, j, I, J, -k);
                         natural(i, j, I, J, k) = table(i, j, I, J, k) - 0.5 * (front + back);
                         opposite(i, j, I, J, k) = 0.5 * (back - front);
                     }
+            }
         }
     complete(natural);
     complete(opposite);
@@ -145,7 +148,7 @@ ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx, d
 
 }  // namespace
 
-ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pair) {
+ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pair, const Observer& observer) {
     const Grid& grid = problem.grid;
     if (pair.columns != grid.ny || pair.nx < grid.nx)
         throw InvalidArgument("grid", "has " + std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +
@@ -153,8 +156,8 @@ ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pai
                                           " columns and " + std::to_string(pair.nx) + " offsets along x");
     const Step step = step_along_x(problem);
     const int offsets = grid.nx + step.reach();
-    const IcTable near =
-        pair_of(half_space(problem, problem.bodies.upper, offsets), half_space(problem, problem.bodies.lower, offsets));
+    const IcTable near = pair_of(half_space(problem, problem.bodies.upper, offsets, observer),
+                                 half_space(problem, problem.bodies.lower, offsets, observer));
     if (pair.nx < offsets) pair = extended(pair, near);
     const double left_out = negligible(problem.bodies) * near(Axis::z, Axis::z, 0, 0);
     const auto parts = std::make_shared<const ColumnParts>(std::move(pair), grid.nx, OffsetParity::natural, left_out);
@@ -163,14 +166,14 @@ ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pai
         parts, parts->extent(), std::make_shared<const ConvolutionOperator>(near, grid.nx, grid.ny));
     const auto [x, y] = step_of(problem);
     if (x == 0) return influence;
-    const ShiftedTable near_ahead = shifted_half_spaces({problem.bodies.materials()}, grid, x, 0);
+    const ShiftedTable near_ahead = shifted_half_spaces({problem.bodies.materials()}, grid, x, 0, observer);
     auto near_step = std::make_shared<const ShiftedOperator>(change_over_step(near, near_ahead));
     if (step.fraction == 0)
         influence.change = std::make_shared<const ColumnStep>(parts, parts->extent(), step.whole, std::move(near_step));
     else
         influence.change = std::make_shared<const ColumnStep>(
             change_of(parts->table(), Shifted(parts->table(), near, near_ahead, step), grid.nx,
-                      left_out * std::min(1.0, std::abs(x) / grid.dx)),
+                      left_out * std::min(1.0, std::abs(x) / grid.dx), observer),
             parts->extent(), parts->coupled(), std::move(near_step));
     return influence;
 }

@@ -10,7 +10,7 @@ namespace contactd {
 /// `problem` only the materials count. A step of rolling by whole elements takes the table's own numbers; for another
 /// one the difference to the half-spaces of the materials is interpolated, as in shifted_table. Beyond the last offset
 /// of the table that difference stays as it is. Throws InvalidArgument: "grid" where the table does not fit,
-/// "friction.rolling.chi" and ".dq" for a step that is not along x, or longer than the grid.
-ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pair);
+/// "friction.rolling.chi" and ".dq" for a step that is not along x, or longer than the grid; and Cancelled.
+ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pair, const Observer& observer = {});
 
 }  // namespace contactd

@@ -34,27 +34,31 @@ bool have_closed_form(const Bodies& bodies) {
     return true;
 }
 
-ShiftedTable ahead_of(const ContactProblem& problem, const IcTable& pair, double x, double y) {
+ShiftedTable ahead_of(const ContactProblem& problem, const IcTable& pair, double x, double y,
+                      const Observer& observer) {
     const std::optional<HalfSpaces> nearest = nearest_half_spaces(problem.bodies);
-    return have_closed_form(problem.bodies) ? shifted_half_spaces(*nearest, problem.grid, x, y)
-                                            : shifted_table(pair, nearest, problem.grid, x, y);
+    return have_closed_form(problem.bodies) ? shifted_half_spaces(*nearest, problem.grid, x, y, observer)
+                                            : shifted_table(pair, nearest, problem.grid, x, y, observer);
 }
 
-ShiftedTable ahead_of(const ContactProblem& problem, const Body& body, const IcTable& table, double x, double y) {
+ShiftedTable ahead_of(const ContactProblem& problem, const Body& body, const IcTable& table, double x, double y,
+                      const Observer& observer) {
     const Ics* ics = body.computed();
-    if (ics != nullptr && ics->layered) return shifted_layers(*ics->layered, ics->load_shape, problem.grid, x, y);
+    if (ics != nullptr && ics->layered)
+        return shifted_layers(*ics->layered, ics->load_shape, problem.grid, x, y, observer);
     if (body.material.is_rigid()) return {problem.grid.nx, problem.grid.ny};
     ContactProblem alone = problem;
     alone.bodies = {{Material::rigid()}, body};
-    return ahead_of(alone, table, x, y);
+    return ahead_of(alone, table, x, y, observer);
 }
 
 /// Of bodies of which one has layers: with them each is shifted by itself, for what they differ from half-spaces is as
 /// sharp as they are thin.
-ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const IcTable& upper, const IcTable& lower) {
+ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const IcTable& upper, const IcTable& lower,
+                       const Observer& observer) {
     const auto [x, y] = step_of(problem);
-    const ShiftedTable above = ahead_of(problem, problem.bodies.upper, upper, x, y);
-    ShiftedTable ahead = ahead_of(problem, problem.bodies.lower, lower, x, y);
+    const ShiftedTable above = ahead_of(problem, problem.bodies.upper, upper, x, y, observer);
+    ShiftedTable ahead = ahead_of(problem, problem.bodies.lower, lower, x, y, observer);
     const std::size_t size = ahead.component_size();
     for (std::size_t i = 0; i < ahead.values.size(); ++i) {
         const bool normal_load = i / size % 3 == static_cast<std::size_t>(Axis::z);
@@ -75,35 +79,39 @@ ContactInfluence influence_of(const ContactProblem& problem, IcTable pair, std::
     return influence;
 }
 
-ContactInfluence influence_of(const ContactProblem& problem, ColumnTable upper, ColumnTable lower) {
-    if (problem.bodies.upper.material.is_rigid()) return column_influence(problem, std::move(lower));
+ContactInfluence influence_of(const ContactProblem& problem, ColumnTable upper, ColumnTable lower,
+                              const Observer& observer) {
+    if (problem.bodies.upper.material.is_rigid()) return column_influence(problem, std::move(lower), observer);
     if (problem.bodies.lower.material.is_rigid()) lower = ColumnTable(upper.nx, upper.columns);
-    return column_influence(problem, pair_of(upper, std::move(lower)));
+    return column_influence(problem, pair_of(upper, std::move(lower)), observer);
 }
 
-ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, const IcTable& lower) {
+ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, const IcTable& lower,
+                              const Observer& observer) {
     const auto [x, y] = step_of(problem);
     if (!problem.bodies.any_layered() || (x == 0 && y == 0))
-        return make_influence(problem, pair_of(std::move(upper), lower));
+        return make_influence(problem, pair_of(std::move(upper), lower), observer);
     IcTable pair = pair_of(upper, lower);
-    ShiftedTable change = change_of(problem, pair, upper, lower);
+    ShiftedTable change = change_of(problem, pair, upper, lower, observer);
     return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
 /// Of one body alone, as if it lay below a rigid one; none of a rigid body.
-ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, IcTable table, bool /*is_upper*/) {
+ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, IcTable table, bool /*is_upper*/,
+                                 const Observer& observer) {
     if (body.material.is_rigid()) return {};
     ContactProblem alone = problem;
     alone.bodies = {{Material::rigid()}, body};
-    return make_influence(alone, std::move(table));
+    return make_influence(alone, std::move(table), observer);
 }
 
 /// The upper body is reflected in the plane of contact, and its columns are numbered as the lower's.
-ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, ColumnTable table, bool is_upper) {
+ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, ColumnTable table, bool is_upper,
+                                 const Observer& observer) {
     if (body.material.is_rigid()) return {};
     ContactProblem alone = problem;
     alone.bodies = {{Material::rigid()}, body};
-    return column_influence(alone, is_upper ? mirrored(table) : std::move(table));
+    return column_influence(alone, is_upper ? mirrored(table) : std::move(table), observer);
 }
 
 bool is_closed_half_space(const Body& body) {
@@ -113,33 +121,35 @@ bool is_closed_half_space(const Body& body) {
 }
 
 /// A half-space as the columns that a prism's table has: one product with both costs a third of two.
-ColumnTable half_space_columns(const ContactProblem& problem, const Body& body, const ColumnTable& beside) {
+ColumnTable half_space_columns(const ContactProblem& problem, const Body& body, const ColumnTable& beside,
+                               const Observer& observer) {
     IcSpec spec;
     spec.material = body.material;
     spec.dx = problem.grid.dx;
     spec.dy = problem.grid.dy;
     spec.nx = beside.nx;
     spec.ny = beside.columns;
-    return column_table_of(half_space_table(spec));
+    return column_table_of(half_space_table(spec, observer));
 }
 
 /// Bodies of which only one has columns.
 template <class Upper, class Lower>
-ContactInfluence influence_of_two_kinds(const ContactProblem& problem, Upper upper, Lower lower) {
+ContactInfluence influence_of_two_kinds(const ContactProblem& problem, Upper upper, Lower lower,
+                                        const Observer& observer) {
     const auto& [above, below, pair] = problem.bodies;
     if constexpr (std::is_same_v<Upper, ColumnTable>) {
         if (!above.material.is_rigid() && is_closed_half_space(below) && !below.material.is_rigid()) {
-            ColumnTable columns = half_space_columns(problem, below, upper);
-            return influence_of(problem, std::move(upper), std::move(columns));
+            ColumnTable columns = half_space_columns(problem, below, upper, observer);
+            return influence_of(problem, std::move(upper), std::move(columns), observer);
         }
     } else {
         if (!below.material.is_rigid() && is_closed_half_space(above) && !above.material.is_rigid()) {
-            ColumnTable columns = half_space_columns(problem, above, lower);
-            return influence_of(problem, std::move(columns), std::move(lower));
+            ColumnTable columns = half_space_columns(problem, above, lower, observer);
+            return influence_of(problem, std::move(columns), std::move(lower), observer);
         }
     }
-    return sum_of(influence_alone(problem, above, std::move(upper), true),
-                  influence_alone(problem, below, std::move(lower), false));
+    return sum_of(influence_alone(problem, above, std::move(upper), true, observer),
+                  influence_alone(problem, below, std::move(lower), false, observer));
 }
 
 }  // namespace
@@ -158,22 +168,24 @@ std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
     return columns + (has_columns(bodies.upper) && has_columns(bodies.lower) ? flat : 2 * flat);
 }
 
-ContactInfluence make_influence(const ContactProblem& problem, IcTable pair) {
+ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, const Observer& observer) {
     const auto [x, y] = step_of(problem);
     if (x == 0 && y == 0) return influence_of(problem, std::move(pair), std::optional<ShiftedTable>());
-    ShiftedTable change = problem.bodies.any_layered() ? change_of(problem, pair, pair, pair)
-                                                       : change_over_step(pair, ahead_of(problem, pair, x, y));
+    ShiftedTable change = problem.bodies.any_layered()
+                              ? change_of(problem, pair, pair, pair, observer)
+                              : change_over_step(pair, ahead_of(problem, pair, x, y, observer));
     return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
-ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower) {
+ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
+                                const Observer& observer) {
     check_columns_of_prisms(problem);
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
             if constexpr (std::is_same_v<Upper, Lower>)
-                return influence_of(problem, std::move(above), std::move(below));
+                return influence_of(problem, std::move(above), std::move(below), observer);
             else
-                return influence_of_two_kinds(problem, std::move(above), std::move(below));
+                return influence_of_two_kinds(problem, std::move(above), std::move(below), observer);
         },
         upper, lower);
 }

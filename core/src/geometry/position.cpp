@@ -99,11 +99,12 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
             radius(rail_curvature * upright), radius(rail.profile().curvature(rail_s))};
 }
 
-std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup) {
+std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, const Observer& observer) {
     if (setup.rail_slices.empty()) return nullptr;
     std::vector<double> x;
     std::vector<ProfileCurve> curves;
     for (std::size_t i = 0; i < setup.rail_slices.size(); ++i) {
+        observer.throw_if_cancelled();
         x.push_back(setup.rail_slices[i].x);
         curves.push_back(curve_of(setup.rail_slices[i].profile, "rail_slices[" + std::to_string(i) + "].profile"));
     }
@@ -111,10 +112,12 @@ std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup) {
 }
 
 /// The curves of the slices; none of a round wheel.
-std::vector<ProfileCurve> wheel_slices(const WheelRailSetup& setup) {
+std::vector<ProfileCurve> wheel_slices(const WheelRailSetup& setup, const Observer& observer) {
     std::vector<ProfileCurve> curves;
-    for (const WheelSlice& slice : setup.wheel_slices)
+    for (const WheelSlice& slice : setup.wheel_slices) {
+        observer.throw_if_cancelled();
         curves.push_back(curve_of(slice.profile, "wheel_slices[" + std::to_string(curves.size()) + "].profile"));
+    }
     return curves;
 }
 
@@ -139,34 +142,37 @@ RailSurface rail_surface(const WheelRailSetup& setup, const Profiles& profiles, 
 }
 
 std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const WheelSurface& wheel,
-                                         const RailSurface& rail) {
+                                         const RailSurface& rail, const Observer& observer) {
     // In elements, as the established program has it, but neither so coarse that contacts on flanks lie between nodes
     // nor so fine that a mesh has millions of them (mm).
     if (setup.patches.search == ContactSearch::mesh || !wheel.is_round())
         return std::make_unique<MeshSearch>(wheel, rail, std::clamp(1.5 * setup.dx, 0.1, 0.75),
-                                            std::clamp(0.75 * setup.dy, 0.05, 0.2));
-    return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy);
+                                            std::clamp(0.75 * setup.dy, 0.05, 0.2), observer);
+    return std::make_unique<LocusSearch>(wheel, rail, setup.patches.locus_step * setup.dy, observer);
 }
 
 }  // namespace
 
-Profiles make_profiles(const WheelRailSetup& setup) {
-    const std::vector<ProfileCurve> slices = wheel_slices(setup);
+Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer) {
+    const std::vector<ProfileCurve> slices = wheel_slices(setup, observer);
     ProfileCurve wheel = slices.empty() ? curve_of(setup.wheel, "wheel") : slices.front();
     ProfileCurve rail = curve_of(setup.rail, "rail");
     check_fit(setup, wheel, rail);
     const ProfilePoint origin = rail_origin(rail, setup.track);
-    return {std::move(wheel), std::move(rail), origin, sliced_rail(setup), out_of_round(setup, slices)};
+    return {std::move(wheel), std::move(rail), origin, sliced_rail(setup, observer), out_of_round(setup, slices)};
 }
 
-Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state)
+Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state,
+                   const Observer& observer)
     : setup_(setup),
       state_(state),
+      observer_(observer),
       wheel_(profiles.wheel, setup.wheelset, at_zero(state.position), profiles.unround),
       rail_(rail_surface(setup, profiles, state)),
-      search_(search_of(setup, wheel_, rail_)) {}
+      search_(search_of(setup, wheel_, rail_, observer)) {}
 
 std::vector<RegionGroup> Position::groups(double z, bool blends) const {
+    observer_.throw_if_cancelled();
     return group_regions(search_->regions(z), setup_.patches, blends, rail_);
 }
 
@@ -233,6 +239,7 @@ bool Position::measure(PlaceWithGap& found, double z) const {
     ContactPlace& place = found.place;
     int more_below = 0, more_above = 0;
     for (int round = 0; round < most_rounds; ++round) {
+        observer_.throw_if_cancelled();
         found.gap = distances(setup_, wheel, rail_, place);
         place.approach = take_out_approach(found.gap);
         if (!std::isfinite(place.approach)) return false;

@@ -6,6 +6,7 @@
 
 #include "contactd/friction.hpp"
 #include "contactd/gap.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/profile.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
@@ -24,8 +25,12 @@ struct Profiles {
     std::shared_ptr<const OutOfRound> unround{};  ///< beside the wheel's profile, which is that of its first slice
 };
 
-/// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used.
-Profiles make_profiles(const WheelRailSetup& setup);
+/// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used, and
+/// Cancelled when the observer, which is asked slice by slice, says so.
+Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer = {});
+
+/// For who never ends a search.
+inline const Observer no_observer{};
 
 struct PlaceWithGap {
     ContactPlace place;
@@ -40,8 +45,9 @@ struct PlaceWithGap {
 /// position.z of the state is that of no function here, but an argument.
 class Position {
    public:
-    /// All must live longer.
-    Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state);
+    /// All must live longer. Here and later the observer may have a search or a measurement end with Cancelled.
+    Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state,
+             const Observer& observer = no_observer);
     Position(const Position&) = delete;
 
     /// Least vertical distance (mm), negative where wheel and rail overlap; infinite where they are not above each
@@ -65,6 +71,7 @@ class Position {
 
     const WheelRailSetup& setup_;
     const WheelRailState& state_;
+    const Observer& observer_;
     WheelSurface wheel_;  // at z = 0
     RailSurface rail_;
     std::unique_ptr<OverlapSearch> search_;

@@ -15,7 +15,7 @@ IcRecord closed_form_record(const IcSpec& spec, const Observer& observer) {
     const IcSpec& scaled = record.spec;
     if (scaled.section) {
         record.tables = rotated_prism(*scaled.section, {scaled.nx, scaled.ny, scaled.dx, scaled.dy}, scaled.material,
-                                      scaled.load_shape, 0, "ics.section");
+                                      scaled.load_shape, 0, "ics.section", observer);
     } else if (scaled.layered) {
         IcTable table =
             layered_table(*scaled.layered, scaled.load_shape, scaled.nx, scaled.ny, scaled.dx, scaled.dy, observer);
@@ -23,7 +23,7 @@ IcRecord closed_form_record(const IcSpec& spec, const Observer& observer) {
         record.evidence.errors_estimated = true;
         record.tables = std::move(table);
     } else {
-        record.tables = half_space_table(scaled);
+        record.tables = half_space_table(scaled, observer);
     }
     record.evidence.source = name_of(IcSource::analytic);
     record.evidence.version = "contactd " + version();

@@ -75,8 +75,8 @@ struct Functions {
 /// Pairs of columns (I, J), I >= J; the others follow by reciprocity.
 class TableMaker {
    public:
-    TableMaker(const ColumnSpectrum& spectrum, double dx, int nx, double shift)
-        : spectrum_(spectrum), columns_(spectrum.columns), dx_(dx), nx_(nx), shift_(shift) {}
+    TableMaker(const ColumnSpectrum& spectrum, double dx, int nx, double shift, const Observer& observer)
+        : spectrum_(spectrum), observer_(observer), columns_(spectrum.columns), dx_(dx), nx_(nx), shift_(shift) {}
 
     ColumnTable make(double factor, int threads) const {
         Functions functions = interpolation(1);
@@ -93,8 +93,10 @@ class TableMaker {
         std::atomic<bool> finite = true;
         const auto work = [&] {
             Functions own = functions;
-            for (int l = next++; l < columns_; l = next++)
+            for (int l = next++; l < columns_; l = next++) {
+                observer_.throw_if_cancelled();
                 if (!make_apart(l, factor, nodes, own, table)) finite = false;
+            }
         };
         std::vector<std::future<void>> others;
         for (int thread = 1; thread < std::min(threads, columns_); ++thread)
@@ -185,7 +187,7 @@ class TableMaker {
         std::vector<double> nodes;
         for (std::size_t node = 0; node < spectrum_.nodes.size(); node += stride)
             nodes.push_back(spectrum_.nodes[node]);
-        const WavenumberRule rule = wavenumber_rule(nodes, spectrum_.xi0, dx_, nx_, shift_);
+        const WavenumberRule rule = wavenumber_rule(nodes, spectrum_.xi0, dx_, nx_, shift_, observer_);
         const auto spread = [&](const std::vector<double>& weights) {
             RowMajor all = RowMajor::Zero(static_cast<Eigen::Index>(spectrum_.nodes.size()), nx_);
             for (std::size_t node = 0; node < nodes.size(); ++node)
@@ -257,6 +259,7 @@ class TableMaker {
     }
 
     const ColumnSpectrum& spectrum_;
+    const Observer& observer_;
     int columns_;
     double dx_;
     int nx_;
@@ -271,17 +274,18 @@ double self_compliance(const ColumnSpectrum& spectrum, double dx) {
 
 }  // namespace
 
-ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift, double factor, int threads) {
-    return TableMaker(spectrum, dx, nx, shift).make(factor, threads);
+ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift, double factor, int threads,
+                         const Observer& observer) {
+    return TableMaker(spectrum, dx, nx, shift, observer).make(factor, threads);
 }
 
 double nested_change(const ColumnSpectrum& spectrum, double dx, int nx) {
-    return TableMaker(spectrum, dx, nx, 0).nested() / self_compliance(spectrum, dx);
+    return TableMaker(spectrum, dx, nx, 0, Observer()).nested() / self_compliance(spectrum, dx);
 }
 
 double beyond_the_end(const ColumnSpectrum& spectrum) {
     constexpr double shortest = 0.5;  // the shorter elements are along x, the more they feel of it
-    return TableMaker(spectrum, shortest, 1, 0).beyond() / self_compliance(spectrum, 1);
+    return TableMaker(spectrum, shortest, 1, 0, Observer()).beyond() / self_compliance(spectrum, 1);
 }
 
 }  // namespace contactd

@@ -30,15 +30,17 @@ double scaled_coefficient(Axis i, Axis j, const KernelIntegrals& k, double nu) {
     return sign * (1 - 2 * nu) * (tangential == Axis::x ? k.x : k.y) / (4 * pi);
 }
 
-IcTable closed_form(const IcSpec& spec) {
+IcTable closed_form(const IcSpec& spec, const Observer& observer = {}) {
     IcTable table(spec.nx, spec.ny);
-    for (int l = 0; l < spec.ny; ++l)
+    for (int l = 0; l < spec.ny; ++l) {
+        observer.throw_if_cancelled();
         for (int k = 0; k < spec.nx; ++k) {
             const KernelIntegrals integrals = integrals_at(spec, k * spec.dx, l * spec.dy);
             for (const Axis i : {Axis::x, Axis::y, Axis::z})
                 for (const Axis j : {Axis::x, Axis::y, Axis::z})
                     table(i, j, k, l) = scaled_coefficient(i, j, integrals, spec.material.nu) / spec.material.G;
         }
+    }
     return table;
 }
 
@@ -73,11 +75,11 @@ double half_space_tent_coefficient(Axis i, Axis j, double x, double y, double dx
     return scaled_coefficient(i, j, tent_load_integrals(x, y, dx, dy), material.nu) / material.G;
 }
 
-IcTable half_space_table(const IcSpec& spec) {
+IcTable half_space_table(const IcSpec& spec, const Observer& observer) {
     if (spec.source != IcSource::analytic)
         throw InvalidArgument("ics.source", "is \"fem\"; closed-form coefficients need \"analytic\"");
     validate(spec);
-    return closed_form(spec);
+    return closed_form(spec, observer);
 }
 
 IcTable error_unit(const IcSpec& spec, const IcTable& exact) {

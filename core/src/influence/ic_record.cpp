@@ -47,11 +47,12 @@ std::size_t values_of(const ColumnSpectrum& spectrum) {
     return spectrum.values.size();
 }
 
-IcTable part_of(const IcTable& table, const IcRecord&, const IcSpec& request, double factor, int) {
+IcTable part_of(const IcTable& table, const IcRecord&, const IcSpec& request, double factor, int, const Observer&) {
     return cropped(table, request.nx, request.ny, factor);
 }
 
-IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& request, double factor, int) {
+IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& request, double factor, int,
+                const Observer&) {
     const std::vector<double>& stored = record.evidence.family_nu;
     bool known = stored.size() >= 4 && stored.size() % 2 == 0 && stored.size() == family.tables.size();
     if (known) {
@@ -71,12 +72,14 @@ void require_columns(int columns, const IcSpec& request) {
                                              std::to_string(columns) + " columns");
 }
 
-ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& request, double factor, int) {
+ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& request, double factor, int,
+                    const Observer&) {
     require_columns(table.columns, request);
     return cropped(table, 0, request.ny, request.nx, factor);
 }
 
-ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads) {
+ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads,
+                    const Observer& observer) {
     require_columns(spectrum.columns, request);
     constexpr std::size_t most_values = 50'000'000;  // of each of nine components: 3.6 GB
     if (static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) >
@@ -88,7 +91,8 @@ ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpe
     const std::size_t values = 9 * static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) *
                                static_cast<std::size_t>(request.ny);
     threads = static_cast<int>(std::clamp<std::size_t>(values / worth_a_thread, 1, std::max(threads, 1)));
-    return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G, threads);
+    return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G, threads,
+                        observer);
 }
 
 }  // namespace
@@ -110,14 +114,15 @@ std::size_t bytes_of(const IcTables& tables) {
     return sizeof(double) * std::visit([](const auto& kind) { return values_of(kind); }, tables);
 }
 
-BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads) {
+BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads, const Observer& observer) {
     const double factor = request.dx / request.material.G;
-    return std::visit([&](const auto& kind) -> BodyTable { return part_of(kind, record, request, factor, threads); },
-                      record.tables);
+    return std::visit(
+        [&](const auto& kind) -> BodyTable { return part_of(kind, record, request, factor, threads, observer); },
+        record.tables);
 }
 
-IcTable table_for(const IcRecord& record, const IcSpec& request, int threads) {
-    BodyTable found = body_table(record, request, threads);
+IcTable table_for(const IcRecord& record, const IcSpec& request, int threads, const Observer& observer) {
+    BodyTable found = body_table(record, request, threads, observer);
     const bool is_known = std::holds_alternative<ColumnSpectrum>(record.tables);  // to be finite, by column_table
     if (!is_known && !std::visit([](const auto& table) { return all_finite(table.values); }, found))
         throw NotFinite("Coefficients of the table are beyond a double's range.");

@@ -66,12 +66,13 @@ class CornerLattice {
 
 }  // namespace
 
-void for_lattice(const HalfSpaceModel& model, const Lattice& points,
+void for_lattice(const HalfSpaceModel& model, const Lattice& points, const Observer& observer,
                  const std::function<void(int k, int l, const KernelIntegrals&)>& visit) {
     std::vector<KernelIntegrals> row(static_cast<std::size_t>(points.last_k - points.first_k + 1));
     std::optional<CornerLattice> corners;
     if (model.load_shape == LoadShape::constant && !model.line_contact) corners.emplace(points, model.coupled());
     for (int l = points.first_l; l <= points.last_l; ++l) {
+        observer.throw_if_cancelled();
         if (corners) corners->next_row(l, row);
         for (int k = points.first_k; k <= points.last_k; ++k) {
             KernelIntegrals& integrals = row[static_cast<std::size_t>(k - points.first_k)];

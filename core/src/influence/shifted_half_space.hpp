@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "contactd/observer.hpp"
 #include "half_space_model.hpp"
 
 namespace contactd {
@@ -15,7 +16,8 @@ struct Lattice {
 };
 
 /// Integrals over a load of size dx x dy at the origin; without those that only coupling needs when there is none.
-void for_lattice(const HalfSpaceModel& model, const Lattice& points,
+/// Throws Cancelled when the observer, which is asked row by row, says so.
+void for_lattice(const HalfSpaceModel& model, const Lattice& points, const Observer& observer,
                  const std::function<void(int k, int l, const KernelIntegrals&)>& visit);
 
 }  // namespace contactd

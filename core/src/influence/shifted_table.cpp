@@ -62,12 +62,13 @@ void mirror(ShiftedTable& table, bool along_x, bool along_y) {
     }
 }
 
-ShiftedTable closed_form(const HalfSpaceModel& model, const Grid& grid, const Steps& along_x, const Steps& along_y) {
+ShiftedTable closed_form(const HalfSpaceModel& model, const Grid& grid, const Steps& along_x, const Steps& along_y,
+                         const Observer& observer) {
     ShiftedTable table(grid.nx, grid.ny);
     const bool even_x = along_x.total() == 0, even_y = along_y.total() == 0;
     const Lattice lattice{grid.dx,     grid.dy,         even_x ? 0 : 1 - grid.nx, grid.nx - 1, even_y ? 0 : 1 - grid.ny,
                           grid.ny - 1, along_x.total(), along_y.total()};
-    for_lattice(model, lattice, [&](int k, int l, const KernelIntegrals& integrals) {
+    for_lattice(model, lattice, observer, [&](int k, int l, const KernelIntegrals& integrals) {
         for (const auto& [i, j] : components) table(i, j, k, l) = model.coefficient(i, j, integrals);
     });
     mirror(table, even_x, even_y);
@@ -82,10 +83,10 @@ class Difference {
         : pair_(pair), model_(model), dx_(grid.dx), dy_(grid.dy) {}
 
     /// The values at all offsets of the table.
-    void compute_all() {
+    void compute_all(const Observer& observer) {
         values_ = pair_;
         const Lattice lattice{dx_, dy_, 0, pair_.nx - 1, 0, pair_.ny - 1, 0, 0};
-        for_lattice(model_, lattice, [&](int k, int l, const KernelIntegrals& integrals) {
+        for_lattice(model_, lattice, observer, [&](int k, int l, const KernelIntegrals& integrals) {
             for (const auto& [i, j] : components) values_(i, j, k, l) -= model_.coefficient(i, j, integrals);
         });
     }
@@ -158,10 +159,11 @@ void add_interpolated(const Difference& difference, const Component& component, 
 
 // The table's own numbers as far as it goes.
 ShiftedTable shifted_by_elements(const IcTable& pair, const HalfSpaceModel& model, const Grid& grid,
-                                 const Steps& along_x, const Steps& along_y) {
+                                 const Steps& along_x, const Steps& along_y, const Observer& observer) {
     ShiftedTable table(grid.nx, grid.ny);
     const Difference difference(pair, model, grid);
-    for (int l = 1 - grid.ny; l < grid.ny; ++l)
+    for (int l = 1 - grid.ny; l < grid.ny; ++l) {
+        observer.throw_if_cancelled();
         for (int k = 1 - grid.nx; k < grid.nx; ++k) {
             const int K = k + along_x.whole, L = l + along_y.whole;
             const bool inside = std::abs(K) < pair.nx && std::abs(L) < pair.ny;
@@ -173,6 +175,7 @@ ShiftedTable shifted_by_elements(const IcTable& pair, const HalfSpaceModel& mode
                     inside ? pair.at(i, j, K, L) : model.coefficient(i, j, integrals) + difference(component, K, L);
             }
         }
+    }
     return table;
 }
 
@@ -188,26 +191,31 @@ ShiftedTable cropped(const ShiftedTable& table, int nx, int ny) {
     return result;
 }
 
-ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid, double shift_x, double shift_y) {
+ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid, double shift_x, double shift_y,
+                                 const Observer& observer) {
     validate(grid, "grid");
     check_shift(shift_x, grid.dx, "shift_x");
     check_shift(shift_y, grid.dy, "shift_y");
-    return closed_form(HalfSpaceModel(half_spaces), grid, Steps(shift_x, grid.dx), Steps(shift_y, grid.dy));
+    return closed_form(HalfSpaceModel(half_spaces), grid, Steps(shift_x, grid.dx), Steps(shift_y, grid.dy), observer);
 }
 
 ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>& nearest, const Grid& grid,
-                           double shift_x, double shift_y) {
+                           double shift_x, double shift_y, const Observer& observer) {
     validate(grid, "grid");
     check_shift(shift_x, grid.dx, "shift_x");
     check_shift(shift_y, grid.dy, "shift_y");
     check_extent(pair.nx, pair.ny, grid.nx, grid.ny);
     const Steps along_x(shift_x, grid.dx), along_y(shift_y, grid.dy);
     const HalfSpaceModel model = nearest ? HalfSpaceModel(*nearest) : nearest_half_spaces(pair, grid.dx, grid.dy);
-    if (along_x.fraction == 0 && along_y.fraction == 0) return shifted_by_elements(pair, model, grid, along_x, along_y);
-    ShiftedTable table = closed_form(model, grid, along_x, along_y);
+    if (along_x.fraction == 0 && along_y.fraction == 0)
+        return shifted_by_elements(pair, model, grid, along_x, along_y, observer);
+    ShiftedTable table = closed_form(model, grid, along_x, along_y, observer);
     Difference difference(pair, model, grid);
-    difference.compute_all();
-    for (const Component& component : components) add_interpolated(difference, component, along_x, along_y, table);
+    difference.compute_all(observer);
+    for (const Component& component : components) {
+        observer.throw_if_cancelled();
+        add_interpolated(difference, component, along_x, along_y, table);
+    }
     return table;
 }
 

@@ -10,6 +10,7 @@
 #include "contactd/grid.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/observer.hpp"
 
 namespace contactd {
 
@@ -47,8 +48,9 @@ struct HalfSpaces {
 };
 
 /// Closed form. Of `grid` only the numbers and the sizes of the elements matter. Absolute accuracy 1e-13 (bilinear load
-/// 1e-12) of the largest coefficient.
-ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid, double shift_x, double shift_y);
+/// 1e-12) of the largest coefficient. Throws Cancelled when the observer, which is asked row by row, says so.
+ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid, double shift_x, double shift_y,
+                                 const Observer& observer = {});
 
 /// From a table of the pair, with element sizes dx and dy of `grid` and at least the grid's extent. A shift by whole
 /// elements takes the table's own numbers. For other shifts the difference to the closed form of `nearest` is
@@ -62,9 +64,9 @@ ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid
 /// as half-spaces less an image at twice its thickness of 2 dx, 5e-5 with `nearest` and 4e-4 without it at half and
 /// third elements, 1e-5 where a table of 20 x 20 offsets ends (tests/core/influence/test_shifted_table.cpp holds it to
 /// that). The roughness of a computed table from offset to offset goes over to the result as it is. Throws
-/// InvalidArgument ("grid") when the table is smaller than the grid.
+/// InvalidArgument ("grid") when the table is smaller than the grid, and Cancelled.
 ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>& nearest, const Grid& grid,
-                           double shift_x, double shift_y);
+                           double shift_x, double shift_y, const Observer& observer = {});
 
 /// C = A - A' with A' the coefficients one step ahead: what a step of rolling changes (StepOperator). Components xx,
 /// xy, yx, yy as in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws InvalidArgument when

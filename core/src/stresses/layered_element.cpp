@@ -68,7 +68,7 @@ ElementStresses LayeredElement::stresses(const EdgeSums& left, const EdgeSums& r
                              -d_y(scalar, normal_xz)}};
 }
 
-std::vector<ElementStresses> LayeredElement::at(const OffsetLattice& offsets) const {
+std::vector<ElementStresses> LayeredElement::at(const OffsetLattice& offsets, const Observer& observer) const {
     const EdgeLines lines(offsets, LoadShape::constant);
     const auto nx = static_cast<std::size_t>(offsets.nx), ny = static_cast<std::size_t>(offsets.ny);
     const auto row_line = [&](std::size_t j) {
@@ -80,6 +80,7 @@ std::vector<ElementStresses> LayeredElement::at(const OffsetLattice& offsets) co
     result.reserve(nx * ny);
     std::vector<EdgeSums> below = row_line(0);
     for (std::size_t j = 0; j < ny; ++j) {
+        observer.throw_if_cancelled();
         const std::vector<EdgeSums> above = row_line(j + 1);
         EdgeSums left = across_x(lines.x[0], lines.y[j], lines.y[j + 1]);
         for (std::size_t i = 0; i < nx; ++i) {

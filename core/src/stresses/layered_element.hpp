@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "contactd/observer.hpp"
 #include "influence/layered/edge_rule.hpp"
 #include "influence/layered/offset_lattice.hpp"
 #include "layered_radials.hpp"
@@ -20,8 +21,9 @@ class LayeredElement {
    public:
     LayeredElement(const StressWaves& waves, double largest);
 
-    /// [l][k], without what the half-space adds in the first layer.
-    std::vector<ElementStresses> at(const OffsetLattice& offsets) const;
+    /// [l][k], without what the half-space adds in the first layer. Throws Cancelled when the observer, which is asked
+    /// row by row, says so.
+    std::vector<ElementStresses> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:
     /// Of fields along an edge: those along e_rho with the direction cosine along x and along y, the scalar ones, and

@@ -88,11 +88,13 @@ class DepthStress {
                                 [coordinate](const auto& a, const auto& b) { return a.*coordinate < b.*coordinate; });
         return {(*least).*coordinate, (*most).*coordinate};
     }
-    /// Whether offsets between all points and elements are fewer than the pairs of both.
+    /// Whether offsets between all points and elements are fewer than the pairs of both, and no more than those of a
+    /// raster of the largest grid.
     bool shares(const Lattice& lattice) const {
         const double offsets = (span(lattice, &Lattice::Point::x).count() + patch_.nx()) *
                                (span(lattice, &Lattice::Point::y).count() + patch_.ny());
-        return offsets <= 4.0 * static_cast<double>(lattice.points.size()) * patch_.nx() * patch_.ny();
+        const double pairs = static_cast<double>(lattice.points.size()) * patch_.nx() * patch_.ny();
+        return offsets <= 4.0 * std::min(pairs, static_cast<double>(max_grid_elements));
     }
     void add(const Lattice& lattice, SubsurfaceStress& result, const Observer& observer) const {
         const Span x = span(lattice, &Lattice::Point::x), y = span(lattice, &Lattice::Point::y);
@@ -103,7 +105,7 @@ class DepthStress {
                                     static_cast<int>(y.count()) + ny - 1,
                                     dx_,
                                     dy_};
-        const std::vector<ElementStresses> coefficients = element_.at(offsets);
+        const std::vector<ElementStresses> coefficients = element_.at(offsets, observer);
         const auto components = components_of(result);
         for (const Lattice::Point& point : lattice.points) {
             observer.throw_if_cancelled();

@@ -54,6 +54,8 @@ class Meter {
    public:
     Meter(Observer& observer, double work) : observer_(observer), work_(work) { observer.throw_if_cancelled(); }
 
+    const Observer& observer() const { return observer_; }
+
     void add(double work) {
         done_ += work;
         if (done_ - reported_ < step && done_ < work_) return;
@@ -138,7 +140,7 @@ class ClassPair {
         for (const Axis load : {Axis::x, Axis::y, Axis::z}) {
             const TractionPatch& traction = patch_.loads()[static_cast<std::size_t>(load)];
             if (!traction.values.empty())
-                add_stresses(load, traction, raster, -block.z[iz], nu, patch_.smallest(), sum);
+                add_stresses(load, traction, raster, -block.z[iz], nu, patch_.smallest(), sum, meter.observer());
         }
         for_points([&](std::size_t i, std::size_t j) {
             const auto at =

@@ -38,7 +38,7 @@ using Kernels = std::array<std::vector<double>, 6>;
 
 // Stresses under a unit traction on one element at all offsets; neighbours share their corners.
 Kernels element_stresses(Axis load, const TractionPatch& patch, const Offsets& along_x, const Offsets& along_y,
-                         double d, double nu, double smallest) {
+                         double d, double nu, double smallest, const Observer& observer) {
     Kernels kernels;
     for (auto& kernel : kernels) kernel.resize(along_x.size() * along_y.size());
     std::vector<StressComponents> lower(along_x.size() + 1), upper(lower);
@@ -50,6 +50,7 @@ Kernels element_stresses(Axis load, const TractionPatch& patch, const Offsets& a
     };
     fill(upper, 0);
     for (std::size_t line = 0; line < along_y.size(); ++line) {
+        observer.throw_if_cancelled();
         std::swap(lower, upper);
         fill(upper, line + 1);
         for (std::size_t i = 0; i < along_x.size(); ++i)
@@ -63,11 +64,11 @@ Kernels element_stresses(Axis load, const TractionPatch& patch, const Offsets& a
 }  // namespace
 
 void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, double d, double nu, double smallest,
-                  std::array<std::vector<double>, 6>& sum) {
+                  std::array<std::vector<double>, 6>& sum, const Observer& observer) {
     const int nx = std::max(patch.nx, raster.nx), ny = std::max(patch.ny, raster.ny);
     const PaddedFft fft(nx, ny, padded_size(nx), padded_size(ny));
     const Offsets along_x(patch.nx, raster.nx, raster.offset_x), along_y(patch.ny, raster.ny, raster.offset_y);
-    const Kernels kernels = element_stresses(load, patch, along_x, along_y, d, nu, smallest);
+    const Kernels kernels = element_stresses(load, patch, along_x, along_y, d, nu, smallest, observer);
     const int whole_x = static_cast<int>(std::floor(raster.offset_x)),
               whole_y = static_cast<int>(std::floor(raster.offset_y));
     const std::size_t columns = static_cast<std::size_t>(2 * nx - 1), size = columns * (2 * ny - 1);
@@ -92,6 +93,7 @@ void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, d
     };
     copy_rows(patch.values, patch.nx, patch.ny, in, nx, [](double& to, double from) { to = from; });
     for (std::size_t component = 0; component < 6; component += 2) {
+        observer.throw_if_cancelled();
         fft.spread(symbol(component), symbol(component + 1), in, first, second);
         copy_rows(first, nx, raster.ny, sum[component], raster.nx, [](double& to, double from) { to += from; });
         copy_rows(second, nx, raster.ny, sum[component + 1], raster.nx, [](double& to, double from) { to += from; });

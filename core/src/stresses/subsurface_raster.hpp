@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contactd/observer.hpp"
 #include "patch_stress.hpp"
 
 namespace contactd {
@@ -21,8 +22,9 @@ struct Raster {
     double offset_x, offset_y;
 };
 
-/// Adds the stresses at depth d to those in `sum`, each of shape [ny, nx] of the raster.
+/// Adds the stresses at depth d to those in `sum`, each of shape [ny, nx] of the raster. Throws Cancelled when the
+/// observer, which is asked row by row, says so.
 void add_stresses(Axis load, const TractionPatch& patch, const Raster& raster, double d, double nu, double smallest,
-                  std::array<std::vector<double>, 6>& sum);
+                  std::array<std::vector<double>, 6>& sum, const Observer& observer);
 
 }  // namespace contactd

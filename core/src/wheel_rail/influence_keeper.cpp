@@ -14,9 +14,9 @@ constexpr std::size_t most_kept = 64;
 constexpr std::size_t most_elements_kept = 400'000;  // of all together, about 100 MB
 constexpr int spare = 16;                            // offsets that a table has beyond those that were needed
 
-IcTable table_of(const Body& body, double dx, double dy, int nx, int ny) {
+IcTable table_of(const Body& body, double dx, double dy, int nx, int ny, const Observer& observer) {
     if (body.material.is_rigid()) return IcTable(nx, ny);
-    return half_space_table({std::get<Ics>(body.ics), body.material, dx, dy, nx, ny});
+    return half_space_table({std::get<Ics>(body.ics), body.material, dx, dy, nx, ny}, observer);
 }
 
 bool is_closed_form(const Body& body) {
@@ -34,11 +34,12 @@ InfluenceKeeper::InfluenceKeeper(Bodies bodies) : bodies_(std::move(bodies)) {
                               "are no half-spaces in closed form; for others give a source of their operators");
 }
 
-ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchColumns& columns) {
+ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchColumns& columns,
+                                     const Observer& observer) {
     if (columns.of_sections())
         throw InvalidArgument("conformal",
                               "is fem, whose tables take finite elements; give a source of operators that has them");
-    if (!columns.flat()) return patch_influence(problem, columns);
+    if (!columns.flat()) return patch_influence(problem, columns, nullptr, nullptr, observer);
     const Grid& grid = problem.grid;
     const auto [step_x, step_y] = step_of(problem);
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, step_x, step_y};
@@ -48,7 +49,7 @@ ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchC
         kept_.splice(kept_.begin(), kept_, found);
         return found->influence;
     }
-    kept_.push_front({key, make_influence(problem, table_for(grid))});
+    kept_.push_front({key, make_influence(problem, table_for(grid, observer), observer)});
     std::size_t elements = 0, count = 0;
     for (auto kept = kept_.begin(); kept != kept_.end();) {
         elements += static_cast<std::size_t>(std::get<0>(kept->key)) * static_cast<std::size_t>(std::get<1>(kept->key));
@@ -58,15 +59,15 @@ ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchC
     return kept_.front().influence;
 }
 
-IcTable InfluenceKeeper::table_for(const Grid& grid) {
+IcTable InfluenceKeeper::table_for(const Grid& grid, const Observer& observer) {
     const bool same_elements = grid.dx == dx_ && grid.dy == dy_;
     if (!same_elements || table_.nx < grid.nx || table_.ny < grid.ny) {
         const int nx = std::max(same_elements ? table_.nx : 0, grid.nx + spare);
         const int ny = std::max(same_elements ? table_.ny : 0, grid.ny + spare);
-        IcTable upper = table_of(bodies_.upper, grid.dx, grid.dy, nx, ny);
+        IcTable upper = table_of(bodies_.upper, grid.dx, grid.dy, nx, ny, observer);
         const bool alike = bodies_.upper == bodies_.lower;
         table_ = alike ? pair_of(upper, upper)
-                       : pair_of(std::move(upper), table_of(bodies_.lower, grid.dx, grid.dy, nx, ny));
+                       : pair_of(std::move(upper), table_of(bodies_.lower, grid.dx, grid.dy, nx, ny, observer));
         dx_ = grid.dx;
         dy_ = grid.dy;
     }

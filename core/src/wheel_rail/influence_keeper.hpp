@@ -8,6 +8,7 @@
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/patch_columns.hpp"
 
 namespace contactd {
@@ -20,8 +21,8 @@ class InfluenceKeeper {
     explicit InfluenceKeeper(Bodies bodies);
 
     /// Of columns that are not flat nothing is kept: they are others at the next position. Throws InvalidArgument
-    /// ("conformal") for columns of sections.
-    ContactInfluence of(const ContactProblem& problem, const PatchColumns& columns = {});
+    /// ("conformal") for columns of sections, and Cancelled.
+    ContactInfluence of(const ContactProblem& problem, const PatchColumns& columns = {}, const Observer& observer = {});
 
    private:
     using Key = std::tuple<int, int, double, double, double, double>;  // numbers and sizes of elements, the step
@@ -29,7 +30,7 @@ class InfluenceKeeper {
         Key key;
         ContactInfluence influence;
     };
-    IcTable table_for(const Grid& grid);
+    IcTable table_for(const Grid& grid, const Observer& observer);
 
     const Bodies bodies_;
     std::mutex mutex_;      // guards what follows

@@ -25,11 +25,11 @@ void check_size(const Grid& grid) {
 }
 
 /// In the axes of the wheel; of the rail in the reverse order, as an upper body's columns are.
-ColumnTable rotated_pair(const ContactProblem& problem, std::vector<ColumnFrame> frames) {
+ColumnTable rotated_pair(const ContactProblem& problem, std::vector<ColumnFrame> frames, const Observer& observer) {
     const Grid& grid = problem.grid;
     const auto table_of = [&](const Material& material) {
         if (material.is_rigid()) return ColumnTable(grid.nx, grid.ny);
-        return rotated_half_space({frames, grid.dy, 0, grid.dx, grid.nx}, material, LoadShape::constant);
+        return rotated_half_space({frames, grid.dy, 0, grid.dx, grid.nx}, material, LoadShape::constant, 0, observer);
     };
     const auto [rail, wheel] = problem.bodies.materials();
     ColumnTable lower = table_of(wheel);
@@ -51,25 +51,29 @@ ColumnSpectrum part_of(const ColumnSpectrum& whole, int first, int columns) {
 }
 
 /// As the section numbers its columns. Of finite elements' transform only the part that is needed becomes a table.
-ColumnTable table_of(const std::optional<BodyColumns>& columns, const Grid& grid, const IcRecord* record) {
+ColumnTable table_of(const std::optional<BodyColumns>& columns, const Grid& grid, const IcRecord* record,
+                     const Observer& observer) {
     if (!columns) return {grid.nx, grid.ny};
     if (!std::holds_alternative<ColumnSpectrum>(record->tables))
-        return cropped(std::get<ColumnTable>(body_table(*record, columns->spec)), columns->first, grid.ny, grid.nx);
+        return cropped(std::get<ColumnTable>(body_table(*record, columns->spec, 1, observer)), columns->first, grid.ny,
+                       grid.nx);
     const ColumnSpectrum part = part_of(std::get<ColumnSpectrum>(record->tables), columns->first, grid.ny);
-    return column_table(part, grid.dx / grid.dy, grid.nx, 0, grid.dy / columns->spec.material.G);
+    return column_table(part, grid.dx / grid.dy, grid.nx, 0, grid.dy / columns->spec.material.G, 1, observer);
 }
 
 }  // namespace
 
 ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns, const IcRecord* of_rail,
-                                 const IcRecord* of_wheel) {
+                                 const IcRecord* of_wheel, const Observer& observer) {
     const Grid& grid = problem.grid;
     check_size(grid);
-    if (!columns.of_sections()) return column_influence(problem, rotated_pair(problem, columns.frames));
+    if (!columns.of_sections())
+        return column_influence(problem, rotated_pair(problem, columns.frames, observer), observer);
     // A rail's columns run to the right and a wheel's to the left, as those of bodies that lie on each other do; rows
     // run to the right.
-    ColumnTable wheel = table_of(columns.wheel, grid, of_wheel);
-    return column_influence(problem, mirrored(pair_of(table_of(columns.rail, grid, of_rail), std::move(wheel))));
+    ColumnTable wheel = table_of(columns.wheel, grid, of_wheel, observer);
+    return column_influence(
+        problem, mirrored(pair_of(table_of(columns.rail, grid, of_rail, observer), std::move(wheel))), observer);
 }
 
 }  // namespace contactd

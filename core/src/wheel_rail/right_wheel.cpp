@@ -43,8 +43,13 @@ std::string missed_force(double Fz, const HeightFound& found) {
 }  // namespace
 
 RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles,
-                       const InfluenceSource& influences, const WheelRailState& state)
-    : setup_(setup), profiles_(profiles), influences_(influences), state_(state), position_(setup, profiles, state_) {
+                       const InfluenceSource& influences, const WheelRailState& state, const Observer& observer)
+    : setup_(setup),
+      profiles_(profiles),
+      influences_(influences),
+      observer_(observer),
+      state_(state),
+      position_(setup, profiles, state_, observer) {
     if (state_.Fx && !setup.friction)
         throw InvalidArgument("Fx", "is given, and there is no friction; without it there is no such force");
     check_loads();

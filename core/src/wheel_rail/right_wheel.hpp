@@ -11,9 +11,10 @@ namespace contactd {
 
 class RightWheel {
    public:
-    /// All but the state must live longer. Throws InvalidArgument ("Fx") where there is no friction to bring it.
+    /// All but the state must live longer. The observer ends searches, too. Throws InvalidArgument ("Fx") where there
+    /// is no friction to bring it.
     RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
-               const WheelRailState& state);
+               const WheelRailState& state, const Observer& observer);
 
     WheelRailSolution solve(Observer& observer);
     /// At this height, whatever the state says of height and force.
@@ -28,7 +29,7 @@ class RightWheel {
     const WheelRailState& state() const { return state_; }
     /// The same wheel elsewhere, or with other tolerances; both arguments must live longer.
     RightWheel again(const WheelRailSetup& setup, const WheelRailState& state) const {
-        return {setup, profiles_, influences_, state};
+        return {setup, profiles_, influences_, state, observer_};
     }
     /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
     /// next step do. Without it each solve starts from nothing.
@@ -63,6 +64,7 @@ class RightWheel {
     const WheelRailSetup& setup_;
     const geometry::Profiles& profiles_;
     const InfluenceSource& influences_;
+    const Observer& observer_;
     WheelRailState state_;  // its pitch rate may be searched for
     geometry::Position position_;
     WheelRailEstimates* estimates_ = nullptr;

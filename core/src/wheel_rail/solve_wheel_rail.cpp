@@ -18,8 +18,8 @@ namespace {
 InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) {
     if (source || setup.model != Model::full) return source;
     return [keeper = std::make_shared<InfluenceKeeper>(setup.bodies)](const ContactProblem& problem,
-                                                                      const PatchColumns& columns, Observer&) {
-        return keeper->of(problem, columns);
+                                                                      const PatchColumns& columns, Observer& observer) {
+        return keeper->of(problem, columns, observer);
     };
 }
 
@@ -53,25 +53,25 @@ struct WheelRailContact::Parts {
 
     /// What a right wheel answers, in a mirror where it is a left one.
     template <class Ask>
-    auto of_right_wheel(const WheelRailState& state, const Ask& ask) const {
+    auto of_right_wheel(const WheelRailState& state, const Observer& observer, const Ask& ask) const {
         validate(state);
-        if (setup.side == Side::right) return ask(right_wheel(state));
+        if (setup.side == Side::right) return ask(right_wheel(state, observer));
         const WheelRailState right = mirrored(state);
-        return mirrored(ask(right_wheel(right)));
+        return mirrored(ask(right_wheel(right, observer)));
     }
 
    private:
-    RightWheel right_wheel(const WheelRailState& state) const {
-        if (!plane) return {setup, *profiles, influences, state};
-        const bool bends = RightWheel(*plane, *profiles, influences, state).bends();
-        return {bends ? *curved : *plane, *profiles, influences, state};
+    RightWheel right_wheel(const WheelRailState& state, const Observer& observer) const {
+        if (!plane) return {setup, *profiles, influences, state, observer};
+        const bool bends = RightWheel(*plane, *profiles, influences, state, observer).bends();
+        return {bends ? *curved : *plane, *profiles, influences, state, observer};
     }
 };
 
-WheelRailContact::WheelRailContact(WheelRailSetup setup, InfluenceSource source) {
+WheelRailContact::WheelRailContact(WheelRailSetup setup, InfluenceSource source, const Observer& observer) {
     validate(setup);
     InfluenceSource influences = source_for(setup, std::move(source));
-    auto profiles = std::make_shared<const geometry::Profiles>(geometry::make_profiles(setup));
+    auto profiles = std::make_shared<const geometry::Profiles>(geometry::make_profiles(setup, observer));
     parts_ = std::make_shared<const Parts>(std::move(setup), std::move(profiles), std::move(influences));
 }
 
@@ -85,13 +85,13 @@ WheelRailContact WheelRailContact::with_friction(const WheelRailFriction& fricti
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, Observer& observer) const {
-    return warned(parts_->of_right_wheel(state, [&](RightWheel&& wheel) { return wheel.solve(observer); }),
+    return warned(parts_->of_right_wheel(state, observer, [&](RightWheel&& wheel) { return wheel.solve(observer); }),
                   parts_->warnings, state);
 }
 
 WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRailEstimates& estimates,
                                           Observer& observer) const {
-    return warned(parts_->of_right_wheel(state,
+    return warned(parts_->of_right_wheel(state, observer,
                                          [&](RightWheel&& wheel) {
                                              wheel.start_from(estimates);
                                              return wheel.solve(observer);
@@ -99,13 +99,13 @@ WheelRailSolution WheelRailContact::solve(const WheelRailState& state, WheelRail
                   parts_->warnings, state);
 }
 
-WheelRailGeometry WheelRailContact::locate(const WheelRailState& state) const {
-    return warned(parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.locate(); }),
+WheelRailGeometry WheelRailContact::locate(const WheelRailState& state, const Observer& observer) const {
+    return warned(parts_->of_right_wheel(state, observer, [](RightWheel&& wheel) { return wheel.locate(); }),
                   parts_->warnings, state);
 }
 
-std::optional<double> WheelRailContact::touch(const WheelRailState& state) const {
-    return parts_->of_right_wheel(state, [](RightWheel&& wheel) { return wheel.touch(); });
+std::optional<double> WheelRailContact::touch(const WheelRailState& state, const Observer& observer) const {
+    return parts_->of_right_wheel(state, observer, [](RightWheel&& wheel) { return wheel.touch(); });
 }
 
 const WheelRailSetup& WheelRailContact::setup() const {
@@ -113,7 +113,7 @@ const WheelRailSetup& WheelRailContact::setup() const {
 }
 
 WheelRailSolution solve_wheel_rail(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
-    return WheelRailContact(setup).solve(state, observer);
+    return WheelRailContact(setup, nullptr, observer).solve(state, observer);
 }
 
 }  // namespace contactd

@@ -75,11 +75,11 @@ class Rolls {
           state_(state),
           larger_(left.setup().wheelset.nominal_radius - right.setup().wheelset.nominal_radius) {}
 
-    double expected_difference(double roll) const {
-        const double left = of_wheel(Side::left, [&] { return left_.locate(state_of(state_, Side::left, roll)).z; });
-        const double right =
-            of_wheel(Side::right, [&] { return right_.locate(state_of(state_, Side::right, roll)).z; });
-        return left - right - larger_;
+    double expected_difference(double roll, const Observer& observer) const {
+        const auto height = [&](const WheelRailContact& wheel, Side side) {
+            return of_wheel(side, [&] { return wheel.locate(state_of(state_, side, roll), observer).z; });
+        };
+        return height(left_, Side::left) - height(right_, Side::right) - larger_;
     }
     double difference(double roll, Observer& observer) {
         solution_.left =
@@ -131,12 +131,12 @@ WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailCon
     RisingFound found;
     for (int round = 0; round < 4; ++round) {
         RisingTask expected = rolls.task(roll, 0.1 * height_tolerance);
-        expected.function = [&](double at) { return rolls.expected_difference(at) + offset; };
+        expected.function = [&](double at) { return rolls.expected_difference(at, observer) + offset; };
         roll = find_rising(expected).at;
         found = {roll, rolls.difference(roll, observer), ++solves, false};
         found.converged = std::abs(found.value) <= height_tolerance;
         if (found.converged || !std::isfinite(found.value)) break;
-        offset = found.value - rolls.expected_difference(roll);
+        offset = found.value - rolls.expected_difference(roll, observer);
     }
     if (!found.converged && std::isfinite(found.value)) {
         RisingTask task = rolls.task(roll, height_tolerance);

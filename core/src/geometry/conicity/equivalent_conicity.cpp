@@ -112,6 +112,7 @@ std::vector<EquivalentConicity> equivalent_conicities(const WheelsetOnTrack& whe
     const double inertia = settings.contact_distance * radius;  // 2e r0
     std::vector<EquivalentConicity> conicities;
     for (const double amplitude : amplitudes) {
+        observer.throw_if_cancelled();
         const double centre = difference.centre(amplitude);
         shifts.refuse_ends(std::isnan(centre) ? 0 : centre, amplitude);
         const double half = difference.half_swing(amplitude), frequency = std::numbers::pi / half;

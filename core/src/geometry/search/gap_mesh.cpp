@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/distance/heights.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -16,6 +17,7 @@ constexpr double part_of_radius = 0.125;  // how far to both sides
 constexpr std::size_t side = 8;           // of a square, in steps
 constexpr double least_dent = 0.02;       // mm: by how much a gap within a square may be less than those at its corners
 constexpr double slope_dent = 0.5;        // and of the difference of these
+constexpr int most_nodes = 10'000'000;    // 80 MB of gaps
 constexpr double unknown_dent = 0.5;      // of the square's width, where there is a corner without wheel or rail
 
 std::size_t squares_of(std::size_t lines) {
@@ -24,12 +26,17 @@ std::size_t squares_of(std::size_t lines) {
 
 }  // namespace
 
-GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y)
-    : wheel_(wheel), rail_(rail), step_x_(step_x), step_y_(step_y), least_gap_(infinite) {
-    const auto half = static_cast<std::size_t>(std::ceil(part_of_radius * wheel.nominal_radius() / step_x));
+GapMesh::GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y,
+                 const Observer& observer)
+    : wheel_(wheel), rail_(rail), observer_(observer), step_x_(step_x), step_y_(step_y), least_gap_(infinite) {
+    const Span& seen = rail.visible();
+    const double beside = std::ceil(part_of_radius * wheel.nominal_radius() / step_x);
+    const double nodes = (2 * beside + 1) * ((seen.high - seen.low) / step_y + 1);
+    count_of(nodes, {"dx", "and dy make steps of " + number_text(step_x) + " and " + number_text(step_y) + " mm",
+                     "nodes along a wheel and a rail of these sizes", "make them larger", most_nodes});
+    const auto half = static_cast<std::size_t>(beside);
     columns_ = 2 * half + 1;
     first_x_ = -static_cast<double>(half) * step_x;
-    const Span& seen = rail.visible();
     const auto count = std::max<std::size_t>(2, static_cast<std::size_t>((seen.high - seen.low) / step_y) + 1);
     double s = seen.from;
     for (std::size_t i = 0; i < count; ++i) {
@@ -57,6 +64,7 @@ void GapMesh::look_at(const Square& square, std::size_t every) {
         return line < last ? std::min(line + every, last) : line + 1;
     };
     for (std::size_t row = from.row; row <= to.row; row = next(row, to.row)) {
+        observer_.throw_if_cancelled();
         const double y = rows_[row].y - plane.y;
         const auto look = [&](std::size_t first, std::size_t count, std::size_t step) {
             const double dx = static_cast<double>(step) * step_x_;

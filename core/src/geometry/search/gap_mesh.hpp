@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "contactd/observer.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
@@ -25,8 +26,9 @@ class GapMesh {
         std::size_t column, row;
     };
 
-    /// The wheel stands at z = 0. Both must live longer. Steps in mm.
-    GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y);
+    /// The wheel stands at z = 0. All must live longer. Steps in mm. Throws InvalidArgument ("dx") for nodes that are
+    /// too many, and here and later Cancelled when the observer, which is asked row by row, says so.
+    GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y, const Observer& observer);
 
     /// Has all nodes looked at that may have a gap below `height`.
     void look_below(double height);
@@ -58,6 +60,7 @@ class GapMesh {
 
     const WheelSurface& wheel_;
     const RailSurface& rail_;
+    const Observer& observer_;
     double step_x_, step_y_, first_x_;
     std::size_t columns_;
     std::vector<Row> rows_;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/placement/ascending_root.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd::geometry {
 namespace {
@@ -15,9 +16,10 @@ constexpr double near = 1e-6;          // mm: so short a step along a tangent lo
 constexpr double longest_span = 0.5;   // mm: of rows that the first pass leaves out
 constexpr double deepest_dent = 0.25;  // of a span's length
 constexpr double least_dent = 0.02;    // mm: by how much a gap within a span may be less than those at its ends
+constexpr int most_rows = 1'000'000;   // 64 MB
 
 std::size_t rows_in_span(double step) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(longest_span / step));
+    return static_cast<std::size_t>(std::max(1.0, longest_span / step));  // the constructor has bounded the quotient
 }
 
 /// y where the gap is `height`, by a parabola through three rows, or the line through the first two where the third has
@@ -31,10 +33,14 @@ double y_of_gap(const LocusRow& a, const LocusRow& b, const LocusRow& c, double 
 
 }  // namespace
 
-Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step)
-    : wheel_(wheel), rail_(rail), step_(step), least_gap_(infinite) {
+Locus::Locus(const WheelSurface& wheel, const RailSurface& rail, double step, const Observer& observer)
+    : wheel_(wheel), rail_(rail), observer_(observer), step_(step), least_gap_(infinite) {
     const Span& seen = rail.visible();
-    const auto count = static_cast<std::size_t>((seen.high - seen.low) / step) + 1;
+    const auto count =
+        static_cast<std::size_t>(
+            count_of((seen.high - seen.low) / step, {"patches.locus_step", "times dy is " + number_text(step) + " mm",
+                                                     "rows along the rail", "make one of them larger", most_rows})) +
+        1;
     rows_.assign(count, {0, infinite});
     wheel_s_.assign(count, 0);
     for (std::size_t i = 0; i < count; ++i) rows_[i].y = seen.low + static_cast<double>(i) * step;
@@ -149,6 +155,7 @@ double Locus::dent(std::size_t begin, std::size_t end) const {
 }
 
 void Locus::look_between(std::size_t begin) {
+    observer_.throw_if_cancelled();
     const std::size_t span = rows_in_span(step_), end = std::min(begin + span, rows_.size() - 1);
     const bool from_begin = rows_[begin].gap < infinite;
     Start start = start_at(from_begin ? begin : end);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "contactd/observer.hpp"
 #include "contactd/wheel_rail_solution.hpp"
 #include "geometry/placement/rail_surface.hpp"
 #include "geometry/placement/wheel_surface.hpp"
@@ -28,8 +29,9 @@ struct LocusRow {
 /// first pass leaves out most of them.
 class Locus {
    public:
-    /// The wheel stands at z = 0. Both must live longer.
-    Locus(const WheelSurface& wheel, const RailSurface& rail, double step);
+    /// The wheel stands at z = 0. All must live longer. Throws InvalidArgument ("patches.locus_step") for rows that are
+    /// too many, and here and later Cancelled when the observer, which is asked span by span, says so.
+    Locus(const WheelSurface& wheel, const RailSurface& rail, double step, const Observer& observer);
 
     /// Has all rows looked at that may have a gap below `height`.
     void look_below(double height);
@@ -74,6 +76,7 @@ class Locus {
 
     const WheelSurface& wheel_;
     const RailSurface& rail_;
+    const Observer& observer_;
     double step_, least_gap_;
     std::vector<LocusRow> rows_;
     std::vector<double> wheel_s_;  // of rows that have both

@@ -8,9 +8,9 @@ namespace contactd::geometry {
 
 class LocusSearch : public OverlapSearch {
    public:
-    /// The wheel stands at z = 0. Both must live longer.
-    LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step)
-        : rail_(rail), locus_(wheel, rail, step) {}
+    /// The wheel stands at z = 0. All must live longer.
+    LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step, const Observer& observer)
+        : rail_(rail), locus_(wheel, rail, step, observer) {}
 
     double least_gap() const override { return locus_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;

@@ -8,9 +8,10 @@ namespace contactd::geometry {
 
 class MeshSearch : public OverlapSearch {
    public:
-    /// The wheel stands at z = 0. Both must live longer. Steps in mm.
-    MeshSearch(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y)
-        : rail_(rail), mesh_(wheel, rail, step_x, step_y) {}
+    /// The wheel stands at z = 0. All must live longer. Steps in mm.
+    MeshSearch(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y,
+               const Observer& observer)
+        : rail_(rail), mesh_(wheel, rail, step_x, step_y, observer) {}
 
     double least_gap() const override { return mesh_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "influence/layered/gauss_legendre.hpp"
+#include "types/count_of.hpp"
 
 namespace contactd {
 namespace {
@@ -50,7 +51,11 @@ std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, dou
     // Few points a wave: this many take five waves a panel to rounding, where eight points take half a wave.
     static const auto rule = gauss_legendre(24);
     constexpr double waves = 5;
-    const auto panels_of = [&](double width) { return 1 + static_cast<int>(width * longest / (2 * pi * waves)); };
+    const auto panels_of = [&](double width) {
+        return 1 + count_of(width * longest / (2 * pi * waves),
+                            {"grid", "reaches " + short_text(longest) + " columns' widths along x",
+                             "panels of a quadrature", "take shorter elements along x, or fewer", 100'000});
+    };
     const double step = std::asinh(nodes[1] / xi0);
     std::vector<std::vector<Point>> points(nodes.size());
     for (std::size_t knot = 0; knot + 1 < nodes.size(); ++knot) {
@@ -125,7 +130,8 @@ std::vector<double> wavenumber_nodes(double xi0, double last, int count) {
     return nodes;
 }
 
-WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift) {
+WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift,
+                               const Observer& observer) {
     const auto count = static_cast<Eigen::Index>(nodes.size());
     // Of values and of curvatures.
     RowMajor even = RowMajor::Zero(count, nx), even_bent = even, odd = even, odd_bent = even;
@@ -134,6 +140,7 @@ WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, dou
         constexpr std::size_t block = 64;  // whose waves stay near the processor
         std::span<const Point> left = points[static_cast<std::size_t>(knot)];
         while (!left.empty()) {
+            observer.throw_if_cancelled();
             const auto now = left.first(std::min(block, left.size()));
             left = left.subspan(now.size());
             const Waves waves(now, dx, nx, shift);

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "contactd/observer.hpp"
+
 namespace contactd {
 
 /// `count` wavenumbers from 0 to `last`, even in asinh(xi/xi0).
@@ -12,10 +14,11 @@ std::vector<double> wavenumber_nodes(double xi0, double last, int count);
 /// element of length dx and times cos (even) or sin (odd) of xi (k dx + shift), over pi.
 /// The spline is cubic in asinh(xi/xi0) and knows the parity: zero slope of what is even at 0, no value and no
 /// curvature of what is odd. Beyond the last node its value falls as 1/xi^2, as the effect of a surface's curvature
-/// does.
+/// does. Throws InvalidArgument ("grid") for offsets so far that no quadrature follows their waves, and Cancelled.
 struct WavenumberRule {
     std::vector<double> even, odd;
 };
-WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift);
+WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift,
+                               const Observer& observer = {});
 
 }  // namespace contactd

@@ -20,9 +20,10 @@ struct Shift {
 };
 
 // A shift by whole elements asks for offsets of a table, a half or a quarter as many.
-ShiftedTable from_table(const Layers& body, LoadShape load_shape, const Grid& grid, int along_x, int along_y) {
-    const IcTable table =
-        layered_table(body, load_shape, grid.nx + std::abs(along_x), grid.ny + std::abs(along_y), grid.dx, grid.dy);
+ShiftedTable from_table(const Layers& body, LoadShape load_shape, const Grid& grid, int along_x, int along_y,
+                        const Observer& observer) {
+    const IcTable table = layered_table(body, load_shape, grid.nx + std::abs(along_x), grid.ny + std::abs(along_y),
+                                        grid.dx, grid.dy, observer);
     ShiftedTable result(grid.nx, grid.ny);
     for (const Axis i : {x, y})
         for (const Axis j : {x, y, z})
@@ -34,13 +35,13 @@ ShiftedTable from_table(const Layers& body, LoadShape load_shape, const Grid& gr
 
 }  // namespace
 
-ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid& grid, double shift_x,
-                            double shift_y) {
+ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid& grid, double shift_x, double shift_y,
+                            const Observer& observer) {
     const Shift along_x(shift_x, grid.dx), along_y(shift_y, grid.dy);
     if (along_x.whole && along_y.whole && std::abs(along_x.elements) <= grid.nx &&
         std::abs(along_y.elements) <= grid.ny)
         return from_table(body, load_shape, grid, static_cast<int>(along_x.elements),
-                          static_cast<int>(along_y.elements));
+                          static_cast<int>(along_y.elements), observer);
     // Where rolling is along x, rows below are those above mirrored.
     const bool even = along_y.elements == 0;
     const int first_l = even ? 0 : 1 - grid.ny;
@@ -50,7 +51,7 @@ ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid
                                 .ny = grid.ny - first_l,
                                 .dx = grid.dx,
                                 .dy = grid.dy};
-    const auto values = layered_coefficients(body, load_shape, offsets);
+    const auto values = layered_coefficients(body, load_shape, offsets, observer);
     ShiftedTable result(grid.nx, grid.ny);
     for (int l = first_l; l < grid.ny; ++l)
         for (int k = 1 - grid.nx; k < grid.nx; ++k) {

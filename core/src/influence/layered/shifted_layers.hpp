@@ -2,12 +2,14 @@
 #pragma once
 
 #include "contactd/layers.hpp"
+#include "contactd/observer.hpp"
 #include "influence/shifted_table.hpp"
 
 namespace contactd {
 
 /// Of layers below a rigid body. Only the numbers and the sizes of the elements of `grid` matter. As exact as
 /// layered_table, also on the borders between elements.
-ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid& grid, double shift_x, double shift_y);
+ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid& grid, double shift_x, double shift_y,
+                            const Observer& observer = {});
 
 }  // namespace contactd

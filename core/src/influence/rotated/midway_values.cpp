@@ -11,10 +11,12 @@ NineValues opposite(NineValues values) {
 
 }  // namespace
 
-UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor) {
+UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor,
+                          const Observer& observer) {
     const std::size_t columns = grid.frames.size(), n = midway.size() / columns, component = columns * columns * n;
     UnsetArray values(9 * component);
-    for (std::size_t I = 0; I < columns; ++I)
+    for (std::size_t I = 0; I < columns; ++I) {
+        observer.throw_if_cancelled();
         for (std::size_t J = 0; J < columns; ++J) {
             const ColumnAxes axes(
                 view_of(grid.frames, grid.ds, grid.perimeter, static_cast<int>(I), static_cast<int>(J)).turn);
@@ -25,14 +27,16 @@ UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>&
                     values[ij * component + (I * columns + J) * n + k] = factor * turned[ij];
             }
         }
+    }
     return values;
 }
 
-ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor) {
+ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor,
+                         const Observer& observer) {
     ColumnTable table;
     table.nx = grid.nx;
     table.columns = static_cast<int>(grid.frames.size());
-    table.values = in_column_axes(grid, midway, factor);
+    table.values = in_column_axes(grid, midway, factor, observer);
     return table;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contactd/column_table.hpp"
+#include "contactd/observer.hpp"
 #include "influence/rotated/column_grid.hpp"
 #include "influence/rotated/column_values.hpp"
 
@@ -13,10 +14,12 @@ namespace contactd {
 /// Midway between two columns, values depend on their distance only: n of each distance in columns, from 0 on, by
 /// `integrals(s, k)`, k = 0..n-1.
 template <class Integrals>
-std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::size_t n, const Integrals& integrals) {
+std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::size_t n, const Observer& observer,
+                                      const Integrals& integrals) {
     std::vector<NineValues> values;
     values.reserve(grid.frames.size() * n);
     for (int distance = 0; distance < static_cast<int>(grid.frames.size()); ++distance) {
+        observer.throw_if_cancelled();
         const double s = view_of(grid.frames, grid.ds, grid.perimeter, distance, 0).s;
         for (std::size_t k = 0; k < n; ++k) values.push_back(nine_values(integrals(s, k), nu));
     }
@@ -24,9 +27,11 @@ std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::si
 }
 
 /// Shape [3, 3, columns, columns, n], in the axes of the columns, times a factor.
-UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);
+UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor,
+                          const Observer& observer);
 
 /// The same as a table of grid.nx offsets.
-ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor);
+ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor,
+                         const Observer& observer);
 
 }  // namespace contactd

@@ -7,13 +7,14 @@
 
 namespace contactd {
 
-ColumnTable rotated_half_space(const ColumnGrid& grid, const Material& material, LoadShape load, double shift) {
+ColumnTable rotated_half_space(const ColumnGrid& grid, const Material& material, LoadShape load, double shift,
+                               const Observer& observer) {
     const HalfSpaceModel model(load);
     const auto midway =
-        midway_values(grid, material.nu, static_cast<std::size_t>(grid.nx), [&](double s, std::size_t k) {
+        midway_values(grid, material.nu, static_cast<std::size_t>(grid.nx), observer, [&](double s, std::size_t k) {
             return model.integrals(static_cast<double>(k) * grid.dx + shift, s, grid.dx, grid.ds);
         });
-    return midway_table(grid, midway, 1 / material.G);
+    return midway_table(grid, midway, 1 / material.G, observer);
 }
 
 }  // namespace contactd
