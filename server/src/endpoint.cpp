@@ -41,6 +41,7 @@ Endpoint::Endpoint(const Config& config, Service& service)
       access_(config, context_),
       socket_(context_, access_, config, noted_by(parts_)),
       connections_(context_, socket_.router(), config.max_inbox_bytes, parts_.counters.connections),
+      memory_(parts_.budget, parts_.workers),
       intake_(config, service, socket_) {
     socket_.bind(config.endpoint);
 }
@@ -60,6 +61,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         socket_.deliver();  // what has been answered at once
         end_overdue();
         parts_.sessions.expire(Clock::now());
+        memory_.look(Clock::now(), parts_.workers.waiting() + parts_.workers.running() > 0, parts_.sessions.bytes());
         connections_.bound_input(Clock::now());
         connections_.read();
         end_gone();
@@ -74,8 +76,8 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
 
 /// Waits for something to do. True when a signal has come.
 bool Endpoint::wait(int signal_fd, const Notifier& notifier) {
-    const auto next =
-        std::min({parts_.open_calls.next_deadline(), parts_.sessions.next_expiry(), connections_.next_look(), end_});
+    const auto next = std::min({parts_.open_calls.next_deadline(), parts_.sessions.next_expiry(),
+                                connections_.next_look(), memory_.next_look(), end_});
     long patience = -1;
     if (next != Clock::time_point::max()) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now());

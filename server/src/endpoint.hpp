@@ -9,6 +9,7 @@
 #include "config/config.hpp"
 #include "intake.hpp"
 #include "jobs/call.hpp"
+#include "operation/memory_return.hpp"
 #include "operation/notify.hpp"
 #include "service/service.hpp"
 #include "wire/answering_socket.hpp"
@@ -53,7 +54,8 @@ class Endpoint {
     AnsweringSocket socket_;
     ConnectionMonitor connections_;
     Clock::time_point end_ = Clock::time_point::max();  // of the drain, once there is one
-    Intake intake_;                                     // last: its thread uses the socket
+    MemoryReturn memory_;
+    Intake intake_;  // last: its thread uses the socket
 };
 
 }  // namespace contactd::server

@@ -22,6 +22,7 @@
 #include "contactd/version.hpp"
 #include "endpoint.hpp"
 #include "methods/collect_metrics.hpp"
+#include "methods/cost_examples.hpp"
 #include "operation/about.hpp"
 #include "operation/http_listener.hpp"
 #include "operation/log.hpp"
@@ -98,10 +99,12 @@ int main(int argc, char** argv) {
     CLI::App app("contactd: influence coefficients and elastic contact, as a service.");
     std::string config_file, endpoint, ping_endpoint, key_name, key_folder = ".";
     PingKeys ping_keys;
-    bool print_config = false, only_check = false;
+    bool print_config = false, print_costs = false, only_check = false;
     app.add_option("-c,--config", config_file, "configuration (JSON); without one the defaults hold");
     app.add_option("-e,--endpoint", endpoint, "where to listen, in place of the configuration's endpoint");
     app.add_flag("--print-config", print_config, "print the configuration with its defaults, and end");
+    app.add_flag("--print-costs", print_costs,
+                 "print what large requests of each method are expected to take (JSON), and end");
     app.add_flag("--check-config", only_check, "look for what would go wrong with the configuration, and end");
     CLI::Option* asks =
         app.add_option("--ping", ping_endpoint, "ask the daemon that listens there whether it serves, and end");
@@ -138,6 +141,10 @@ int main(int argc, char** argv) {
     }
     if (print_config) {
         std::cout << to_json(config).dump(2) << "\n";
+        return 0;
+    }
+    if (print_costs) {
+        std::cout << cost_examples(config).dump(1) << "\n";
         return 0;
     }
     if (only_check) return check_config(config, std::cout, std::cerr) == 0 ? 0 : status_unusable;

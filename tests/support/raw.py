@@ -79,10 +79,10 @@ class RawClient:
     def send_bytes(self, *parts: bytes) -> None:
         self.socket.send_multipart(parts)
 
-    def receive(self) -> Answer:
-        """The next reply; progress before it is checked and passed over."""
+    def receive(self, patience: float = PATIENCE_MS / 1000 / SLOWER) -> Answer:
+        """The next reply within so many seconds; progress before it is checked and passed over."""
         while True:
-            assert self.socket.poll(PATIENCE_MS), "no answer"
+            assert self.socket.poll(int(1000 * patience * SLOWER)), "no answer"
             text, *frames = self.socket.recv_multipart()
             envelope = json.loads(text)
             if "progress" in envelope:

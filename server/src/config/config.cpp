@@ -129,6 +129,8 @@ Config config_from_json(const json& given) {
     config.max_outbox_bytes = limits["max_outbox_bytes"];
     config.max_queue_per_client = limits["max_queue_per_client"];
     config.max_queue_bytes = limits["max_queue_bytes"];
+    config.max_work_bytes = limits["max_work_bytes"];
+    config.max_work_seconds = limits["max_work_seconds"];
     const json& sessions = all["sessions"];
     config.sessions = {sessions["max_sessions"], sessions["max_bytes"], sessions["max_states"],
                        sessions["lease_seconds"], sessions["max_lease_seconds"]};
@@ -199,7 +201,9 @@ json to_json(const Config& config) {
               {"max_inbox_bytes", config.max_inbox_bytes},
               {"max_outbox_bytes", config.max_outbox_bytes},
               {"max_queue_per_client", config.max_queue_per_client},
-              {"max_queue_bytes", config.max_queue_bytes}}},
+              {"max_queue_bytes", config.max_queue_bytes},
+              {"max_work_bytes", config.max_work_bytes},
+              {"max_work_seconds", config.max_work_seconds}}},
             {"sessions",
              {{"max_sessions", config.sessions.max_sessions},
               {"max_bytes", config.sessions.max_bytes},

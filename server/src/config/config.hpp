@@ -81,6 +81,8 @@ struct Config {
     std::size_t max_outbox_bytes;
     std::size_t max_queue_per_client;
     std::size_t max_queue_bytes;
+    std::size_t max_work_bytes;
+    double max_work_seconds;
     SessionLimits sessions;
     RecentSolvesLimits recent_solves;
     struct {

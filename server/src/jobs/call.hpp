@@ -43,6 +43,7 @@ struct Answer {
     std::string reason;  ///< empty when the status is OK
     std::string agent;   ///< what the client calls itself
     CallNumber number = 0;
+    std::shared_ptr<const void> counted{};  ///< its bytes, until the last of its frames has been sent
 };
 
 /// Answers once, from any thread; what comes after the first answer is dropped.
@@ -65,6 +66,8 @@ class Call {
     const proto::Priority priority;
     /// The work that answers it, where job.list shows it; set by job_of.
     std::shared_ptr<Job> job;
+    /// The bytes of the work under way, given back when they are reset (WorkBudget).
+    std::shared_ptr<const void> work;
 
     /// The connection that asked, as turns and limits count clients.
     const std::string& client() const { return route_.identity; }

@@ -73,33 +73,29 @@ class Reporter {
     Call::Clock::time_point last_ = Call::Clock::now();
 };
 
-/// Ends what is done for a call without a job when the call has been answered, or its time is up.
-class CallObserver final : public Observer {
+/// Ends a computation when its call has been answered, or the call's time is up.
+class CallObserver : public Observer {
    public:
     explicit CallObserver(CallPtr call) : call_(std::move(call)) {}
     bool cancelled() const override {
         call_->check_deadline();
         return call_->answered();
     }
+    std::string_view user() const override { return call_->user(); }
 
    private:
     const CallPtr call_;
 };
 
 /// Ends a computation when its job is cancelled, its call has been answered, or the call's time is up.
-class JobObserver final : public Observer {
+class JobObserver final : public CallObserver {
    public:
     JobObserver(CallPtr call, std::shared_ptr<Job> job, std::function<void(const Progress&)> progress)
-        : call_(std::move(call)), job_(std::move(job)), progress_(std::move(progress)) {}
+        : CallObserver(std::move(call)), job_(std::move(job)), progress_(std::move(progress)) {}
     void on_progress(const Progress& progress) override { progress_(progress); }
-    bool cancelled() const override {
-        call_->check_deadline();
-        return job_->cancelled() || call_->answered();
-    }
-    std::string_view user() const override { return call_->user(); }
+    bool cancelled() const override { return CallObserver::cancelled() || job_->cancelled(); }
 
    private:
-    const CallPtr call_;
     const std::shared_ptr<Job> job_;
     const std::function<void(const Progress&)> progress_;
 };

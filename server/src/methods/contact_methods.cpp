@@ -7,6 +7,7 @@
 #include "all_methods.hpp"
 #include "contact_solve_many.hpp"
 #include "contactd/subsurface.hpp"
+#include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
@@ -30,7 +31,6 @@ bool is_small(const CallPtr& call, const DaemonParts&) {
 
 void solve(const CallPtr& call, const DaemonParts& parts) {
     const proto::Request& request = call->request;
-    check_grid_limit(request.params, parts.config.max_grid_elements);
     check_answer_fits(std::array{array_answer(request.params)}, request.arrays, parts.config.limits);
     ++parts.counters.solves;
     ContactProblem problem = proto::decode_problem(request.params, request.frames);
@@ -53,7 +53,7 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
                                     job->end();
                                     call->fail(status);
                                 },
-                                true});
+                                cost_of_solve(request.params, parts.config).bytes, true});
 }
 
 SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
@@ -76,7 +76,6 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
 }
 
 void subsurface(const CallPtr& call, const DaemonParts& parts) {
-    check_grid_limit(call->request.params, parts.config.max_grid_elements);
     const SubsurfaceRequest request =
         proto::decode_subsurface_request(call->request.params, call->request.frames, parts.config.limits);
     proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
@@ -94,10 +93,14 @@ void subsurface(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_contact_methods(MethodTable& methods) {
-    methods.add({.name = "contact.solve", .job = "solve", .is_small = is_small, .handle = solve});
     methods.add(
-        {.name = "contact.solve_many", .priority = proto::Priority::low, .job = "solve", .queue = queue_problems});
-    methods.add({.name = "contact.subsurface", .job = "subsurface", .handle = subsurface});
+        {.name = "contact.solve", .job = "solve", .is_small = is_small, .cost = cost_of_solve, .handle = solve});
+    methods.add({.name = "contact.solve_many",
+                 .priority = proto::Priority::low,
+                 .job = "solve",
+                 .cost = cost_of_solve_many,
+                 .queue = queue_problems});
+    methods.add({.name = "contact.subsurface", .job = "subsurface", .cost = cost_of_subsurface, .handle = subsurface});
 }
 
 }  // namespace contactd::server

@@ -1,10 +1,13 @@
 #include "contact_solve_many.hpp"
 
 #include <atomic>
+#include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
@@ -22,18 +25,23 @@ struct Batch;
 void conclude_check(Batch& batch);
 
 /// Several problems of one call.
-struct Batch {
-    CallPtr call;
+struct Batch : std::enable_shared_from_this<Batch> {
+    Batch(CallPtr its_call, const DaemonParts& its_parts) : call(std::move(its_call)), parts(its_parts) {}
+
+    const CallPtr call;
     const DaemonParts& parts;
     std::shared_ptr<Job> job = job_of(call, "solve", parts.jobs);
     Reporter reporter{call, job};
     SharedCheck check{call, [this] { conclude_check(*this); }};
     std::vector<proto::ResultOrStatus> results{};
+    std::atomic<bool> admitted = false;  // its memory is counted
+    std::atomic<std::thread::id> concluding{};
     std::atomic<std::size_t> next = 0, finished = 0;
 
     const json& problems() const { return call->request.params["problems"]; }
 };
 using BatchPtr = std::shared_ptr<Batch>;
+void admit(const BatchPtr& batch);
 
 /// What concerns all problems together. They have passed their schema.
 void conclude_check(Batch& batch) {
@@ -46,13 +54,30 @@ void conclude_check(Batch& batch) {
     proto::check_referred_elements(batch.problems(), config.limits);
     proto::check_frames_used(request.params, request.frames);
     batch.results.resize(batch.problems().size());
+    const WorkCost cost = cost_of_solve_many(request.params, config);
+    check_cost(cost, config);
     batch.parts.counters.solves += static_cast<long long>(batch.results.size());
+    // Those of a client one behind the other: in turns all would keep what they have until the last is finished.
+    batch.concluding = std::this_thread::get_id();
+    batch.parts.budget.enter(batch.call, cost.bytes, [self = batch.shared_from_this()] { admit(self); }, true);
+    batch.concluding = std::thread::id();
 }
 
 void take(const BatchPtr& batch);
 
 void post(const BatchPtr& batch) {
     batch->parts.workers.post(turn_of(batch->call), [batch] { take(batch); });
+}
+
+/// Each worker may come for some of its problems.
+void call_all(const BatchPtr& batch) {
+    for (int worker = 0; worker < batch->parts.config.workers; ++worker) post(batch);
+}
+
+/// Now, while the workers that have come wait for the end of the check, or later, when they have gone.
+void admit(const BatchPtr& batch) {
+    batch->admitted = true;
+    if (batch->concluding != std::this_thread::get_id()) call_all(batch);
 }
 
 void answer(const Batch& batch, std::vector<proto::ResultOrStatus> results) {
@@ -98,13 +123,13 @@ SolveTask task_of(const BatchPtr& batch, std::size_t index, ContactProblem probl
         finish(*batch, index, status);
         then();
     };
-    return {batch->call, std::move(problem), batch->job, [](const Progress&) {}, done, failed, true};
+    return {batch->call, std::move(problem), batch->job, [](const Progress&) {}, done, failed, 0, true};
 }
 
 /// In a worker: the next problems, as many as one turn may have.
 void take(const BatchPtr& batch) {
     batch->call->check_deadline();
-    if (batch->call->answered() || !batch->check.passed()) return;
+    if (batch->call->answered() || !batch->check.passed() || !batch->admitted) return;
     const std::size_t all = batch->problems().size();
     for (int taken = 0; taken < small_at_once; ++taken) {
         const std::size_t index = batch->next++;
@@ -122,8 +147,7 @@ void take(const BatchPtr& batch) {
 }  // namespace
 
 void queue_problems(const CallPtr& call, const DaemonParts& parts) {
-    const auto batch = BatchPtr(new Batch{call, parts});
-    for (int worker = 0; worker < parts.config.workers; ++worker) post(batch);
+    call_all(std::make_shared<Batch>(call, parts));
 }
 
 }  // namespace contactd::server

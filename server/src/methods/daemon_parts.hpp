@@ -4,6 +4,7 @@
 #include "config/config.hpp"
 #include "engine/engine.hpp"
 #include "jobs/open_calls.hpp"
+#include "jobs/work_budget.hpp"
 #include "operation/counters.hpp"
 #include "operation/health.hpp"
 #include "operation/host.hpp"
@@ -27,9 +28,10 @@ struct DaemonParts {
     SessionTable& sessions;
     RecentSolves& recent_solves;
     WorkerPool& workers;
+    WorkBudget& budget;
     const Call::Clock::time_point started = Call::Clock::now();
 
-    SolveTools solve_tools() const { return {engine, workers, recent_solves}; }
+    SolveTools solve_tools() const { return {engine, workers, recent_solves, budget}; }
     /// Of an answer that goes out. One thread at a time.
     void note(const Answer& answer) const {
         if (answer.status != "OK") ++counters.requests_failed;
@@ -41,6 +43,7 @@ struct DaemonParts {
         workers.drop_abandoned();
         sessions.drop_abandoned();
         ics.drop_abandoned();
+        budget.drop_abandoned();
     }
 };
 

@@ -9,6 +9,7 @@
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/import_codec.hpp"
+#include "costs.hpp"
 #include "engine/ics/ic_pair.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
@@ -40,7 +41,7 @@ void answer_with_ic_file(const Export& work) {
     if (record.spec.section)
         record.tables = held.tables;
     else
-        record.tables = table_for(held, record.spec);
+        record.tables = table_for(held, record.spec, 1, CallObserver(work.call));
     record.spec.any_nu = false;  // what leaves is one table of the family
     proto::ArrayWriter arrays(work.call->request.arrays);
     const IcUse use = use_of(work.answers[0]);
@@ -103,7 +104,6 @@ void check_size(const IcSpec& spec, std::size_t most_bytes) {
 
 void export_table(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
-    check_grid_limit(call->request.params, parts.config.max_grid_elements);
     const IcExport wanted = proto::decode_ic_export(call->request.params, call->request.frames);
     auto work = std::make_shared<Export>();
     work->call = call;
@@ -114,10 +114,14 @@ void export_table(const CallPtr& call, const DaemonParts& parts) {
     engine::validate_body(work->specs[0], "material");
     engine::validate_body(work->specs[1], "lower");
     if (wanted.format == FileFormat::contact) check_size(wanted.spec, parts.config.limits.max_frame_bytes);
+    call->work.reset();  // a build may take hours
+    const double bytes = cost_of_export(call->request.params, parts.config).bytes;
     fetch_pair(parts.ics, {work->specs[0], work->specs[1]},
-               {[work, &workers = parts.workers](const IcAnswers& answers) {
+               {[work, bytes, &parts](const IcAnswers& answers) {
                     work->answers = answers;
-                    workers.post(turn_of(work->call), [work] { answer(work); });
+                    parts.budget.enter(work->call, bytes, [work, &workers = parts.workers] {
+                        workers.post(turn_of(work->call), [work] { answer(work); });
+                    });
                 },
                 [call](const proto::Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
 }

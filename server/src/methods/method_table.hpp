@@ -7,6 +7,7 @@
 
 #include "contactd/proto/message.hpp"
 #include "daemon_parts.hpp"
+#include "jobs/work_budget.hpp"
 
 namespace contactd::server {
 
@@ -20,6 +21,9 @@ struct Method {
     /// Whether the work of a call is so small that the I/O thread may do it when no other request is open: waking a
     /// worker would take as long.
     bool (*is_small)(const CallPtr& call, const DaemonParts& parts) = nullptr;
+    /// What the work will take in memory and time, of params that have passed their schema; null where it is little.
+    /// What exceeds limits.* is refused, and work waits until its memory is free. With `queue` the method asks itself.
+    WorkCost (*cost)(const nlohmann::json& params, const Config& config) = nullptr;
     /// Of a method whose work is that of several turns: hands it on from the I/O thread, in place of `handle`.
     void (*queue)(const CallPtr& call, const DaemonParts& parts) = nullptr;
     /// Answers the call now or later, or throws what becomes the answer. The parameters have passed their schema.

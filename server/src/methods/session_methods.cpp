@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "all_methods.hpp"
+#include "costs.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
@@ -26,13 +27,14 @@ const std::string& state_in(const CallPtr& call) {
 void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<double> lease,
                  const engine::IcAnswers& ics, const DaemonParts& parts) {
     if (call->answered()) return;
+    const CallObserver observer(call);
     SessionReply reply;
     reply.lease_seconds = lease.count();
     reply.bytes = session_bytes(spec.setup);
     reply.ics = engine::uses_of(spec.setup, ics);
     SessionTable& sessions = parts.sessions;
-    reply.session =
-        sessions.add(std::make_shared<Session>(simulation_of(parts.engine.open(std::move(spec), ics)), lease));
+    reply.session = sessions.add(
+        std::make_shared<Session>(simulation_of(parts.engine.open(std::move(spec), ics, observer)), lease));
     // Nobody knows the name of a session whose opening came too late.
     if (!call->succeed(proto::encode_session_reply(reply))) sessions.remove(reply.session);
 }
@@ -48,7 +50,8 @@ void open_wheel_rail(const CallPtr& call, const DaemonParts& parts) {
     reply.lease_seconds = lease.count();
     reply.bytes = session_bytes(spec.setup);
     parts.sessions.check_room(reply.bytes);
-    auto steps = below_wheel_rail([&] { return parts.engine.open(spec); });
+    const CallObserver observer(call);
+    auto steps = below_wheel_rail([&] { return parts.engine.open(spec, observer); });
     reply.session = parts.sessions.add(std::make_shared<Session>(simulation_of(std::move(steps)), lease));
     if (!call->succeed(proto::encode_session_reply(reply))) parts.sessions.remove(reply.session);
 }
@@ -56,7 +59,6 @@ void open_wheel_rail(const CallPtr& call, const DaemonParts& parts) {
 /// Answers when the session is ready: a build is awaited, and reported, as by contact.solve.
 void open(const CallPtr& call, const DaemonParts& parts) {
     if (proto::is_of_wheel_rail(call->request.params)) return open_wheel_rail(call, parts);
-    check_grid_limit(call->request.params, parts.config.max_grid_elements);
     SessionSpec spec = proto::decode_session_spec(call->request.params, call->request.frames);
     proto::check_frames_used(call->request.params, call->request.frames);
     const auto lease = parts.sessions.lease(spec.lease_seconds);
@@ -65,11 +67,15 @@ void open(const CallPtr& call, const DaemonParts& parts) {
     const auto specs = engine::specs_of(spec.setup);
     const bool needs = engine::needs_tables(spec.setup);
     auto prepare = [call, spec = std::move(spec), lease, &parts](const engine::IcAnswers& ics) {
-        parts.workers.post(turn_of(call), [call, spec, lease, ics, &parts] {
-            guarded(call, [&] { finish_open(call, spec, lease, ics, parts); });
+        const double bytes = cost_of_opening(call->request.params, parts.config).bytes;
+        parts.budget.enter(call, bytes, [call, spec, lease, ics, &parts] {
+            parts.workers.post(turn_of(call), [call, spec, lease, ics, &parts] {
+                guarded(call, [&] { finish_open(call, spec, lease, ics, parts); });
+            });
         });
     };
     if (!needs) return prepare({});
+    call->work.reset();  // a build may take hours
     engine::fetch_pair(
         parts.ics, specs,
         {prepare, [call](const proto::Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
@@ -156,7 +162,7 @@ void list(const CallPtr& call, const DaemonParts& parts) {
 
 void add_session_methods(MethodTable& methods) {
     constexpr auto high = proto::Priority::high;
-    methods.add({.name = "session.open", .handle = open});
+    methods.add({.name = "session.open", .cost = cost_of_opening, .handle = open});
     methods.add({.name = "session.step",
                  .takes_turn = true,
                  .priority = high,

@@ -7,6 +7,7 @@
 #include "all_methods.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/wheel_rail.hpp"
+#include "costs.hpp"
 #include "engine/wheel_rail/wheelset_conicity.hpp"
 #include "jobs/job_reports.hpp"
 
@@ -110,9 +111,9 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_wheelrail_methods(MethodTable& methods) {
-    methods.add({.name = "wheelrail.solve", .job = "solve", .handle = solve});
-    methods.add({.name = "wheelrail.wheelset", .job = "solve", .handle = solve_wheelset});
-    methods.add({.name = "wheelrail.geometry", .job = "solve", .handle = locate});
+    methods.add({.name = "wheelrail.solve", .job = "solve", .cost = cost_of_wheel_rail, .handle = solve});
+    methods.add({.name = "wheelrail.wheelset", .job = "solve", .cost = cost_of_wheel_rail, .handle = solve_wheelset});
+    methods.add({.name = "wheelrail.geometry", .job = "solve", .cost = cost_of_geometry, .handle = locate});
 }
 
 }  // namespace contactd::server

@@ -10,6 +10,7 @@
 #include "engine/ics/store/store_folder.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/all_methods.hpp"
+#include "methods/costs.hpp"
 #include "operation/builder_programs.hpp"
 
 namespace contactd::server {
@@ -45,7 +46,16 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
              config.store.share_imported_tables,
              host.log,
              builders_of(config.methods)},
-            true};
+            true,
+            config.max_work_bytes};
+}
+
+/// Small answers are sent at once, or lie in the outbox, which counts them.
+void count(Answer& answer, WorkBudget& budget) {
+    constexpr std::size_t large = 1 << 16;
+    std::size_t bytes = answer.envelope.size();
+    for (const auto& frame : answer.frames) bytes += frame.size();
+    if (bytes >= large) answer.counted = budget.count(static_cast<double>(bytes));
 }
 
 }  // namespace
@@ -59,11 +69,17 @@ Service::Service(const Config& config, Host host)
       engine_(engine_settings(config, host_)),
       sessions_(config.sessions),
       recent_solves_(config.recent_solves),
+      budget_(config.max_work_bytes, workers_),
       parts_{config,           host_,          open_calls_, counters_,      request_metrics_, health_, engine_,
-             engine_.tables(), engine_.jobs(), sessions_,   recent_solves_, workers_},
+             engine_.tables(), engine_.jobs(), sessions_,   recent_solves_, workers_,         budget_},
       workers_(config.workers, config.spin) {
     engine::count_store(engine_.counters(), config.store.folder);
     for (const std::string& problem : building_problems(config)) engine::Log(host_.log).warn(problem);
+}
+
+Service::~Service() {
+    workers_.stop();
+    budget_.close();
 }
 
 CallPtr Service::open(const Route& route, proto::Request request, Call::Clock::time_point received,
@@ -72,8 +88,9 @@ CallPtr Service::open(const Route& route, proto::Request request, Call::Clock::t
     if (method && method->counts && admission.number == 0) admission = open_calls_.admit(route, request.bytes);
     const auto priority = request.priority.value_or(method ? method->priority : proto::Priority::normal);
     auto call = std::make_shared<Call>(route, std::move(request), received, priority, parts_.config.limits,
-                                       [post = std::move(post), admission](Answer answer) {
+                                       [post = std::move(post), admission, &budget = budget_](Answer answer) {
                                            if (!answer.is_progress) answer.number = admission.number;
+                                           count(answer, budget);
                                            post(std::move(answer));
                                        });
     if (admission.number != 0 && !open_calls_.attach(admission.number, call)) return nullptr;
@@ -113,17 +130,35 @@ SessionPtr Service::session_of(const CallPtr& call) {
     return sessions_.find_open(name->get_ref<const std::string&>());
 }
 
-void Service::run(const Method* method, const CallPtr& call) {
+/// What `work` throws becomes the answer of the call.
+void Service::attempt(const CallPtr& call, const std::function<void()>& work) {
     try {
-        proto::check_params(call->request.method, call->request.params);  // throws for a method that there is not
-        if (method->is_quick) proto::check_frames_used(call->request.params, call->request.frames);
-        method->handle(call, parts_);
+        work();
     } catch (const std::exception& error) {
         const Status status = status_of(error);
         if (status.code == StatusCode::internal)
             engine::Log(host_.log).error(call->request.method + ": " + error.what());
         call->fail(status);
     }
+}
+
+void Service::run(const Method* method, const CallPtr& call) {
+    attempt(call, [&] {
+        proto::check_params(call->request.method, call->request.params);  // throws for a method that there is not
+        if (method->is_quick) proto::check_frames_used(call->request.params, call->request.frames);
+        begin(*method, call);
+    });
+}
+
+/// At once, or when the memory that the work takes is free.
+void Service::begin(const Method& method, const CallPtr& call) {
+    if (method.cost == nullptr) return method.handle(call, parts_);
+    const WorkCost cost = method.cost(call->request.params, parts_.config);
+    check_cost(cost, parts_.config);
+    budget_.enter(call, cost.bytes, [this, &method, call] {
+        call->check_deadline();
+        if (!call->answered()) attempt(call, [&] { method.handle(call, parts_); });
+    });
 }
 
 void Service::begin_drain() {
@@ -139,6 +174,7 @@ void Service::begin_stop() {
 void Service::finish_stop() {
     engine_.tables().stop(stopping_status());
     workers_.stop();
+    budget_.close();
 }
 
 const Status& Service::stop_status() {

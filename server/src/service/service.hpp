@@ -21,6 +21,7 @@ class Service {
    public:
     /// `config` must outlive it.
     Service(const Config& config, Host host);
+    ~Service();
 
     const DaemonParts& parts() const { return parts_; }
 
@@ -42,6 +43,8 @@ class Service {
 
    private:
     void run(const Method* method, const CallPtr& call);
+    void attempt(const CallPtr& call, const std::function<void()>& work);
+    void begin(const Method& method, const CallPtr& call);
     bool is_at_once(const Method& method, const CallPtr& call);
     /// The session that the call names; null when there is none.
     SessionPtr session_of(const CallPtr& call);
@@ -56,6 +59,7 @@ class Service {
     engine::Engine engine_;
     SessionTable sessions_;
     RecentSolves recent_solves_;
+    WorkBudget budget_;
     const DaemonParts parts_;
     WorkerPool workers_;  // last: its threads use everything above
 };

@@ -1,5 +1,7 @@
 #include "solve_task.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -46,10 +48,16 @@ void start(const SolveTools& tools, SolveTask task) {
         workers.post(turn_of(work->task.call), [work] { solve(work); });
     };
     if (!engine::needs_tables(work->task.problem)) return queue();
-    engine::fetch_pair(tools.engine.tables(), engine::specs_of(work->task.problem),
-                       {[work, queue](const IcAnswers& answers) {
+    const auto specs = engine::specs_of(work->task.problem);
+    const bool may_wait = work->task.bytes > 0 && std::ranges::any_of(specs, [](const std::optional<IcSpec>& spec) {
+                              return spec && spec->source == IcSource::fem;
+                          });
+    if (may_wait) work->task.call->work.reset();  // a build may take hours
+    engine::fetch_pair(tools.engine.tables(), specs,
+                       {[work, queue, may_wait, &budget = tools.budget](const IcAnswers& answers) {
                             work->ics = answers;
-                            queue();
+                            if (!may_wait) return queue();
+                            budget.enter(work->task.call, work->task.bytes, queue);
                         },
                         work->task.failed, reports_to(work->task.call), turn_of(work->task.call)});
 }

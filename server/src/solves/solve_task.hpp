@@ -8,6 +8,7 @@
 #include "contactd/solve_reply.hpp"
 #include "engine/engine.hpp"
 #include "jobs/call.hpp"
+#include "jobs/work_budget.hpp"
 #include "recent_solves.hpp"
 
 namespace contactd::server {
@@ -17,6 +18,7 @@ struct SolveTools {
     engine::Engine& engine;
     WorkerPool& workers;
     RecentSolves& recent;
+    WorkBudget& budget;
 };
 
 struct SolveTask {
@@ -27,6 +29,7 @@ struct SolveTask {
     /// One of them is called, from any thread; what `done` throws goes to `failed`.
     std::function<void(const SolveReply&)> done;
     std::function<void(const proto::Status&)> failed;
+    double bytes = 0;  ///< that the call holds, and gives back while it waits for a build; 0: those of others, too
     bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
 };
 

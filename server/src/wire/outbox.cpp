@@ -18,19 +18,24 @@ std::size_t bytes_of(const Answer& answer) {
     return bytes;
 }
 
+/// A frame that ZeroMQ sends from where it is, and what counts its bytes.
+struct KeptFrame {
+    proto::Frame frame;
+    std::shared_ptr<const void> counted;
+};
+
 /// Called by ZeroMQ's own thread, once the frame is sent.
 void free_sent_frame(void*, void* frame) {
-    delete static_cast<const proto::Frame*>(frame);
+    delete static_cast<const KeptFrame*>(frame);
 }
 
 /// Large frames are kept until ZeroMQ has sent them, and not copied.
-zmq::message_t message_of(proto::Frame frame) {
+zmq::message_t message_of(proto::Frame frame, const std::shared_ptr<const void>& counted) {
     constexpr std::size_t large = 1 << 16;
     if (frame.size() < large) return zmq::message_t(frame.bytes());
-    auto kept = std::make_unique<const proto::Frame>(std::move(frame));
+    auto kept = std::make_unique<KeptFrame>(KeptFrame{std::move(frame), counted});
     // ZeroMQ takes pointers to what may be changed, and changes nothing.
-    zmq::message_t message(const_cast<char*>(kept->data()), kept->size(), free_sent_frame,
-                           const_cast<proto::Frame*>(kept.get()));
+    zmq::message_t message(const_cast<char*>(kept->frame.data()), kept->frame.size(), free_sent_frame, kept.get());
     (void)kept.release();
     return message;
 }
@@ -41,7 +46,8 @@ Outbox::Sent Outbox::try_send(Answer& answer) {
     // ROUTER answers for the whole message at its first part: EAGAIN when the client's queue is full, EHOSTUNREACH when
     // the client has gone. Later parts follow without waiting.
     const auto part = [&](proto::Frame frame, bool more) {
-        socket_.send(message_of(std::move(frame)), more ? zmq::send_flags::sndmore : zmq::send_flags::none);
+        socket_.send(message_of(std::move(frame), answer.counted),
+                     more ? zmq::send_flags::sndmore : zmq::send_flags::none);
     };
     try {
         const auto first = zmq::send_flags::sndmore | zmq::send_flags::dontwait;

@@ -1,0 +1,28 @@
+// What each method takes in memory and time, from the arguments of a request: MethodTable has one of these for each
+// method whose work is not little. docs/limits.md is made from them, and a test compares them with what a daemon takes.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "config/config.hpp"
+#include "jobs/work_budget.hpp"
+
+namespace contactd::server {
+
+/// All are of params that have passed their schema, and throw StatusError (LIMIT_EXCEEDED) for a grid beyond
+/// limits.max_grid_elements.
+WorkCost cost_of_solve(const nlohmann::json& params, const Config& config);
+/// Of all problems together: their answers, and as many of the largest as there are workers.
+WorkCost cost_of_solve_many(const nlohmann::json& params, const Config& config);
+WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config);
+WorkCost cost_of_table(const nlohmann::json& params, const Config& config);
+WorkCost cost_of_export(const nlohmann::json& params, const Config& config);
+/// Of a patch of the usual size; what is larger is looked at where it is found.
+WorkCost cost_of_wheel_rail(const nlohmann::json& params, const Config& config);
+WorkCost cost_of_geometry(const nlohmann::json& params, const Config& config);
+WorkCost cost_of_opening(const nlohmann::json& params, const Config& config);
+
+/// Throws StatusError (LIMIT_EXCEEDED), with the figure and the limit, for what may not begin at all.
+void check_cost(const WorkCost& cost, const Config& config);
+
+}  // namespace contactd::server

@@ -1,0 +1,105 @@
+"""What large requests take in memory, and how soon they end when somebody ends them (docs/limits.md)."""
+
+import importlib.util
+import json
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from support.daemons import BIN, eventually
+from support.patience import SLOWER
+
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def large_requests():
+    if not (BIN / "contactd").exists():
+        return []  # conftest.py says so
+    printed = subprocess.run([BIN / "contactd", "--print-costs"], capture_output=True, check=True, timeout=60).stdout
+    return [example for example in json.loads(printed) if example["bytes"] is not None]
+
+
+LARGE = large_requests()
+#: Beside its work a daemon has its program, threads and messages.
+BESIDE = 100 << 20
+#: Seconds within which a worker is free again after its request has ended.
+SOON = 0.5
+
+every_method = pytest.mark.parametrize(
+    "example", LARGE, ids=[f"{example['method']} {example['arguments'][:40]}" for example in LARGE]
+)
+
+
+def resident(daemon, field="VmRSS"):
+    text = Path(f"/proc/{daemon.process.pid}/status").read_text()
+    return int(next(line.split()[1] for line in text.splitlines() if line.startswith(field + ":"))) << 10
+
+
+def is_at_work(raw):
+    return raw.ask("server.info").result["queue"]["solves_running"] > 0
+
+
+def ended_after(raw, condition):
+    begun = time.monotonic()
+    eventually(condition)
+    return time.monotonic() - begun
+
+
+def test_the_page_has_the_costs_of_the_code():
+    spec = importlib.util.spec_from_file_location("limits_table", DOCS / "limits_table.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    page = module.PAGE.read_text().partition(module.MARK)[2]
+    assert page.strip() == module.table(module.costs(BIN / "contactd")).strip(), "./dev docs writes it"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(600)
+@every_method
+def test_a_large_request_takes_no_more_than_it_states(daemons, example):
+    daemon = daemons.start(limits={"max_message_bytes": 1 << 30})
+    with daemon.raw() as raw:
+        raw.ask("server.health")
+        before = resident(daemon)
+        name = raw.send(example["method"], example["params"])
+        answer = raw.receive(patience=500)
+        assert answer.envelope["id"] == name
+        assert answer.status == "OK", answer.message
+        taken = resident(daemon, "VmHWM") - before
+    assert taken <= example["bytes"] + BESIDE
+    assert taken >= example["bytes"] / 8 - BESIDE, "a bound that says nothing"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("way", ["cancelled", "overdue"])
+@every_method
+def test_the_worker_of_a_request_that_has_ended_is_free_soon(daemons, example, way):
+    daemon = daemons.start(workers=1, limits={"max_message_bytes": 1 << 30})
+    with daemon.raw() as raw, daemon.raw() as other:
+        timeout = {"timeout_ms": 700} if way == "overdue" else {}
+        name = raw.send(example["method"], example["params"], **timeout)
+        time.sleep(0.7)
+        if way == "cancelled":
+            raw.send("request.cancel", {"id": name})
+        raw.receive()
+        assert ended_after(other, lambda: not is_at_work(other)) < SOON * SLOWER
+        assert other.ask("server.health").status == "OK"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(300)
+@every_method
+def test_sigterm_ends_a_daemon_at_work_within_a_second_of_its_drain(daemons, example):
+    daemon = daemons.start(shutdown={"drain_seconds": 1}, limits={"max_message_bytes": 1 << 30})
+    with daemon.raw() as raw, daemon.raw() as other:
+        raw.send(example["method"], example["params"])
+        time.sleep(0.5)
+        other.ask("server.health")
+        begun = time.monotonic()
+        daemon.process.send_signal(signal.SIGTERM)
+        assert daemon.process.wait(60) == 0
+        assert time.monotonic() - begun < 1 + 1 * SLOWER
