@@ -66,6 +66,8 @@ class Call {
     const proto::Priority priority;
     /// The work that answers it, where job.list shows it; set by job_of.
     std::shared_ptr<Job> job;
+    /// Whether its work takes long by what it will cost: it leaves a worker to others. Set before the work is queued.
+    bool is_large = false;
     /// The bytes of the work under way, given back when they are reset (WorkBudget).
     std::shared_ptr<const void> work;
 
@@ -108,7 +110,7 @@ using CallPtr = std::shared_ptr<Call>;
 
 /// The turn of work for `call` in a pool; work for a call that was answered is dropped.
 inline Turn turn_of(const CallPtr& call) {
-    return {call->client(), call->priority, [call] { return call->answered(); }, call->user()};
+    return {call->client(), call->priority, [call] { return call->answered(); }, call->user(), call->is_large};
 }
 
 /// The reply to a request whose envelope could not be read; `id` is empty when it is not known.

@@ -50,6 +50,9 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
             config.max_work_bytes};
 }
 
+/// By the estimates of costs.hpp: what takes longer never has all workers.
+constexpr double seconds_of_large_work = 3;
+
 /// Small answers are sent at once, or lie in the outbox, which counts them.
 void count(Answer& answer, WorkBudget& budget) {
     constexpr std::size_t large = 1 << 16;
@@ -155,10 +158,14 @@ void Service::begin(const Method& method, const CallPtr& call) {
     if (method.cost == nullptr) return method.handle(call, parts_);
     const WorkCost cost = method.cost(call->request.params, parts_.config);
     check_cost(cost, parts_.config);
-    budget_.enter(call, cost.bytes, [this, &method, call] {
+    call->is_large = cost.seconds > seconds_of_large_work;
+    std::function<void()> work = [this, &method, call] {
         call->check_deadline();
         if (!call->answered()) attempt(call, [&] { method.handle(call, parts_); });
-    });
+    };
+    // Large work goes back into the queue, where it leaves a worker to what is small.
+    if (call->is_large) work = [this, call, work] { workers_.post(turn_of(call), work); };
+    budget_.enter(call, cost.bytes, std::move(work));
 }
 
 void Service::begin_drain() {
