@@ -9,6 +9,7 @@
 #include "contactd/error.hpp"
 #include "contactd/fem_fields.hpp"
 #include "contactd/grid.hpp"
+#include "contactd/prism_elements.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -109,6 +110,12 @@ void validate_prism(const IcSpec& spec) {
     if (spec.source == IcSource::analytic) return;
     if (spec.accuracy == 0)
         throw InvalidArgument("ics.accuracy", "is missing; the mesh of a prism is chosen for an accuracy");
+    constexpr double rounding = 1e-9;
+    if (!(spec.dx >= shortest_prism_element * spec.dy * (1 - rounding)))
+        throw InvalidArgument("grid.dx", "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
+                                             " of a column's width, dy; tables of prisms by finite elements keep their "
+                                             "accuracy from a half of it on: take dy " +
+                                             number_text(spec.dx / shortest_prism_element) + " mm or less");
 }
 
 void validate_body(const IcSpec& spec) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/prism_elements.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -172,6 +173,9 @@ void validate(const WheelRailSetup& setup) {
         throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
     for (const auto& [value, field] : {std::pair(setup.dx, "dx"), std::pair(setup.dy, "dy")})
         require(value >= 1e-4 && value <= 100, field, value, "lie in [1e-4, 100] mm");
+    constexpr double rounding = 1e-9;
+    require(setup.conformal != Conformal::fem || setup.dx >= shortest_prism_element * setup.dy * (1 - rounding), "dx",
+            setup.dx, "be half of dy at least, where conformal is fem");
     require(setup.dq >= 0 && setup.dq <= 100, "dq", setup.dq, "be zero, for dx, or positive and at most 100 mm");
     check(setup.patches);
     check(setup.settings.normal, "settings.normal");

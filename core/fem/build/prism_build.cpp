@@ -1,5 +1,6 @@
 #include "prism_build.hpp"
 
+#include <array>
 #include <cstdio>
 #include <sstream>
 #include <utility>
@@ -15,12 +16,15 @@ namespace {
 
 std::vector<std::string> warnings_of(const IcSpec& spec, const SpectrumErrors& errors) {
     std::vector<std::string> result;
-    char text[240];
     if (errors.total() > spec.accuracy) {
-        std::snprintf(text, sizeof text,
-                      "The stated error, %.2g, exceeds the accuracy asked for, %g, with the finest mesh that is tried.",
-                      errors.total(), spec.accuracy);
-        result.emplace_back(text);
+        std::array<char, 300> text{};
+        std::snprintf(
+            text.data(), text.size(),
+            "The stated error, %.2g, exceeds the accuracy asked for, %g: %.2g of it is half of what "
+            "coefficients are not reciprocal by, as of columns beside an edge. Narrower columns, or some that "
+            "keep away from the edge, have less of it.",
+            errors.total(), spec.accuracy, errors.reciprocity / 2);
+        result.emplace_back(text.data());
     }
     if (const auto* rail = std::get_if<RailSection>(&spec.section->shape);
         rail != nullptr && rail->support == RailSupport::foot)

@@ -15,13 +15,15 @@
 
 namespace contactd::fem {
 
-/// Errors over zz of the half-space under an element of length ds along x.
+/// Errors over error_scale() of elements of the same length, the largest of all that are served.
 struct SpectrumErrors {
     double mesh = 0;         ///< half as much again as the difference to elements of the next order
     double wavenumbers = 0;  ///< an eighth of what every other wavenumber changes
     double end = 0;          ///< what may lie beyond the last wavenumber
-    double reciprocity = 0;  ///< before the transform was made symmetric, of a coefficient
-    double total() const { return mesh + wavenumbers + end; }
+    double reciprocity = 0;  ///< before the transform was made symmetric, which moves a coefficient by half of it
+    /// What finer meshes and more wavenumbers make less.
+    double numerical() const { return mesh + wavenumbers + end; }
+    double total() const { return numerical() + reciprocity / 2; }
 };
 
 struct SpectrumBuild {
@@ -35,8 +37,8 @@ struct SpectrumBuild {
 /// Collective; wavenumbers are spread over the processes, and every one gets the result. `outline` and the frames of
 /// `columns` have lengths over ds. Throws InvalidArgument when no mesh can be made, OutOfMemory when the processes
 /// together would need more than `max_memory_bytes` (0: no limit) as the analysis of the matrix predicts, NotConverged
-/// when nothing holds the body, and Cancelled. An accuracy that is missed even by the finest choice is no error:
-/// `errors` says what was reached.
+/// when nothing holds the body or the finest choice misses the accuracy, and Cancelled. From 5e-4 on the defect of
+/// reciprocity alone may be more than the accuracy; `errors` has it.
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes = 0);
 

@@ -44,13 +44,4 @@ struct ColumnSpectrum {
 ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1,
                          int threads = 1, const Observer& observer = {});
 
-/// The largest change of a coefficient, over zz of the half-space under an element of the same size, when every other
-/// wavenumber is left out; a cubic interpolation's own error is about a sixteenth of it. Their number must be odd.
-double nested_change(const ColumnSpectrum& spectrum, double dx, int nx);
-
-/// The most, over zz of the half-space under an element one long, by which coefficients of elements half as long may be
-/// wrong because the difference to the half-space is taken to fall as 1/xi^2 beyond the last wavenumber; the last two
-/// tell how it does fall. Longer elements feel less of it.
-double beyond_the_end(const ColumnSpectrum& spectrum);
-
 }  // namespace contactd

@@ -11,6 +11,7 @@
 #include "contactd/finite.hpp"
 #include "influence/columns/offset_rows.hpp"
 #include "influence/columns/screened_half_space.hpp"
+#include "influence/columns/spectrum_errors.hpp"
 #include "influence/columns/wavenumber_rule.hpp"
 #include "influence/half_space_model.hpp"
 
@@ -21,7 +22,7 @@ using std::numbers::pi;
 using Block = Eigen::Matrix3d;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 /// Of how a difference falls where it is 1/xi^2 between the last two wavenumbers.
-constexpr double least_doubt = 0.25;
+constexpr double least_doubt = 0.25, most_doubt = 2;
 
 struct Component {
     Axis i, j;
@@ -124,7 +125,8 @@ class TableMaker {
         return largest;
     }
 
-    double beyond() const {
+    /// The largest difference at the last wavenumber, as far as it may fall otherwise than as 1/xi^2.
+    double doubtful_end() const {
         const std::size_t last = spectrum_.nodes.size() - 1;
         const double step = std::log(spectrum_.nodes[last] / spectrum_.nodes[last - 1]);
         double largest = 0;
@@ -135,11 +137,10 @@ class TableMaker {
                 const Eigen::Array33d before = difference(last - 1, J + l, J, turn(flat_before)).array().abs(),
                                       size = difference(last, J + l, J, turn(flat)).array().abs(),
                                       power = (before / size.max(1e-300)).log() / step;
-                largest = std::max(largest, (size * (power - 2).abs().max(least_doubt).min(1.0)).maxCoeff());
+                largest = std::max(largest, (size * (power - 2).abs().max(least_doubt).min(most_doubt)).maxCoeff());
             }
         }
-        // What the alternating half waves of sin(xi dx/2) leave of a difference that falls as 1/xi, not as 1/xi^2.
-        return largest * 2 / (pi * dx_ * spectrum_.nodes.back());
+        return largest;
     }
 
    private:
@@ -266,12 +267,6 @@ class TableMaker {
     double shift_;
 };
 
-/// zz of the half-space under an element dx x 1.
-double self_compliance(const ColumnSpectrum& spectrum, double dx) {
-    const KernelIntegrals self = constant_load_integrals(0, 0, dx, 1);
-    return (1 - spectrum.nu) * (self.xx + self.yy) / (2 * pi);
-}
-
 }  // namespace
 
 ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, double shift, double factor, int threads,
@@ -280,12 +275,24 @@ ColumnTable column_table(const ColumnSpectrum& spectrum, double dx, int nx, doub
 }
 
 double nested_change(const ColumnSpectrum& spectrum, double dx, int nx) {
-    return TableMaker(spectrum, dx, nx, 0, Observer()).nested() / self_compliance(spectrum, dx);
+    return TableMaker(spectrum, dx, nx, 0, Observer()).nested() / error_scale(spectrum, dx);
 }
 
-double beyond_the_end(const ColumnSpectrum& spectrum) {
-    constexpr double shortest = 0.5;  // the shorter elements are along x, the more they feel of it
-    return TableMaker(spectrum, shortest, 1, 0, Observer()).beyond() / self_compliance(spectrum, 1);
+double beyond_the_end(const ColumnSpectrum& spectrum, double dx) {
+    // A bound of 2/pi times the integral of (xi_last/xi) sin(xi dx/2)/xi beyond it, which falls as 1/xi.
+    const double half_waves = spectrum.nodes.back() * dx / 2;
+    return TableMaker(spectrum, dx, 1, 0, Observer()).doubtful_end() * 2 / (pi * std::hypot(1, half_waves)) /
+           error_scale(spectrum, dx);
+}
+
+double error_scale(const ColumnSpectrum& spectrum, double dx) {
+    const KernelIntegrals self = constant_load_integrals(0, 0, dx, 1);
+    const double half_space = (1 - spectrum.nu) * (self.xx + self.yy) / (2 * pi);
+    const ColumnTable table = column_table(spectrum, dx, 1);
+    double own = 0;
+    for (int column = 0; column < spectrum.columns; ++column)
+        own = std::max(own, table(Axis::z, Axis::z, column, column, 0));
+    return std::min(half_space, own);
 }
 
 }  // namespace contactd

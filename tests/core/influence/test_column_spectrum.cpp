@@ -8,6 +8,7 @@
 #include "contactd/finite.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/columns/screened_half_space.hpp"
+#include "influence/columns/spectrum_errors.hpp"
 #include "influence/columns/wavenumber_rule.hpp"
 
 using namespace contactd;
@@ -144,5 +145,5 @@ TEST_CASE("A shift by a whole element is the next offset, and one back the parit
 TEST_CASE("A spectrum that is the reference has neither nested changes nor an end", "[columns]") {
     const ColumnSpectrum spectrum = flat_spectrum(3, 9);
     CHECK(nested_change(spectrum, 1, 10) < 1e-12);
-    CHECK(beyond_the_end(spectrum) < 1e-12);
+    CHECK(beyond_the_end(spectrum, 0.5) < 1e-12);
 }

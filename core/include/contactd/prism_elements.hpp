@@ -1,0 +1,10 @@
+// Which elements the tables of prisms by finite elements serve.
+#pragma once
+
+namespace contactd {
+
+/// dx over the width of a column from which on errors are stated. Shorter elements feel waves that columns and meshes
+/// of their size do not resolve.
+inline constexpr double shortest_prism_element = 0.5;
+
+}  // namespace contactd
