@@ -85,7 +85,7 @@ def tables(rows: Rows) -> Found:
         )  # fmt: skip
     bounds = all(row["found"] <= row["stated"] + row["finest"] for row in rows["tables"])
     within = all(row["stated"] <= row["value"] and row["finest"] <= 1e-4 for row in rows["tables"])
-    head = ["body", "1e-2: stated / found", "1e-3: stated / found", "1e-4: stated", "seconds for 1e-3"]
+    head = ["body", "1e-2: stated / found", "1e-3: stated / found", "1e-4: stated", "processor seconds for 1e-3"]
     return {"tables": markdown(head, body)}, {"stated_bounds": bounds, "stated_within": within}
 
 
