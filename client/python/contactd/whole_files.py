@@ -14,7 +14,7 @@ import numpy as np
 __all__ = ["MOST_BYTES", "check_npy", "read_whole"]
 
 MOST_BYTES = 1 << 34  #: of tables and solutions
-_KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"),
+_KINDS = ((stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"),
           (stat.S_ISFIFO, "a named pipe"))  # fmt: skip
 _OPEN_FILES = ("/dev/fd", "/proc/self/fd")  #: where a shell puts what <(COMMAND) writes
 _PIECE = 1 << 20
@@ -34,6 +34,8 @@ def read_whole(path: str | os.PathLike[str], most: int) -> bytes:
         raise OSError(errno.EINVAL, "this is no name of a file", name) from None
     try:
         status = os.fstat(opened)
+        if stat.S_ISDIR(status.st_mode):
+            raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), name)
         for is_kind, kind in _KINDS:
             if is_kind(status.st_mode) and not (kind == "a named pipe" and str(Path(name).absolute().parent) in _OPEN_FILES):
                 raise OSError(errno.EINVAL, f"it is {kind}; it must be a file", name)

@@ -58,7 +58,7 @@ def strange(request, tmp_path):
             return place, "No such file or directory"
         case device:
             place.symlink_to(device)
-    kinds = {"pipe": "it is a named pipe; it must be a file", "folder": "it is a folder; it must be a file", "socket": "No such device"}
+    kinds = {"pipe": "it is a named pipe; it must be a file", "folder": "Is a directory", "socket": "No such device"}
     return place, kinds.get(request.param, "it is a device; it must be a file")
 
 
