@@ -16,6 +16,7 @@ from contactd.hdf5 import imported_contents, stored_extent
 from contactd.reading import read
 from contactd.saving import write_whole
 from contactd.solution import IcSpec
+from contactd.whole_files import MOST_BYTES, read_whole
 
 from .asking import ask
 from .files import writable
@@ -96,11 +97,12 @@ def _extent(grid: Grid) -> str:
 
 
 def send_files(client: Client, files: list[str]) -> list[dict[str, Any]]:
-    """Has the daemon import each file. Raises click.UsageError where one cannot be read, StatusError for what is none."""
+    """Has the daemon import each file. Raises click.UsageError where one cannot be read, TableFileError for what is none, and
+    StatusError for a table that the daemon does not take."""
     done = []
     for file in files:
         try:
-            content = Path(file).read_bytes()
+            content = read_whole(file, MOST_BYTES)
         except OSError as error:
             raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
         imported = client.import_ic(content)

@@ -6,7 +6,6 @@ import itertools
 import os
 from collections.abc import Callable
 from dataclasses import fields
-from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -17,6 +16,7 @@ from .grid import Grid
 from .ics import AnalyticIcs, FemIcs
 from .materials import Layer, LayeredBody, Material, RigidBody
 from .solution import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
+from .whole_files import MOST_BYTES, read_whole
 
 __all__ = ["import_params", "imported_contents", "read_hdf5", "stored_extent"]
 
@@ -49,7 +49,7 @@ def import_params(content: bytes) -> dict[str, Any]:
 
 def imported_contents(path: str | os.PathLike[str]) -> FileContents:
     """What a file of another store holds, for a store that did not make it: its evidence says so. Raises TableFileError."""
-    contents = contents_of(Path(path).read_bytes(), os.fspath(path))
+    contents = contents_of(read_whole(path, MOST_BYTES), os.fspath(path))
     warnings = contents.attributes.get("evidence/warnings", [])
     if not isinstance(warnings, list):
         raise TableFileError(f"{os.fspath(path)}: evidence/warnings is no list")
@@ -61,7 +61,7 @@ def imported_contents(path: str | os.PathLike[str]) -> FileContents:
 
 def _read(path: str | os.PathLike[str], read: Callable[[FileContents, str], T]) -> T:
     name = os.fspath(path)
-    contents = contents_of(Path(path).read_bytes(), name)
+    contents = contents_of(read_whole(path, MOST_BYTES), name)
     try:
         return read(contents, name)
     except (KeyError, ValueError, TypeError, IndexError) as error:
