@@ -161,9 +161,12 @@ SolveReply Engine::solve(const ContactProblem& problem, Observer& observer) {
 
 SolveReply Engine::solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer) {
     SolveReply reply;
-    reply.solution = solve_contact(problem, influence_of(problem, ics, influences_, observer), observer);
+    const KeptInfluence kept = influence_of(problem, ics, influences_, observer);
+    reply.solution = solve_contact(problem, kept.influence, observer);
     count(reply.solution);
     reply.ics = uses_of(problem, ics);
+    reply.operators = kept.use;
+    for (std::string& warning : operator_warnings(kept.use)) reply.solution.warnings.push_back(std::move(warning));
     return reply;
 }
 
@@ -174,8 +177,8 @@ std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, Observer& observer)
 }
 
 std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, const IcAnswers& ics, const Observer& observer) {
-    ContactInfluence influence = influence_of({spec.setup, spec.load}, ics, influences_, observer);
-    return std::make_unique<ContactSteps>(std::move(spec), ics, std::move(influence));
+    KeptInfluence kept = influence_of({spec.setup, spec.load}, ics, influences_, observer);
+    return std::make_unique<ContactSteps>(std::move(spec), ics, std::move(kept));
 }
 
 ContactSolution Engine::solve(ContactSteps& steps, const StepState& before, const ContactSteps::Statement& statement,

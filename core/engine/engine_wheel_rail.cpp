@@ -115,12 +115,13 @@ ContactInfluence Engine::sections_influence(const ContactProblem& problem, const
     };
     const IcAnswer rail = table_of(columns.rail, "rail"), wheel = table_of(columns.wheel, "wheel");
     const std::string key = influence_key(problem, key_of(rail, columns.rail), key_of(wheel, columns.wheel));
-    return influences_.of(key, [&] {
+    const auto make = [&] {
         ContactInfluence influence =
             contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get(), observer);
         influence.warnings = table_warnings({wheel, rail});
         return influence;
-    });
+    };
+    return influences_.of(key, make).influence;
 }
 
 ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchColumns& columns,
@@ -129,12 +130,14 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
     if (!columns.flat()) check_rows(problem.grid, settings_.most_patch_bytes);
     if (columns.of_sections()) return sections_influence(problem, columns, observer);
     if (!columns.flat())
-        return influences_.of(rotated_key(problem, columns),
-                              [&] { return contactd::patch_influence(problem, columns, nullptr, nullptr, observer); });
+        return influences_
+            .of(rotated_key(problem, columns),
+                [&] { return contactd::patch_influence(problem, columns, nullptr, nullptr, observer); })
+            .influence;
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);
     larger.grid.ny = rounded_up(problem.grid.ny);
-    return influence_of(problem, fetch(larger, observer), influences_, observer);
+    return influence_of(problem, fetch(larger, observer), influences_, observer).influence;
 }
 
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {

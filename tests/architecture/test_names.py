@@ -36,6 +36,7 @@ SAME = [
     ("contact.solve.result", "derivatives", "Derivatives", "Derivatives"),
     ("contact.solve.result", "evidence", "", "ContactEvidence"),
     ("contact.solve.result", "evidence/discretisation", "Discretisation", "Discretisation"),
+    ("contact.solve.result", "evidence/operators", "OperatorUse", "OperatorUse"),
     ("contact.solve.result", "evidence/ics", "IcUses", ""),
     ("session.step.result", "", "", "StepSolution"),
     ("session.step.result", "evidence", "ContactEvidence", "ContactEvidence"),

@@ -162,6 +162,7 @@ def replies() -> Iterator[bytes]:
         **{name: array(2, 1, 1) for name in ("pressure", "traction_x", "traction_y")},
         "evidence": {
             "normal": statistics, "derivatives": statistics, "ics": {"upper": use, "lower": use},
+            "operators": {"made": True, "bytes": 2, "budget_bytes": 1},
             "discretisation": {"elements_across": 1, "force_error": 1, "pmax_error": 1, "source": "estimate", "rolling_error": 2},
         },
     }

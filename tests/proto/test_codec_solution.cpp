@@ -136,6 +136,15 @@ TEST_CASE("A step that the request left out is told", "[codec]") {
     CHECK(encode_solve_reply(reply, Grid::centred(3, 2, 0.25, 1), arrays)["motion"]["dq"] == 1);
 }
 
+TEST_CASE("Operators beyond the budget come back", "[codec]") {
+    SolveReply reply = solve_reply();
+    reply.operators = OperatorUse{true, 400'000'000, 268'435'456};
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json result = encode_solve_reply(reply, Grid::centred(3, 2, 1, 1), arrays);
+    CHECK(violations_of("contact.solve.result", result).empty());
+    CHECK(decode_solve_reply(result, {}).operators == reply.operators);
+}
+
 TEST_CASE("Errors of the discretisation come back", "[codec]") {
     SolveReply reply = solve_reply();
     SECTION("known") {

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from .ic_table import IcEvidence, IcSpec
 
-__all__ = ["ContactEvidence", "Discretisation", "IcUse", "ImportedIc", "SolverEvidence"]
+__all__ = ["ContactEvidence", "Discretisation", "IcUse", "ImportedIc", "OperatorUse", "SolverEvidence"]
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,21 @@ class Discretisation:
     pmax_error: float
     source: str
     rolling_error: float | None = None
+
+
+@dataclass(frozen=True)
+class OperatorUse:
+    """Operators that are larger than store.influence_budget_bytes, of which only those used last are kept.
+
+    Attributes:
+        made: Whether they were made for this solve, or kept from one before.
+        bytes: About what they take in memory.
+        budget_bytes: store.influence_budget_bytes of the daemon.
+    """
+
+    made: bool
+    bytes: int
+    budget_bytes: int
 
 
 @dataclass(frozen=True)
@@ -99,6 +114,7 @@ class ContactEvidence:
         discretisation: What the size of the elements costs; of model "full", where there is contact.
         derivatives: The linear equations of the derivatives, where these were asked for and there is contact: iterations
             of all together, the largest residual.
+        operators: Of operators beyond the daemon's budget; None of others.
     """
 
     normal: SolverEvidence
@@ -108,3 +124,4 @@ class ContactEvidence:
     force: SolverEvidence | None = None
     discretisation: Discretisation | None = None
     derivatives: SolverEvidence | None = None
+    operators: OperatorUse | None = None

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from .evidence import ContactEvidence, Discretisation, IcUse, ImportedIc, SolverEvidence
+from .evidence import ContactEvidence, Discretisation, IcUse, ImportedIc, OperatorUse, SolverEvidence
 from .friction import Motion
 from .grid import Array, Grid
 from .ic_table import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
@@ -42,6 +42,7 @@ __all__ = [
     "Job",
     "Limits",
     "LoadCase",
+    "OperatorUse",
     "Progress",
     "QuarantinedIc",
     "Resultant",

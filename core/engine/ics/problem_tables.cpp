@@ -65,18 +65,18 @@ void check_opening(const ContactProblem& problem) {
     check_tables(problem);
 }
 
-ContactInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
-                              const Observer& observer) {
+KeptInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
+                           const Observer& observer) {
     const Bodies& bodies = problem.bodies;
     if (problem.model != Model::full) return {};
-    if (bodies.pair) return make_influence(problem, bodies.pair->table, observer);
+    if (bodies.pair) return {make_influence(problem, bodies.pair->table, observer)};
     const auto make = [&] {
         ContactInfluence influence = make_influence(problem, table_of(problem, bodies.upper, ics[0], observer),
                                                     table_of(problem, bodies.lower, ics[1], observer), observer);
         influence.warnings = table_warnings(ics);
         return influence;
     };
-    if (bodies.any_given()) return make();
+    if (bodies.any_given()) return {make()};
     return cache.of(influence_key(problem, ics[0].cache_key(), ics[1].cache_key()), make);
 }
 

@@ -17,7 +17,7 @@ StatusError not_converged(const ContactEvidence& evidence) {
 
 }  // namespace
 
-ContactSteps::ContactSteps(SessionSpec spec, IcAnswers ics, ContactInfluence influence)
+ContactSteps::ContactSteps(SessionSpec spec, IcAnswers ics, KeptInfluence influence)
     : opened{std::move(spec.setup), std::move(spec.load)},
       accept_unconverged(spec.accept_unconverged),
       ics_(std::move(ics)),
@@ -38,8 +38,10 @@ ContactSolution ContactSteps::solve(const StepState& before, const Statement& st
     // The quick models know no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;
     fit_influence(cache, observer);
-    ContactSolution solution = solve_contact(problem_, influence_, observer);
+    ContactSolution solution = solve_contact(problem_, influence_.influence, observer);
+    for (std::string& warning : operator_warnings(influence_.use)) solution.warnings.push_back(std::move(warning));
     if (!solution.converged() && !accept_unconverged) throw not_converged(solution.evidence);
+    influence_.use.reset();  // told once: the steps keep them
     return solution;
 }
 

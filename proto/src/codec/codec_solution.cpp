@@ -27,6 +27,14 @@ Discretisation decode_discretisation(const json& source) {
     return evidence;
 }
 
+json encode_operators(const OperatorUse& use) {
+    return object({{"made", use.made}, {"bytes", use.bytes}, {"budget_bytes", use.budget_bytes}});
+}
+
+OperatorUse decode_operators(const json& source) {
+    return {source["made"].get<bool>(), source["bytes"].get<std::size_t>(), source["budget_bytes"].get<std::size_t>()};
+}
+
 IcUse decode_use(const json& source) {
     return {source["origin"].get<std::string>(), source["key"].get<std::string>(), decode_evidence(source["evidence"])};
 }
@@ -166,6 +174,7 @@ json encode_solve_reply(const SolveReply& reply, const Grid& grid, ArrayWriter& 
     json result = encode_summary(reply.solution, grid);
     result["evidence"] = encode_evidence(reply.solution.evidence);
     result["evidence"]["ics"] = encode_uses(reply.ics);
+    if (reply.operators) result["evidence"]["operators"] = encode_operators(*reply.operators);
     encode_arrays(reply.solution, fields, grid, arrays, result);
     return result;
 }
@@ -176,6 +185,7 @@ SolveReply decode_solve_reply(const json& result, const Frames& frames) {
     decode_arrays(result, frames, {}, reply.solution);
     reply.solution.evidence = decode_contact_evidence(result["evidence"]);
     reply.ics = decode_uses(result["evidence"]["ics"]);
+    if (result["evidence"].contains("operators")) reply.operators = decode_operators(result["evidence"]["operators"]);
     return reply;
 }
 

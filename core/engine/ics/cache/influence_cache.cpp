@@ -2,12 +2,46 @@
 
 namespace contactd::engine {
 
-ContactInfluence InfluenceCache::of(const std::string& key, const Make& make) {
+KeptInfluence InfluenceCache::of(const std::string& key, const Make& make) {
     const auto any = [](const ContactInfluence&) { return true; };
-    if (auto found = influences_.find(key, any)) return *std::move(found);
+    if (auto found = influences_.find(key, any)) return {*std::move(found)};
+    if (auto found = found_beyond(key)) return *std::move(found);
     ContactInfluence influence = make();  // two solves may make the same, and the later one is kept
-    influences_.insert(key, influence, influence.bytes(), any);
-    return influence;
+    const std::size_t bytes = influence.bytes();
+    if (bytes <= budget_) {
+        influences_.insert(key, influence, bytes, any);
+        return {std::move(influence)};
+    }
+    KeptInfluence kept{std::move(influence), OperatorUse{false, bytes, budget_}};
+    {
+        const std::scoped_lock lock(mutex_);
+        beyond_ = Beyond{key, kept};
+    }
+    kept.use->made = true;
+    return kept;
+}
+
+std::optional<KeptInfluence> InfluenceCache::found_beyond(const std::string& key) const {
+    const std::scoped_lock lock(mutex_);
+    return beyond_ && beyond_->key == key ? std::optional(beyond_->kept) : std::nullopt;
+}
+
+InfluenceCache::Usage InfluenceCache::usage() const {
+    Usage usage = influences_.usage();
+    const std::scoped_lock lock(mutex_);
+    if (beyond_) {
+        ++usage.entries;
+        usage.bytes += beyond_->kept.use->bytes;
+    }
+    return usage;
+}
+
+std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use) {
+    if (!use || !use->made) return {};
+    return {"The operators of this problem were made for this solve: they take " + std::to_string(use->bytes) +
+            " bytes, and store.influence_budget_bytes is " + std::to_string(use->budget_bytes) +
+            ". Of operators beyond it only those used last are kept, so that problems that take turns make theirs anew "
+            "each time; raise it where they do."};
 }
 
 std::string influence_key(const ContactProblem& problem, const std::string& upper_key, const std::string& lower_key) {

@@ -3,28 +3,52 @@
 
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "contactd/contact.hpp"
 #include "contactd/solve_contact.hpp"
+#include "contactd/solve_reply.hpp"
 #include "least_recently_used.hpp"
 
 namespace contactd::engine {
 
-/// The least recently used go first when the budget is full. Thread-safe; operators are shared between solves.
+/// Operators, and what is told of those beyond the budget.
+struct KeptInfluence {
+    ContactInfluence influence{};
+    std::optional<OperatorUse> use{};
+};
+
+/// What a user should know of operators that were made although they may be needed again; empty otherwise.
+std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use);
+
+/// The least recently used go first when the budget is full. Beside them those beyond the budget that were used last
+/// are kept, and their use is told: a problem that is solved again finds its operators in any case. Thread-safe;
+/// operators are shared between solves.
 class InfluenceCache {
    public:
-    explicit InfluenceCache(std::size_t budget_bytes) : influences_(budget_bytes) {}
+    explicit InfluenceCache(std::size_t budget_bytes) : budget_(budget_bytes), influences_(budget_bytes) {}
 
     using Make = std::function<ContactInfluence()>;
-    /// The operators that `key` stands for, from memory or made by `make`; what is larger than the budget is not kept.
-    ContactInfluence of(const std::string& key, const Make& make);
+    /// The operators that `key` stands for, from memory or made by `make`.
+    KeptInfluence of(const std::string& key, const Make& make);
 
     using Usage = LeastRecentlyUsed<ContactInfluence>::Usage;
-    Usage usage() const { return influences_.usage(); }
+    Usage usage() const;  ///< with those beyond the budget
 
    private:
+    struct Beyond {
+        std::string key;
+        KeptInfluence kept;
+    };
+    std::optional<KeptInfluence> found_beyond(const std::string& key) const;
+
+    const std::size_t budget_;
     LeastRecentlyUsed<ContactInfluence> influences_;
+    mutable std::mutex mutex_;  // guards what follows
+    std::optional<Beyond> beyond_;
 };
 
 /// Says everything that the operators of a problem depend on; `keys` are those of the bodies' tables, without material

@@ -1,0 +1,90 @@
+// Operators that are kept between solves, also where they are larger than the budget.
+#include <catch2/catch_test_macros.hpp>
+
+#include <string>
+
+#include "engine/engine.hpp"
+
+using namespace contactd;
+using namespace contactd::engine;
+
+namespace {
+
+ContactProblem problem_of(int n) {
+    ContactProblem problem;
+    problem.grid = Grid::centred(n, n, 6.0 / n, 6.0 / n);
+    problem.bodies = Bodies::of({{82000, 0.28}, {82000, 0.28}});
+    problem.gap = Paraboloid{400, 400};
+    problem.Fn = 5000;
+    return problem;
+}
+
+EngineSettings with_budget(std::size_t budget) {
+    EngineSettings settings;
+    settings.influence_budget_bytes = budget;
+    return settings;
+}
+
+bool warns(const ContactSolution& solution) {
+    for (const std::string& warning : solution.warnings)
+        if (warning.find("store.influence_budget_bytes") != std::string::npos) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("Operators within the budget are kept and not told") {
+    Engine engine(with_budget(1 << 28));
+    Observer observer;
+    for (int solve = 0; solve < 2; ++solve) {
+        const SolveReply reply = engine.solve(problem_of(12), observer);
+        CHECK_FALSE(reply.operators);
+        CHECK_FALSE(warns(reply.solution));
+    }
+    CHECK(engine.influences().usage().entries == 1);
+}
+
+TEST_CASE("Operators beyond the budget are kept while they are in use, and told") {
+    const std::size_t budget = influence_bytes(problem_of(12).grid, problem_of(12).bodies);
+    Engine engine(with_budget(budget));
+    Observer observer;
+    const SolveReply first = engine.solve(problem_of(40), observer);
+    REQUIRE(first.operators);
+    CHECK(first.operators->made);
+    CHECK(first.operators->bytes > budget);
+    CHECK(first.operators->budget_bytes == budget);
+    CHECK(warns(first.solution));
+    // What is small takes its turns beside it.
+    CHECK_FALSE(warns(engine.solve(problem_of(11), observer).solution));
+    const SolveReply again = engine.solve(problem_of(40), observer);
+    REQUIRE(again.operators);
+    CHECK_FALSE(again.operators->made);
+    CHECK_FALSE(warns(again.solution));
+    CHECK(again.solution.pressure == first.solution.pressure);
+    CHECK(engine.influences().usage().entries == 2);
+    CHECK(engine.influences().usage().bytes > again.operators->bytes);
+}
+
+TEST_CASE("Of operators beyond the budget those used last are kept") {
+    Engine engine(with_budget(1));
+    Observer observer;
+    for (const int n : {12, 14, 12}) CHECK(engine.solve(problem_of(n), observer).operators->made);
+    CHECK_FALSE(engine.solve(problem_of(12), observer).operators->made);
+    CHECK(engine.influences().usage().entries == 1);
+}
+
+TEST_CASE("The steps of a simulation tell of operators beyond the budget once") {
+    Engine engine(with_budget(1));
+    Observer observer;
+    const ContactProblem problem = problem_of(12);
+    const auto steps = engine.open(SessionSpec{problem, problem}, observer);
+    StepState state = steps->start();
+    const auto step = [&] {
+        ContactSolution solution =
+            engine.solve(*steps, state, [](const std::optional<Motion>&, ContactProblem&) {}, observer);
+        state = ContactSteps::after(state, ContactSolution(solution));
+        return solution;
+    };
+    CHECK(warns(step()));
+    CHECK_FALSE(warns(step()));
+}
