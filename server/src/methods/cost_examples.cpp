@@ -41,7 +41,8 @@ json rolling() {
 
 json slab(int nx, int ny) {
     json params = ball(nx, ny);
-    params["bodies"] = {{"lower",
+    params["bodies"] = {{"upper", {{"rigid", true}}},
+                        {"lower",
                          {{"G", 82000},
                           {"nu", 0.28},
                           {"ics",
