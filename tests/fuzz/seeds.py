@@ -163,7 +163,7 @@ def replies() -> Iterator[bytes]:
         "evidence": {
             "normal": statistics, "derivatives": statistics, "ics": {"upper": use, "lower": use},
             "operators": {"made": True, "bytes": 2, "budget_bytes": 1},
-            "discretisation": {"elements_across": 1, "force_error": 1, "pmax_error": 1, "source": "estimate", "rolling_error": 2},
+            "discretisation": {"elements_across": 1, "force_error": 1, "pmax_error": 1, "source": "estimate", "rolling_error": 2, "compliance_ratio": 2},
         },
     }
     yield reply(solution, b"\2", bytes(8))

@@ -151,7 +151,7 @@ TEST_CASE("Errors of the discretisation come back", "[codec]") {
         reply.solution.evidence.discretisation = Discretisation{8, 0.1 + 0.2, 1.0 / 7, ErrorSource::hertz};
     }
     SECTION("estimated, of rolling") {
-        reply.solution.evidence.discretisation = Discretisation{1, 1, 1, ErrorSource::estimate, 0.3};
+        reply.solution.evidence.discretisation = Discretisation{1, 1, 1, ErrorSource::estimate, 0.3, 1.1};
     }
     SECTION("none") {}
     ArrayWriter arrays(ArrayEncoding::list);

@@ -40,6 +40,8 @@ class Discretisation:
             elements_across.
         rolling_error: Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and
             dq. Where most of the contact slips the force errs by less.
+        compliance_ratio: Where a body has layers: how compliant elements of this size make them to pressures as wide as
+            the contact, over how compliant they are; 1 where elements are fine. Both errors above have it in them.
     """
 
     elements_across: int
@@ -47,6 +49,7 @@ class Discretisation:
     pmax_error: float
     source: str
     rolling_error: float | None = None
+    compliance_ratio: float | None = None
 
 
 @dataclass(frozen=True)

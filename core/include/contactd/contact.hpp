@@ -37,6 +37,9 @@ struct Discretisation {
     /// Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and dq. Where most
     /// of the contact slips the force errs by less.
     std::optional<double> rolling_error{};
+    /// Where a body has layers: how compliant elements of this size make them to pressures as wide as the contact, over
+    /// how compliant they are. Both errors above have it in them.
+    std::optional<double> compliance_ratio{};
 
     bool operator==(const Discretisation&) const = default;
 };

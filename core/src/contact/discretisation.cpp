@@ -174,8 +174,8 @@ std::optional<Discretisation> discretisation(const ContactProblem& problem, cons
     }
     const PatchSize contact = lengths_of(problem.grid, size);
     require_layers_resolved(problem, contact);
-    if (const auto ratio = compliance_ratio(problem, contact)) {
-        const double of_layers = compliance_error(*ratio);
+    if ((evidence.compliance_ratio = compliance_ratio(problem, contact))) {
+        const double of_layers = compliance_error(*evidence.compliance_ratio);
         for (double* error : {&evidence.force_error, &evidence.pmax_error})
             *error = std::min(*error + of_layers, certain_error);
     }

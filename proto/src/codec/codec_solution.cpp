@@ -17,6 +17,8 @@ json encode_discretisation(const Discretisation& evidence) {
                           {"pmax_error", finite(evidence.pmax_error, "An error of the largest pressure")},
                           {"source", word_for(error_sources, evidence.source)}});
     if (evidence.rolling_error) result["rolling_error"] = finite(*evidence.rolling_error, "An error of rolling");
+    if (evidence.compliance_ratio)
+        result["compliance_ratio"] = finite(*evidence.compliance_ratio, "The ratio of compliances");
     return result;
 }
 
@@ -24,6 +26,7 @@ Discretisation decode_discretisation(const json& source) {
     Discretisation evidence{source["elements_across"].get<int>(), source["force_error"].get<double>(),
                             source["pmax_error"].get<double>(), meaning_of(source["source"], error_sources)};
     if (source.contains("rolling_error")) evidence.rolling_error = source["rolling_error"].get<double>();
+    if (source.contains("compliance_ratio")) evidence.compliance_ratio = source["compliance_ratio"].get<double>();
     return evidence;
 }
 
