@@ -50,7 +50,7 @@ TEST_CASE("Slabs of any Poisson's ratio up to 0.499 are exact layers within thei
     check_slabs(1e-2);
 }
 
-TEST_CASE("A slab that is thin beside its columns errs by no more of its own compliance", "[section]") {
+TEST_CASE("A slab that is thin beside its columns errs by no more of its own compliance", "[section][slow]") {
     const double thickness = GENERATE(0.05, 0.2), nu = 0.28;
     Observer observer;
     const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, slab(100, thickness, columns), nu, 1e-2, observer);
