@@ -1,5 +1,5 @@
-// What ic.import is sent, up to the record that the store would keep: it is refused in words, or read; and what was read
-// is that of an elastic body, and the same when it is written and read again.
+// What ic.import is sent, up to the record that the store would keep: it is refused in words, or read; and what was
+// read is that of an elastic body, and the same when it is written and read again.
 #include "contactd/error.hpp"
 #include "contactd/ic_contents.hpp"
 #include "contactd/ic_store.hpp"

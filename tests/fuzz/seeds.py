@@ -234,7 +234,7 @@ def ic_contents() -> Iterator[bytes]:
 def ic_imports() -> Iterator[bytes]:
     """The one coefficient under an element of a half-space, in closed form; a family of it; a prism of one column."""
     errors = {f"evidence/error_{c}_{place}": 1e-3 for c in ("xx", "yy", "zz") for place in ("origin", "largest")}
-    numbers = {name: 0 for name in ("elements", "dofs", "processes", "errors_estimated")}
+    numbers = dict.fromkeys(("elements", "dofs", "processes", "errors_estimated"), 0)
     numbers |= {f"{stage}_seconds": 1.0 for stage in ("assembly", "setup", "solve", "total")}
     evidence = {f"evidence/{name}": value for name, value in numbers.items()} | errors
     evidence |= {"evidence/source": "fem", "evidence/version": "1", "evidence/scaled_error_xy": 1e-3, "evidence/scaled_error_xz": 1e-3}
@@ -256,7 +256,7 @@ def ic_imports() -> Iterator[bytes]:
     family = np.stack([under(nu).reshape(3, 3, 1, 1) for nu in points])
     several = {**spec, "spec/body": "half_space", "spec/any_nu": 1, "evidence/family_nu": points, "evidence/interpolation_error": 0.01}
     yield message_of(several, influence_coefficients=family[0], influence_coefficients_family=family)
-    section = {"section_order": 4, "wavenumbers": 5} | {name: 1e-3 for name in ("section_error", "mesh_error", "wavenumber_error", "end_error", "reciprocity_defect")}
+    section = {"section_order": 4, "wavenumbers": 5} | dict.fromkeys(("section_error", "mesh_error", "wavenumber_error", "end_error", "reciprocity_defect"), 0.001)
     prism = {**one, "spec/body": "prism", "transform/xi0": 0.01, "transform/wavenumbers": [0.0, 0.1, 0.5, 2.0, 6.0]}
     prism |= {f"evidence/{name}": value for name, value in section.items()}
     slab = [8, 20.0, 40.0, 1, 0, 0]

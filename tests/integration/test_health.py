@@ -10,7 +10,8 @@ def test_health_answers_while_a_build_and_two_large_solves_run(daemon, client, b
     work = [background(client.get_ic, STEEL, GRID, LONG)]
     eventually(client.jobs)  # the solves take all workers, behind which a build would not even begin
     work += [background(client.solve, ENDLESS) for _ in range(2)]
-    eventually(lambda: sum(job.state == "running" for job in client.jobs()) == 3)
+    # One worker of two never takes large solves.
+    eventually(lambda: sum(job.state == "running" for job in client.jobs()) == 2)
     latencies = []
     for _ in range(50):
         start = time.perf_counter()

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from contactd import PermissionDenied, Unimplemented
+from contactd import AnalyticIcs, InvalidArgument, PermissionDenied, Unimplemented
 from contactd.wheel_rail import WheelRailFriction, WheelRailSetup, WheelRailState, WheelsetPosition
 from support.daemons import BIN, eventually
 from support.fortress import Fortress
@@ -44,10 +44,11 @@ def test_users_are_the_names_of_their_keys(daemons, tmp_path):
     fortress.allow("bob")
     fortress.reload()
     with fortress.client() as alice, fortress.client(own_key=bob) as client:
+        closed_form = client.export_ic(STEEL, GRID, AnalyticIcs())
         with pytest.raises(PermissionDenied):
-            alice.import_ic(b"no table")
-        with pytest.raises(ValueError, match="file"):
-            client.import_ic(b"no table")
+            alice.import_ic(closed_form)
+        with pytest.raises(InvalidArgument, match="analytic"):
+            client.import_ic(closed_form)
         with pytest.raises(PermissionDenied):
             alice.get_ic(STEEL, GRID, QUICK)
         table = client.get_ic(STEEL, GRID, QUICK)

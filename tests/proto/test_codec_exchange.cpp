@@ -195,8 +195,8 @@ TEST_CASE("An export is asked for like a table, with a format and perhaps a seco
 
 TEST_CASE("What a client asks an export for arrives", "[codec]") {
     const IcSpec spec = decode_ic_spec(wire::ic_params());
-    for (const IcExport& wanted :
-         {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, {}, FileFormat::contents}, IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
+    for (const IcExport& wanted : {IcExport{spec, {}, FileFormat::hdf5}, IcExport{spec, {}, FileFormat::contents},
+                                   IcExport{spec, Material{1, 0.1}, FileFormat::contact}}) {
         const json params = encode_ic_export(wanted);
         CAPTURE(params.dump());
         CHECK_NOTHROW(check_params("ic.export", params));
@@ -215,11 +215,13 @@ TEST_CASE("A bad export is named with what would be right", "[codec]") {
     json params = export_params("contact");
     SECTION("no format") {
         params.erase("format");
-        CHECK_THAT(refused(params), ContainsSubstring("format is missing; it must be one of \"hdf5\", \"contact\""));
+        CHECK_THAT(refused(params),
+                   ContainsSubstring("format is missing; it must be one of \"hdf5\", \"contents\", \"contact\""));
     }
     SECTION("another format") {
         params["format"] = "npz";
-        CHECK_THAT(refused(params), ContainsSubstring("format is \"npz\"; it must be one of \"hdf5\", \"contact\""));
+        CHECK_THAT(refused(params),
+                   ContainsSubstring("format is \"npz\"; it must be one of \"hdf5\", \"contents\", \"contact\""));
     }
     SECTION("a path") {
         params["path"] = "table.txt";

@@ -125,7 +125,7 @@ namespace {
 
 /// All arrays of an answer have the size of one, which is that of the grid; only slip may be missing.
 void check_size(const SolveReply& reply, const ContactProblem& problem, const SolutionFields& fields) {
-    const auto& [solution, ics] = reply;
+    const ContactSolution& solution = reply.solution;
     const auto check = [&](SolutionField field, const char* what, std::size_t size) {
         if (size == problem.grid.size() || std::find(fields.begin(), fields.end(), field) == fields.end()) return;
         throw ProtocolError("The daemon's answer has " + std::to_string(size) + " " + what + "; the grid has " +

@@ -31,6 +31,7 @@ from .whole_files import MOST_BYTES, check_npy, read_whole
 __all__ = ["load_table", "save_table"]
 
 PathLike = str | os.PathLike[str]
+_ONE_ARRAY = b"\x93NUMPY"  #: how a file of one array begins, .npy, which is no archive
 
 
 def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = None) -> None:
@@ -91,10 +92,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     name = os.fspath(path)
     content = io.BytesIO(read_whole(path, MOST_BYTES))
     try:
-        _check_archive(content)
-        content.seek(0)
-        archive = np.load(content, allow_pickle=False)
-        members = {member: archive[member] for member in archive.files}
+        members = {} if content.getvalue().startswith(_ONE_ARRAY) else _members_of(content)
     except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
         raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
@@ -124,6 +122,13 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
         raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
     _check(array, spec, name)
     return IcTable(str(members.get("key", "")), "file", spec, array, evidence, frames)
+
+
+def _members_of(content: io.BytesIO) -> dict[str, np.ndarray[Any, Any]]:
+    _check_archive(content)
+    content.seek(0)
+    archive = np.load(content, allow_pickle=False)
+    return {member: archive[member] for member in archive.files}
 
 
 def _check_archive(content: io.BytesIO) -> None:

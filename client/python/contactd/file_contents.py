@@ -17,7 +17,7 @@ import numpy as np
 from .errors import ContactdError, TableFileError
 from .hdf5_checks import has_own_data, own_members
 
-__all__ = ["FileContents", "contents_of", "file_of"]
+__all__ = ["FileContents", "contents_of", "file_of", "need_h5py"]
 
 _USER_BLOCK = 512
 _MAGIC = re.compile(rb"contactd ic table, format (\d{1,9})")
@@ -52,8 +52,8 @@ class FileContents:
         return any(name.startswith(path + "/") for name in self.attributes)
 
 
-def contents_of(content: bytes, name: str) -> FileContents:
-    """What the bytes of a file hold; `name` is for the words of the TableFileError that says what is wrong with them."""
+def need_h5py() -> Any:
+    """The package. Raises ContactdError where it is missing."""
     try:
         import h5py
     except ImportError:
@@ -61,6 +61,12 @@ def contents_of(content: bytes, name: str) -> FileContents:
             "Reading HDF5 files needs the package h5py: pip install h5py, or on Debian python3-h5py. "
             "Files .npz and .txt can be read without it."
         ) from None
+    return h5py
+
+
+def contents_of(content: bytes, name: str) -> FileContents:
+    """What the bytes of a file hold; `name` is for the words of the TableFileError that says what is wrong with them."""
+    h5py = need_h5py()
     _check_digest(name, content)
     image = content[_USER_BLOCK:]
     try:

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from .errors import TableFileError
-from .file_contents import FileContents, contents_of
+from .file_contents import FileContents, contents_of, need_h5py
 from .grid import Grid
 from .ics import AnalyticIcs, FemIcs
 from .materials import Layer, LayeredBody, Material, RigidBody
@@ -60,6 +60,7 @@ def imported_contents(path: str | os.PathLike[str]) -> FileContents:
 
 
 def _read(path: str | os.PathLike[str], read: Callable[[FileContents, str], T]) -> T:
+    need_h5py()  # what is missing is told before a file that is
     name = os.fspath(path)
     contents = contents_of(read_whole(path, MOST_BYTES), name)
     try:

@@ -22,4 +22,4 @@ def own_members(h5py: Any, group: Any) -> Iterator[tuple[str, Any]]:
 def has_own_data(h5py: Any, dataset: Any) -> bool:
     """Whether its data lie in the file itself."""
     how = dataset.id.get_create_plist()
-    return how.get_external_count() == 0 and how.get_layout() != h5py.h5d.VIRTUAL
+    return bool(how.get_external_count() == 0 and how.get_layout() != h5py.h5d.VIRTUAL)

@@ -26,7 +26,7 @@ class ContactWarning(UserWarning):
 
     Attributes:
         sentences: One by one. Of a call with several problems, steps or patches each begins with the part that it is of,
-            such as ``problems[3]: ``.
+            such as ``problems[3]:``.
     """
 
     @property

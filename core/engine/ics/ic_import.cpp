@@ -14,8 +14,7 @@ constexpr std::string_view imported_sentence = "This table was imported from a f
 /// A table may go round several daemons.
 void note_import(IcEvidence& evidence) {
     evidence.imported = true;
-    std::erase_if(evidence.warnings,
-                  [](const std::string& warning) { return warning.starts_with(imported_sentence); });
+    std::erase_if(evidence.warnings, [](const std::string& warning) { return warning.starts_with(imported_sentence); });
     evidence.warnings.push_back(std::string(imported_sentence) +
                                 "; that its numbers are those of its builder nobody has checked.");
 }

@@ -26,9 +26,9 @@ struct Turn {
 };
 
 /// Tasks of a higher priority go first, within a priority one task of each user in turn, and of a user one of each
-/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next. Large
-/// tasks never have all threads, where there is more than one: a small one waits behind other small ones only. Tasks of
-/// one client begin in the order in which they came.
+/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next.
+/// Large tasks never have all threads, where there is more than one: a small one waits behind other small ones only.
+/// Tasks of one client begin in the order in which they came.
 class WorkerPool {
    public:
     using Task = std::function<void()>;  ///< must not throw

@@ -57,11 +57,12 @@ std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, 
     try {
         return equivalent_conicities(wheelset, wanted.amplitudes, wanted.settings, observer);
     } catch (const InvalidArgument& error) {
-        constexpr std::string_view right = "right.";
+        constexpr std::string_view right = "right.", left = "left.";
         if (error.field() == "shift")
             throw InvalidArgument("conicity.amplitudes", "lead to a " + std::string(error.what()));
         if (error.field().starts_with(right)) throw renamed(error, "setup.", right.size());
-        if (error.field().starts_with("left.")) throw;
+        if (error.field().starts_with(left) && setup.left) throw;
+        if (error.field().starts_with(left)) throw renamed(error, "setup.", left.size());
         throw renamed(error, "conicity.", 0);
     }
 }

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "types/count_of.hpp"
+#include "contactd/count_of.hpp"
 
 namespace contactd::fem {
 namespace {

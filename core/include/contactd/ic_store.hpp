@@ -77,7 +77,8 @@ class IcStore {
 
     /// The smallest stored table of the owner with the key of `spec` that covers its extent, or nothing. A file that
     /// fails its check is moved to `quarantine/`, reported, and not considered again; one that cannot be read, or was
-    /// written by a newer version, is reported and passed over. Throws StoreError when the folder itself cannot be read.
+    /// written by a newer version, is reported and passed over. Throws StoreError when the folder itself cannot be
+    /// read.
     std::optional<IcRecord> find(const IcSpec& spec, const TableOwner& owner = {}) const;
     /// Whether there is a file by a name that find() would look into.
     bool may_have(const IcSpec& spec, const TableOwner& owner = {}) const;

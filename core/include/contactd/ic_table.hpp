@@ -109,7 +109,7 @@ struct IcEvidence {
     std::vector<double> family_nu;
     std::optional<double> interpolation_error;
     std::optional<SectionEvidence> section;  ///< of a prism by finite elements
-    bool imported = false;  ///< somebody has brought the table, whose word all of this is
+    bool imported = false;                   ///< somebody has brought the table, whose word all of this is
 };
 
 /// Every value times `factor`: A of G and dx from the dimensionless table with factor = dx/G.

@@ -39,8 +39,7 @@ Layers read_layers(const Place& group) {
     if (thickness.empty() || thickness.size() != G.size() || G.size() != nu.size())
         throw DamagedTable("The layers of the file are not complete.");
     for (std::size_t i = 0; i < G.size(); ++i) body.layers.push_back({thickness[i], G[i], nu[i]});
-    body.base =
-        group.has("base_G") ? Material{number(group, "base_G"), number(group, "base_nu")} : Material::rigid();
+    body.base = group.has("base_G") ? Material{number(group, "base_G"), number(group, "base_nu")} : Material::rigid();
     return body;
 }
 

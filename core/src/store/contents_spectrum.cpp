@@ -52,8 +52,8 @@ ColumnSpectrum read_spectrum(const Place& at, double nu) {
     const std::size_t nodes = spectrum.nodes.size();
     const bool fits = nodes >= fewest_nodes && nodes <= most_nodes && transform.shape[0] == nodes &&
                       transform.shape[1] == spectrum.component_size() && spectrum.nodes.front() == 0 &&
-                      spectrum.xi0 > 0 && std::ranges::adjacent_find(spectrum.nodes, std::greater_equal()) ==
-                                              spectrum.nodes.end() &&
+                      spectrum.xi0 > 0 &&
+                      std::ranges::adjacent_find(spectrum.nodes, std::greater_equal()) == spectrum.nodes.end() &&
                       std::ranges::all_of(transform.values, [](double value) { return std::isfinite(value); });
     if (!fits) throw DamagedTable("The transform of the file is not that of a section.");
     spectrum.values.assign(transform.values.begin(), transform.values.end());

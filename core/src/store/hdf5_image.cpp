@@ -41,9 +41,7 @@ class Writer {
         const std::size_t slash = path.rfind('/');
         const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
         const std::string parent = slash == std::string::npos ? "/" : path.substr(0, slash);
-        const auto write = [&](const auto& at) {
-            std::visit([&](const auto& given) { put(at, name, given); }, value);
-        };
+        const auto write = [&](const auto& at) { std::visit([&](const auto& given) { put(at, name, given); }, value); };
         if (parent != "/" && file_.childObjType(parent) == H5O_TYPE_DATASET)
             write(file_.openDataSet(parent));
         else

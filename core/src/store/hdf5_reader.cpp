@@ -11,7 +11,7 @@ namespace contactd {
 namespace {
 
 constexpr int deepest_group = 3;
-constexpr hsize_t most_links = 100;  // of a group
+constexpr hsize_t most_links = 100;      // of a group
 constexpr std::size_t most_texts = 200;  // of a list, since HDF5 allocates all of them at once
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {

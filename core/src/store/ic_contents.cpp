@@ -103,8 +103,7 @@ FileContents contents_of(const IcRecord& record) {
         write_spectrum(file, *spectrum);
         if (!is_dimensionless(record.spec)) write_columns(file, record);
     } else if (std::holds_alternative<ColumnTable>(record.tables)) {
-        throw StoreError(
-            "Tables of prisms that are made of half-spaces are not kept in files: making one is quicker.");
+        throw StoreError("Tables of prisms that are made of half-spaces are not kept in files: making one is quicker.");
     } else {
         write_table(file, record.table(), !is_dimensionless(record.spec));
     }
@@ -124,7 +123,8 @@ IcRecord record_from(FileContents contents) {
     for (const auto& [path, dataset] : contents.datasets) {
         std::size_t size = 1;
         for (const std::size_t extent : dataset.shape) size *= extent;
-        if (size != dataset.values.size()) throw DamagedTable(path + " of the file does not have the size of its shape.");
+        if (size != dataset.values.size())
+            throw DamagedTable(path + " of the file does not have the size of its shape.");
     }
     const Place file{contents};
     check_format(long_integer(file, format_name));

@@ -30,7 +30,8 @@ std::string of_format() {
 std::string escaped(const TableOwner& owner) {
     std::string text;
     for (const char c : owner) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
         text += plain ? std::string(1, c) : std::format("={:02x}", static_cast<unsigned char>(c));
     }
     return text;
@@ -40,9 +41,8 @@ std::string unescaped(std::string_view text) {
     TableOwner owner;
     while (!text.empty()) {
         unsigned code = 0;
-        const bool is_code =
-            text.front() == '=' && text.size() > 2 &&
-            std::from_chars(text.data() + 1, text.data() + 3, code, 16).ptr == text.data() + 3;
+        const bool is_code = text.front() == '=' && text.size() > 2 &&
+                             std::from_chars(text.data() + 1, text.data() + 3, code, 16).ptr == text.data() + 3;
         owner += is_code ? static_cast<char>(code) : text.front();
         text.remove_prefix(is_code ? 3 : 1);
     }
@@ -149,7 +149,8 @@ fs::path IcStore::path_of(const std::string& key, int nx, int ny, const TableOwn
 
 fs::path IcStore::path_to_write(const std::string& key, int nx, int ny, const TableOwner& owner) const {
     fs::path path = path_of(key, nx, ny, owner);
-    if (is_of_newer_version(path)) path.replace_filename(std::format("{}.{}x{}.{}{}", key, nx, ny, of_format(), extension));
+    if (is_of_newer_version(path))
+        path.replace_filename(std::format("{}.{}x{}.{}{}", key, nx, ny, of_format(), extension));
     return path;
 }
 

@@ -71,8 +71,8 @@ void require_near_half_space(const IcTable& table, const IcSpec& spec, const IcE
             for (int k = 0; k < table.nx; ++k)
                 if (std::abs(table(i, i, k, l) - exact(i, i, k, l)) > share * exact(i, i, 0, 0))
                     refuse("hold " + number_text(table(i, i, k, l)) + " for " + std::string(name_of(i)) +
-                           std::string(name_of(i)) + " at the offset (" + std::to_string(k) + ", " +
-                           std::to_string(l) + "), where a half-space has " + number_text(exact(i, i, k, l)) +
+                           std::string(name_of(i)) + " at the offset (" + std::to_string(k) + ", " + std::to_string(l) +
+                           "), where a half-space has " + number_text(exact(i, i, k, l)) +
                            "; no block of this size is that far from it");
 }
 
@@ -159,8 +159,10 @@ void require_sound(const ColumnSpectrum& spectrum, const IcEvidence& stated, boo
             for (int first = 0; first < spectrum.columns; first += stride * window / 2) {
                 const int count = std::min(window, (spectrum.columns - 1 - first) / stride + 1);
                 if (!is_sound(spectrum, node, first, stride, count, slack))
-                    refuse("hold a transform under which a traction on columns would take work out of the body, at the "
-                           "wavenumber " + std::to_string(node) + ": it must be positive definite");
+                    refuse(
+                        "hold a transform under which a traction on columns would take work out of the body, at the "
+                        "wavenumber " +
+                        std::to_string(node) + ": it must be positive definite");
             }
     }
 }

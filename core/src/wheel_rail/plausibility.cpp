@@ -48,8 +48,8 @@ std::optional<double> rounding_of(const std::vector<ProfilePoint>& points) {
 /// Second differences of rounded points are a step over the square of their distance.
 void warn_of_rounding(const ProfileSpec& spec, const ProfileCurve& curve, const char* name,
                       std::vector<std::string>& warnings) {
-    constexpr std::size_t measured = 100;     // points: fewer are drawn by hand
-    constexpr double much = 2e-3;             // 1/mm, of treads and heads whose radii are 300 mm
+    constexpr std::size_t measured = 100;  // points: fewer are drawn by hand
+    constexpr double much = 2e-3;          // 1/mm, of treads and heads whose radii are 300 mm
     const auto* points = std::get_if<ProfilePoints>(&spec.shape);
     if (points == nullptr || points->smoothing_length > 0 || points->points.size() < measured) return;
     const std::optional<double> step = rounding_of(points->points);

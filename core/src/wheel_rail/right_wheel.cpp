@@ -104,8 +104,8 @@ WheelRailGeometry RightWheel::locate() {
     for (const PlaceWithGap& found : position_.places(geometry.z)) {
         geometry.places.push_back(found.place);
         warn(geometry, warnings_of(found, setup_.side, false));
-        warn(geometry, plausibility_warnings(found.place.reference, setup_.side, position_.wheel(geometry.z),
-                                             position_.rail()));
+        warn(geometry,
+             plausibility_warnings(found.place.reference, setup_.side, position_.wheel(geometry.z), position_.rail()));
     }
     return geometry;
 }

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "contactd/count_of.hpp"
 #include "geometry/section/ready_made.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

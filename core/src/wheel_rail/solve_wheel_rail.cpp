@@ -26,7 +26,7 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
 /// With what set-up and state themselves should make their user think about.
 template <class Answer>
 Answer warned(Answer answer, const std::vector<std::string>& of_setup, const WheelRailState& state) {
-    answer.warnings.insert(answer.warnings.end(), of_setup.begin(), of_setup.end());
+    answer.warnings.insert(answer.warnings.begin(), of_setup.begin(), of_setup.end());
     for (std::string& warning : warnings_of(state)) answer.warnings.push_back(std::move(warning));
     return answer;
 }
@@ -48,7 +48,7 @@ struct WheelRailContact::Parts {
     WheelRailSetup setup;
     std::shared_ptr<const geometry::Profiles> profiles;
     InfluenceSource influences;
-    std::vector<std::string> warnings;  // of every solution
+    std::vector<std::string> warnings;                // of every solution
     std::optional<WheelRailSetup> plane{}, curved{};  // what setup may become where conformal is automatic
 
     /// What a right wheel answers, in a mirror where it is a left one.

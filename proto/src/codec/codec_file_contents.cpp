@@ -44,6 +44,24 @@ std::vector<std::string> texts_of(const json& list, const std::string& field) {
     return texts;
 }
 
+/// Names of letters, digits and _, joined by slashes.
+void check_path(const std::string& path, const char* field) {
+    const auto is_of_name = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    bool is_path = !path.empty() && path.size() <= longest_file_path && path.back() != '/';
+    char before = '/';
+    for (const char c : path) {
+        is_path = is_path && (is_of_name(c) || (c == '/' && before != '/'));
+        before = c;
+    }
+    if (!is_path)
+        throw invalid_field(
+            field, "has " +
+                       json(path.substr(0, longest_file_path)).dump(-1, ' ', true, json::error_handler_t::replace) +
+                       "; its names are paths of letters, digits and _, such as \"spec/body\"");
+}
+
 FileContents::Value decode_value(const json& value, const std::string& field) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_array()) {
@@ -67,9 +85,12 @@ json encode_file_contents(const FileContents& contents, ArrayWriter& arrays) {
 
 FileContents decode_file_contents(const json& params, const Frames& frames) {
     FileContents contents;
-    for (const auto& [path, value] : params["attributes"].items())
+    for (const auto& [path, value] : params["attributes"].items()) {
+        check_path(path, "attributes");
         contents.attributes.emplace(path, decode_value(value, "attributes." + path));
+    }
     for (const auto& [path, source] : params["datasets"].items()) {
+        check_path(path, "datasets");
         FileContents::Array& array = contents.datasets[path];
         array.shape = claimed_shape(source, most_file_axes);
         array.values = read_unset_array(source, frames, array.shape, "datasets." + path);

@@ -57,6 +57,18 @@ double length_of(const json& array) {
     return shape.empty() ? 1 : shape.front().get<double>();
 }
 
+/// Of an array, a nested list or a frame: all its numbers.
+double numbers_of(const json& array) {
+    if (array.is_array())
+        return array.empty() || !array.front().is_array()
+                   ? static_cast<double>(array.size())
+                   : static_cast<double>(array.size()) * numbers_of(array.front());
+    double numbers = 1;
+    if (array.is_object())
+        for (const json& extent : array.at("$array").at("shape")) numbers *= extent.get<double>();
+    return numbers;
+}
+
 double columns_squared(const json& grid) {
     return sides(grid) * grid.at("ny").get<double>();
 }
@@ -134,6 +146,13 @@ WorkCost cost_of_export(const json& params, const Config& config) {
     WorkCost cost = cost_of_table(params, config);
     cost.bytes *= 2;  // both bodies, or the file and its copy
     return cost;
+}
+
+WorkCost cost_of_import(const json& params, const Config&) {
+    double numbers = 0;
+    for (const auto& [path, array] : params.at("datasets").items()) numbers += numbers_of(array);
+    // The arrays, their record, the closed form that it is compared with, and the file.
+    return {bytes_beside + 5 * sizeof(double) * numbers, seconds_of_offset * numbers};
 }
 
 WorkCost cost_of_wheel_rail(const json& params, const Config&) {

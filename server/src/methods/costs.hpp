@@ -17,6 +17,7 @@ WorkCost cost_of_solve_many(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_table(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_export(const nlohmann::json& params, const Config& config);
+WorkCost cost_of_import(const nlohmann::json& params, const Config& config);
 /// Of a patch of the usual size; what is larger is looked at where it is found.
 WorkCost cost_of_wheel_rail(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_geometry(const nlohmann::json& params, const Config& config);

@@ -59,7 +59,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
 void add_ic_methods(MethodTable& methods) {
     methods.add({.name = "ic.get", .cost = cost_of_table, .handle = get_table});
     methods.add({.name = "ic.export", .cost = cost_of_export, .handle = export_table});
-    methods.add({.name = "ic.import", .handle = import_table});
+    methods.add({.name = "ic.import", .cost = cost_of_import, .handle = import_table});
     methods.add({.name = "ic.list", .handle = list_tables});
     methods.add({.name = "ic.delete", .handle = delete_tables});
 }

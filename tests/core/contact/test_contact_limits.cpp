@@ -194,8 +194,8 @@ TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
     const auto solution = solve_contact(problem, {}, observer);
     REQUIRE(solution.forces.Fn > 0);
     REQUIRE(solution.elements.contact == 0);
-    REQUIRE(solution.warnings.size() == 1);
-    CHECK(solution.warnings[0].find("whole contact") != std::string::npos);
+    REQUIRE_FALSE(solution.warnings.empty());
+    CHECK(solution.warnings.back().find("whole contact") != std::string::npos);
 }
 
 TEST_CASE("a force that falling friction cannot hold is not found, and only one beyond static friction refused",

@@ -6,12 +6,12 @@
 #include <limits>
 #include <string>
 
+#include "contactd/count_of.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
 #include "contactd/wheelset_contacts.hpp"
 #include "geometry/placement/out_of_round.hpp"
 #include "geometry/placement/sliced_rail.hpp"
-#include "types/count_of.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;

@@ -138,8 +138,7 @@ TEST_CASE("An exported table comes back dimensionless", "[exchange]") {
 TEST_CASE("A store's own record comes back as it is", "[exchange]") {
     IcRecord prism = exported_prism();
     prism.spec = dimensionless(prism.spec);
-    CHECK(std::get<ColumnSpectrum>(stored(through_a_file(prism)).tables) ==
-          std::get<ColumnSpectrum>(prism.tables));
+    CHECK(std::get<ColumnSpectrum>(stored(through_a_file(prism)).tables) == std::get<ColumnSpectrum>(prism.tables));
 }
 
 TEST_CASE("What no builder makes is refused with a sentence", "[exchange]") {
@@ -196,8 +195,9 @@ TEST_CASE("A family is held against the closed form at each of its Poisson's rat
     const auto of_family = [](IcRecord& given) -> IcFamily& { return std::get<IcFamily>(given.tables); };
 
     CHECK(refusal_of(record, [](IcRecord&) {}) == "taken");
-    CHECK_THAT(refusal_of(record, [&](IcRecord& given) { std::swap(of_family(given).tables[0], of_family(given).tables[3]); }),
-               ContainsSubstring("against the closed form"));
+    CHECK_THAT(
+        refusal_of(record, [&](IcRecord& given) { std::swap(of_family(given).tables[0], of_family(given).tables[3]); }),
+        ContainsSubstring("against the closed form"));
     CHECK_THAT(refusal_of(record, [](IcRecord& given) { given.evidence.family_nu[1] += 0.01; }),
                ContainsSubstring("other Poisson's ratios"));
 }

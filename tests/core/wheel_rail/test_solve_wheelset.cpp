@@ -98,7 +98,7 @@ TEST_CASE("What is wrong with one wheel of a wheelset is named by its side") {
     Observer observer;
     const WheelRailContact left(setup);
     CHECK_THROWS_WITH(solve_wheelset(left, wheel(Side::right), wheelset_state(manchester_cases[0]), observer),
-                      StartsWith("left.dx and dy"));
+                      StartsWith("left.patches.locus_step times dy"));
 }
 
 TEST_CASE("Wheels of the wrong side, and wheels that do not press, are refused") {

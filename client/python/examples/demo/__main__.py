@@ -15,6 +15,7 @@ import math
 import signal
 import sys
 import time
+import warnings
 from pathlib import Path
 
 from checks import Check, cattaneo_checks, table_checks
@@ -30,6 +31,7 @@ from contactd import (
     ContactdError,
     ContactProblem,
     ContactSolution,
+    ContactWarning,
     FemIcs,
     Friction,
     Grid,
@@ -206,6 +208,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def main() -> int:
+    warnings.simplefilter("ignore", ContactWarning)  # grids are as coarse as those of what is compared with
     parser = argparse.ArgumentParser(prog="demo", description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument(
         "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles", "conformal"], default="cattaneo", help="what to show (cattaneo)"

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "contactd/count_of.hpp"
 #include "geometry/conicity/bracketed_root.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {

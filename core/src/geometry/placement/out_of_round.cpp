@@ -6,8 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "contactd/count_of.hpp"
 #include "geometry/profile/natural_spline.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {

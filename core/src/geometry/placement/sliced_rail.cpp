@@ -5,8 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "contactd/count_of.hpp"
 #include "contactd/error.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {

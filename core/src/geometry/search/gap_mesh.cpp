@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "contactd/count_of.hpp"
 #include "geometry/distance/heights.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {

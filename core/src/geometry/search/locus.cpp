@@ -5,8 +5,9 @@
 #include <functional>
 #include <limits>
 
+#include "contactd/count_of.hpp"
 #include "geometry/placement/ascending_root.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "types/count_of.hpp"
+#include "contactd/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::geometry {
 namespace {

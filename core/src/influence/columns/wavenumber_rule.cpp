@@ -6,8 +6,9 @@
 #include <numbers>
 #include <span>
 
+#include "contactd/count_of.hpp"
 #include "influence/layered/gauss_legendre.hpp"
-#include "types/count_of.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd {
 namespace {

@@ -209,7 +209,7 @@ TEST_CASE("Large tasks leave a thread to small ones") {
 TEST_CASE("The only thread takes large tasks, too") {
     WorkerPool pool(1);
     std::promise<void> ran;
-    pool.post({.is_large = true}, [&] { ran.set_value(); });
+    pool.post({.client = "a", .is_large = true}, [&] { ran.set_value(); });
     ran.get_future().wait();
 }
 

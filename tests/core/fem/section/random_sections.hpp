@@ -189,7 +189,7 @@ inline SectionContact random_section_contact(std::uint64_t seed) {
     Dice dice(seed + 55'000'000);
     SectionContact contact;
     ContactProblem& problem = contact.problem;
-    const double dy = dice.log_uniform(0.05, 2), dx = dy * dice.log_uniform(0.4, 3);
+    const double dy = dice.log_uniform(0.05, 2), dx = dy * dice.log_uniform(0.5, 3);
     const int nx = dice.integer(2, 12), ny = dice.integer(2, 11);
     problem.grid = Grid::centred(nx, ny, dx, dy);
     const Section section = random_section(dice, ny * dy);

@@ -99,7 +99,7 @@ TEST_CASE("Columns that are not level are refused in three dimensions", "[sectio
 TEST_CASE("Three dimensions and the transform agree on a block with an edge", "[section][slow]") {
     Observer observer;
     const SectionOutline outline = small_edge();
-    const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, outline, nu, 1e-4, observer);
+    const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, outline, nu, 5e-4, observer);
     const ColumnTable transformed = column_table(build.spectrum, 1, coarse(1).nx);
     const auto solid = [&](const SolidSpec& spec) {
         return build_solid_table(MPI_COMM_SELF, outline, nu, spec, observer).table;

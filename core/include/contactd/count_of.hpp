@@ -5,9 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "contactd/error.hpp"
-#include "number_text.hpp"
-
 namespace contactd {
 
 /// Describes what a quotient counts, for the sentence that refuses it: "FIELD PROBLEM makes COUNT THINGS; MOST are the
@@ -21,12 +18,6 @@ struct Counted {
 };
 
 /// The quotient without its fraction. Throws InvalidArgument(counted.field) unless it lies in [0, counted.most].
-inline int count_of(double quotient, const Counted& counted) {
-    if (!(quotient >= 0 && quotient <= counted.most))
-        throw InvalidArgument(counted.field, counted.problem + ", which makes " + short_text(quotient) + " " +
-                                                 std::string(counted.things) + "; " + number_text(counted.most) +
-                                                 " are the most, " + std::string(counted.cure));
-    return static_cast<int>(quotient);
-}
+int count_of(double quotient, const Counted& counted);
 
 }  // namespace contactd
