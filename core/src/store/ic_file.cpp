@@ -83,7 +83,7 @@ std::vector<unsigned char> read_all(const fs::path& path) {
     return bytes;
 }
 
-/// Of the block in front of the image; later versions may count it up.
+/// The block in front of the image has a format of its own, which later versions may count up.
 void check_header(Bytes bytes, const fs::path& path) {
     if (bytes.size() > header_size && std::equal(magic.begin(), magic.end(), bytes.begin())) return;
     if (bytes.size() > any_magic.size() && std::equal(any_magic.begin(), any_magic.end(), bytes.begin())) {
