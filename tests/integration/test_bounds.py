@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from support.daemons import BIN, eventually
+from support.daemons import BIN, eventually, resident
 from support.patience import SLOWER
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -31,11 +31,6 @@ SOON = 0.5
 every_method = pytest.mark.parametrize(
     "example", LARGE, ids=[f"{example['method']} {example['arguments'][:40]}" for example in LARGE]
 )
-
-
-def resident(daemon, field="VmRSS"):
-    text = Path(f"/proc/{daemon.process.pid}/status").read_text()
-    return int(next(line.split()[1] for line in text.splitlines() if line.startswith(field + ":"))) << 10
 
 
 def is_at_work(raw):

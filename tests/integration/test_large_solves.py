@@ -1,7 +1,7 @@
 """Large solves do not hold up small ones of other clients."""
 
 from contactd import Friction, Grid, Rolling
-from support.daemons import eventually
+from support.daemons import eventually, resident
 from support.problems import CATTANEO
 
 LARGE = CATTANEO.replace(
@@ -18,9 +18,39 @@ def test_small_solves_are_answered_while_large_ones_have_what_workers_they_may(d
         for _ in range(5):
             assert other.solve(SMALL).converged
         assert not any(solve.done() for solve in large)
-        with daemon.raw() as raw:
-            assert raw.ask("server.info").result["queue"]["solves_running"] == 1
+        with daemon.raw() as raw:  # the worker of the last small solve ends a moment after its answer has come
+            eventually(lambda: raw.ask("server.info").result["queue"]["solves_running"] == 1)
         for job in other.jobs():
             other.cancel_job(job.job)
         for solve in large:
             assert solve.exception() is not None
+
+
+def test_large_steps_of_sessions_leave_a_worker_to_small_ones(daemons, background):
+    daemon = daemons.start(workers=2)
+    with daemon.client() as first, daemon.client() as second, daemon.client() as other:
+        sessions = [client.open_session(LARGE) for client in (first, second)]
+        small = other.open_session(SMALL)
+        large = [background(session.step, timeout=600) for session in sessions]
+        eventually(lambda: len([job for job in other.jobs() if job.kind == "step"]) == 2)
+        for _ in range(5):
+            assert small.step().converged
+        assert not any(step.done() for step in large)
+        for session in sessions:
+            session.close()
+        for step in large:
+            assert step.exception() is not None
+
+
+def test_memory_goes_back_to_the_system_after_a_burst(daemons, background):
+    daemon = daemons.start(workers=2)
+    problem = CATTANEO.replace(grid=Grid.centred(300, 300, 2.4, 2.4))
+    with daemon.client() as client:
+        client.solve(SMALL)
+        before = resident(daemon)
+        solves = [background(client.solve, problem.replace(friction=Friction(mu=mu))) for mu in (0.3, 0.4, 0.5, 0.6)]
+        for solve in solves:
+            assert solve.result().converged
+        taken = resident(daemon, "VmHWM") - before
+        assert taken > 50 << 20, "no burst"
+        eventually(lambda: resident(daemon) - before < taken / 10)

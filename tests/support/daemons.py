@@ -117,6 +117,12 @@ def processes_with(text: str) -> list[int]:
     return found
 
 
+def resident(daemon, field: str = "VmRSS") -> int:
+    """Bytes of memory; VmHWM is the most that there ever were."""
+    text = Path(f"/proc/{daemon.process.pid}/status").read_text()
+    return int(next(line.split()[1] for line in text.splitlines() if line.startswith(field + ":"))) << 10
+
+
 def eventually(condition: Callable[[], object], failure: str = "it did not come about", seconds: float = 20) -> None:
     """Waits until `condition` holds."""
     deadline = time.monotonic() + seconds * SLOWER

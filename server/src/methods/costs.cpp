@@ -180,6 +180,10 @@ WorkCost cost_of_opening(const json& params, const Config& config) {
     return wheel_rail != nullptr ? cost_of_wheel_rail(*wheel_rail, config) : cost_of_solve(params, config);
 }
 
+bool is_large(double seconds) {
+    return seconds > 3;
+}
+
 void check_cost(const WorkCost& cost, const Config& config) {
     const auto refuse = [](double is, const char* unit, double limit, const char* name, const char* cure) {
         const auto text = [](double value) { return std::to_string(static_cast<long long>(std::ceil(value))); };

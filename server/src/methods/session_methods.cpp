@@ -24,6 +24,11 @@ const std::string& state_in(const CallPtr& call) {
     return call->request.params["state"].get_ref<const std::string&>();
 }
 
+/// The cost of opening is stated as that of a step, which it makes room for.
+double step_seconds(const CallPtr& call, const DaemonParts& parts) {
+    return cost_of_opening(call->request.params, parts.config).seconds;
+}
+
 void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<double> lease,
                  const engine::IcAnswers& ics, const DaemonParts& parts) {
     if (call->answered()) return;
@@ -33,8 +38,8 @@ void finish_open(const CallPtr& call, SessionSpec spec, std::chrono::duration<do
     reply.bytes = session_bytes(spec.setup);
     reply.ics = engine::uses_of(spec.setup, ics);
     SessionTable& sessions = parts.sessions;
-    reply.session = sessions.add(
-        std::make_shared<Session>(simulation_of(parts.engine.open(std::move(spec), ics, observer)), lease));
+    reply.session = sessions.add(std::make_shared<Session>(
+        simulation_of(parts.engine.open(std::move(spec), ics, observer)), lease, step_seconds(call, parts)));
     // Nobody knows the name of a session whose opening came too late.
     if (!call->succeed(proto::encode_session_reply(reply))) sessions.remove(reply.session);
 }
@@ -52,7 +57,8 @@ void open_wheel_rail(const CallPtr& call, const DaemonParts& parts) {
     parts.sessions.check_room(reply.bytes);
     const CallObserver observer(call);
     auto steps = below_wheel_rail([&] { return parts.engine.open(spec, observer); });
-    reply.session = parts.sessions.add(std::make_shared<Session>(simulation_of(std::move(steps)), lease));
+    reply.session = parts.sessions.add(
+        std::make_shared<Session>(simulation_of(std::move(steps)), lease, step_seconds(call, parts)));
     if (!call->succeed(proto::encode_session_reply(reply))) parts.sessions.remove(reply.session);
 }
 

@@ -5,6 +5,7 @@
 
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/session.hpp"
+#include "costs.hpp"
 #include "jobs/job_reports.hpp"
 #include "request_limits.hpp"
 #include "shared_check.hpp"
@@ -38,6 +39,9 @@ void check_limits(const Batch& batch) {
         if (batch.sessions[i])
             answers.push_back({proto::decode_fields(batch.params(i), {}), batch.sessions[i]->elements()});
     check_answer_fits(answers, request.arrays, batch.parts.config.limits);
+    WorkCost cost;
+    for (const SessionPtr& session : batch.sessions) cost.seconds += session ? session->step_seconds : 0;
+    check_cost(cost, batch.parts.config);
 }
 
 void answer(Batch& batch) {
@@ -98,10 +102,13 @@ void queue_steps(const CallPtr& call, const DaemonParts& parts) {
     const auto batch = BatchPtr(new Batch{call, parts, std::move(sessions)});
     for (std::size_t i = 0; i < batch->sessions.size(); ++i) {
         auto work = [batch, i] { take(batch, i); };
-        if (batch->sessions[i])
-            batch->sessions[i]->take_turn(turn_of(call), std::move(work), parts.workers);
+        Turn turn = turn_of(call);
+        const SessionPtr& session = batch->sessions[i];
+        turn.is_large = session && is_large(session->step_seconds);
+        if (session)
+            session->take_turn(std::move(turn), std::move(work), parts.workers);
         else
-            parts.workers.post(turn_of(call), std::move(work));
+            parts.workers.post(std::move(turn), std::move(work));
     }
 }
 

@@ -50,9 +50,6 @@ engine::EngineSettings engine_settings(const Config& config, const Host& host) {
             config.max_work_bytes};
 }
 
-/// By the estimates of costs.hpp: what takes longer never has all workers.
-constexpr double seconds_of_large_work = 3;
-
 /// Small answers are sent at once, or lie in the outbox, which counts them.
 void count(Answer& answer, WorkBudget& budget) {
     constexpr std::size_t large = 1 << 16;
@@ -117,6 +114,7 @@ void Service::handle(CallPtr call) {
         if (!session) return work();
         if (session->try_turn(work, workers_)) return;
     }
+    if (session && method->job) call->is_large = is_large(session->step_seconds);
     if (session) return session->take_turn(turn_of(call), std::move(work), workers_);
     workers_.post(turn_of(call), std::move(work));
 }
@@ -158,7 +156,7 @@ void Service::begin(const Method& method, const CallPtr& call) {
     if (method.cost == nullptr) return method.handle(call, parts_);
     const WorkCost cost = method.cost(call->request.params, parts_.config);
     check_cost(cost, parts_.config);
-    call->is_large = cost.seconds > seconds_of_large_work;
+    call->is_large = is_large(cost.seconds);
     std::function<void()> work = [this, &method, call] {
         call->check_deadline();
         if (!call->answered()) attempt(call, [&] { method.handle(call, parts_); });

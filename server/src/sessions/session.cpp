@@ -23,8 +23,10 @@ StatusError session_unknown() {
             "There is no such session: it was closed, or never opened here."};
 }
 
-Session::Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease_time)
+Session::Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease_time,
+                 double seconds_of_a_step)
     : lease(lease_time),
+      step_seconds(seconds_of_a_step),
       simulation_(std::move(simulation)),
       state_(std::make_shared<const SessionState>(
           SessionState{std::make_shared<const engine::StepState>(simulation_->start()), nullptr, {}})) {}

@@ -27,11 +27,13 @@ class Session : public std::enable_shared_from_this<Session> {
    public:
     using Clock = std::chrono::steady_clock;
 
-    Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease);
+    /// `step_seconds`: of a processor, what a step will take about.
+    Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease, double step_seconds = 0);
 
     /// Of what the steps are; const, because steps are taken in turns only.
     const Simulation& simulation() const { return *simulation_; }
     const std::chrono::duration<double> lease;
+    const double step_seconds;
     const Clock::time_point created = Clock::now();
 
     // Requests of one session run one after another, in the order in which they come here; sessions run side by side.
