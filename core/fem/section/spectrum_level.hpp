@@ -14,7 +14,7 @@ struct SpectrumLevel {
 /// That is tried first; `nu` near 0.5 takes finer meshes of order 4 at least.
 SpectrumLevel first_level(double accuracy, double nu);
 
-/// Of the mesh that build_spectrum takes for an accuracy; only the order of its elements may grow.
+/// The mesh that build_spectrum begins with for an accuracy: the order of its elements grows first, then their number.
 MeshDensity density_for(double accuracy, double nu);
 
 /// At the first level, from the divided outline alone: of eighteen sections of all kinds unknowns came out between 1
