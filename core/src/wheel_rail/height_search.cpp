@@ -47,6 +47,8 @@ class Search {
             found = {z, {solve, std::abs(force - target) / target, false, 0}, correction_.line_at(z)};
             found.evidence.converged = found.evidence.residual <= task_.settings.tolerance;
             if (found.evidence.converged) break;
+            // The estimate, corrected once, is no guide: these are no bodies that such a force presses together.
+            if (solve > 1 && force > runaway * target) break;
             (force < target ? low_ : high_) = z;
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
             const double expected = estimate(z);
@@ -141,6 +143,7 @@ class Search {
 
     static constexpr double first_step = 0.02;  // mm
     static constexpr double loose = 1e-3;       // of what was missing: corrections are not that good
+    static constexpr double runaway = 1e3;
     const HeightTask& task_;
     double low_, high_, settled_;
     std::map<double, double> estimates_;  // those asked for, by z: from force to force they are the same

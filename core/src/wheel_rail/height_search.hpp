@@ -27,6 +27,7 @@ struct HeightFound {
     HeightCorrection correction{};
 };
 
+/// Stops, without convergence, where the force is a thousand times the target although the estimate was corrected.
 HeightFound find_height(const HeightTask& task);
 
 }  // namespace contactd

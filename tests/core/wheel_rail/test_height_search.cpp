@@ -99,3 +99,22 @@ TEST_CASE("A correction that is wrong costs solves, and no more") {
         CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
     }
 }
+
+TEST_CASE("A force that stays a thousand times the one that is wanted ends the search") {
+    int solves = 0;
+    const auto force = [&](double z) {
+        ++solves;
+        return z > 0.3 ? 1e9 : 0;
+    };
+    const HeightFound found = find_height(task_of([](double z) { return power(z - 0.3, 1.5); }, force));
+    CHECK(!found.evidence.converged);
+    CHECK(found.evidence.residual > 1e3);
+    CHECK(solves == 2);
+}
+
+TEST_CASE("A first force far beyond the one that is wanted is only the estimate's fault") {
+    const auto force = [](double z) { return power(z - 0.3, 1.5); };
+    const HeightFound found = find_height(task_of([&](double z) { return 1e-5 * force(z); }, force));
+    CHECK(found.evidence.converged);
+    CHECK_THAT(force(found.z), WithinRel(5e4, 1e-9));
+}
