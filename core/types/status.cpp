@@ -44,6 +44,8 @@ Status status_of(const std::exception& error) {
     }
     if (dynamic_cast<const Cancelled*>(&error))
         return {StatusCode::cancelled, error.what(), std::string(reason::job_cancelled), {}, 0};
+    if (dynamic_cast<const StoreError*>(&error))
+        return {StatusCode::failed_precondition, error.what(), std::string(reason::store_unusable), {}, 0};
     if (dynamic_cast<const std::bad_alloc*>(&error))
         return {StatusCode::resource_exhausted,
                 "There is not enough memory for this request.",

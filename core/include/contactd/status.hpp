@@ -70,6 +70,7 @@ inline constexpr std::string_view step_out_of_order = "STEP_OUT_OF_ORDER";
 inline constexpr std::string_view step_differs = "STEP_DIFFERS";
 inline constexpr std::string_view not_converged = "NOT_CONVERGED";
 inline constexpr std::string_view ic_unknown = "IC_UNKNOWN";
+inline constexpr std::string_view store_unusable = "STORE_UNUSABLE";
 inline constexpr std::string_view stopping = "STOPPING";
 inline constexpr std::string_view unexpected = "UNEXPECTED";
 }  // namespace reason

@@ -33,8 +33,13 @@ constexpr std::string_view magic = "contactd ic table, format 1, sha256 of the b
 constexpr std::size_t digest_size = 64;
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // several times the largest that is built
 
+/// Sentences name files and not their folders: they reach clients, who have no business there.
+std::string name_of(const fs::path& path) {
+    return path.filename().string();
+}
+
 [[noreturn]] void fail(const char* doing, const fs::path& path) {
-    throw StoreError(std::string("Cannot ") + doing + " " + path.string() + ": " + std::strerror(errno) + ".");
+    throw StoreError(std::string("Cannot ") + doing + " " + name_of(path) + ": " + std::strerror(errno) + ".");
 }
 
 /// A file descriptor that closes itself.
@@ -67,9 +72,9 @@ std::vector<unsigned char> read_all(const fs::path& path) {
     const File file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
     struct stat status;
     if (!file.is_open() || ::fstat(file.fd(), &status) != 0) fail("read", path);
-    if (!S_ISREG(status.st_mode)) throw StoreError(path.string() + " is not a regular file.");
+    if (!S_ISREG(status.st_mode)) throw StoreError(name_of(path) + " is not a regular file.");
     if (static_cast<std::uintmax_t>(status.st_size) > largest_file)
-        throw DamagedTable(path.string() + " is larger than any table.");
+        throw DamagedTable(name_of(path) + " is larger than any table.");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(status.st_size));
     std::size_t have = 0;
     while (have < bytes.size()) {
@@ -89,9 +94,9 @@ void check_header(Bytes bytes, const fs::path& path) {
     if (bytes.size() > any_magic.size() && std::equal(any_magic.begin(), any_magic.end(), bytes.begin())) {
         const std::string rest(bytes.begin() + any_magic.size(),
                                bytes.begin() + std::min(bytes.size(), any_magic.size() + 4));
-        if (std::atoi(rest.c_str()) > 1) throw NewerFormat(path.string() + " was written by a newer contactd.");
+        if (std::atoi(rest.c_str()) > 1) throw NewerFormat(name_of(path) + " was written by a newer contactd.");
     }
-    throw DamagedTable(path.string() + " is no table of influence coefficients, or its beginning is lost.");
+    throw DamagedTable(name_of(path) + " is no table of influence coefficients, or its beginning is lost.");
 }
 
 void sync_folder(const fs::path& folder) {
@@ -147,7 +152,7 @@ void write_ic_file(const fs::path& path, const IcRecord& record) {
         if (!lock_and_still_there(file)) continue;  // swept between open and lock
         return write_renamed(path, temporary, file, bytes);
     }
-    throw StoreError("Cannot create a temporary file beside " + path.string() + ".");
+    throw StoreError("Cannot create a temporary file beside " + name_of(path) + ".");
 }
 
 IcRecord read_ic_file(const fs::path& path) {
@@ -159,13 +164,13 @@ IcRecord from_ic_file(std::span<const unsigned char> bytes, const fs::path& path
     const Bytes image = bytes.subspan(header_size);
     const Bytes digest = bytes.subspan(magic.size(), digest_size);
     const std::string kept(digest.begin(), digest.end());
-    if (sha256_hex(image) != kept) throw DamagedTable(path.string() + " does not match its digest.");
+    if (sha256_hex(image) != kept) throw DamagedTable(name_of(path) + " does not match its digest.");
     try {
         return record_from(from_hdf5(image));
     } catch (const NewerFormat& error) {
-        throw NewerFormat(path.string() + ": " + error.what());
+        throw NewerFormat(name_of(path) + ": " + error.what());
     } catch (const DamagedTable& error) {
-        throw DamagedTable(path.string() + ": " + error.what());
+        throw DamagedTable(name_of(path) + ": " + error.what());
     }
 }
 

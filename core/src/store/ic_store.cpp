@@ -84,7 +84,7 @@ std::vector<StoredTable> tables_in(const fs::path& folder, const std::string& ke
                 tables.push_back(std::move(*stored));
         }
     } catch (const fs::filesystem_error& error) {
-        throw StoreError("The store's folder " + folder.string() + " cannot be read: " + error.code().message() + ".");
+        throw StoreError("The store's folder cannot be read: " + error.code().message() + ".");
     }
     return tables;
 }
@@ -134,7 +134,7 @@ std::string IcStore::problem() const {
     std::error_code error;
     fs::create_directories(folder_, error);
     const std::string why = error ? error.message() : cannot_write(folder_);
-    return why.empty() ? why : "The store's folder " + folder_.string() + " cannot be written to: " + why + ".";
+    return why.empty() ? why : "The store's folder cannot be written to: " + why + ".";
 }
 
 fs::path IcStore::path_of(const IcSpec& spec) const {
@@ -213,7 +213,7 @@ int IcStore::remove(const std::string& key, const TableOwner& owner) const {
         if (!stored.owner.empty() && stored.owner != owner) continue;
         std::error_code error;
         removed += fs::remove(stored.path, error);
-        if (error) throw StoreError("Cannot remove " + stored.path.string() + ": " + error.message() + ".");
+        if (error) throw StoreError("Cannot remove " + stored.path.filename().string() + ": " + error.message() + ".");
     }
     return removed;
 }

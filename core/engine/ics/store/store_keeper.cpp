@@ -127,7 +127,8 @@ std::string StoreKeeper::problem() const {
 
 void StoreKeeper::set_problem(const std::string& sentence) {
     const std::scoped_lock lock(mutex_);
-    if (!sentence.empty() && sentence != problem_) log_.warn(std::format("store: {}", sentence));
+    if (!sentence.empty() && sentence != problem_)
+        log_.warn(std::format("store {}: {}", store_.folder().string(), sentence));
     problem_ = sentence;
     has_problem_ = !sentence.empty();
 }
