@@ -1,11 +1,11 @@
 // The engine's wheels on rails.
 #include <string>
 
+#include "contactd/below.hpp"
 #include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/patch_influence.hpp"
 #include "contactd/proto/status.hpp"
-#include "contactd/refuse_below.hpp"
 #include "engine/engine.hpp"
 #include "engine/ics/problem_tables.hpp"
 
@@ -71,33 +71,23 @@ void check_section(const IcSpec& spec, const std::string& name) {
     }
 }
 
-/// What `ask` throws, with the name that the field has among set-up and state.
-template <class Ask>
-auto with_names(const std::string& setup, const std::string& state, const Ask& ask) {
-    try {
-        return ask();
-    } catch (const InvalidArgument& error) {
-        const std::string &field = error.field(), sentence = error.what();
-        if (field.starts_with("left.")) throw;  // of the left side's own set-up
-        const bool of_state = field.starts_with("position.") || field.starts_with("F") || field == "derivatives" ||
-                              field.starts_with("rail.F") || field.starts_with("left_rail.") ||
-                              field.starts_with("right_rail.");
-        throw InvalidArgument((of_state ? state : setup) + field, sentence.substr(field.size() + 1));
-    }
+/// The result of `solve`, which refuses fields of the set-up below `setup`; the core names those of a state "state.".
+template <class Solve>
+auto below_setup(const std::string& setup, const Solve& solve) {
+    return renaming([&](const std::string& field) { return field.starts_with("state.") ? field : setup + "." + field; },
+                    solve);
 }
 
-/// What `ask` throws of a wheel's set-up, in the words of one that both have unless the left one has its own.
-template <class Ask>
-auto with_sides(bool left_has_own, const Ask& ask) {
-    try {
-        return ask();
-    } catch (const InvalidArgument& error) {
-        const std::string &field = error.field(), sentence = error.what();
-        for (const std::string side : {"right.", "left."})
-            if (field.starts_with(side) && !(left_has_own && side == "left."))
-                throw InvalidArgument(field.substr(side.size()), sentence.substr(field.size() + 1));
-        throw;
-    }
+/// The result of `solve` for a wheelset, which refuses fields of one wheel's set-up as those of the set-up of both,
+/// unless the left wheel has its own.
+template <class Solve>
+auto below_setups(bool left_has_own, const Solve& solve) {
+    return renaming(
+        [&](const std::string& field) {
+            if (left_has_own && field.starts_with("left.")) return field;
+            return in_place_of("left.", "setup.")(in_place_of("right.", "setup.")(field));
+        },
+        solve);
 }
 
 }  // namespace
@@ -143,7 +133,7 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {
     validate_below("state", state);
     WheelRailSolution solution =
-        with_names("setup.", "state.", [&] { return wheel_on_rail(setup, observer)->solve(state, observer); });
+        below_setup("setup", [&] { return wheel_on_rail(setup, observer)->solve(state, observer); });
     count(solution);
     return solution;
 }
@@ -152,20 +142,18 @@ WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& 
     validate_below("state", state);
     const auto contact = [&](Side side) {
         const bool own = side == Side::left && setup.left;
-        return with_names(own ? "left." : "setup.", "state.",
-                          [&] { return wheel_on_rail(setup_of(setup, side), observer); });
+        return below(own ? "left" : "setup", [&] { return wheel_on_rail(setup_of(setup, side), observer); });
     };
     const PreparedContacts::Contact right = contact(Side::right), left = contact(Side::left);
-    WheelsetSolution solution = with_names("setup.", "state.", [&] {
-        return with_sides(setup.left.has_value(), [&] { return solve_wheelset(*left, *right, state, observer); });
-    });
+    WheelsetSolution solution =
+        below_setups(setup.left.has_value(), [&] { return solve_wheelset(*left, *right, state, observer); });
     count(solution.left);
     count(solution.right);
     return solution;
 }
 
 std::unique_ptr<WheelRailSteps> Engine::open(const WheelRailSessionSpec& spec, const Observer& observer) {
-    return with_names("setup.", "state.", [&] {
+    return below("setup", [&] {
         return std::make_unique<WheelRailSteps>(wheel_on_rail(spec.setup, observer), spec.accept_unconverged);
     });
 }
@@ -175,7 +163,7 @@ WheelRailSolution Engine::solve(WheelRailSteps& steps, const StepState& before, 
     validate_below("state", input.state);
     const WheelRailContact& contact = steps.contact_with(input.friction);
     WheelRailSolution solution =
-        with_names("setup.", "state.", [&] { return steps.solve(contact, before, input.state, after, observer); });
+        below_setup("setup", [&] { return steps.solve(contact, before, input.state, after, observer); });
     count(solution);
     return solution;
 }
@@ -194,13 +182,14 @@ void Engine::count(const WheelRailSolution& solution) {
 
 std::vector<WheelRailGeometry> Engine::locate(const WheelRailSetup& setup, std::span<const WheelRailState> states,
                                               Observer& observer) {
-    const PreparedContacts::Contact contact =
-        with_names("setup.", "", [&] { return wheels_on_rails_.of(setup, observer); });
+    const PreparedContacts::Contact contact = below("setup", [&] { return wheels_on_rails_.of(setup, observer); });
     std::vector<WheelRailGeometry> geometries;
     for (const WheelRailState& state : states) {
         const std::string name = "states[" + std::to_string(geometries.size()) + "]";
         validate_below(name, state);
-        geometries.push_back(with_names("setup.", name + ".", [&] { return contact->locate(state, observer); }));
+        geometries.push_back(renaming(in_place_of("state", name), [&] {
+            return below_setup("setup", [&] { return contact->locate(state, observer); });
+        }));
         Progress progress;
         progress.stage = "search";
         progress.fraction = static_cast<double>(geometries.size()) / static_cast<double>(states.size());

@@ -1,4 +1,5 @@
 #include "contactd/ic_spec.hpp"
+#include "contactd/below.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -211,6 +212,10 @@ void validate(const IcSpec& spec) {
         throw InvalidArgument("ics.L_over_h", "is " + number_text(spec.fem.L_over_h) + "; the offsets reach " +
                                                   number_text(farthest) + " and must lie inside the block of size " +
                                                   number_text(L));
+}
+
+void validate(const IcSpec& spec, const std::string& material) {
+    renaming(in_place_of("material", material), [&] { validate(spec); });
 }
 
 std::vector<std::string> warnings(const IcSpec& spec) {

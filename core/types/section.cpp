@@ -5,8 +5,8 @@
 #include <string>
 #include <type_traits>
 
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
-#include "contactd/refuse_below.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -170,11 +170,7 @@ bool check(const Slab& slab, const std::string& field) {
 }
 
 bool check(const ProfileSection& section, const std::string& field) {
-    try {
-        validate(section.profile);
-    } catch (const InvalidArgument& error) {
-        refuse_below(field + ".profile_section", error);
-    }
+    validate_below(field + ".profile_section", section.profile);
     check_length(section.depth, field + ".profile_section.depth");
     check_place(section.from, field + ".profile_section.from");
     return true;

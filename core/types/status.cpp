@@ -38,10 +38,8 @@ StatusError invalid_field(std::string field, const std::string& problem, std::st
 
 Status status_of(const std::exception& error) {
     if (const auto* known = dynamic_cast<const StatusError*>(&error)) return known->status();
-    if (const auto* invalid = dynamic_cast<const InvalidArgument*>(&error)) {
-        const std::string problem = std::string(error.what()).substr(invalid->field().size() + 1);
-        return invalid_field(invalid->field(), problem).status();
-    }
+    if (const auto* invalid = dynamic_cast<const InvalidArgument*>(&error))
+        return invalid_field(invalid->field(), invalid->problem()).status();
     if (dynamic_cast<const Cancelled*>(&error))
         return {StatusCode::cancelled, error.what(), std::string(reason::job_cancelled), {}, 0};
     if (dynamic_cast<const StoreError*>(&error))

@@ -152,7 +152,7 @@ void Guard::end(int exit_code, const std::string& why, const std::string& kind) 
     const std::unique_lock<std::timed_mutex> file(writing_, patience);
     if (standing_down_) return;
     ::signal(SIGPIPE, SIG_IGN);
-    if (!silent_ || !kind.empty()) lines_.write_unless_stuck(error_line("", why, kind));
+    if (!silent_ || !kind.empty()) lines_.write_unless_stuck(error_line({"", why, kind}));
     ::_exit(exit_code);
 }
 

@@ -15,9 +15,10 @@ constexpr auto patience = std::chrono::milliseconds(200);
 
 }  // namespace
 
-nlohmann::json error_line(const std::string& field, const std::string& message, const std::string& kind) {
-    nlohmann::json error = {{"field", field}, {"message", message}};
-    if (!kind.empty()) error["kind"] = kind;
+nlohmann::json error_line(const Complaint& complaint) {
+    nlohmann::json error = {{"field", complaint.field}, {"message", complaint.message}};
+    if (!complaint.kind.empty()) error["kind"] = complaint.kind;
+    if (!complaint.problem.empty()) error["problem"] = complaint.problem;
     return {{"error", std::move(error)}};
 }
 
@@ -36,9 +37,9 @@ void Lines::write_table(const std::vector<unsigned char>& bytes, const std::stri
     std::fflush(stdout);
 }
 
-void Lines::write_error(const std::string& field, const std::string& message, const std::string& kind) {
-    std::fprintf(stderr, "contactd-ic: %s\n", message.c_str());
-    write(error_line(field, message, kind));
+void Lines::write_error(const Complaint& complaint) {
+    std::fprintf(stderr, "contactd-ic: %s\n", complaint.message.c_str());
+    write(error_line(complaint));
 }
 
 void Lines::write_unless_stuck(const nlohmann::json& line) {

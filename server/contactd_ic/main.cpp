@@ -70,7 +70,7 @@ std::string on_first(const fem::Runtime& runtime, const std::function<std::strin
         } catch (const InvalidArgument& error) {
             kind = 'a';
             field = error.field();
-            outcome = std::string(error.what()).substr(field.size() + 1);
+            outcome = error.problem();
         } catch (const StoreError& error) {
             kind = 's';
             outcome = error.what();
@@ -198,21 +198,24 @@ std::uint64_t usable_memory() {
 
 int guarded_run(const Context& context) {
     const auto everywhere = [&](const std::string& field, const char* message, int code, const char* kind = "") {
-        if (context.runtime.rank() == 0) context.lines.write_error(field, message, kind);
+        if (context.runtime.rank() == 0) context.lines.write_error({field, message, kind});
         return code;
     };
-    const auto refuse = [&](const std::string& field, const char* message) {
+    const auto refuse = [&](const std::string& field, const std::string& problem, const char* message) {
         const bool of_command_line = field.empty() || field == "SPEC" || field.starts_with("--");
-        return everywhere(field, message, bad_input, of_command_line ? "" : "invalid_argument");
+        if (of_command_line) return everywhere(field, message, bad_input);
+        if (context.runtime.rank() == 0) context.lines.write_error({field, message, "invalid_argument", problem});
+        return bad_input;
     };
     try {
         run(context);
         return success;
     } catch (const proto::StatusError& error) {
         const auto& violations = error.status().violations;
-        return refuse(violations.empty() ? "" : violations.front().field, error.what());
+        const proto::Violation violation = violations.empty() ? proto::Violation{} : violations.front();
+        return refuse(violation.field, violation.description, error.what());
     } catch (const InvalidArgument& error) {
-        return refuse(error.field(), error.what());
+        return refuse(error.field(), error.problem(), error.what());
     } catch (const OutOfMemory& error) {
         return everywhere(error.field(), error.what(), out_of_memory, "out_of_memory");
     } catch (const NotConverged& error) {
@@ -220,11 +223,12 @@ int guarded_run(const Context& context) {
     } catch (const StoreError& error) {
         return everywhere("", error.what(), failure);
     } catch (const std::bad_alloc&) {
-        context.lines.write_error("", "The build ran out of memory: the machine has no more for it.", "out_of_memory");
+        context.lines.write_error(
+            {"", "The build ran out of memory: the machine has no more for it.", "out_of_memory"});
         if (context.runtime.processes() > 1) context.runtime.abort(out_of_memory);
         return out_of_memory;
     } catch (const std::exception& error) {  // of MFEM or hypre, and perhaps on this process alone
-        context.lines.write_error("", std::string("The build failed: ") + error.what());
+        context.lines.write_error({"", std::string("The build failed: ") + error.what()});
     }
     if (context.runtime.processes() > 1) context.runtime.abort(failure);
     return failure;
@@ -264,7 +268,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& asked_for_help) {
         return runtime.rank() == 0 ? app.exit(asked_for_help) : 0;
     } catch (const CLI::ParseError& error) {
-        if (runtime.rank() == 0) lines.write_error("", error.what());
+        if (runtime.rank() == 0) lines.write_error({"", error.what()});
         return ic::bad_input;
     }
     ic::volunteer_for_the_kernel();

@@ -1,6 +1,6 @@
 #include "kept_wheel.hpp"
 
-#include "contactd/refuse_below.hpp"
+#include "contactd/below.hpp"
 
 namespace contactd::c {
 

@@ -66,7 +66,7 @@ auto named_as_set(const Ask& ask) {
     try {
         return ask();
     } catch (const InvalidArgument& error) {
-        throw InvalidArgument(without(error.field()), std::string(error.what()).substr(error.field().size() + 1));
+        throw InvalidArgument(without(error.field()), error.problem());
     } catch (const StatusError& error) {
         Status status = error.status();
         status.message = without(status.message);

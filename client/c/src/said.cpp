@@ -1,7 +1,6 @@
 #include "said.hpp"
 
 #include <string>
-#include <string_view>
 
 #include "contactd/error.hpp"
 
@@ -13,14 +12,7 @@ void validate_coefficients(const ContactSetup& setup, const Body& body, const st
     const Ics* ics = body.computed();
     if (ics == nullptr) return;
     const Grid& grid = setup.grid;
-    try {
-        validate(IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny});
-    } catch (const InvalidArgument& error) {
-        constexpr std::string_view prefix = "material";
-        const std::string& field = error.field();
-        if (!field.starts_with(prefix)) throw;
-        throw InvalidArgument(name + field.substr(prefix.size()), std::string(error.what()).substr(field.size() + 1));
-    }
+    validate(IcSpec{*ics, body.material, grid.dx, grid.dy, grid.nx, grid.ny}, name);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 
 #include "answers.hpp"
 #include "client_impl.hpp"
+#include "contactd/below.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/import_codec.hpp"
-#include "contactd/refuse_below.hpp"
 
 namespace contactd::client {
 

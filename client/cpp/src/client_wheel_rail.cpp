@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "client_impl.hpp"
+#include "contactd/below.hpp"
 #include "contactd/client/client.hpp"
 #include "contactd/error.hpp"
 #include "contactd/proto/wheel_rail.hpp"
-#include "contactd/refuse_below.hpp"
 
 namespace contactd::client {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
-#include "contactd/refuse_below.hpp"
 #include "one_at_a_time.hpp"
 
 namespace contactd::client {

@@ -33,17 +33,6 @@ class WhileWanted final : public Observer {
 
 }  // namespace
 
-void validate_body(const IcSpec& spec, const std::string& name) {
-    try {
-        validate(spec);
-    } catch (const InvalidArgument& error) {
-        const std::string& field = error.field();
-        constexpr std::string_view prefix = "material";
-        if (!field.starts_with(prefix)) throw;
-        throw InvalidArgument(name + field.substr(prefix.size()), std::string(error.what()).substr(field.size() + 1));
-    }
-}
-
 IcService::IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters)
     : settings_(std::move(settings)),
       log_(settings_.log),

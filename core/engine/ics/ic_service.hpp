@@ -32,9 +32,6 @@ struct IcAnswer {
     std::string cache_key() const { return owner.empty() ? key : key + " of " + owner; }
 };
 
-/// As contactd::validate, but what is wrong with the material is wrong with the body that `name` names on the wire.
-void validate_body(const IcSpec& spec, const std::string& name);
-
 /// Who asked. Called from any thread, `done` or `failed` exactly once.
 struct IcCaller {
     std::function<void(const IcAnswer&)> done;

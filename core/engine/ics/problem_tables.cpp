@@ -27,8 +27,8 @@ BodyTable table_of(const ContactSetup& setup, const Body& body, const IcAnswer& 
 void check_tables(const ContactSetup& setup) {
     if (!needs_tables(setup)) return;
     const auto specs = specs_of(setup);
-    if (specs[0]) validate_body(*specs[0], "bodies.upper");
-    if (specs[1]) validate_body(*specs[1], "bodies.lower");
+    if (specs[0]) validate(*specs[0], "bodies.upper");
+    if (specs[1]) validate(*specs[1], "bodies.lower");
 }
 
 IcUse use_of(const GivenIcs& given) {

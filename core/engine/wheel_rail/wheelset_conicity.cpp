@@ -1,8 +1,8 @@
 #include "wheelset_conicity.hpp"
 
 #include <string>
-#include <string_view>
 
+#include "contactd/below.hpp"
 #include "contactd/equivalent_conicity.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
@@ -11,18 +11,8 @@
 namespace contactd::engine {
 namespace {
 
-/// The field of `error` with another name in place of its first `length` characters.
-InvalidArgument renamed(const InvalidArgument& error, const std::string& name, std::size_t length) {
-    const std::string &field = error.field(), sentence = error.what();
-    return {name + field.substr(length), sentence.substr(field.size() + 1)};
-}
-
 ProfileCurve curve_of(const ProfileSpec& profile, const std::string& name) {
-    try {
-        return make_profile(profile).curve;
-    } catch (const InvalidArgument& error) {
-        throw renamed(error, name, std::string("profile").size());
-    }
+    return renaming(in_place_of("profile", name), [&] { return make_profile(profile).curve; });
 }
 
 /// `name` is where the set-up stands.
@@ -33,11 +23,7 @@ WheelOverRail side_of(const WheelRailSetup& setup, const std::string& name) {
     if (!setup.wheel_slices.empty())
         throw InvalidArgument(name + ".wheel_slices", "are given; a rigid wheelset is told for wheels that are round");
     const ProfileCurve wheel = curve_of(setup.wheel, name + ".wheel"), rail = curve_of(setup.rail, name + ".rail");
-    try {
-        return wheel_over_rail(wheel, rail, setup.track, setup.wheelset);
-    } catch (const InvalidArgument& error) {
-        throw renamed(error, name + ".", 0);
-    }
+    return below(name, [&] { return wheel_over_rail(wheel, rail, setup.track, setup.wheelset); });
 }
 
 WheelsetOnTrack wheelset_of(const WheelsetSetup& setup) {
@@ -54,17 +40,20 @@ PlacedProfiles placed(const WheelOverRail& side) {
 std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
                                                     const Observer& observer) {
     const WheelsetOnTrack wheelset = wheelset_of(setup);
-    try {
-        return equivalent_conicities(wheelset, wanted.amplitudes, wanted.settings, observer);
-    } catch (const InvalidArgument& error) {
-        constexpr std::string_view right = "right.", left = "left.";
-        if (error.field() == "shift")
-            throw InvalidArgument("conicity.amplitudes", "lead to a " + std::string(error.what()));
-        if (error.field().starts_with(right)) throw renamed(error, "setup.", right.size());
-        if (error.field().starts_with(left) && setup.left) throw;
-        if (error.field().starts_with(left)) throw renamed(error, "setup.", left.size());
-        throw renamed(error, "conicity.", 0);
-    }
+    const auto rename = [&](const std::string& field) {
+        if (setup.left && field.starts_with("left.")) return field;
+        for (const char* side : {"right.", "left."})
+            if (field.starts_with(side)) return in_place_of(side, "setup.")(field);
+        return "conicity." + field;
+    };
+    return renaming(rename, [&] {
+        try {
+            return equivalent_conicities(wheelset, wanted.amplitudes, wanted.settings, observer);
+        } catch (const InvalidArgument& error) {
+            if (error.field() != "shift") throw;
+            throw InvalidArgument("amplitudes", "lead to a shift that " + error.problem());
+        }
+    });
 }
 
 std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
@@ -73,11 +62,9 @@ std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, cons
     std::vector<WheelsetContacts> contacts;
     for (const double shift : wanted.shifts) {
         observer.throw_if_cancelled();
-        try {
-            contacts.push_back(contacts_at(wheelset, shift, wanted.roll));
-        } catch (const InvalidArgument& error) {
-            throw renamed(error, "contacts.shifts[" + std::to_string(contacts.size()) + "]", error.field().size());
-        }
+        const std::string name = "contacts.shifts[" + std::to_string(contacts.size()) + "]";
+        contacts.push_back(renaming([&](const std::string&) { return name; },
+                                    [&] { return contacts_at(wheelset, shift, wanted.roll); }));
     }
     return contacts;
 }

@@ -38,7 +38,7 @@ Outcome outcome_of(const std::function<IcRecord()>& build, IcRecord& record) {
         const std::vector<unsigned char> bytes = to_ic_file(record);
         return {Kind::record, "", std::string(bytes.begin(), bytes.end())};
     } catch (const InvalidArgument& error) {
-        return {Kind::invalid_argument, error.field(), std::string(error.what()).substr(error.field().size() + 1)};
+        return {Kind::invalid_argument, error.field(), error.problem()};
     } catch (const NotConverged& error) {
         return {Kind::not_converged, "", error.what()};
     } catch (const Cancelled& error) {

@@ -14,16 +14,17 @@ class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// An argument that cannot be used. `field()` is its path in the words of the wire, e.g. "grid.nx" or "upper.nu".
+/// An argument that cannot be used. `field()` is its path in the words of the wire, e.g. "grid.nx" or "upper.nu";
+/// `problem()` says what the value is and what would be right, e.g. "is -1; it must be positive". what() is both.
 class InvalidArgument : public Error {
    public:
-    /// `problem` says what the value is and what would be right, e.g. "is -1; it must be positive".
-    InvalidArgument(std::string field, const std::string& problem)
-        : Error(field + " " + problem), field_(std::move(field)) {}
+    InvalidArgument(std::string field, std::string problem)
+        : Error(field + " " + problem), field_(std::move(field)), problem_(std::move(problem)) {}
     const std::string& field() const noexcept { return field_; }
+    const std::string& problem() const noexcept { return problem_; }
 
    private:
-    std::string field_;
+    std::string field_, problem_;
 };
 
 /// The work was ended because its observer asked for it.

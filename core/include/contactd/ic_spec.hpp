@@ -182,6 +182,8 @@ inline constexpr double family_break = 0.3;
 
 /// Throws InvalidArgument naming the field (as on the wire, e.g. "fem.h_over_hs") when no table can be made from it.
 void validate(const IcSpec& spec);
+/// The same, with the name that the material has in a problem: "bodies.upper" in place of "material".
+void validate(const IcSpec& spec, const std::string& material);
 
 /// What the paper advises against (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1 and from
 /// 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces, and, of a block, Poisson's ratios

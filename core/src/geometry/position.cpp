@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "closed_forms/hertz.hpp"
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
 #include "geometry/conformal/curved_rows.hpp"
@@ -26,14 +27,7 @@ constexpr double out_of_reach = 10;  // gap (mm) of elements that have no wheel 
 
 /// With the name that the profile has in the setup.
 ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
-    try {
-        return make_profile(spec).curve;
-    } catch (const InvalidArgument& error) {
-        constexpr std::string_view its_name = "profile";
-        const std::string field = error.field(), sentence = error.what();
-        if (!field.starts_with(its_name)) throw;
-        throw InvalidArgument(name + field.substr(its_name.size()), sentence.substr(field.size() + 1));
-    }
+    return renaming(in_place_of("profile", name), [&] { return make_profile(spec).curve; });
 }
 
 /// Of what the profiles and the sizes around them are, together.

@@ -141,7 +141,7 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
 
 /// What is wrong with the contact problem of a patch, in the words of the set-up that it was made from.
 [[noreturn]] void refuse_as_of_wheel(const InvalidArgument& error, const ContactProblem& problem) {
-    const std::string &field = error.field(), sentence = std::string(error.what()).substr(field.size() + 1);
+    const std::string& field = error.field();
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     if (field == "friction.rolling.phi" && problem.model == Model::hertz)
         throw InvalidArgument("model",
@@ -149,7 +149,8 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
                               "everywhere; take fastsim or full, or no friction (friction null)");
     if (field == "friction.rolling.dq")
         throw InvalidArgument(rolling && rolling->dq == problem.grid.dx ? "dx" : "dq",
-                              "as the step of rolling " + sentence);
+                              "as the step of rolling " + error.problem());
+    if (field == "derivatives") throw InvalidArgument("state.derivatives", error.problem());
     throw;
 }
 

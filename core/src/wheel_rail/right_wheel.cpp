@@ -51,7 +51,7 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
       state_(state),
       position_(setup, profiles, state_, observer) {
     if (state_.Fx && !setup.friction)
-        throw InvalidArgument("Fx", "is given, and there is no friction; without it there is no such force");
+        throw InvalidArgument("state.Fx", "is given, and there is no friction; without it there is no such force");
     check_loads();
 }
 
@@ -59,10 +59,10 @@ void RightWheel::check_loads() const {
     const RailSprings springs = setup_.track.springs.value_or(RailSprings{});
     const auto check = [](double force, const std::optional<double>& spring, const std::string& name) {
         if (force != 0 && !spring)
-            throw InvalidArgument("rail.F" + name, "is " + number_text(force) +
-                                                       ", and the rail is rigid there; a force "
-                                                       "on it needs track.springs." +
-                                                       name);
+            throw InvalidArgument("state.rail.F" + name, "is " + number_text(force) +
+                                                             ", and the rail is rigid there; a force "
+                                                             "on it needs track.springs." +
+                                                             name);
     };
     check(state_.rail.Fy, springs.y, "y");
     check(state_.rail.Fz, springs.z, "z");
@@ -136,10 +136,10 @@ std::optional<double> RightWheel::touch() const {
 void RightWheel::check_depth(double z) const {
     const double clearance = position_.clearance(z);
     if (clearance < -deepest_penetration)
-        throw InvalidArgument("position.z", "is " + number_text(z) + "; there the wheel is " + short_text(-clearance) +
-                                                " mm inside the rail, and more than " +
-                                                number_text(deepest_penetration) +
-                                                " mm are no elastic contact: lift the wheelset, or prescribe Fz");
+        throw InvalidArgument("state.position.z", "is " + number_text(z) + "; there the wheel is " +
+                                                      short_text(-clearance) + " mm inside the rail, and more than " +
+                                                      number_text(deepest_penetration) +
+                                                      " mm are no elastic contact: lift the wheelset, or prescribe Fz");
 }
 
 WheelRailSolution RightWheel::at_height(Observer& observer) {

@@ -1,4 +1,5 @@
 #include "contactd/solve_wheel_rail.hpp"
+#include "contactd/below.hpp"
 
 #include <optional>
 #include <string>
@@ -54,7 +55,7 @@ struct WheelRailContact::Parts {
     /// What a right wheel answers, in a mirror where it is a left one.
     template <class Ask>
     auto of_right_wheel(const WheelRailState& state, const Observer& observer, const Ask& ask) const {
-        validate(state);
+        validate_below("state", state);
         if (setup.side == Side::right) return ask(right_wheel(state, observer));
         const WheelRailState right = mirrored(state);
         return mirrored(ask(right_wheel(right, observer)));

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "types/number_text.hpp"
@@ -36,33 +37,28 @@ void check_loads(const WheelRailSetup& setup, const RailDeviation& rail, const s
 void check(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state) {
     if (left.setup().side != Side::left) throw InvalidArgument("left", "is the contact of a right wheel");
     if (right.setup().side != Side::right) throw InvalidArgument("right", "is the contact of a left wheel");
-    validate(state);
+    validate_below("state", state);
     if (left.setup().track.roller_radius.has_value() != right.setup().track.roller_radius.has_value())
         throw InvalidArgument("left.track.roller_radius",
                               std::string(left.setup().track.roller_radius ? "is given" : "is missing") +
                                   ", and the right wheel runs on a " +
                                   (right.setup().track.roller_radius ? "roller" : "rail") +
                                   "; both wheels of a wheelset run on rails, or both on rollers");
-    check_loads(left.setup(), state.left_rail, "left_rail");
-    check_loads(right.setup(), state.right_rail, "right_rail");
+    check_loads(left.setup(), state.left_rail, "state.left_rail");
+    check_loads(right.setup(), state.right_rail, "state.right_rail");
 }
 
-/// What `ask` throws, with the name that a field of one wheel has for both: "Fz" is "Fz_left", "rail.Fy" is
-/// "left_rail.Fy", and of the set-ups "dx" is "left.dx".
-template <class Ask>
-auto of_wheel(Side side, const Ask& ask) {
-    try {
-        return ask();
-    } catch (const InvalidArgument& error) {
-        const std::string &field = error.field(), sentence = error.what();
-        const std::string name = side == Side::left ? "left" : "right";
-        const bool of_both = field.starts_with("position.") || field.starts_with("velocity.");
-        throw InvalidArgument(of_both                      ? field
-                              : field.starts_with("F")     ? field + "_" + name
-                              : field.starts_with("rail.") ? name + "_" + field
-                                                           : name + "." + field,
-                              sentence.substr(field.size() + 1));
-    }
+/// The result of `solve` for one wheel, which refuses fields by the names that they have for both: "state.Fz" is
+/// "state.Fz_left", "state.rail.Fy" is "state.left_rail.Fy", and "dx" of the set-up is "left.dx".
+template <class Solve>
+auto of_wheel(Side side, const Solve& solve) {
+    const std::string name = side == Side::left ? "left" : "right";
+    const auto rename = [&](const std::string& field) {
+        if (field == "state.Fx" || field == "state.Fz") return field + "_" + name;
+        if (field.starts_with("state.rail.")) return in_place_of("state.", "state." + name + "_")(field);
+        return field.starts_with("state.") ? field : name + "." + field;
+    };
+    return renaming(rename, solve);
 }
 
 /// A roll that lifts the left wheel lets the right one down: the height of the left axle's end less that of the right

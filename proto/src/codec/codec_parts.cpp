@@ -35,7 +35,7 @@ Grid decode_grid(const json& source) {
     try {
         validate(grid, "grid");
     } catch (const InvalidArgument& error) {
-        throw invalid_field(error.field(), std::string(error.what()).substr(error.field().size() + 1));
+        throw invalid_field(error.field(), error.problem());
     }
     return grid;
 }

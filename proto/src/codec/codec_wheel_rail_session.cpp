@@ -24,12 +24,9 @@ bool is_of_wheel_rail(const json& message) {
 }
 
 Status below_wheel_rail(Status status) {
-    for (Violation& violation : status.violations) {
-        const std::string name = "wheelrail." + violation.field;
-        if (status.message.starts_with(violation.field)) status.message.replace(0, violation.field.size(), name);
-        violation.field = name;
-    }
-    return status;
+    if (status.violations.empty()) return status;
+    const Violation& refused = status.violations.front();
+    return invalid_field("wheelrail." + refused.field, refused.description, status.reason).status();
 }
 
 json encode_session_spec(const WheelRailSessionSpec& spec, ArrayWriter& arrays) {

@@ -111,8 +111,8 @@ void export_table(const CallPtr& call, const DaemonParts& parts) {
     work->specs.fill(wanted.spec);
     if (wanted.spec.section) check_section(wanted, parts.config.limits.max_frame_bytes);
     if (wanted.lower) work->specs[1].material = *wanted.lower;
-    engine::validate_body(work->specs[0], "material");
-    engine::validate_body(work->specs[1], "lower");
+    validate(work->specs[0], "material");
+    validate(work->specs[1], "lower");
     if (wanted.format == FileFormat::contact) check_size(wanted.spec, parts.config.limits.max_frame_bytes);
     call->work.reset();  // a build may take hours
     const double bytes = cost_of_export(call->request.params, parts.config).bytes;

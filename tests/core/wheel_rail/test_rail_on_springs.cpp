@@ -246,8 +246,8 @@ TEST_CASE("Mistakes in springs and loads are refused by name") {
     refused(on_springs({}, INFINITY), {}, "track.springs.z is inf; it must be positive and at most");
     WheelRailState state;
     state.rail.Fy = 100;
-    refused(on_springs({}, 1e5), state, "rail.Fy is 100, and the rail is rigid there");
-    refused({}, state, "rail.Fy is 100");
+    refused(on_springs({}, 1e5), state, "state.rail.Fy is 100, and the rail is rigid there");
+    refused({}, state, "state.rail.Fy is 100");
     WheelsetState both;
     both.Fz_left = both.Fz_right = 1e4;
     both.left_rail.Fz = 5;
@@ -257,5 +257,5 @@ TEST_CASE("Mistakes in springs and loads are refused by name") {
     CHECK_THROWS_WITH(solve_wheelset(WheelRailContact(left), WheelRailContact(WheelRailSetup{}), both, observer),
                       ContainsSubstring("left_rail.Fz is 5, and the rail is rigid there"));
     state.rail.Fy = NAN;
-    refused(on_springs(1e5, 1e5), state, "rail.Fy is nan");
+    refused(on_springs(1e5, 1e5), state, "state.rail.Fy is nan");
 }

@@ -136,7 +136,7 @@ TEST_CASE("Mistakes in a state are refused by name") {
     WheelRailState state;
     SECTION("a wheel far inside its rail") {
         state.position.z = 10;
-        refused(state, "position.z is 10; there the wheel is 9.");
+        refused(state, "state.position.z is 10; there the wheel is 9.");
         refused(state, "lift the wheelset, or prescribe Fz");
     }
     SECTION("degrees") {

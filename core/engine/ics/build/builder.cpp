@@ -185,8 +185,7 @@ BuiltTable run_builder(const BuilderCommand& command, const IcSpec& spec, const 
     if (status == 0) return listener.take_table();
     const std::string complaint = listener.complaint();
     if (listener.ran_out_of_memory()) throw BuilderOutOfMemory(complaint, listener.field());
-    if (const std::string& field = listener.field(); listener.refused() && complaint.starts_with(field + " "))
-        throw InvalidArgument(field, complaint.substr(field.size() + 1));
+    if (listener.refused() && !listener.problem().empty()) throw InvalidArgument(listener.field(), listener.problem());
     if (status == 128 + SIGKILL && ended_by_kernel() > ended_before)
         throw BuilderOutOfMemory("The build ran out of memory: the kernel ended it, as the machine had no more.", "");
     if (!command.launcher.empty() && is_of_launcher(status) && !complaint.empty())

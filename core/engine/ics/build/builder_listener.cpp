@@ -72,6 +72,7 @@ void BuilderListener::hear_line(std::string_view line) {
         complaint_ = text(*error, "message");
         kind_ = text(*error, "kind");
         field_ = text(*error, "field");
+        problem_ = text(*error, "problem");
     }
     if (json.contains("table_bytes")) {
         const double size = number(json, "table_bytes");

@@ -34,6 +34,8 @@ class BuilderListener {
     bool refused() const { return kind_ == "invalid_argument"; }
     /// The part of the request that the builder complains of; empty when it named none.
     const std::string& field() const { return field_; }
+    /// Of a refusal: what is wrong with the field, without its name.
+    const std::string& problem() const { return problem_; }
     /// What the builder printed because it could not write it.
     BuiltTable take_table() { return awaited_ == 0 ? std::move(table_) : BuiltTable(); }
 
@@ -44,7 +46,7 @@ class BuilderListener {
 
     bool has_begun_;
     const OnProgress on_progress_;
-    std::string line_, words_, complaint_, field_, kind_;
+    std::string line_, words_, complaint_, field_, problem_, kind_;
     std::size_t awaited_ = 0;  ///< bytes of the table that are still to come
     BuiltTable table_;
     std::map<int, Clock::time_point> heard_{{0, Clock::now()}};  ///< by process

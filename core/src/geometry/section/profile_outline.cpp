@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
-#include "contactd/refuse_below.hpp"
 #include "geometry/section/place_text.hpp"
 #include "geometry/section/ready_made.hpp"
 #include "types/number_text.hpp"
@@ -54,11 +54,7 @@ struct Surface {
 };
 
 Profile profile_of(const ProfileSection& section, const std::string& field) {
-    try {
-        return make_profile(section.profile);
-    } catch (const InvalidArgument& error) {
-        refuse_below(field, error);
-    }
+    return below(field, [&] { return make_profile(section.profile); });
 }
 
 // The sides and the cut are no profile any more.
