@@ -71,6 +71,12 @@ void check_section(const IcSpec& spec, const std::string& name) {
     }
 }
 
+/// What is told of operators beyond their budget becomes a warning of the patch that is solved with them.
+ContactInfluence with_warnings(KeptInfluence kept) {
+    for (std::string& warning : operator_warnings(kept.use)) kept.influence.warnings.push_back(std::move(warning));
+    return std::move(kept.influence);
+}
+
 /// The result of `solve`, which refuses fields of the set-up below `setup`; the core names those of a state "state.".
 template <class Solve>
 auto below_setup(const std::string& setup, const Solve& solve) {
@@ -111,7 +117,7 @@ ContactInfluence Engine::sections_influence(const ContactProblem& problem, const
         influence.warnings = table_warnings({wheel, rail});
         return influence;
     };
-    return influences_.of(key, make).influence;
+    return with_warnings(influences_.of(key, make));
 }
 
 ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchColumns& columns,
@@ -120,14 +126,13 @@ ContactInfluence Engine::patch_influence(const ContactProblem& problem, const Pa
     if (!columns.flat()) check_rows(problem.grid, settings_.most_patch_bytes);
     if (columns.of_sections()) return sections_influence(problem, columns, observer);
     if (!columns.flat())
-        return influences_
-            .of(rotated_key(problem, columns),
-                [&] { return contactd::patch_influence(problem, columns, nullptr, nullptr, observer); })
-            .influence;
+        return with_warnings(influences_.of(rotated_key(problem, columns), [&] {
+            return contactd::patch_influence(problem, columns, nullptr, nullptr, observer);
+        }));
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);
     larger.grid.ny = rounded_up(problem.grid.ny);
-    return influence_of(problem, fetch(larger, observer), influences_, observer).influence;
+    return with_warnings(influence_of(problem, fetch(larger, observer), influences_, observer));
 }
 
 WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer) {

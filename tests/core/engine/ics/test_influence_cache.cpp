@@ -88,3 +88,16 @@ TEST_CASE("The steps of a simulation tell of operators beyond the budget once") 
     CHECK(warns(step()));
     CHECK_FALSE(warns(step()));
 }
+
+TEST_CASE("Wheels on rails tell of operators beyond the budget") {
+    Engine engine(with_budget(1));
+    Observer observer;
+    WheelRailSetup setup;
+    setup.dx = setup.dy = 1;
+    WheelRailState state;
+    state.Fz = 8e4;
+    state.velocity.x = 3e4;
+    const WheelRailSolution solution = engine.solve(setup, state, observer);
+    REQUIRE(solution.patches.size() == 1);
+    CHECK(warns(solution.patches.front().solution));
+}
