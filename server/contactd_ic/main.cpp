@@ -201,7 +201,7 @@ int guarded_run(const Context& context) {
         if (context.runtime.rank() == 0) context.lines.write_error({field, message, kind});
         return code;
     };
-    const auto refuse = [&](const std::string& field, const std::string& problem, const char* message) {
+    const auto refuse = [&](const std::string& field, const std::string& problem, const char* message) -> int {
         const bool of_command_line = field.empty() || field == "SPEC" || field.starts_with("--");
         if (of_command_line) return everywhere(field, message, bad_input);
         if (context.runtime.rank() == 0) context.lines.write_error({field, message, "invalid_argument", problem});
