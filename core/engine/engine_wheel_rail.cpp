@@ -71,9 +71,10 @@ void check_section(const IcSpec& spec, const std::string& name) {
     }
 }
 
-/// What is told of operators beyond their budget becomes a warning of the patch that is solved with them.
+/// Operators beyond their budget are a warning of the patch that is solved with them, also where an earlier solve of
+/// the search for a height has made them.
 ContactInfluence with_warnings(KeptInfluence kept) {
-    for (std::string& warning : operator_warnings(kept.use)) kept.influence.warnings.push_back(std::move(warning));
+    if (kept.use) kept.influence.warnings.push_back(operator_warning(*kept.use));
     return std::move(kept.influence);
 }
 

@@ -94,7 +94,7 @@ def test_a_folder_that_is_deleted_is_made_again(daemon, client):
 def test_a_folder_that_is_no_folder_any_more_costs_a_warning(daemon, client):
     shutil.rmtree(daemon.store)
     daemon.store.write_text("in the way")
-    expect_unsaved(client, 0.3, "store")
+    expect_unsaved(client, 0.3, "Not a directory")
     daemon.store.unlink()
     eventually(lambda: recovers(client, 0.3))
     assert len(daemon.tables()) == 1

@@ -27,10 +27,10 @@ def test_small_solves_are_answered_while_large_ones_have_what_workers_they_may(d
 
 
 def test_large_steps_of_sessions_leave_a_worker_to_small_ones(daemons, background):
-    daemon = daemons.start(workers=2)
+    daemon = daemons.start(workers=2, sessions={"max_bytes": 1 << 32})
     with daemon.client() as first, daemon.client() as second, daemon.client() as other:
-        sessions = [client.open_session(LARGE) for client in (first, second)]
-        small = other.open_session(SMALL)
+        sessions = [client.session(LARGE) for client in (first, second)]
+        small = other.session(SMALL)
         large = [background(session.step, timeout=600) for session in sessions]
         eventually(lambda: len([job for job in other.jobs() if job.kind == "step"]) == 2)
         for _ in range(5):
@@ -42,15 +42,13 @@ def test_large_steps_of_sessions_leave_a_worker_to_small_ones(daemons, backgroun
             assert step.exception() is not None
 
 
-def test_memory_goes_back_to_the_system_after_a_burst(daemons, background):
+def test_memory_goes_back_to_the_system_after_a_burst(daemons):
     daemon = daemons.start(workers=2)
-    problem = CATTANEO.replace(grid=Grid.centred(300, 300, 2.4, 2.4))
     with daemon.client() as client:
         client.solve(SMALL)
         before = resident(daemon)
-        solves = [background(client.solve, problem.replace(friction=Friction(mu=mu))) for mu in (0.3, 0.4, 0.5, 0.6)]
-        for solve in solves:
-            assert solve.result().converged
+        # Small ones have small operators, which are kept; answers are not.
+        assert all(solution.converged for solution in client.solve_many([SMALL] * 1000))
         taken = resident(daemon, "VmHWM") - before
         assert taken > 50 << 20, "no burst"
         eventually(lambda: resident(daemon) - before < taken / 10)

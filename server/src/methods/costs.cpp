@@ -159,7 +159,7 @@ WorkCost cost_of_import(const json& params, const Config&) {
 }
 
 WorkCost cost_of_wheel_rail(const json& params, const Config&) {
-    constexpr double length = 20, width = 20;     // mm, of a contact with its margin
+    constexpr double length = 20, width = 20;  // mm, of a contact with its margin
     constexpr double most = 200'000;
     const json none = json::object();
     const json* given = member(params, "setup");

@@ -84,10 +84,8 @@ inline WheelRailState borderline_state(Dice& dice, const WheelRailContact& conta
 inline bool is_given(std::string_view field) {
     for (const std::string_view patch : {"friction.rolling", "friction.rigid", "friction.rotation", "friction.force"})
         if (field.starts_with(patch)) return false;
-    for (const std::string_view part :
-         {"side",  "wheel",     "rail",      "track",        "bodies",     "model",    "friction",
-          "dx",    "dy",        "dq",        "patches",      "rigid_slip", "settings", "conformal",
-          "force", "position.", "velocity.", "roller_pitch", "Fz",         "Fx",       "derivatives"})
+    for (const std::string_view part : {"side", "wheel", "rail", "track", "bodies", "model", "friction", "dx", "dy",
+                                        "dq", "patches", "rigid_slip", "settings", "conformal", "force", "state."})
         if (field.starts_with(part)) return true;
     return false;
 }

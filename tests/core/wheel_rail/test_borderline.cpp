@@ -53,7 +53,7 @@ TEST_CASE("Forces and steps that are next to nothing are refused by name") {
     state.velocity = {20000, 0, 0, 0, 0, -43};
     for (const double force : {5e-324, 1e-100, 9e-7}) {
         state.Fz = force;
-        CHECK_THROWS_WITH(solve(setup, state), StartsWith("Fz is ") && ContainsSubstring("1e-06 N at least"));
+        CHECK_THROWS_WITH(solve(setup, state), StartsWith("state.Fz is ") && ContainsSubstring("1e-06 N at least"));
     }
     state.Fz = 1e-6;
     CHECK_NOTHROW(solve(setup, state));

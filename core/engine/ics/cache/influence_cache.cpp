@@ -36,12 +36,16 @@ InfluenceCache::Usage InfluenceCache::usage() const {
     return usage;
 }
 
+std::string operator_warning(const OperatorUse& use) {
+    return "The operators of this problem take " + std::to_string(use.bytes) +
+           " bytes, and store.influence_budget_bytes is " + std::to_string(use.budget_bytes) +
+           ". Of operators beyond it only those used last are kept, so that problems that take turns make theirs anew "
+           "each time; raise it where they do.";
+}
+
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use) {
     if (!use || !use->made) return {};
-    return {"The operators of this problem were made for this solve: they take " + std::to_string(use->bytes) +
-            " bytes, and store.influence_budget_bytes is " + std::to_string(use->budget_bytes) +
-            ". Of operators beyond it only those used last are kept, so that problems that take turns make theirs anew "
-            "each time; raise it where they do."};
+    return {operator_warning(*use)};
 }
 
 std::string influence_key(const ContactProblem& problem, const std::string& upper_key, const std::string& lower_key) {

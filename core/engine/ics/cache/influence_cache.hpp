@@ -21,7 +21,9 @@ struct KeptInfluence {
     std::optional<OperatorUse> use{};
 };
 
-/// What a user should know of operators that were made although they may be needed again; empty otherwise.
+/// What a user should know of operators beyond the budget.
+std::string operator_warning(const OperatorUse& use);
+/// The same of operators that were made although they may be needed again; empty otherwise.
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use);
 
 /// The least recently used go first when the budget is full. Beside them those beyond the budget that were used last
