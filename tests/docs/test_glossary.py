@@ -1,0 +1,57 @@
+"""The glossary is sorted, its names of the wire are there, and it has the terms that an expert looks for."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs" / "glossary.md").read_text()
+TERMS = [[cell.strip() for cell in row.split("|")] for row in re.findall(r"^\|( \*\*.+)\|$", PAGE, re.MULTILINE)]
+METHODS = {path.name.removesuffix(".params.json") for path in (ROOT / "proto" / "schema").glob("*.params.json")}
+EXPECTED = [
+    "dissimilar", "stopping criterion", "massless flexible rail", "third body", "Dirichlet", "small strain", "quasi-static",
+    "linear elasticity", "outer (Panagiotopoulos) iterations", "tangent stiffness", "simplified contact models",
+    "falling friction", "creepage", "rigid slip", "creep force", "adhesion", "slip area", "potential contact area",
+    "influence coefficients", "FASTSIM", "NORM", "TANG", "KPEC", "ANALYN", "modified FASTSIM",
+]  # fmt: skip
+
+
+def words_of_the_wire():
+    """Names and values that the schemas declare."""
+    found = set()
+
+    def visit(schema):
+        if isinstance(schema, dict):
+            found.update(schema.get("properties", {}))
+            found.update(word for word in schema.get("enum", []) if isinstance(word, str))
+            for part in schema.values():
+                visit(part)
+        elif isinstance(schema, list):
+            for part in schema:
+                visit(part)
+
+    for path in (ROOT / "proto" / "schema").glob("*.json"):
+        visit(json.loads(path.read_text()))
+    return found
+
+
+def test_terms_are_sorted_and_have_a_sentence():
+    names = [re.findall(r"\*\*(.+?)\*\*", cells[0])[0].lower() for cells in TERMS]
+    assert len(names) > 100
+    assert names == sorted(set(names))
+    assert not [cells for cells in TERMS if not cells[2].endswith(".")]
+
+
+def test_names_of_the_wire_are_those_of_the_schemas():
+    known = words_of_the_wire() | {"session", "*"} | {part for method in METHODS for part in method.split(".")}
+    names = {name for cells in TERMS for name in re.findall(r"`([^`]+)`", cells[1])}
+    assert len(names) > 60
+    unknown = {name for name in names for part in name.split(".") if part and not part.isdigit() and part not in known}
+    assert not unknown - {"ics.source", "state.rail"}, unknown
+
+
+@pytest.mark.parametrize("term", EXPECTED)
+def test_a_term_of_the_field_has_an_entry(term):
+    assert any(term.lower() in cells[0].replace("*", "").lower() for cells in TERMS)
