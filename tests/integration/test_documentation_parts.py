@@ -49,7 +49,7 @@ def test_bodies_of_layers_are_asked_for_as_the_page_says(shared):
 
 
 def test_a_sphere_near_an_edge_is_solved_as_the_page_on_sections_says(shared):
-    found = re.search(r"```python\n(.*?)```", section("docs/sections.md", "Contact on curved columns"), re.DOTALL)
+    found = re.search(r"```python\n(.*?)```", section("docs/sections.md", "Contact on curved strips"), re.DOTALL)
     assert found
     names: dict[str, Any] = {"client": shared}
     exec(found[1], names)
