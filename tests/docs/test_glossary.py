@@ -55,3 +55,30 @@ def test_names_of_the_wire_are_those_of_the_schemas():
 @pytest.mark.parametrize("term", EXPECTED)
 def test_a_term_of_the_field_has_an_entry(term):
     assert any(term.lower() in cells[0].replace("*", "").lower() for cells in TERMS)
+
+
+#: What pages do not say, and what the field does.
+OTHERWISE = {
+    "bodies that differ": "dissimilar bodies",
+    "quick model": "simplified contact model",
+    "stop test": "stopping criterion",
+    "turning stiffness": "tangent stiffness",
+    "not round": "out-of-round",
+    "rails? on springs": "massless flexible rail",
+    "friction that falls": "falling friction",
+    "wide registers": "SIMD",
+    "tents?": "bilinear hat function",
+    "honest answers": "convergence reporting",
+}
+#: Not the changelog, whose entries stay as they were released.
+WRITTEN_HERE = [page for folder in ("", "docs/", "client/*/") for page in ROOT.glob(f"{folder}*.md") if page.name != "CHANGELOG.md"]
+NAMED = {"CONTRIBUTING.md": ["bodies that differ"]}  # as an example of what not to write
+
+
+@pytest.mark.parametrize("page", WRITTEN_HERE, ids=lambda page: str(page.relative_to(ROOT)))
+def test_pages_have_the_words_of_the_field(page):
+    """But for code, and for what ./dev docs writes from the schemas."""
+    text = page.read_text().partition("<!-- What follows is written by ./dev docs")[0]
+    text = re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.MULTILINE | re.DOTALL)
+    said = {old for old in OTHERWISE if re.search(rf"\b{old}\b|\b{old}s\b", text, re.IGNORECASE)}
+    assert not said - set(NAMED.get(page.name, [])), {old: OTHERWISE[old] for old in said}
