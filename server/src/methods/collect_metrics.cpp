@@ -24,7 +24,7 @@ prometheus::MetricFamily build_info() {
     return info;
 }
 
-MetricFamilies counted(const Counters& own, const engine::Counters& c) {
+MetricFamilies counted(const Counters& own, const engine::EngineCounters& c) {
     return {
         counter("contactd_requests_received_total", "Messages received, answered or not.", number(own.requests)),
         gauge("contactd_open_requests", "Requests that wait for their answer.", number(own.open_requests)),

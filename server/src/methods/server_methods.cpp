@@ -28,7 +28,7 @@ void info(const CallPtr& call, const DaemonParts& parts) {
     limits["max_session_states"] = parts.config.sessions.max_states;
     limits["max_lease_seconds"] = parts.config.sessions.max_lease_seconds;
     const Counters& counters = parts.counters;
-    const engine::Counters& done = parts.engine.counters();
+    const engine::EngineCounters& done = parts.engine.counters();
     const engine::IcCache::Usage cache = parts.ics.cache_usage();
     call->succeed({{"version", version()},
                    {"commit", commit()},

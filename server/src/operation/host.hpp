@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "engine/operation/log.hpp"
+#include "engine/operation/engine_log.hpp"
 
 namespace contactd::server {
 

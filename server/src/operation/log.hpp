@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "config/config.hpp"
-#include "engine/operation/log.hpp"
+#include "engine/operation/engine_log.hpp"
 
 namespace contactd::server {
 

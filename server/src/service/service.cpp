@@ -74,7 +74,7 @@ Service::Service(const Config& config, Host host)
              engine_.tables(), engine_.jobs(), sessions_,   recent_solves_, workers_,         budget_},
       workers_(config.workers, config.spin) {
     engine::count_store(engine_.counters(), config.store.folder);
-    for (const std::string& problem : building_problems(config)) engine::Log(host_.log).warn(problem);
+    for (const std::string& problem : building_problems(config)) engine::EngineLog(host_.log).warn(problem);
 }
 
 Service::~Service() {
@@ -138,7 +138,7 @@ void Service::attempt(const CallPtr& call, const std::function<void()>& work) {
     } catch (const std::exception& error) {
         const Status status = status_of(error);
         if (status.code == StatusCode::internal)
-            engine::Log(host_.log).error(call->request.method + ": " + error.what());
+            engine::EngineLog(host_.log).error(call->request.method + ": " + error.what());
         call->fail(status);
     }
 }

@@ -11,7 +11,7 @@ constexpr auto attempt_interval = std::chrono::seconds(2);
 
 }  // namespace
 
-StoreKeeper::StoreKeeper(IcStore store, const Budgets& budgets, Log log)
+StoreKeeper::StoreKeeper(IcStore store, const Budgets& budgets, EngineLog log)
     : store_(std::move(store)), budgets_(budgets), log_(std::move(log)) {
     if (const int swept = store_.sweep()) log_.warn(std::format("swept {} left-over files from the store", swept));
     store_.settle_times();

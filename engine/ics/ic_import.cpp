@@ -26,7 +26,7 @@ std::string imported_warning(const std::string& key) {
            "... were imported from a file: that they are right is the word of whoever has imported them.";
 }
 
-IcImport import_table(IcRecord imported, IcService& tables, const std::string& user, Counters& counters,
+IcImport import_table(IcRecord imported, IcService& tables, const std::string& user, EngineCounters& counters,
                       const Observer& observer) {
     IcImport result{imported.spec, {"disk", ic_key(imported.spec), {}}, false};
     IcRecord record = stored_record(std::move(imported), observer);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contactd/ic_store.hpp"
-#include "engine/operation/log.hpp"
+#include "engine/operation/engine_log.hpp"
 #include "use_notes.hpp"
 
 namespace contactd::engine {
@@ -27,7 +27,7 @@ class StoreKeeper {
     };
 
     /// Sweeps what dead processes left, settles times of use, and looks whether the folder can be written to.
-    StoreKeeper(IcStore store, const Budgets& budgets, Log log);
+    StoreKeeper(IcStore store, const Budgets& budgets, EngineLog log);
 
     const IcStore& store() const { return store_; }
     /// As IcStore::find and may_have; nothing when the folder cannot be read.
@@ -54,7 +54,7 @@ class StoreKeeper {
 
     const IcStore store_;
     const Budgets budgets_;
-    const Log log_;
+    const EngineLog log_;
     UseNotes uses_{store_};
     mutable std::mutex mutex_;
     std::string problem_;

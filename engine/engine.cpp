@@ -100,7 +100,7 @@ IcService& Engine::tables() {
     if (!tables_) {
         if (settings_.store_folder.empty())
             throw StoreError("There is no folder for tables: set CONTACTD_STORE, or HOME.");
-        const Log log(settings_.tables.log);
+        const EngineLog log(settings_.tables.log);
         IcStore store(settings_.store_folder, [this, log](const std::string& sentence) {
             ++counters_.tables_set_aside;
             log.warn("store: " + sentence);

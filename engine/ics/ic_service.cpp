@@ -33,7 +33,7 @@ class WhileWanted final : public Observer {
 
 }  // namespace
 
-IcService::IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters)
+IcService::IcService(Settings settings, IcStore store, JobTable& jobs, EngineCounters& counters)
     : settings_(std::move(settings)),
       log_(settings_.log),
       keeper_(std::move(store), {settings_.disk_budget_bytes, settings_.memory_budget_bytes}, log_),

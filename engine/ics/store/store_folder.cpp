@@ -9,7 +9,7 @@ namespace contactd::engine {
 
 namespace fs = std::filesystem;
 
-void count_store(Counters& counters, const fs::path& folder) {
+void count_store(EngineCounters& counters, const fs::path& folder) {
     long long tables = 0, bytes = 0;
     std::error_code error;
     for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();

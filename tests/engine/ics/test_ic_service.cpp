@@ -99,7 +99,7 @@ class Bench {
 
     fs::path folder;
     JobTable jobs;
-    Counters counters;
+    EngineCounters counters;
     std::unique_ptr<IcService> ics;
 };
 
@@ -114,7 +114,7 @@ TEST_CASE("A built table is answered from memory afterwards, and from disk after
     CHECK(bench.ask(fem_spec()).get().origin == "built");
     CHECK(bench.ask(fem_spec()).get().origin == "memory");
 
-    Counters counters;
+    EngineCounters counters;
     IcService again({{{}, bench.folder / "builder"}, 1, 0}, IcStore(bench.folder / "store", [](const std::string&) {}),
                     bench.jobs, counters);
     std::promise<std::string> origin;

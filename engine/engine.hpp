@@ -15,8 +15,8 @@
 #include "engine/ics/cache/influence_cache.hpp"
 #include "engine/ics/ic_service.hpp"
 #include "engine/jobs/job.hpp"
-#include "engine/operation/counters.hpp"
-#include "engine/operation/log.hpp"
+#include "engine/operation/engine_counters.hpp"
+#include "engine/operation/engine_log.hpp"
 #include "engine/steps/contact_steps.hpp"
 #include "engine/steps/wheel_rail_steps.hpp"
 #include "engine/wheel_rail/prepared_contacts.hpp"
@@ -72,7 +72,7 @@ class Engine {
     std::unique_ptr<ContactSteps> open(SessionSpec spec, const IcAnswers& ics, const Observer& observer = {});
 
     JobTable& jobs() { return jobs_; }
-    Counters& counters() { return counters_; }
+    EngineCounters& counters() { return counters_; }
     const InfluenceCache& influences() const { return influences_; }
 
    private:
@@ -85,7 +85,7 @@ class Engine {
     ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
 
     const EngineSettings settings_;
-    Counters counters_;
+    EngineCounters counters_;
     JobTable jobs_;
     InfluenceCache influences_;
     IcCache closed_forms_;  // of those who wait, and of wheels on rails

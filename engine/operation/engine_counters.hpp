@@ -5,7 +5,7 @@
 
 namespace contactd::engine {
 
-struct Counters {
+struct EngineCounters {
     using Count = std::atomic<long long>;
     Count builds_started = 0;
     Count builds_finished = 0;

@@ -24,7 +24,7 @@ constexpr auto default_patience = std::chrono::seconds(60);
 /// Notes what a build took, and what the store holds afterwards.
 class BuildClock {
    public:
-    BuildClock(Counters& counters, const std::filesystem::path& folder) : counters_(counters), folder_(folder) {}
+    BuildClock(EngineCounters& counters, const std::filesystem::path& folder) : counters_(counters), folder_(folder) {}
     ~BuildClock() {
         const auto spent = std::chrono::steady_clock::now() - start_;
         counters_.build_milliseconds += std::chrono::duration_cast<std::chrono::milliseconds>(spent).count();
@@ -35,7 +35,7 @@ class BuildClock {
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
    private:
-    Counters& counters_;
+    EngineCounters& counters_;
     const std::filesystem::path& folder_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

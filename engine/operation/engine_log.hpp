@@ -11,9 +11,9 @@ enum class LogLevel { info, warning, error };
 /// Takes a line, from any thread. Empty: nobody listens.
 using LogSink = std::function<void(LogLevel, const std::string&)>;
 
-class Log {
+class EngineLog {
    public:
-    explicit Log(LogSink sink = {}) : sink_(std::move(sink)) {}
+    explicit EngineLog(LogSink sink = {}) : sink_(std::move(sink)) {}
 
     void info(const std::string& line) const { write(LogLevel::info, line); }
     void warn(const std::string& line) const { write(LogLevel::warning, line); }

@@ -16,8 +16,8 @@
 #include "engine/ics/store/store_keeper.hpp"
 #include "engine/jobs/job.hpp"
 #include "engine/jobs/worker_pool.hpp"
-#include "engine/operation/counters.hpp"
-#include "engine/operation/log.hpp"
+#include "engine/operation/engine_counters.hpp"
+#include "engine/operation/engine_log.hpp"
 
 namespace contactd::engine {
 
@@ -56,7 +56,7 @@ class IcService {
         std::function<bool(const std::string& user)> may_build = {};
     };
 
-    IcService(Settings settings, IcStore store, JobTable& jobs, Counters& counters);
+    IcService(Settings settings, IcStore store, JobTable& jobs, EngineCounters& counters);
     ~IcService();
 
     /// Answers `caller` now or later. Takes milliseconds at most (disk, closed form): not for the I/O thread.
@@ -117,10 +117,10 @@ class IcService {
     proto::Status cancelled_status();
 
     const Settings settings_;
-    const Log log_;
+    const EngineLog log_;
     StoreKeeper keeper_;
     JobTable& jobs_;
-    Counters& counters_;
+    EngineCounters& counters_;
     IcCache cache_;
     BuildQuarantine quarantine_;
     std::mutex mutex_;

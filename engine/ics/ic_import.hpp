@@ -5,7 +5,7 @@
 
 #include "contactd/ic_import.hpp"
 #include "contactd/observer.hpp"
-#include "engine/operation/counters.hpp"
+#include "engine/operation/engine_counters.hpp"
 #include "ic_service.hpp"
 
 namespace contactd::engine {
@@ -15,7 +15,7 @@ std::string imported_warning(const std::string& key);
 
 /// Keeps the record of an IC file in the store as the word of `user`. What this user is served already stays. Throws
 /// InvalidArgument ("datasets") for what stored_record() refuses, StoreError and Cancelled.
-IcImport import_table(IcRecord record, IcService& tables, const std::string& user, Counters& counters,
+IcImport import_table(IcRecord record, IcService& tables, const std::string& user, EngineCounters& counters,
                       const Observer& observer);
 
 }  // namespace contactd::engine
