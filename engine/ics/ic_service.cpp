@@ -40,8 +40,7 @@ IcService::IcService(Settings settings, IcStore store, JobTable& jobs, EngineCou
       jobs_(jobs),
       counters_(counters),
       cache_(settings_.memory_budget_bytes),
-      quarantine_(settings_.quarantine),
-      builders_(settings_.concurrent_builds) {}
+      builds_({settings_.command, settings_.concurrent_builds, settings_.quarantine}, keeper_, counters_, log_) {}
 
 IcService::~IcService() {
     stop(failure(StatusCode::unavailable, proto::reason::stopping, "No more tables are made here."));
@@ -134,7 +133,7 @@ void IcService::look_up(const RequestPtr& request) {
         ++counters_.disk_hits;
         return complete(request, std::make_shared<const IcRecord>(std::move(*record)), "disk");
     }
-    if (const auto refusal = quarantine_.refusal(request->key, request->spec)) return fail(request, *refusal);
+    if (const auto refusal = builds_.quarantine().refusal(request->key, request->spec)) return fail(request, *refusal);
     if (!turn_away(request) && !queue_build(request)) fail(request, stop_status_);
 }
 
@@ -160,6 +159,48 @@ bool IcService::turn_away(const RequestPtr& request) {
                 "have one built (methods.allowed_users, builds).");
     for (const IcCaller& caller : denied) caller.failed(status);
     return is_empty;
+}
+
+/// False when no build may begin any more.
+bool IcService::queue_build(const RequestPtr& request) {
+    const std::scoped_lock lock(mutex_);
+    if (stopping_) return false;
+    const std::weak_ptr waiting(request);
+    JobOrigin origin{"build", request->description, [this, waiting] { return users_of(waiting); }};
+    request->job = jobs_.create(std::move(origin), [this, waiting] {
+        if (const RequestPtr known = waiting.lock()) cancel_queued(known);
+    });
+    for (const IcCaller& caller : request->callers) caller.progress(*request->job, request->job->progress());
+    // A build goes on for the cache when its callers have gone.
+    Turn turn = request->callers.empty() ? Turn{} : request->callers.front().turn;
+    turn.abandoned = nullptr;
+    builds_.queue(std::move(turn),
+                  {request->spec, request->key, request->job,
+                   [this, request](const JobProgress& progress) { report(request, progress); },
+                   [this, request](IcCache::Record record, const char* origin_of_it) {
+                       complete(request, std::move(record), origin_of_it);
+                   },
+                   [this, request](const Status& status) { fail(request, status); },
+                   [this, request] { fail(request, cancelled_status()); }, [this] { return keys_in_flight(); }});
+    return true;
+}
+
+void IcService::report(const RequestPtr& request, const JobProgress& progress) {
+    request->job->set_progress(progress);
+    const std::scoped_lock lock(mutex_);
+    for (const IcCaller& caller : request->callers) caller.progress(*request->job, progress);
+}
+
+Status IcService::cancelled_status() {
+    const std::scoped_lock lock(mutex_);
+    return stopping_ ? stop_status_
+                     : failure(StatusCode::cancelled, proto::reason::job_cancelled, "The build was cancelled.");
+}
+
+void IcService::cancel_queued(const RequestPtr& request) {
+    if (request->job->running()) return;  // the builder's thread notices by itself
+    ++counters_.builds_cancelled;
+    fail(request, cancelled_status());
 }
 
 std::vector<IcCaller> IcService::close(const RequestPtr& request) {
@@ -212,7 +253,7 @@ std::vector<std::string> IcService::keys_in_flight() {
 
 IcService::Forgotten IcService::forget(const std::string& key, const std::string& user) {
     const TableOwner owner = owner_of(user);
-    Forgotten forgotten{keeper_.remove(key, owner), quarantine_.forget(key)};
+    Forgotten forgotten{keeper_.remove(key, owner), builds_.quarantine().forget(key)};
     cache_.remove(key);
     cache_.remove(IcAnswer{nullptr, key, "", owner}.cache_key());
     return forgotten;
@@ -235,7 +276,7 @@ void IcService::keep_imported(IcRecord record, const std::string& user) {
     const TableOwner owner = owner_of(user);
     const std::string key = ic_key(record.spec);
     const IcAnswer answer{std::make_shared<const IcRecord>(std::move(record)), key, "file", owner};
-    if (owner.empty()) quarantine_.forget(key);  // builds that failed do not matter any more
+    if (owner.empty()) builds_.quarantine().forget(key);  // builds that failed do not matter any more
     const auto [nx, ny] = extent_of(answer.record->tables);
     write_ic_file(store().path_to_write(key, nx, ny, owner), *answer.record);
     keeper_.note_stored(answer.record->spec, keys_in_flight(), owner);
@@ -252,7 +293,7 @@ void IcService::stop(const Status& status) {
     }
     for (const RequestPtr& request : in_flight)
         if (request->job) request->job->cancel();  // answers those who wait for a queued build, so not under the lock
-    builders_.stop();
+    builds_.stop();
     for (const RequestPtr& request : in_flight) fail(request, status);
 }
 

@@ -9,15 +9,8 @@
 
 #include "contactd/ic_store.hpp"
 #include "contactd/proto/status.hpp"
-#include "contactd/table_lock.hpp"
-#include "engine/ics/build/build_quarantine.hpp"
-#include "engine/ics/build/builder.hpp"
 #include "engine/ics/cache/ic_cache.hpp"
-#include "engine/ics/store/store_keeper.hpp"
-#include "engine/jobs/job.hpp"
-#include "engine/jobs/worker_pool.hpp"
-#include "engine/operation/engine_counters.hpp"
-#include "engine/operation/engine_log.hpp"
+#include "ic_builds.hpp"
 
 namespace contactd::engine {
 
@@ -85,12 +78,12 @@ class IcService {
     std::vector<StoredTable> stored(const std::string& user) const;
 
     const IcStore& store() const { return keeper_.store(); }
-    std::vector<BuildQuarantine::Entry> quarantined() { return quarantine_.entries(); }
+    std::vector<BuildQuarantine::Entry> quarantined() { return builds_.quarantine().entries(); }
     /// What keeps the store from being used, as a sentence; empty when all is well.
     std::string store_problem() const { return keeper_.problem(); }
     IcCache::Usage cache_usage() const { return cache_.usage(); }
-    int builds_waiting() const { return builders_.waiting(); }
-    int builds_running() const { return builders_.running(); }
+    int builds_waiting() const { return builds_.waiting(); }
+    int builds_running() const { return builds_.running(); }
 
    private:
     struct RequestInFlight;
@@ -103,9 +96,6 @@ class IcService {
     void look_up(const RequestPtr& request);
     bool turn_away(const RequestPtr& request);
     bool queue_build(const RequestPtr& request);
-    void build(const RequestPtr& request);
-    void wait_for_turn(const RequestPtr& request, TableLock& lock);
-    IcCache::Record run_build(const RequestPtr& request, const TableLock& lock);
     void report(const RequestPtr& request, const JobProgress& progress);
     std::vector<std::string> keys_in_flight();
     std::vector<std::string> users_of(const std::weak_ptr<RequestInFlight>& request);
@@ -113,7 +103,6 @@ class IcService {
     void complete(const RequestPtr& request, IcCache::Record record, const char* origin);
     void fail(const RequestPtr& request, const proto::Status& status);
     std::vector<IcCaller> close(const RequestPtr& request);
-    void fail_build(const RequestPtr& request, const proto::Status& status);
     proto::Status cancelled_status();
 
     const Settings settings_;
@@ -122,12 +111,11 @@ class IcService {
     JobTable& jobs_;
     EngineCounters& counters_;
     IcCache cache_;
-    BuildQuarantine quarantine_;
-    std::mutex mutex_;
+    std::mutex mutex_;  // guards what follows
     std::vector<RequestPtr> in_flight_;  // looking up, queued or building
     bool stopping_ = false;
     proto::Status stop_status_;
-    WorkerPool builders_;  // last: its threads use everything above
+    IcBuilds builds_;  // last: its threads use everything above
 };
 
 }  // namespace contactd::engine

@@ -21,8 +21,4 @@ struct IcService::RequestInFlight {
     }
 };
 
-inline proto::Status failure(proto::StatusCode code, std::string_view reason, std::string message) {
-    return {code, std::move(message), std::string(reason), {}, 0};
-}
-
 }  // namespace contactd::engine

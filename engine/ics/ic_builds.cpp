@@ -1,5 +1,5 @@
-// How IcService has a table built: its turn among builds of this daemon and others, the builder, what its end means.
-#include <algorithm>
+#include "ic_builds.hpp"
+
 #include <chrono>
 #include <format>
 #include <thread>
@@ -7,7 +7,6 @@
 
 #include "contactd/error.hpp"
 #include "engine/ics/store/store_folder.hpp"
-#include "request_in_flight.hpp"
 
 namespace contactd::engine {
 
@@ -64,80 +63,63 @@ std::string summary(const IcEvidence& evidence) {
 
 }  // namespace
 
-bool IcService::queue_build(const RequestPtr& request) {
-    const std::scoped_lock lock(mutex_);
-    if (stopping_) return false;
-    const std::weak_ptr waiting(request);
-    JobOrigin origin{"build", request->description, [this, waiting] { return users_of(waiting); }};
-    request->job = jobs_.create(std::move(origin), [this, waiting] {
-        if (const RequestPtr known = waiting.lock()) cancel_queued(known);
-    });
-    for (const IcCaller& caller : request->callers) caller.progress(*request->job, request->job->progress());
-    // A build goes on for the cache when its callers have gone.
-    Turn turn = request->callers.empty() ? Turn{} : request->callers.front().turn;
-    turn.abandoned = nullptr;
-    builders_.post(std::move(turn), [this, request] { build(request); });
-    return true;
+IcBuilds::IcBuilds(Settings settings, StoreKeeper& keeper, EngineCounters& counters, const EngineLog& log)
+    : settings_(std::move(settings)),
+      keeper_(keeper),
+      counters_(counters),
+      log_(log),
+      quarantine_(settings_.quarantine),
+      builders_(settings_.concurrent) {}
+
+void IcBuilds::queue(Turn turn, TableBuild build) {
+    builders_.post(std::move(turn), [this, build = std::move(build)] { run(build); });
 }
 
-Status IcService::cancelled_status() {
-    const std::scoped_lock lock(mutex_);
-    return stopping_ ? stop_status_
-                     : failure(StatusCode::cancelled, proto::reason::job_cancelled, "The build was cancelled.");
-}
-
-void IcService::cancel_queued(const RequestPtr& request) {
-    if (request->job->running()) return;  // the builder thread notices by itself
-    ++counters_.builds_cancelled;
-    fail(request, cancelled_status());
-}
-
-void IcService::build(const RequestPtr& request) {
-    Job& job = *request->job;
+void IcBuilds::run(const TableBuild& build) {
+    Job& job = *build.job;
     if (job.cancelled()) return;  // while it was queued; its callers know
     const BuildClock clock(counters_, keeper_.store().folder());
     try {
         job.set_running();
-        TableLock lock(keeper_.store().lock_of(request->key));
-        wait_for_turn(request, lock);
+        TableLock lock(keeper_.store().lock_of(build.key));
+        wait_for_turn(build, lock);
         // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
-        if (auto found = keeper_.find(request->spec)) {
+        if (auto found = keeper_.find(build.spec)) {
             ++counters_.disk_hits;
-            return complete(request, std::make_shared<const IcRecord>(std::move(*found)), "disk");
+            return build.done(std::make_shared<const IcRecord>(std::move(*found)), "disk");
         }
         ++counters_.builds_started;
-        log_.info(std::format("{} starts: key {} extent {} x {}", job.name, request->key, request->spec.nx,
-                              request->spec.ny));
-        auto record = run_build(request, lock);
-        quarantine_.note_success(request->key, request->spec);
+        log_.info(std::format("{} starts: key {} extent {} x {}", job.name, build.key, build.spec.nx, build.spec.ny));
+        auto record = run_builder(build, lock);
+        quarantine_.note_success(build.key, build.spec);
         ++counters_.builds_finished;
         log_.info(std::format("{} finished after {:.2f} s: {}", job.name, clock.seconds(), summary(record->evidence)));
-        complete(request, std::move(record), "built");
+        build.done(std::move(record), "built");
     } catch (const Cancelled&) {
         ++counters_.builds_cancelled;
         log_.info(std::format("{} cancelled", job.name));
-        fail(request, cancelled_status());
+        build.cancelled();
     } catch (const InvalidArgument& error) {  // known before anything was built, and as quickly the next time
-        fail_build(request, status_of(error));
+        fail(build, status_of(error));
     } catch (const BuilderUnusable& error) {
-        fail_build(request, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
+        fail(build, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
     } catch (const BuilderOutOfMemory& error) {
         Status status = failure(StatusCode::resource_exhausted, proto::reason::build_out_of_memory, error.what());
         if (error.field().empty())
-            quarantine_.note_failure(request->key, request->spec, status);
+            quarantine_.note_failure(build.key, build.spec, status);
         else  // known before anything was built, and as quickly the next time
             status.violations.push_back({error.field(), error.what()});
-        fail_build(request, status);
+        fail(build, status);
     } catch (const std::exception& error) {
         const Status status = failure(StatusCode::internal, proto::reason::build_failed, error.what());
-        quarantine_.note_failure(request->key, request->spec, status);
-        fail_build(request, status);
+        quarantine_.note_failure(build.key, build.spec, status);
+        fail(build, status);
     }
 }
 
 /// Waits while somebody else builds a table with this key. Where locks do not work, and when the
 /// holder gives no sign of life any more, the build goes on without: at worst it is done twice.
-void IcService::wait_for_turn(const RequestPtr& request, TableLock& lock) {
+void IcBuilds::wait_for_turn(const TableBuild& build, TableLock& lock) {
     constexpr auto interval = std::chrono::milliseconds(100);
     const auto stall = settings_.command.stall;
     const auto patience = (stall.count() > 0 ? stall : default_patience) + lock_sign_delay;
@@ -145,8 +127,8 @@ void IcService::wait_for_turn(const RequestPtr& request, TableLock& lock) {
     auto changed = std::chrono::steady_clock::now();
     for (bool waited = false;; waited = true) {
         if (lock.try_lock() != TableLock::State::busy) return;
-        if (!waited) report(request, {"waiting", 0, 0, 0});
-        if (request->job->cancelled()) throw Cancelled("The build was cancelled.");
+        if (!waited) build.report({"waiting", 0, 0, 0});
+        if (build.job->cancelled()) throw Cancelled("The build was cancelled.");
         std::this_thread::sleep_for(interval);
         const auto now = std::chrono::steady_clock::now();
         if (const auto latest = lock.sign(); latest != sign) {
@@ -154,14 +136,14 @@ void IcService::wait_for_turn(const RequestPtr& request, TableLock& lock) {
             changed = now;
         }
         if (now - changed < patience) continue;
-        log_.warn(std::format("{} does not wait any longer for whoever holds {}", request->job->name,
-                              keeper_.store().lock_of(request->key).string()));
+        log_.warn(std::format("{} does not wait any longer for whoever holds {}", build.job->name,
+                              keeper_.store().lock_of(build.key).string()));
         return;
     }
 }
 
-IcCache::Record IcService::run_build(const RequestPtr& request, const TableLock& lock) {
-    const auto output = keeper_.store().path_to_write(request->key, request->spec.nx, request->spec.ny);
+StoreKeeper::Record IcBuilds::run_builder(const TableBuild& build, const TableLock& lock) {
+    const auto output = keeper_.store().path_to_write(build.key, build.spec.nx, build.spec.ny);
     auto next_sign = std::chrono::steady_clock::now();
     const auto give_sign = [&] {
         if (std::chrono::steady_clock::now() < next_sign) return;
@@ -169,25 +151,18 @@ IcCache::Record IcService::run_build(const RequestPtr& request, const TableLock&
         lock.give_sign();
     };
     keeper_.store().problem();  // makes a folder that was removed
-    const BuiltTable built = run_builder(
-        settings_.command, request->spec, output, *request->job,
-        [&](const JobProgress& progress) { report(request, progress); }, give_sign);
+    const BuiltTable built =
+        engine::run_builder(settings_.command, build.spec, output, *build.job, build.report, give_sign);
     if (!built.bytes.empty()) return keeper_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);
     auto record = std::make_shared<const IcRecord>(read_ic_file(output));
-    keeper_.note_stored(request->spec, keys_in_flight());
+    keeper_.note_stored(build.spec, build.keys_in_use());
     return record;
 }
 
-void IcService::report(const RequestPtr& request, const JobProgress& progress) {
-    request->job->set_progress(progress);
-    const std::scoped_lock lock(mutex_);
-    for (const IcCaller& caller : request->callers) caller.progress(*request->job, progress);
-}
-
-void IcService::fail_build(const RequestPtr& request, const Status& status) {
+void IcBuilds::fail(const TableBuild& build, const Status& status) {
     ++counters_.builds_failed;
-    log_.error(std::format("{} failed: {}", request->job->name, status.message));
-    fail(request, status);
+    log_.error(std::format("{} failed: {}", build.job->name, status.message));
+    build.failed(status);
 }
 
 }  // namespace contactd::engine

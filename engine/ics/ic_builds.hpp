@@ -1,0 +1,72 @@
+// Tables that have to be built: their turn among the builds of this process and of others, the builder, and what its
+// end means.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contactd/table_lock.hpp"
+#include "engine/ics/build/build_quarantine.hpp"
+#include "engine/ics/build/builder.hpp"
+#include "engine/ics/store/store_keeper.hpp"
+#include "engine/jobs/job.hpp"
+#include "engine/jobs/worker_pool.hpp"
+#include "engine/operation/engine_counters.hpp"
+#include "engine/operation/engine_log.hpp"
+
+namespace contactd::engine {
+
+/// A table that is wanted, and who hears of it. Exactly one of `done`, `failed` and `cancelled` is called, unless the
+/// job is cancelled before the build begins; all are called from the threads of IcBuilds.
+struct TableBuild {
+    IcSpec spec;  ///< dimensionless
+    std::string key;
+    std::shared_ptr<Job> job;
+    std::function<void(const JobProgress&)> report;
+    std::function<void(StoreKeeper::Record, const char* origin)> done;  ///< "built", or "disk" where others built it
+    std::function<void(const proto::Status&)> failed;
+    std::function<void()> cancelled;
+    std::function<std::vector<std::string>()> keys_in_use;  ///< whose tables are not evicted for this one
+};
+
+/// Thread-safe. Failures that may repeat themselves are kept in quarantine.
+class IcBuilds {
+   public:
+    struct Settings {
+        BuilderCommand command;
+        int concurrent = 1;
+        BuildQuarantine::Settings quarantine = {};
+    };
+    /// All three outlive this.
+    IcBuilds(Settings settings, StoreKeeper& keeper, EngineCounters& counters, const EngineLog& log);
+
+    void queue(Turn turn, TableBuild build);
+    /// Waits for running builds, whose jobs were cancelled. Nothing begins afterwards.
+    void stop() { builders_.stop(); }
+
+    BuildQuarantine& quarantine() { return quarantine_; }
+    int waiting() const { return builders_.waiting(); }
+    int running() const { return builders_.running(); }
+
+   private:
+    void run(const TableBuild& build);
+    void wait_for_turn(const TableBuild& build, TableLock& lock);
+    StoreKeeper::Record run_builder(const TableBuild& build, const TableLock& lock);
+    void fail(const TableBuild& build, const proto::Status& status);
+
+    const Settings settings_;
+    StoreKeeper& keeper_;
+    EngineCounters& counters_;
+    const EngineLog& log_;
+    BuildQuarantine quarantine_;
+    WorkerPool builders_;  // last: its threads use everything above
+};
+
+/// A status of a request for a table.
+inline proto::Status failure(proto::StatusCode code, std::string_view reason, std::string message) {
+    return {code, std::move(message), std::string(reason), {}, 0};
+}
+
+}  // namespace contactd::engine
