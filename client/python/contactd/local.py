@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+import copyreg
+import weakref
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,25 +19,41 @@ __all__ = ["local"]
 _OF_DAEMONS = ("endpoint", "security", "methods", "log", "http", "shutdown")
 
 
-@contextmanager
+class _ClientOfItsOwn(Client):
+    """A client that has its daemon to itself, and ends it. Copies in other processes are clients as any others."""
+
+    def __init__(self, daemon: LocalDaemon) -> None:
+        super().__init__(daemon.endpoint)
+        self._end = weakref.finalize(self, daemon.close)
+
+    def close(self) -> None:
+        """Ends the connections and the daemon."""
+        super().close()
+        self._end()
+
+    def __reduce__(self) -> Any:
+        return copyreg.__newobj__, (Client,), self.__getstate__()  # type: ignore[attr-defined]
+
+
 def local(
     program: str | Path | None = None,
     *,
     folder: str | Path | None = None,
     config: Mapping[str, Any] | None = None,
     in_process: bool | None = None,
-) -> Iterator[Client]:
-    """A client that needs no service, whose sessions and tables end with the ``with`` block::
+) -> Client:
+    """A client that needs no service::
 
         with contactd.local() as client:
             solution = client.solve(...)
 
+    Its sessions and tables end with the ``with`` block, or with ``client.close()``, which may be called twice.
     Where the extension contactd_local is installed it solves in this process, and otherwise starts a private daemon: the
     answers are the same, and so are the errors. `in_process` insists on one of the two. Who names the `program` or says
     what only a daemon has in `config` (endpoint, security, methods, log, http, shutdown) gets a daemon.
 
     `program`, `folder` and `config` are those of LocalDaemon. Tables by finite elements are kept in `folder`; without
-    one they go with the block. In process they are built by ``contactd-ic``, as CONTACTD_IC names it, the package
+    one they go with the client. In process they are built by ``contactd-ic``, as CONTACTD_IC names it, the package
     contactd-daemon has it, or PATH finds it, and the log goes to the logger ``contactd.local``.
 
     A client that solves in process belongs to it: it cannot be pickled, and a process that is forked opens its own.
@@ -51,11 +68,8 @@ def local(
     if in_process:
         if not can_solve_here():
             raise DaemonFailed("contactd_local is not installed, which solving in process takes; local() needs it not.")
-        with InProcessClient(folder, config) as client:
-            yield client
-        return
-    with LocalDaemon(program, folder=folder, config=config) as daemon, daemon.client() as client:
-        yield client
+        return InProcessClient(folder, config)
+    return _ClientOfItsOwn(LocalDaemon(program, folder=folder, config=config))
 
 
 def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:

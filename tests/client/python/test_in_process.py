@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import gc  # noqa: F401 - for the programs below
+import gc
 import logging
 import os
 import pickle
@@ -100,6 +100,30 @@ def test_what_only_a_daemon_has_takes_a_daemon(monkeypatch, section):
         pass
     with pytest.raises(TypeError, match=f"config has {section}"), contactd.local(config=config, in_process=True):
         pass
+
+
+@pytest.mark.parametrize("options", [{"program": BIN / "contactd"}, {"in_process": True}], ids=["daemon", "in process"])
+def test_it_is_a_client_that_is_closed_once_or_twice(options):
+    client = contactd.local(**options)
+    assert client.solve(QUICKLY).converged
+    client.close()
+    assert client.is_closed
+    client.close()
+    with pytest.raises(contactd.ContactdError):
+        client.solve(QUICKLY)
+
+
+def test_a_daemon_ends_with_the_client_that_has_it_and_not_with_its_copies():
+    client = contactd.local(BIN / "contactd")
+    with pickle.loads(pickle.dumps(client)) as copy:
+        assert type(copy) is contactd.Client
+        assert copy.solve(QUICKLY).converged
+    assert client.solve(QUICKLY).converged
+    folder = Path(client.endpoint.removeprefix("ipc://")).parent
+    assert folder.exists()
+    del client
+    gc.collect()
+    assert not folder.exists()
 
 
 def test_a_program_that_is_named_is_started():
@@ -357,10 +381,10 @@ def run(program: str, **options) -> subprocess.CompletedProcess[str]:
     "program",
     [
         # a client that nobody closes, with a session and its threads
-        "block = contactd.local(in_process=True); client = block.__enter__()\n"
+        "client = contactd.local(in_process=True)\n"
         "session = client.session(ROLLING); session.step(Fn=4e4)",
         # a thread that still waits
-        "block = contactd.local(in_process=True); client = block.__enter__()\n"
+        "client = contactd.local(in_process=True)\n"
         "threading.Thread(target=lambda: client.solve(ENDLESS), daemon=True).start()\n"
         "while not client.jobs(): time.sleep(0.01)",
         # the end within the block
@@ -389,14 +413,13 @@ def test_a_program_that_is_interrupted_ends(tmp_path):
 
 def test_threads_start_when_they_are_wanted_and_end_with_who_holds_them(tmp_path):
     ended = run(
-        "block = contactd.local(in_process=True)\n"
-        "client = block.__enter__()\n"
+        "client = contactd.local(in_process=True)\n"
         "opened = threads()\n"
         "client.solve(QUICKLY)\n"
         "quick = threads()\n"
         "client.solve(ROLLING)\n"
         "full = threads()\n"
-        "del client, block\n"
+        "del client\n"
         "gc.collect()\n"
         "print(quick - opened, full - quick, threads())",
         cwd=tmp_path,
