@@ -22,6 +22,10 @@ void replay(const std::filesystem::path& path) {
 int main(int argc, char** argv) {
     int replayed = 0;
     for (int n = 1; n < argc; ++n) {
+        if (!std::filesystem::exists(argv[n])) {
+            std::fprintf(stderr, "there is no %s\n", argv[n]);
+            return 1;
+        }
         if (!std::filesystem::is_directory(argv[n])) {
             replay(argv[n]);
             ++replayed;

@@ -263,6 +263,44 @@ def ic_imports() -> Iterator[bytes]:
     yield message_of(prism, **{"spec/section": slab, "transform": [[2, 0, 2, 0, 0, 2]] * 5, "frames": [[0, 0, 0]]})
 
 
+def outlines() -> Iterator[bytes]:
+    """Sections of every shape; outlines of lines, arcs, splines and holes that carry the columns themselves, or do not."""
+
+    def point(y: float, z: float) -> Any:
+        return {"y": y, "z": z}
+
+    def line(y: float, z: float, **more: Any) -> Any:
+        return {"line": {"to": point(y, z)}, **more}
+
+    def arc(y: float, z: float, radius: float, **more: Any) -> Any:
+        return {"arc": {"to": point(y, z), "radius": radius}, **more}
+
+    def hole(y: float, z: float, radius: float) -> Any:
+        return {"start": point(y + radius, z), "parts": [arc(y - radius, z, -radius), arc(y + radius, z, -radius)]}
+
+    below = [line(6, -4), line(-6, -4, held=True), line(-5, 0)]
+    spline = {"spline": {"through": [point(-2, 0.5), point(1, -0.4), point(3, 0.3), point(5, 0)]}}
+    tops = [[line(5, 0)], [arc(5, 0, 13)], [arc(5, 0, -9)], [spline], [line(-1, 0), arc(1, 0, -1.5), line(5, 0)]]
+    outsides = [{"start": point(-5, 0), "parts": [*top, *below]} for top in tops]
+    holes = [hole(-2, -2, 0.8), hole(2, -2.2, 1)]
+    shapes: list[Any] = [{"outline": {"outside": outside, "from": 2}} for outside in outsides]
+    shapes += [{"outline": {"outside": outsides[0], "holes": holes, "from": 2}}]
+    shapes += [{"outline": {"outside": outsides[1], "holes": holes, "carrier": 2, "part": 1, "from": 0.5}}]
+    shapes += [
+        {"rail_60e1": {"from": 5}, "size": 0.2}, {"rail_60e1": {"inclination": 0.025, "support": "foot"}, "size": 0.2},
+        {"rim_s1002": {"thickness": 30}, "size": 0.1}, {"edge_block": {"width": 8, "height": 5, "edge_distance": 0.3}},
+        {"groove": {"radius": 3, "depth": 2, "width": 10, "height": 6}}, {"round_end": {"radius": 2, "length": 3}},
+        {"disc": {"radius": 3, "core": 0.5}}, {"plate_hole": {"radius": 2, "plate_radius": 5}}, {"slab": {"thickness": 1, "width": 9}},
+    ]  # fmt: skip
+    points = [[y, 0.01 * y * y] for y in range(-6, 7, 2)]
+    profiles: list[Any] = [{"points": points, "smoothing_length": 3}, {"points": points}, {"arc": {"radius": 80, "from": -6, "to": 6}}]
+    shapes += [{"profile_section": {"kind": "rail", "profile": profile, "depth": 6}} for profile in profiles]
+    for number, shape in enumerate(shapes):
+        ics = {"source": "fem", "body": "prism", "accuracy": (1e-2, 1e-3, 1e-1)[number % 3], "section": {**shape, "turn": number % 2}}
+        grid = {"nx": 3, "ny": 1 + number % 4, "dx": 0.5, "dy": 0.5}
+        yield message({"material": {"G": 1, "nu": (0.28, 0.45)[number % 2]}, "grid": grid, "ics": ics})
+
+
 def main() -> None:
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -270,6 +308,7 @@ def main() -> None:
     kinds = {
         "request": requests, "session": sessions, "reply": replies, "array": arrays, "config": configurations,
         "ic_file": ic_files, "ic_content": ic_contents, "ic_import": ic_imports, "profile_file": profile_files,
+        "outlines": outlines,
     }  # fmt: skip
     for target, inputs in kinds.items():
         (folder / target).mkdir(exist_ok=True)

@@ -195,9 +195,9 @@ class Division {
         if (stretch.column >= 0) {
             const double by_turn = length * turn_rate(piece, stretch.from + length / 2) / largest_turn;
             const int count = std::max(
-                1,
-                count_of(std::max(0.0, std::ceil(std::max(length * density_.edges_a_column, by_turn) - 1e-6)),
-                         {"section", "turns too much within a column", "edges of elements", "take narrower columns"}));
+                1, count_of(std::max(0.0, std::ceil(std::max(length * density_.edges_a_column, by_turn) - 1e-6)),
+                            {"ics.section", "turns too much within a column", "edges of elements",
+                             "take narrower columns"}));
             for (int i = 0; i <= count; ++i) cuts.push_back(stretch.from + length * i / count);
             return cuts;
         }
@@ -211,7 +211,7 @@ class Division {
             sum.push_back(sum.back() +
                           edges_a_length(piece, (place(step) + place(step + 1)) / 2) * (place(step + 1) - place(step)));
         const int count = std::max(1, count_of(std::max(0.0, std::ceil(sum.back() - 1e-6)),
-                                               {"section", "has an outline that is thin or long for its columns",
+                                               {"ics.section", "has an outline that is thin or long for its columns",
                                                 "edges of elements", "take wider columns, or a thicker section"}));
         int step = 0;
         for (int i = 0; i < count; ++i) {

@@ -48,7 +48,9 @@ Triangulation triangulate(const DividedOutline& outline, const MeshDensity& dens
     std::string problem;
     const SizeField size(outline, density);
     if (!fill(outline, [&](const PlanePoint& at) { return size(at); }, result, problem))
-        throw InvalidArgument("ics.section", "could not be divided into triangles: " + problem);
+        throw InvalidArgument("ics.section", "could not be divided into triangles: " + problem +
+                                                 "; where parts of an outline come close to each other, keep them "
+                                                 "further apart, or take narrower columns");
     if (result.triangles.empty()) throw InvalidArgument("ics.section", "could not be divided into triangles");
     return result;
 }
