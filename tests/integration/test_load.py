@@ -1,9 +1,15 @@
-"""Short versions of ./dev load and ./dev load random: random messages, and good and bad clients at the same time."""
+"""Short versions of ./dev load and ./dev load random: random messages, small and large, and good and bad clients at the same
+time."""
 
 import pytest
 
-from load import load, random_messages
+from contactd.daemon import laid_over
+from load import large_load, load, random_messages
 from load.workload import SMALL
+
+
+def statuses_with(outcome, word):
+    return sum(count for name, count in outcome.statuses.items() if word in name)
 
 
 def test_every_random_message_gets_one_status(daemons):
@@ -14,6 +20,17 @@ def test_every_random_message_gets_one_status(daemons):
     assert outcome.statuses["INVALID_ARGUMENT ARRAY_INVALID"] > 10
     growth = outcome.memory[-1] - outcome.memory[len(outcome.memory) // 2]
     assert growth < 20 << 20, f"memory grew by {growth} bytes in the second half"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(180)
+def test_random_messages_with_large_grids_keep_a_daemon_within_its_bounds(daemons):
+    less = {"limits": {"max_work_bytes": 1 << 30}}
+    daemon = daemons.start(**laid_over(large_load.CONFIG, less))
+    report = large_load.run(daemon, seconds=15, seed=20, at_least=300)
+    assert report.problems(own=True) == [], "\n".join(report.lines())
+    assert statuses_with(report.outcome, "OK") > 20
+    assert statuses_with(report.outcome, "DEADLINE_PASSED") > 5
 
 
 @pytest.mark.parametrize("endpoint", ["tcp://127.0.0.1:*", None], ids=["tcp", "ipc"])

@@ -17,7 +17,6 @@ ODD_VALUES: list[Any] = [
 ]  # fmt: skip
 ODD_FRAMES = [b"", b"\0", b"x" * 7, struct.pack("<d", float("nan")), struct.pack("<d", float("inf")), b"\xff" * 800, bytes(5000)]
 MAX_DEPTH = 8
-MAX_BYTES = 100_000
 SESSION_GRID = (3, 2)
 #: What a session is opened with so that steps and states have one to go to.
 SESSION: dict[str, Any] = {
@@ -40,7 +39,11 @@ class Message:
 
 
 class Messages:
-    """`document` is what server.describe returned."""
+    """`document` is what server.describe returned. Grids have up to 36 elements."""
+
+    # Twice max_frame_bytes costs a sender its connection, which is another test.
+    max_bytes = 100_000
+    timeouts_ms = (1, 50, 200, 1000)
 
     def __init__(self, document: dict[str, Any], seed: int) -> None:
         self._schemas = document["components"]["schemas"]
@@ -56,32 +59,40 @@ class Messages:
         """A request whose id is `name` unless the damage took it."""
         while True:
             message = self._next(name)
-            # Twice max_frame_bytes costs a sender its connection, which is another test.
-            if max(map(len, [message.text, *message.frames])) <= MAX_BYTES:
+            if max(map(len, [message.text, *message.frames])) <= self.max_bytes:
                 return message
 
     def _next(self, name: str) -> Message:
         choose = self._random
-        self._grid = (choose.randint(1, 6), choose.randint(1, 6))
+        self._grid = self._random_grid()
         self._frames = []
         method = choose.choice(self.methods)
         if method == "session.step" and choose.random() < 0.8:
             self._grid = SESSION_GRID
-        params = self.value({"$ref": f"#/components/schemas/{method}.params"})
+        params = self._params(method)
         envelope = {"contactd": 1, "id": name, "method": method, "params": params}
         if choose.random() < 0.3:
             envelope["arrays"] = choose.choice(["frame", "list"])
         # A deadline, since small problems can take long, too: transient rolling of 100,000 steps.
-        envelope["timeout_ms"] = choose.choice([1, 50, 200, 1000])
+        envelope["timeout_ms"] = choose.choice(self.timeouts_ms)
         frames = self._frames
-        for _ in range(choose.choice([0, 0, 1, 1, 2, 4])):
-            self.damage(envelope)
+        self._damage_some(envelope)
         if choose.random() < 0.15:
             self._damage_frames(frames)
         text = json.dumps(envelope, ensure_ascii=choose.random() < 0.5).encode("utf-8", "surrogatepass")
         if choose.random() < 0.1:
             text = self._damaged_text(text)
         return Message(text, frames)
+
+    def _damage_some(self, envelope: dict[str, Any]) -> None:
+        for _ in range(self._random.choice([0, 0, 1, 1, 2, 4])):
+            self.damage(envelope)
+
+    def _random_grid(self) -> tuple[int, int]:
+        return self._random.randint(1, 6), self._random.randint(1, 6)
+
+    def _params(self, method: str) -> Any:
+        return self.value({"$ref": f"#/components/schemas/{method}.params"})
 
     # --- from the schemas ---------------------------------------------------------------------------------------------
 

@@ -1,0 +1,119 @@
+"""How random messages are sent and their answers taken: exactly one status for each, with its id, and no defect shows."""
+
+from __future__ import annotations
+
+import collections
+import json
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+import zmq
+
+from contactd.daemon import LocalDaemon
+from load.messages import SESSION, Message
+
+PATIENCE_MS = 60_000
+
+
+class Wrong(AssertionError):
+    """What a message did that it must not; names the message."""
+
+
+@dataclass
+class Outcome:
+    statuses: collections.Counter[str] = field(default_factory=collections.Counter)
+    memory: list[int] = field(default_factory=list)
+    slowest: float = 0.0
+
+
+@contextmanager
+def connected(daemon: LocalDaemon, kind: int) -> Iterator[zmq.Socket[bytes]]:
+    with zmq.Context() as context, context.socket(kind) as socket:
+        socket.linger = 0
+        socket.connect(daemon.endpoint)
+        yield socket
+
+
+def reply(socket: zmq.Socket[bytes], about: object) -> dict[str, Any]:
+    """The next reply; progress is passed over."""
+    while True:
+        if not socket.poll(PATIENCE_MS):
+            raise Wrong(f"no answer within {PATIENCE_MS / 1000:g} s to {about}")
+        parts = socket.recv_multipart()
+        # A DEALER whose envelope was empty, with frames behind it, looks like a REQ and is answered like one.
+        envelope = json.loads(parts[0] or parts[1])
+        if "progress" not in envelope:
+            return envelope
+
+
+def finite(number: str) -> float:
+    """Refuses what no double holds, as the daemon does; NaN and Infinity, too."""
+    if not math.isfinite(value := float(number)):
+        raise ValueError(number)
+    return value
+
+
+def readable_id(message: Message) -> str | None:
+    """The id that every JSON parser would find; None where they may differ."""
+    try:
+        envelope = json.loads(message.text.decode(), parse_float=finite, parse_int=finite, parse_constant=finite)
+    except (ValueError, RecursionError):
+        return None
+    found = envelope.get("id") if isinstance(envelope, dict) else None
+    return found if isinstance(found, str) and 0 < len(found) <= 128 and found.isascii() else None
+
+
+def take(envelope: dict[str, Any], outcome: Outcome) -> str | None:
+    status = envelope["status"]
+    reason = status.get("details", {}).get("reason", "")
+    outcome.statuses[f"{status['name']} {reason}".strip()] += 1
+    if reason == "UNEXPECTED":
+        raise Wrong(f"a defect shows: {status['message']}")
+    if status["code"] != 0 and not (reason and status["message"]):
+        raise Wrong(f"a status without reason or message: {status}")
+    return envelope["id"]
+
+
+def by_dealer(socket: zmq.Socket[bytes], batch: list[Message], outcome: Outcome) -> None:
+    """All at once; as many replies as messages, and every readable id as often as it was sent."""
+    for message in batch:
+        socket.send_multipart([message.text, *message.frames])
+    ids: collections.Counter[str | None] = collections.Counter()
+    for _ in batch:
+        missing = [str(message) for message in batch if not ids[readable_id(message)]]
+        ids[take(reply(socket, "\n".join(missing)), outcome)] += 1
+    sent = collections.Counter(map(readable_id, batch))  # damage may give two messages the same
+    for message in batch:
+        name = readable_id(message)
+        if name is not None and ids[name] != sent[name]:
+            raise Wrong(f"{ids[name]} replies to {message}")
+
+
+def by_req(socket: zmq.Socket[bytes], message: Message, outcome: Outcome) -> None:
+    socket.send_multipart([message.text, *message.frames])
+    name, wanted = take(reply(socket, message), outcome), readable_id(message)
+    if wanted is not None and name != wanted:
+        raise Wrong(f"id {name!r} in the reply to {message}")
+
+
+def expect_silence(socket: zmq.Socket[bytes]) -> None:
+    """Messages of one client are answered in any order, but health asked last shows that nothing else is on its way."""
+    socket.send(json.dumps({"contactd": 1, "id": "last", "method": "server.health"}).encode())
+    if (name := reply(socket, "server.health")["id"]) != "last":
+        raise Wrong(f"a second reply to {name!r}")
+
+
+def describe(socket: zmq.Socket[bytes]) -> dict[str, Any]:
+    """What server.describe returns."""
+    socket.send(json.dumps({"contactd": 1, "id": "d", "method": "server.describe"}).encode())
+    found: dict[str, Any] = reply(socket, "server.describe")["result"]
+    return found
+
+
+def open_session(socket: zmq.Socket[bytes]) -> str:
+    """Its name; empty where the daemon has no room for it."""
+    socket.send(json.dumps({"contactd": 1, "id": "s", "method": "session.open", "params": SESSION}).encode())
+    return str(reply(socket, "session.open").get("result", {"session": ""})["session"])
