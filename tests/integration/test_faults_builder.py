@@ -71,7 +71,7 @@ def test_a_builder_that_never_says_a_word_is_ended(daemons):
 
 
 def test_what_a_builder_refuses_is_the_clients_mistake_and_not_put_into_quarantine(daemons):
-    refusal = '{"error": {"field": "ics.section", "message": "ics.section curves too much", "kind": "invalid_argument"}}'
+    refusal = '{"error": {"field": "ics.section", "message": "ics.section curves too much", "problem": "curves too much", "kind": "invalid_argument"}}'
     program = script(daemons.folder, f"echo '{refusal}'; exit 2")
     with daemons.start(builds={"program": str(program)}).client() as client:
         for _ in range(3):

@@ -49,4 +49,6 @@ def test_a_store_that_cannot_be_written_to_is_said_at_the_start(daemons):
     daemon = daemons.start(store={"folder": "/proc/self"})
     with daemon.client() as client:
         (warning,) = client.call("server.health")["warnings"]
-    assert "/proc/self cannot be written to" in warning
+    assert "folder cannot be written to" in warning
+    assert "/proc/self" in daemon.log, "the log says where, and nobody else"
+    assert "/proc/self" not in warning

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copyreg
 import weakref
 from collections.abc import Mapping
 from pathlib import Path
@@ -32,7 +31,11 @@ class _ClientOfItsOwn(Client):
         self._end()
 
     def __reduce__(self) -> Any:
-        return copyreg.__newobj__, (Client,), self.__getstate__()  # type: ignore[attr-defined]
+        return _client_like, (self.__getstate__(),)
+
+
+def _client_like(state: dict[str, Any]) -> Client:
+    return Client(**state)
 
 
 def local(

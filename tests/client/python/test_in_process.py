@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import gc
+import gc  # noqa: F401 - for the programs below
 import logging
 import os
 import pickle
@@ -121,8 +121,7 @@ def test_a_daemon_ends_with_the_client_that_has_it_and_not_with_its_copies():
     assert client.solve(QUICKLY).converged
     folder = Path(client.endpoint.removeprefix("ipc://")).parent
     assert folder.exists()
-    del client
-    gc.collect()
+    client.close()
     assert not folder.exists()
 
 
