@@ -28,7 +28,8 @@ def test_random_messages_with_large_grids_keep_a_daemon_within_its_bounds(daemon
     less = {"limits": {"max_work_bytes": 1 << 30}}
     daemon = daemons.start(**laid_over(large_load.CONFIG, less))
     report = large_load.run(daemon, seconds=15, seed=20, at_least=300)
-    assert report.problems(own=True) == [], "\n".join(report.lines())
+    assert report.watched.most <= report.bound, "\n".join(report.lines())
+    assert len(report.watched.latencies_ms) > 100, "health is not answered meanwhile"
     assert statuses_with(report.outcome, "OK") > 20
     assert statuses_with(report.outcome, "DEADLINE_PASSED") > 5
 
