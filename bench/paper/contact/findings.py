@@ -13,6 +13,7 @@ FUNCTIONS = (
     findings_compared.finest_grid,
     findings_compared.all_grids,
     findings_tangential.reference,
+    findings_tangential.share_of_bound,
     findings_tangential.against_L,
     findings_tangential.analytic,
     sources.sources,

@@ -10,7 +10,10 @@ from ..finding import Found, Rows
 from ..rows import select
 from .cases import CHOSEN_L, COMPARED_GRIDS, FINEST, GRIDS
 from .finding import NAMES, error, falls, falls_then_rises, listed, on, signed, size
-from .problem import CATTANEO_FX, FX, WINDOW
+from .problem import CATTANEO_FX, FX, MU, WINDOW
+
+#: Section 4.2: the shift is the one of this Fx over mu Fz, at which Cattaneo's adhesion area has half the radius.
+SHARE_OF_BOUND = 7 / 8
 
 
 def reference(rows: Rows) -> Found:
@@ -33,6 +36,20 @@ def reference(rows: Rows) -> Found:
         "cattaneo": f"{CATTANEO_FX:.4f}",
     }
     return values, {"limit_agrees": round(limits[-1], 4) == FX}
+
+
+def share_of_bound(rows: Rows) -> Found:
+    """Fx over mu Fz, with closed-form coefficients."""
+    points = [on(rows["fig14"], "analytic", n) for n in reversed(COMPARED_GRIDS)]
+    shares = [float(row["Fx"] / (MU * row["Fz"])) for row in points]
+    planar = on(rows["sources"], "analytic, no xy", FINEST)
+    values = {
+        "share_list": ", ".join(f"{share:.4f}" for share in shares),
+        "share": f"{shares[-1]:.4f}",
+        "share_off": signed(shares[-1] / SHARE_OF_BOUND - 1),
+        "share_planar_off": signed(planar["Fx"] / (MU * planar["Fz"]) / SHARE_OF_BOUND - 1),
+    }
+    return values, {"share_of_bound": abs(shares[-1] / SHARE_OF_BOUND - 1) < 2e-3}
 
 
 def against_L(rows: Rows) -> Found:
