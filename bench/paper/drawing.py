@@ -32,9 +32,11 @@ class Look:
     line: str = "-"
 
 
-def new_figure(panels: int, width: float = 5.2, height: float = 4.4) -> tuple[Any, list[Any]]:
-    figure, axes = plt.subplots(1, panels, figsize=(width * panels, height), layout="constrained", squeeze=False)
-    return figure, list(axes[0])
+def new_figure(panels: int, width: float = 5.2, height: float = 4.4, rows: int = 1) -> tuple[Any, list[Any]]:
+    """`panels` in each row; their axes row by row. Width and height are those of one panel (inches)."""
+    size = (width * panels, height * rows)
+    figure, axes = plt.subplots(rows, panels, figsize=size, layout="constrained", squeeze=False)
+    return figure, list(axes.flat)
 
 
 def save(figure: Any, path: Path) -> None:

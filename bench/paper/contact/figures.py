@@ -118,6 +118,19 @@ fig10 = _against_L("Figure 10: normal problem, constant load on hexahedron Mesh1
 fig11 = _against_L("Figure 11: normal problem, constant load on prismatic Mesh2")
 
 
+def bilinear(rows: Sequence[Row], path: Path) -> None:
+    """What the paper omits: a row of panels as figure 10 and one as figure 11."""
+    figure, panels = new_figure(3, height=4.5, rows=2)
+    meshes = {"mesh1": "hexahedron Mesh1", "mesh2": "prismatic Mesh2"}
+    for number, (mesh, words) in enumerate(meshes.items()):
+        looks = {f"{mesh} {curve}": look for curve, look in GRIDS.items()}
+        for axes, quantity in zip(panels[3 * number :], NORMAL):
+            _panel(axes, rows, looks, quantity, f"{NAMES[quantity]}, {words}")
+    _legend(figure, GRIDS)
+    figure.suptitle("Normal problem, bilinear load", fontsize=12)
+    save(figure, path)
+
+
 def fig12(rows: Sequence[Row], path: Path) -> None:
     figure, panels = new_figure(3, height=5.2)
     for letter, axes, quantity in zip("abc", panels, NORMAL):

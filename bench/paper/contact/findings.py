@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from ..finding import Found, Rows, merge
-from . import findings_compared, findings_normal, findings_tangential, sources
+from . import findings_bilinear, findings_compared, findings_normal, findings_tangential, sources
 
 FUNCTIONS = (
     findings_normal.analytic,
     findings_normal.mesh1,
+    findings_normal.larger_blocks,
     findings_normal.mesh2,
-    findings_normal.bilinear,
+    findings_bilinear.bilinear,
     findings_compared.finest_grid,
     findings_compared.all_grids,
     findings_tangential.reference,

@@ -9,7 +9,7 @@ import numpy as np
 from ..finding import Found, Rows, at, percent
 from ..rows import Row, select
 from .cases import CHOSEN_L, FINEST, LENGTHS
-from .finding import NAMES, error, falls, falls_then_rises, listed, signed, size, turning
+from .finding import NAMES, error, falls, falls_then_rises, listed, size, turning
 from .problem import AREA, WINDOW
 
 
@@ -76,6 +76,36 @@ def mesh1(rows: Rows) -> Found:
     return values, verdicts
 
 
+def larger_blocks(rows: Rows) -> Found:
+    """Mesh1 with L beyond the paper's, and which of all L has the smallest error."""
+    quantities = ("Fz", "pmax", "area", "Fx")
+    curves = {name + way: [*select(rows["fig10"], curve=name + way), *select(rows["larger"], curve=name + way)]
+              for name in NAMES for way in ("", ", fem")}  # fmt: skip
+
+    def best(name: str, quantity: str) -> float:
+        return float(min(curves[name], key=lambda row: size(row, quantity))["L"])
+
+    beyond = {name: points[LENGTHS.index(1024) :] for name, points in curves.items()}
+    smallest = {(name, quantity): best(name, quantity) for name in curves for quantity in quantities}
+    fine, fine_function = NAMES[0], NAMES[0] + ", fem"
+    values = {
+        "largest_L": f"{curves[fine][-1]['L']:.0f}",
+        **{f"beyond_{quantity}": listed(beyond[fine], quantity) for quantity in quantities},
+        **{f"beyond_{quantity}_fem": listed(beyond[fine_function], quantity) for quantity in quantities},
+        **{f"best_{quantity}": ", ".join(f"{smallest[name, quantity]:.0f}" for name in NAMES)
+           for quantity in quantities},
+    }  # fmt: skip
+    verdicts = {
+        "larger_is_better": all(L == curves[name][-1]["L"] for (name, _), L in smallest.items() if name in NAMES),
+        "larger_is_better_fem": all(
+            L == curves[name][-1]["L"]
+            for (name, quantity), L in smallest.items() if name not in NAMES and quantity in ("Fz", "Fx")
+        ),
+        "pmax_rises_beyond": all(size(b, "pmax") > size(a, "pmax") for a, b in zip(beyond[fine], beyond[fine][1:])),
+    }  # fmt: skip
+    return values, verdicts
+
+
 def mesh2(rows: Rows) -> Found:
     read = _curves(rows, "fig11")
     fine, middle, coarse = (read[name] for name in NAMES)
@@ -109,22 +139,3 @@ def mesh2(rows: Rows) -> Found:
         "mesh2_lacks": any(len(points) < len(LENGTHS) for points in (fine, middle)),
     }
     return values, verdicts
-
-
-def bilinear(rows: Rows) -> Found:
-    differences: dict[str, float] = {}
-    for quantity in ("Fz", "Fx"):
-        for mesh, part in (("mesh1", "fig10"), ("mesh2", "fig11")):
-            tents = [row for name in NAMES[:2] for row in select(rows["bilinear"], curve=f"{mesh} {name}")]
-            flat = [at(rows[part], row["curve"].split()[1], row["L"]) for row in tents]
-            differences[f"bilinear_{mesh}_{quantity}"] = max(
-                abs(error(a, quantity) - error(b, quantity)) for a, b in zip(tents, flat, strict=True)
-            )
-    coarse = {mesh: select(rows["bilinear"], curve=f"{mesh} 10x10")[-1] for mesh in ("mesh1", "mesh2")}
-    values = {
-        **{name: percent(value) for name, value in differences.items()},
-        **{f"bilinear_10_{mesh}": signed(error(row, "Fz")) for mesh, row in coarse.items()},
-        **{f"constant_10_{mesh}": signed(error(at(rows[part], "10x10", coarse[mesh]["L"]), "Fz"))
-           for mesh, part in (("mesh1", "fig10"), ("mesh2", "fig11"))},
-    }  # fmt: skip
-    return values, {"bilinear_similar": max(differences.values()) < 2e-3}

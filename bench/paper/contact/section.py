@@ -44,7 +44,7 @@ SECTION = Section(
     row=row,
     pictures={
         "fig9": figures.fig9, "fig10": figures.fig10, "fig11": figures.fig11,
-        "fig12": figures.fig12, "fig13": figures.fig13, "fig14": figures.fig14,
+        "bilinear": figures.bilinear, "fig12": figures.fig12, "fig13": figures.fig13, "fig14": figures.fig14,
     },
     find=find,
     efforts=efforts,

@@ -27,7 +27,7 @@ DEFAULTS: Ics = {"mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 
 class Case:
     """One point of one curve. `table` is the extent over which its largest error is taken: table x table offsets."""
 
-    part: str  #: fig5, fig6, fig7, fig8, table3, checks, accuracy or adaptive
+    part: str  #: a key of PARTS
     curve: str
     parameter: str  #: what changes along the curve
     value: float
@@ -88,6 +88,39 @@ def fig8() -> list[Case]:
         spec = clamped("prism", "test2", L / H, diagonal="across")
         result.append(Case("fig8", "test2, across", "L", L, 10, spec))
     return result
+
+
+def orders() -> list[Case]:
+    """Figure 5 on Mesh2: linear elements of all tests, and the quadratic ones of the test that the paper takes, from the
+    L/h on that Table 3 recommends."""
+    linear = [
+        Case("orders", f"{test}, linear", "L", L, 10, clamped("prism", test, L / H, order=1))
+        for test in TESTS
+        for L in LENGTHS[3:]
+    ]
+    quadratic = [
+        Case("orders", "test2, quadratic", "L", L, 10, clamped("prism", "test2", L / H)) for L in LENGTHS[3:]
+    ]
+    return linear + quadratic
+
+
+def mesh2_grids() -> list[Case]:
+    """Figure 7 on Mesh2: TEST 2 for finer contact grids."""
+    return [
+        Case("mesh2_grids", f"{n}x{n}", "L", L, n, clamped("prism", "test2", L * n / 8), 8 / n)
+        for n in GRIDS[1:]
+        for L in LENGTHS
+    ]
+
+
+def components() -> list[Case]:
+    """Costs of the load directions, where Table 3 recommends its meshes."""
+    return [
+        Case("components", mesh, "L", L, 10, clamped(mesh, OPTIMAL[mesh], L / H))
+        for mesh in OPTIMAL
+        for L in LENGTHS
+        if L / H >= SCANNED_L_OVER_H[0]
+    ]
 
 
 #: Table 3 is scanned one parameter at a time around the test that the paper calls optimal.
@@ -211,9 +244,54 @@ def adaptive() -> list[Case]:
     return result
 
 
+#: Incomplete factorisations, and the order of the equations, which decides what they are worth.
+FACTORISATIONS: dict[str, dict[str, Any]] = {
+    "ILU(0), shell by shell": {"preconditioner": "ilu0", "numbering": "outward"},
+    "ILU(0), reverse Cuthill-McKee": {"preconditioner": "ilu0", "numbering": "rcm"},
+    "ILU(0), MFEM's numbers": {"preconditioner": "ilu0", "numbering": "mfem"},
+    "ILU(0), MFEM's numbers, condensed": {"preconditioner": "ilu0", "numbering": "mfem", "condensed": 1},
+    "IC, shell by shell": {"preconditioner": "ic", "numbering": "outward"},
+}
+#: The one that is solved for all meshes of figures 6 and 7.
+PLAIN = "ILU(0), shell by shell"
+
+
+def incomplete() -> list[Case]:
+    """TEST 3 with the paper's kind of solver, bench/block_system.cpp."""
+    result = []
+    ratios = sorted({L / h for L in LENGTHS for h in (8 / n for n in GRIDS)})
+    for curve, options in FACTORISATIONS.items():
+        for ratio in ratios if curve == PLAIN else [L / H for L in LENGTHS[4:]]:
+            spec = {"solve": {"preset": "paper-test3", "L_over_h": ratio, **options}}
+            result.append(Case("incomplete", curve, "L", ratio * H, 1, spec))
+    return result
+
+
+#: Linear prisms of TEST 2 in a block so small that the whole of it can be solved densely.
+SMALL_QUARTER: Spec = {"preset": "paper-mesh2-test2", "L_over_h": 4, "h_over_hs": 2, "order": 1}
+COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
+
+
+def table1() -> list[Case]:
+    """The conditions of Table 1, for each of the nine coefficients."""
+    spec = spec_of(2, **SMALL_QUARTER, solver="direct")
+    spec = {**spec, "whole_block": SMALL_QUARTER}
+    return [Case("table1", name, "component", number, 2, spec) for number, name in enumerate(COMPONENTS)]
+
+
+def meshes() -> list[Case]:
+    """Figure 4: the faces of Mesh1 and Mesh2 that can be seen."""
+    return [
+        Case("meshes", mesh, "L", 8, 1, {"mesh": {"preset": preset(mesh, "test2"), "L_over_h": 10}})
+        for mesh in OPTIMAL
+    ]
+
+
 #: In the order of computation: what may be slow comes late.
 PARTS = {
     "fig5": fig5, "fig6": fig6, "fig7": fig7, "fig8": fig8,
+    "meshes": meshes, "table1": table1, "incomplete": incomplete,
+    "orders": orders, "mesh2_grids": mesh2_grids, "components": components,
     "checks": checks, "table3": table3, "accuracy": accuracy, "adaptive": adaptive,
 }  # fmt: skip
 
@@ -243,6 +321,10 @@ def elements(ics: Ics) -> int:
 
 def effort(spec: Spec) -> float:
     """A guess of the CPU seconds of a build, for the time left."""
+    if "mesh" in spec:
+        return 0.2
+    if "solve" in spec:
+        return 5
     ics = spec["ics"]
     if "accuracy" in ics:
         return {1e-2: 0.3, 1e-3: 1, 1e-4: 6}.get(ics["accuracy"], 1)

@@ -30,6 +30,10 @@ FIG6 = {"test2": Look("TEST 2", RED, "s"), "test3": Look("TEST 3", BLUE, "o")}
 FIG7 = {
     "20x20": Look("20 × 20", RED, "o"), "40x40": Look("40 × 40", BLUE, "s"), "80x80": Look("80 × 80", INK, "*"),
 }  # fmt: skip
+ORDERS = {
+    "test1, linear": Look("linear, TEST 1", GREEN, "^"), "test2, linear": Look("linear, TEST 2", RED, "s"),
+    "test3, linear": Look("linear, TEST 3", ORANGE, "D"), "test2, quadratic": Look("quadratic, TEST 2", BLUE, "o"),
+}  # fmt: skip
 FIG8 = {
     "test1": Look("TEST 1", GREEN, "^"), "test2": Look("TEST 2", RED, "s"), "test3": Look("TEST 3", BLUE, "o"),
     "test2, across": Look("TEST 2, other diagonals", ORANGE, "D", "--"),
@@ -110,3 +114,15 @@ def fig7(rows: Sequence[Row], path: Path) -> None:
 def fig8(rows: Sequence[Row], path: Path) -> None:
     what = "Figure 8: prismatic Mesh2, 10 × 10 contact grid"
     _three_panels(rows, path, FIG8, what, log=True)
+
+
+def orders(rows: Sequence[Row], path: Path) -> None:
+    figure, (axes,) = new_figure(1, 8.0, 5.0)
+    _errors(axes, rows, ORDERS, "Linear and quadratic elements on prismatic Mesh2")
+    _legend(figure, ORDERS)
+    save(figure, path)
+
+
+def mesh2_grids(rows: Sequence[Row], path: Path) -> None:
+    what = "TEST 2 on prismatic Mesh2, finer contact grids on the same area"
+    _three_panels(rows, path, FIG7, what, log=True)

@@ -6,7 +6,7 @@ Every function takes the rows of all parts and gives (values, verdicts); a verdi
 from __future__ import annotations
 
 from ..finding import Found, Rows, merge
-from . import findings_mesh1, findings_mesh2, tables
+from . import findings_discussion, findings_mesh1, findings_mesh2, findings_solver, tables
 
 FUNCTIONS = (
     findings_mesh1.elements_and_origin,
@@ -14,9 +14,14 @@ FUNCTIONS = (
     findings_mesh1.tests_of_mesh1,
     findings_mesh1.cost,
     findings_mesh1.finer_grids,
+    findings_solver.incomplete,
+    findings_solver.table1,
     findings_mesh2.mesh2,
-    findings_mesh2.table3,
-    findings_mesh2.other_conclusions,
+    findings_discussion.table3,
+    findings_discussion.orders,
+    findings_discussion.finer_grids,
+    findings_discussion.components,
+    findings_discussion.other_conclusions,
     tables.beyond,
 )
 

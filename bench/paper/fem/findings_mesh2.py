@@ -1,13 +1,10 @@
-"""Sections 3.3 and 3.4 of the paper with our numbers. Functions as in findings.py."""
+"""Section 3.3 of the paper with our numbers. Functions as in findings.py."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from ..finding import Found, Rows, at, number, percent
-from ..rows import Row, select
-from . import tables
-from .finding import NEGLIGIBLE, TARGET, first_within, origin, ratio_text, signed
+from ..rows import select
+from .finding import NEGLIGIBLE, first_within, origin, ratio_text, signed
 
 
 def mesh2(rows: Rows) -> Found:
@@ -54,73 +51,5 @@ def mesh2(rows: Rows) -> Found:
         "mesh2_ill_conditioned": solvers > 0.1 * abs(outward[-1]["origin_zz"]),
         "mesh2_stable_from_160": abs(outward[0]["origin_zz"] - outward[-1]["origin_zz"]) < NEGLIGIBLE,
         "mesh1_stable_from_640": abs(mesh1[2]["origin_zz"] - mesh1[3]["origin_zz"]) < NEGLIGIBLE,
-    }
-    return values, verdicts
-
-
-def table3(rows: Rows) -> Found:
-    scans = rows["table3"]
-
-    def inside(mesh: str, parameter: str, holds: Callable[[float], bool]) -> list[Row]:
-        return [row for row in scans if row["curve"].startswith(f"{mesh},") and row["parameter"] == parameter
-                and holds(row["value"])]  # fmt: skip
-
-    recommended = [
-        *(row for mesh in ("hex", "prism") for row in select(scans, curve=mesh) if row["value"] >= 79),
-        *(row for mesh in ("hex", "prism") for row in inside(mesh, "l_over_h", lambda size: 1 <= size <= 1.25)),
-        *(row for mesh in ("hex", "prism") for row in inside(mesh, "h_over_hs", lambda r: r >= 4)),
-        *inside("hex", "f", lambda f: f <= 1.5),
-        *inside("prism", "f", lambda f: 1.5 <= f <= 2),
-    ]
-
-    def coarse(L_over_h: int) -> dict[str, Row]:
-        points = select(scans, curve=f"hex, L/h = {L_over_h}")
-        return {
-            "f2": select(points, parameter="f", value=2)[0],
-            "f25": select(points, parameter="f", value=2.5)[0],
-            "l": select(points, parameter="l_over_h", value=0.5)[0],
-        }
-
-    near, wide = coarse(80), coarse(640)
-    values = {
-        "ranges_table": tables.ranges_table(scans),
-        "recommended_worst": percent(max(map(origin, recommended))),
-        **{f"coarse_{name}_80": percent(origin(row)) for name, row in near.items()},
-        **{f"coarse_{name}_640": percent(origin(row)) for name, row in wide.items()},
-    }
-    verdicts = {
-        "table3_ranges": all(origin(row) < TARGET for row in recommended),
-        "coarse_unsatisfactory": any(origin(row) > TARGET for row in near.values()),
-    }
-    return values, verdicts
-
-
-def other_conclusions(rows: Rows) -> Found:
-    checks = rows["checks"]
-    three = at(rows["fig6"], "test3", 1024)
-    bilinear = at(checks, "test3, bilinear", 1024)
-    prism, prism_bilinear = at(rows["fig8"], "test2", 128), at(checks, "mesh2 test2, bilinear", 128)
-    fem = at(checks, "test2, half_space, fem", 64)
-    vertices, nodes = (at(checks, f"test2, half_space, {name}", 64) for name in ("linear", "linear_nodes"))
-    values = {
-        "xx_1024": percent(three["origin_xx"]),
-        "xx_1024_largest": percent(three["largest_xx"]),
-        "xy_1024": percent(three["scaled_xy"]),
-        "bilinear_1024": percent(origin(bilinear)),
-        "bilinear_xx_1024": percent(bilinear["origin_xx"]),
-        "bilinear_1024_largest": percent(bilinear["largest_zz"]),
-        "prism_128": percent(origin(prism)),
-        "prism_bilinear_128": percent(origin(prism_bilinear)),
-        "sampled_fem": percent(fem["largest_zz"]),
-        "sampled_vertices": percent(vertices["largest_zz"]),
-        "sampled_nodes": percent(nodes["largest_zz"]),
-        "sampled_fem_xy": percent(fem["scaled_xy"]),
-        "sampled_vertices_xy": percent(vertices["scaled_xy"]),
-        "sampled_nodes_xy": percent(nodes["scaled_xy"]),
-    }
-    verdicts = {
-        "other_components": max(abs(three["origin_xx"]), abs(three["origin_yy"]), three["scaled_xy"]) < TARGET,
-        "bilinear_similar": max(origin(bilinear), abs(bilinear["origin_xx"]), origin(prism_bilinear)) < TARGET,
-        "linear_interpolation_harmless": vertices["largest_zz"] < 2 * fem["largest_zz"],
     }
     return values, verdicts

@@ -1,4 +1,4 @@
-"""One computation: contactd-ic as a child process, its CPU time, and the errors of its table."""
+"""One computation: contactd-ic as a child process, its CPU time, and the errors of its table; or a program beside it."""
 
 from __future__ import annotations
 
@@ -14,12 +14,31 @@ import numpy.typing as npt
 
 from contactd import load_table
 
-from ..section import ComputationFailed
+from ..section import ComputationFailed, Measure
+from . import block_system, full_model
 from .cases import GRIDS, STEEL, Spec
 
 Array = npt.NDArray[np.float64]
 _AXES = {"x": 0, "y": 1, "z": 2}
 _NOT_CONVERGED = 3  # exit status of contactd-ic
+
+
+def measure_with(programs: Path) -> Measure:
+    """Of a request for a table; or for a `solve` of a system, a `mesh`, or the comparison with a `whole_block`."""
+    builder = Builder(programs / "contactd-ic")
+
+    def measure(spec: Spec) -> dict[str, Any]:
+        if "solve" in spec:
+            return block_system.solve(programs, spec["solve"])
+        if "mesh" in spec:
+            return block_system.faces_to_draw(block_system.mesh(programs, spec["mesh"]))
+        if "whole_block" in spec:
+            quarter = block_system.mesh(programs, spec["whole_block"])
+            table = builder.table({name: spec[name] for name in ("material", "grid", "ics")})
+            return full_model.compare(quarter, table, spec["material"]["nu"])
+        return builder.measure(spec)
+
+    return measure
 
 
 class Builder:
@@ -43,6 +62,7 @@ class Builder:
             "dofs": evidence["dofs"],
             "solver": evidence.get("solver", ""),
             "iterations": {case["load"]: case["iterations"] for case in evidence["load_cases"]},
+            "load_seconds": {case["load"]: case["seconds"] for case in evidence["load_cases"]},
             "seconds": evidence["seconds"],
             "cpu_seconds": usage.ru_utime + usage.ru_stime,
             "memory_mib": usage.ru_maxrss / 1024,
@@ -50,15 +70,20 @@ class Builder:
             "errors": {str(n): errors(array, reference, n) for n in extents},
         }
 
+    def table(self, spec: Spec) -> Array:
+        """For dx = 1 and G = 1, shape [3, 3, ny, nx]."""
+        array = self._build(spec)[1]
+        if array is None:
+            raise ComputationFailed("contactd-ic did not converge")
+        return array
+
     def _closed_form(self, load_shape: str) -> Array:
         """contactd-ic writes it in the same way."""
         if load_shape not in self._closed_forms:
             n = GRIDS[-1]
             grid, material = {"nx": n, "ny": n, "dx": 1, "dy": 1}, {"G": 1, "nu": STEEL["nu"]}
             spec = {"material": material, "grid": grid, "ics": {"source": "analytic", "load_shape": load_shape}}
-            array = self._build(spec)[1]
-            assert array is not None
-            self._closed_forms[load_shape] = array
+            self._closed_forms[load_shape] = self.table(spec)
         return self._closed_forms[load_shape]
 
     def _build(self, spec: Spec) -> tuple[dict[str, Any], Array | None, Any]:

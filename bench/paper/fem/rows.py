@@ -7,24 +7,53 @@ from typing import Any
 from ..rows import Row
 from .cases import Case
 
+PLACE = ["curve", "parameter", "value"]
 COLUMNS = [
-    "curve", "parameter", "value", "L", "h", "table", "elements", "dofs", "solver",
+    *PLACE, "L", "h", "table", "elements", "dofs", "solver",
     "iterations_z", "iterations_x", "iterations_y",
     "origin_zz", "origin_xx", "origin_yy", "largest_zz", "largest_xx", "largest_yy", "scaled_xy", "scaled_xz",
     "cpu_seconds", "wall_seconds", "memory_mib",
 ]  # fmt: skip
+#: Wall time of the iterations of each load, without assembly and preconditioner.
+LOAD_SECONDS = ["load_z_seconds", "load_x_seconds", "load_y_seconds"]
+#: Of a solve: where the paper's stop test on the update ends it, and a true residual of 1e-8.
+_STOPS = [f"{stop}_{name}" for stop in ("update", "residual")
+          for name in ("iterations", "seconds", "residual", "origin_error")]  # fmt: skip
+#: Of parts that are no tables.
+RESULTS = {
+    "incomplete": ["elements", "dofs", "unknowns", "nonzeros", "setup_seconds", *_STOPS],
+    "table1": ["paper_difference", "contactd_difference", "largest"],
+    "meshes": ["elements", "vertices", "positions", "faces"],
+}
+PART_COLUMNS = {
+    "components": [*COLUMNS, *LOAD_SECONDS],
+    "incomplete": [*PLACE, "L", "h", *RESULTS["incomplete"]],
+    **{part: [*PLACE, *RESULTS[part]] for part in ("table1", "meshes")},
+}
 
 
 def row(case: Case, result: dict[str, Any]) -> Row:
+    place = {"curve": case.curve, "parameter": case.parameter, "value": case.value}
+    if case.part == "incomplete":
+        stops = {f"{stop}_{name}": value for stop in ("update", "residual") for name, value in result[stop].items()}
+        flat = {**result, **stops}
+        return {**place, "L": case.value, "h": case.h, **{name: flat[name] for name in RESULTS["incomplete"]}}
+    if case.part in RESULTS:
+        return {**place, **(result[case.curve] if case.part == "table1" else result)}
+    return {**place, **_table_row(case, result), **(_load_seconds(result) if case.part == "components" else {})}
+
+
+def _load_seconds(result: dict[str, Any]) -> Row:
+    return {f"load_{load}_seconds": seconds for load, seconds in result["load_seconds"].items()}
+
+
+def _table_row(case: Case, result: dict[str, Any]) -> Row:
     mesh = result["mesh"] or case.spec["ics"]  # an accuracy chooses its mesh
     errors = result["errors"][str(case.table)]
     relative = {
         f"{kind}_{name}": errors[name][kind] for kind in ("origin", "largest") for name in ("zz", "xx", "yy")
     }  # fmt: skip
     return {
-        "curve": case.curve,
-        "parameter": case.parameter,
-        "value": case.value,
         "L": mesh["L_over_h"] * case.h,
         "h": case.h,
         "table": case.table,

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from ..section import Measure, Section, Table
-from . import diagrams, figures
+from . import diagrams, figures, mesh_picture
 from .cases import PARTS, Spec, effort
 from .findings import find
-from .measure import Builder
+from .measure import measure_with
 from .recommended import RANGE_COLUMNS, ranges
-from .rows import COLUMNS, row
+from .rows import COLUMNS, PART_COLUMNS, row
 
 
 def efforts(specs: Sequence[Spec]) -> list[float]:
@@ -21,12 +21,18 @@ def efforts(specs: Sequence[Spec]) -> list[float]:
 
 
 def summary(result: dict[str, Any]) -> str:
+    if "update" in result:
+        return f"{result['dofs']:7} dofs, {result['update']['iterations']} and {result['residual']['iterations']} iterations"
+    if "faces" in result:
+        return f"{result['elements']} elements"
+    if "zz" in result:
+        return f"differs by {max(one['contactd_difference'] for one in result.values()):.1e}"
     error = next(iter(result["errors"].values()))["zz"]["origin"]
     return f"{result['dofs']:7} dofs, {result['cpu_seconds']:6.1f} s CPU, origin {100 * error:+7.3f} %"
 
 
 def solver(programs: Path) -> AbstractContextManager[Measure]:
-    return nullcontext(Builder(programs / "contactd-ic").measure)
+    return nullcontext(measure_with(programs))
 
 
 SECTION = Section(
@@ -36,12 +42,15 @@ SECTION = Section(
     columns=COLUMNS,
     row=row,
     pictures={
+        "meshes": mesh_picture.meshes,
         "fig5": figures.fig5, "fig6": figures.fig6, "fig7": figures.fig7, "fig8": figures.fig8,
+        "orders": figures.orders, "mesh2_grids": figures.mesh2_grids,
         "accuracy": diagrams.accuracy, "adaptive": diagrams.adaptive,
     },
     find=find,
     efforts=efforts,
     summary=summary,
     solver=solver,
+    part_columns=PART_COLUMNS,
     tables={"table3": Table("table3-ranges", RANGE_COLUMNS, ranges)},
 )  # fmt: skip

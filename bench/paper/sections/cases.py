@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from .propagation import MESHES
+
 Spec = dict[str, Any]
 
 
@@ -91,8 +93,19 @@ def solid() -> list[Case]:
     ]
 
 
-PARTS = {"edges": edges, "throat": throat, "tables": tables, "persson": persson, "groove": groove, "solid": solid}
-EFFORTS = {"persson": 10.0, "groove": 5.0, "solid": 100.0}
+def propagation() -> list[Case]:
+    return [
+        Case("propagation", f"{body}, order {order}", "edges", edges, {"kind": "propagation", "body": body, "order": order, "edges": edges})
+        for body in ("flat", "curved")
+        for order, edges in MESHES
+    ]
+
+
+PARTS = {
+    "edges": edges, "throat": throat, "tables": tables, "persson": persson, "groove": groove, "propagation": propagation,
+    "solid": solid,
+}  # fmt: skip
+EFFORTS = {"persson": 10.0, "propagation": 2.0, "groove": 5.0, "solid": 100.0}
 
 
 def effort(spec: Spec) -> float:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from ..finding import Found, PointMissing, Rows, markdown, merge, percent
 from ..rows import Row, select
 from . import findings_checks as checks
+from .findings_propagation import propagation
 
 MU_FZ = 0.3 * 80e3  # N
 CORNER, BOTH_ENDS = 6.5, 6.75  # shifts (mm) with contact in the corner, and from end to end of it
@@ -90,4 +91,4 @@ def tables(rows: Rows) -> Found:
 
 
 def find(rows: Rows) -> Found:
-    return merge(function(rows) for function in (edges, throat, tables, checks.persson, checks.groove, checks.solid))
+    return merge(function(rows) for function in (edges, throat, tables, checks.persson, checks.groove, propagation, checks.solid))

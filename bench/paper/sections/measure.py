@@ -21,6 +21,7 @@ from ..section import Measure
 from . import groove, solid
 from .cases import FINEST, Spec
 from .persson import Cylinders
+from .propagation import Propagation
 
 STEEL = Material(G=82000, nu=0.28)
 SIZE = 0.5  # of columns and elements of a table (mm)
@@ -43,6 +44,7 @@ class Solver:
         self._client = client
         self._programs = programs
         self._cylinders = Cylinders(programs)
+        self._propagation = Propagation(programs)
         self._finest: dict[str, Any] = {}
 
     def measure(self, spec: Spec) -> dict[str, Any]:
@@ -53,6 +55,7 @@ class Solver:
             "table": self._table,
             "persson": lambda spec: self._cylinders.measure(spec["half_angle"]),
             "groove": lambda spec: groove.measure(self._client, spec["radius"], spec["body"]),
+            "propagation": lambda spec: self._propagation.measure(spec["body"], spec["order"], spec["edges"]),
             "solid": lambda spec: solid.measure(self._programs, {k: v for k, v in spec.items() if k != "kind"}),
         }
         return kinds[spec["kind"]](spec)

@@ -20,6 +20,8 @@ def efforts(specs: Sequence[Spec]) -> list[float]:
 def summary(result: dict[str, Any]) -> str:
     if "p0" in result:
         return f"p0 {result['p0']:.4f}, exactly {result['p0_exact']:.4f}; half angle {result['half_angle']:.2f} degrees"
+    if "ic_largest" in result:
+        return f"coefficients off by {result['ic_largest']:.1e}, largest pressure by {result['p0_error']:+.1e}"
     if "dofs" in result:
         return f"{result['dofs']} unknowns, {result['seconds']:.0f} s, differs by {result['found']:.1e}"
     if "pmax" in result:

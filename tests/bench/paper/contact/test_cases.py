@@ -52,8 +52,19 @@ def test_equal_ratios_are_one_table():
     assert (len(distinct(cases)), len(tables(cases))) == (24, 12)
 
 
-def test_the_bilinear_figures_need_no_table_that_figure_12_has_not():
-    assert tables(PARTS["bilinear"]()) <= tables(PARTS["fig12"]())
+def test_the_bilinear_figures_cover_all_block_sizes_on_both_meshes():
+    cases = PARTS["bilinear"]()
+    assert len(cases) == len(CHOSEN_L) * len(GRIDS) * len(LENGTHS)
+    assert len(tables(cases)) == len(CHOSEN_L) * 12
+    assert {case.spec["ics"]["load_shape"] for case in cases} == {"bilinear"}
+
+
+def test_larger_blocks_go_on_where_figure_10_ends():
+    curves = {}
+    for case in [*PARTS["fig10"](), *PARTS["larger"]()]:
+        curves.setdefault(case.curve, []).append(case.L)
+    assert set(curves) == {f"{n}x{n}{way}" for n in GRIDS for way in ("", ", fem")}
+    assert all(lengths == [*LENGTHS, 2048, 4096] for lengths in curves.values())
 
 
 def test_figure_13_and_14_compute_nothing_new():

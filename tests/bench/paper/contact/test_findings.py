@@ -2,7 +2,8 @@
 
 import pytest
 
-from paper.contact.cases import COMPARED_GRIDS
+from paper.contact.cases import COMPARED_GRIDS, GRIDS, LARGER_LENGTHS, LENGTHS
+from paper.contact.findings_normal import larger_blocks
 from paper.contact.findings_tangential import share_of_bound
 from paper.contact.problem import FZ, MU
 
@@ -16,3 +17,26 @@ def test_the_tangential_force_is_compared_with_seven_eighths_of_the_bound(share,
     values, verdicts = share_of_bound(rows)
     assert verdicts == {"share_of_bound": agrees}
     assert values["share"] == f"{share:.4f}"
+
+
+def blocks(error):
+    """fig10 and larger, with error(L, way) of every quantity."""
+    rows = {"fig10": [], "larger": []}
+    for n in GRIDS:
+        for way in ("", ", fem"):
+            for L in (*LENGTHS, *LARGER_LENGTHS):
+                errors = {f"error_{quantity}": error(L, way) for quantity in ("Fz", "pmax", "area", "Fx")}
+                part = "fig10" if L in LENGTHS else "larger"
+                rows[part].append({"curve": f"{n}x{n}{way}", "n": n, "L": L, **errors})
+    return rows
+
+
+def test_as_large_as_possible_is_best_when_every_error_falls_to_the_end():
+    verdicts = larger_blocks(blocks(lambda L, way: 1 / L))[1]
+    assert verdicts == {"larger_is_better": True, "larger_is_better_fem": True, "pmax_rises_beyond": False}
+
+
+def test_as_large_as_possible_is_not_best_when_an_error_turns_beyond_the_papers_block():
+    values, verdicts = larger_blocks(blocks(lambda L, way: 1 / L - (0 if way else 1e-3)))
+    assert verdicts == {"larger_is_better": False, "larger_is_better_fem": True, "pmax_rises_beyond": True}
+    assert values["best_pmax"] == "1024, 1024, 1024"

@@ -3,10 +3,11 @@
 import pytest
 
 from paper.__main__ import SECTIONS, parts_of
-from paper.fem.cases import GRIDS, LENGTHS, PARTS, TESTS, H, clamped, elements, full_ics
+from paper.fem.cases import FACTORISATIONS, GRIDS, LENGTHS, PARTS, PLAIN, TESTS, H, clamped, elements, full_ics
 from paper.run import distinct
 
 ALL = [case for part in PARTS.values() for case in part()]
+TABLES = [case for case in ALL if "ics" in case.spec and "whole_block" not in case.spec]
 
 
 @pytest.mark.parametrize(
@@ -44,7 +45,7 @@ def test_the_figures_have_the_papers_curves():
     assert curves["fig8"] >= {"test1", "test2", "test3"}
 
 
-@pytest.mark.parametrize("part", ["fig5", "fig6", "fig7"])
+@pytest.mark.parametrize("part", ["fig5", "fig6", "fig7", "mesh2_grids"])
 def test_a_figure_covers_all_block_sizes(part):
     cases = PARTS[part]()
     for curve in {case.curve for case in cases}:
@@ -52,7 +53,7 @@ def test_a_figure_covers_all_block_sizes(part):
 
 
 def test_every_offset_lies_inside_of_its_block():
-    for case in ALL:
+    for case in TABLES:
         extent = case.spec["grid"]["nx"]
         assert case.table <= extent
         if "accuracy" not in case.spec["ics"]:
@@ -60,13 +61,26 @@ def test_every_offset_lies_inside_of_its_block():
 
 
 def test_errors_are_taken_over_extents_that_are_measured():
-    assert {case.table for case in ALL} <= set(GRIDS)
+    assert {case.table for case in TABLES} <= set(GRIDS)
 
 
 def test_equal_meshes_are_computed_once():
     # L/h = 160 on the 20 x 20 grid, and on the 10 x 10 grid with a block twice as large.
     cases = [case for case in [*PARTS["fig6"](), *PARTS["fig7"]()] if case.spec["ics"]["preset"] == "paper-test3"]
     assert len(distinct(cases)) == len({case.spec["ics"]["L_over_h"] for case in cases}) == len(LENGTHS) + 3
+
+
+def test_every_factorisation_is_tried_at_the_papers_lengths_and_one_on_all_meshes():
+    lengths = {curve: [case.value for case in PARTS["incomplete"]() if case.curve == curve] for curve in FACTORISATIONS}
+    assert all(set(LENGTHS[4:]) <= {round(L, 6) for L in found} for found in lengths.values())
+    meshes = {round(case.spec["ics"]["L_over_h"], 6) for part in ("fig6", "fig7") for case in PARTS[part]()}
+    assert {round(L / H, 6) for L in lengths[PLAIN]} == meshes
+
+
+def test_the_costs_of_loads_are_measured_where_table_3_recommends_its_meshes():
+    assert {(case.curve, case.value) for case in PARTS["components"]()} == {
+        (mesh, L) for mesh in ("hex", "prism") for L in (64, 128, 256, 512, 1024)
+    }
 
 
 def test_a_value_that_the_preset_has_anyway_makes_no_other_request():

@@ -16,6 +16,7 @@ from paper.sections.cases import (
 )
 from paper.sections.findings import more
 from paper.sections.findings_checks import GROOVE_PROTOTYPE, solid_seconds
+from paper.sections.propagation import MESHES
 from paper.sections.section import SECTION
 from paper.store import ResultStore
 
@@ -39,6 +40,10 @@ def invented(case):
         frames, rotated, approach = GROOVE_PROTOTYPE[spec["radius"]][0], -0.001, 1.035
         more = {"half_space": 1 + frames, "rotated": 1 + rotated, "sections": 1.0}[spec["body"]]
         return {"pmax": 400 * more, "approach": 0.02 * (approach if spec["body"] == "sections" else 1)}
+    if spec["kind"] == "propagation":
+        error = 0.2 / (spec["edges"] ** spec["order"]) ** 2
+        more = {"p0_error": 0.5 * error, "extent_error": -0.1 * error, "approach_error": error}
+        return {"unknowns": 1000, "ic_origin": -error, "ic_largest": error, **more, "finest_error": 1e-4}
     if spec["kind"] == "solid":
         found, iterations = 10.0 ** -(1 + spec["order"]), 0 if spec["factor"] else 200
         counts = {"elements": 1000, "dofs": 2000 * spec["order"] ** 3, "loads": 9, "iterations": iterations, "many_loads": 240}
@@ -88,6 +93,7 @@ def test_every_curve_is_complete():
     assert len(cases["tables"]) == 2 * len(BODIES)
     assert len(cases["persson"]) == len(HALF_ANGLES)
     assert len(cases["groove"]) == len(BODIES_IN_GROOVES) * len(GROOVES)
+    assert len(cases["propagation"]) == 2 * len(MESHES)
     assert len(cases["solid"]) == len(SOLID_ORDERS)
 
 
@@ -112,6 +118,8 @@ def test_the_time_of_three_dimensions_grows_with_loads_and_unknowns():
         ("persson", {"p0": 3.0}, "persson_pressures"),
         ("persson", {"half_angle": 1.0}, "persson_angles"),
         ("groove", {"approach": 0.02}, "groove_approach"),
+        ("propagation", {"ic_largest": 0.03}, "propagation_paper"),
+        ("propagation", {"p0_error": 3.0}, "propagation_paper"),
         ("solid", {"found": 1e-2}, "solid_meets"),
         ("solid", {"transform_seconds": 1e9}, "solid_dear"),
     ],

@@ -1,0 +1,56 @@
+"""Section 5 of the paper on curved surfaces: errors of coefficients beside errors of contacts. As in findings.py."""
+
+from __future__ import annotations
+
+from ..finding import Found, PointMissing, Rows, markdown, percent
+from ..rows import Row
+from .findings_checks import signed
+from .propagation import MESHES
+
+PAPER_MESH = (2, 4)  # order and edges a column
+TARGET = 0.01  # the paper's (3.1)
+ALIKE = 2.0  # factor within which sizes are called similar
+QUANTITIES = {"p0": "largest pressure", "extent": "extent", "approach": "approach"}
+
+
+def _size(row: Row) -> float:
+    """The largest error of the contact, whatever the quantity."""
+    return max(abs(float(row[f"{name}_error"])) for name in QUANTITIES)
+
+
+def propagation(rows: Rows) -> Found:
+    def on(body: str, order: int, edges: int) -> Row:
+        for row in rows["propagation"]:
+            if row["curve"] == f"{body}, order {order}" and row["value"] == edges:
+                return row
+        raise PointMissing(f"{body}, order {order}, edges {edges}")
+
+    pairs = {mesh: (on("flat", *mesh), on("curved", *mesh)) for mesh in MESHES}
+    columns = [("ic_largest", 3), *((f"{name}_error", 3) for name in QUANTITIES)]
+    body = [
+        [f"{order}", f"{edges}", *(signed(row[name], digits) for row in pair for name, digits in columns)]
+        for (order, edges), pair in pairs.items()
+    ]
+    head = ["order", "edges", *(f"{shape}: {words}" for shape in ("flat", "curved")
+                                for words in ("coefficients", *QUANTITIES.values()))]  # fmt: skip
+    ratios = [curved["ic_largest"] / flat["ic_largest"] for flat, curved in pairs.values()]
+    shares = {
+        shape: [_size(pair[number]) / pair[number]["ic_largest"] for pair in pairs.values()]
+        for number, shape in enumerate(("flat", "curved"))
+    }
+    recommended = pairs[PAPER_MESH][1]
+    ends = [[pair[number]["finest_error"] for pair in pairs.values()][0] for number in (0, 1)]
+    values = {
+        "propagation": markdown(head, body),
+        "propagation_ratios": f"{min(ratios):.2f} to {max(ratios):.2f}",
+        **{f"propagation_{shape}": f"{min(found):.2f} to {max(found):.2f}" for shape, found in shares.items()},
+        "propagation_paper_ics": percent(recommended["ic_largest"]),
+        "propagation_paper_contact": percent(_size(recommended)),
+        "propagation_flat_end": percent(ends[0]),
+        "propagation_curved_end": percent(ends[1]),
+    }
+    return values, {
+        "propagation_ics": all(1 / ALIKE < ratio < ALIKE for ratio in ratios),
+        "propagation_contact": max(shares["curved"]) < ALIKE * max(1.0, *shares["flat"]),
+        "propagation_paper": max(recommended["ic_largest"], _size(recommended)) < TARGET,
+    }

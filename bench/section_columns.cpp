@@ -1,0 +1,80 @@
+// What normal tractions on the columns of a cross-section do to its columns in plane strain, on a mesh that is named:
+// section_columns --shape disc|plate_hole|slab [--radius 57.3] [--columns 168] [--edges 4] [--order 2]. Prints one JSON
+// object for `./dev paper sections`: normal displacements at the middle of each column, lower half row by row, for G = 1
+// and nu = 0.28. Lengths are over the width of a column; a slab is as deep as a plate is wide, fifty radii.
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "contactd/error.hpp"
+#include "contactd/fem/ic_builder.hpp"
+#include "geometry/section/section_geometry.hpp"
+#include "section/section_model.hpp"
+#include "section/section_outline.hpp"
+#include "section/spectrum_build.hpp"
+
+namespace {
+
+using namespace contactd;
+using namespace contactd::fem;
+using Options = std::map<std::string, std::string>;
+
+constexpr double nu = 0.28, core = 0.005, outside = 50;  // lengths over the radius
+
+Section section_of(const std::string& shape, double radius) {
+    if (shape == "disc") return {Disc{.radius = radius, .core = core * radius}};
+    if (shape == "plate_hole") return {PlateHole{.radius = radius, .plate_radius = outside * radius}};
+    if (shape == "slab") return {Slab{.thickness = outside * radius, .width = 2 * outside * radius}};
+    throw InvalidArgument("--shape", "is '" + shape + "'; it must be disc, plate_hole or slab");
+}
+
+int run(const Options& options) {
+    const auto number = [&](const char* name) { return std::atof(options.at(name).c_str()); };
+    const int columns = static_cast<int>(number("--columns")), order = static_cast<int>(number("--order"));
+    const Section section = section_of(options.at("--shape"), number("--radius"));
+    const SectionOutline outline = outline_of(geometry::SectionGeometry(section, columns, 1, "section"));
+    MeshDensity density;
+    density.edges_a_column = static_cast<int>(number("--edges"));
+    const DividedOutline divided = divide(outline, density);
+    const SectionMesh mesh = make_section_mesh(outline, divided, triangulate(divided, density), order);
+    SectionModel model(outline, mesh, order, nu);
+    const std::vector<double> values = model.at(0).values;
+    std::printf("{\"unknowns\": %lld, \"angles\": [", model.unknowns());
+    const char* comma = "";
+    for (const ColumnFrame& frame : column_frames(outline)) {
+        std::printf("%s%.12g", comma, frame.angle);
+        comma = ", ";
+    }
+    std::printf("], \"normal\": [");
+    comma = "";
+    for (int a = 0; a < columns; ++a)
+        for (int b = 0; b <= a; ++b) {
+            const std::size_t row = 3 * static_cast<std::size_t>(a) + 2, column = 3 * static_cast<std::size_t>(b) + 2;
+            std::printf("%s%.12g", comma, values[row * (row + 1) / 2 + column]);
+            comma = ", ";
+        }
+    std::printf("]}\n");
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Runtime runtime(argc, argv);
+    Options options{{"--shape", "disc"}, {"--radius", "57.3"}, {"--columns", "168"}, {"--edges", "4"}, {"--order", "2"}};
+    for (int i = 1; i < argc; i += 2) {
+        const auto option = options.find(argv[i]);
+        if (option == options.end() || i + 1 == argc) {
+            std::fprintf(stderr, "section_columns: '%s' is no option, or lacks its value\n", argv[i]);
+            return 2;
+        }
+        option->second = argv[i + 1];
+    }
+    try {
+        return run(options);
+    } catch (const Error& error) {
+        std::fprintf(stderr, "section_columns: %s\n", error.what());
+        return 1;
+    }
+}
