@@ -1,6 +1,7 @@
 // The paper's system of equations for one load on one of its meshes, solved by conjugate gradients with an incomplete
 // factorisation, as the paper does: block_system --preset paper-test3 [--L_over_h 1280] [--h_over_hs 4] [--order 2]
-// [--load z] [--preconditioner ilu0|ic] [--numbering outward|inward|mfem|rcm] [--condensed 0|1]. Prints one JSON object for
+// [--load z] [--preconditioner ilu0|ic] [--numbering outward|inward|mfem|rcm] [--condensed 0|1]. Prints one JSON object
+// for
 // `./dev paper fem`; seconds are processor time. With --mesh FILE it writes the mesh in MFEM's format and solves
 // nothing.
 #include <algorithm>
@@ -270,9 +271,8 @@ int run(const Options& options) {
     const Stiffness stiffness = options.at("--condensed") == "1" ? condensed(problem) : whole(problem);
     const System system = free_system(problem, stiffness, load, numbering);
     const double start = processor_seconds();
-    const Preconditioner preconditioner = options.at("--preconditioner") == "ic"
-                                              ? incomplete_cholesky(system.A)
-                                              : ilu0(system.A, numbering == "rcm");
+    const Preconditioner preconditioner =
+        options.at("--preconditioner") == "ic" ? incomplete_cholesky(system.A) : ilu0(system.A, numbering == "rcm");
     const double setup = processor_seconds() - start;
     const Solve solve = conjugate_gradients(system, preconditioner);
     print(problem, system, solve, setup, half_space_coefficient(load, load, 0, 0, 1, 1, spec.material));
@@ -283,9 +283,15 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     const Runtime runtime(argc, argv);
-    Options options{{"--preset", "paper-test3"}, {"--L_over_h", "1280"},  {"--h_over_hs", "4"},
-                    {"--order", "2"},            {"--load", "z"},         {"--preconditioner", "ilu0"},
-                    {"--numbering", "outward"},  {"--condensed", "0"},    {"--mesh", ""}};
+    Options options{{"--preset", "paper-test3"},
+                    {"--L_over_h", "1280"},
+                    {"--h_over_hs", "4"},
+                    {"--order", "2"},
+                    {"--load", "z"},
+                    {"--preconditioner", "ilu0"},
+                    {"--numbering", "outward"},
+                    {"--condensed", "0"},
+                    {"--mesh", ""}};
     for (int i = 1; i < argc; i += 2) {
         const auto option = options.find(argv[i]);
         if (option == options.end() || i + 1 == argc) {

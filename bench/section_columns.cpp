@@ -1,7 +1,7 @@
 // What normal tractions on the columns of a cross-section do to its columns in plane strain, on a mesh that is named:
 // section_columns --shape disc|plate_hole|slab [--radius 57.3] [--columns 168] [--edges 4] [--order 2]. Prints one JSON
-// object for `./dev paper sections`: normal displacements at the middle of each column, lower half row by row, for G = 1
-// and nu = 0.28. Lengths are over the width of a column; a slab is as deep as a plate is wide, fifty radii.
+// object for `./dev paper sections`: normal displacements at the middle of each column, lower half row by row, for G =
+// 1 and nu = 0.28. Lengths are over the width of a column; a slab is as deep as a plate is wide, fifty radii.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -62,7 +62,8 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     const Runtime runtime(argc, argv);
-    Options options{{"--shape", "disc"}, {"--radius", "57.3"}, {"--columns", "168"}, {"--edges", "4"}, {"--order", "2"}};
+    Options options{
+        {"--shape", "disc"}, {"--radius", "57.3"}, {"--columns", "168"}, {"--edges", "4"}, {"--order", "2"}};
     for (int i = 1; i < argc; i += 2) {
         const auto option = options.find(argv[i]);
         if (option == options.end() || i + 1 == argc) {

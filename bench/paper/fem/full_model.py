@@ -97,7 +97,7 @@ def displacements(mesh: Mesh, matrix: Array, load: str, zero: dict[int, str]) ->
 def surface_values(mesh: Mesh, u: Array, sign: int) -> Array:
     """Displacements at the offsets, shape [component, along y, along x], on the side of that sign of x and y."""
     result = np.zeros((3, OFFSETS, OFFSETS))
-    for k, l in product(range(OFFSETS), range(OFFSETS)):  # noqa: E741
+    for k, l in product(range(OFFSETS), range(OFFSETS)):
         at = np.argmin(np.abs(mesh.vertices - [sign * k, sign * l, 0]).sum(axis=1))
         result[:, l, k] = u[at]
     return result

@@ -18,6 +18,10 @@ def _size(row: Row) -> float:
     return max(abs(float(row[f"{name}_error"])) for name in QUANTITIES)
 
 
+def _cells(row: Row) -> list[str]:
+    return [percent(row["ic_largest"]), *(signed(row[f"{name}_error"], 3) for name in QUANTITIES)]
+
+
 def propagation(rows: Rows) -> Found:
     def on(body: str, order: int, edges: int) -> Row:
         for row in rows["propagation"]:
@@ -26,28 +30,23 @@ def propagation(rows: Rows) -> Found:
         raise PointMissing(f"{body}, order {order}, edges {edges}")
 
     pairs = {mesh: (on("flat", *mesh), on("curved", *mesh)) for mesh in MESHES}
-    columns = [("ic_largest", 3), *((f"{name}_error", 3) for name in QUANTITIES)]
-    body = [
-        [f"{order}", f"{edges}", *(signed(row[name], digits) for row in pair for name, digits in columns)]
-        for (order, edges), pair in pairs.items()
-    ]
+    body = [[f"{order}", f"{edges}", *(cell for row in pair for cell in _cells(row))] for (order, edges), pair in pairs.items()]
     head = ["order", "edges", *(f"{shape}: {words}" for shape in ("flat", "curved")
                                 for words in ("coefficients", *QUANTITIES.values()))]  # fmt: skip
-    ratios = [curved["ic_largest"] / flat["ic_largest"] for flat, curved in pairs.values()]
+    ratios = [two["ic_largest"] / one["ic_largest"] for one, two in pairs.values()]
     shares = {
         shape: [_size(pair[number]) / pair[number]["ic_largest"] for pair in pairs.values()]
         for number, shape in enumerate(("flat", "curved"))
     }
-    recommended = pairs[PAPER_MESH][1]
-    ends = [[pair[number]["finest_error"] for pair in pairs.values()][0] for number in (0, 1)]
+    flat, recommended = pairs[PAPER_MESH]
     values = {
         "propagation": markdown(head, body),
         "propagation_ratios": f"{min(ratios):.2f} to {max(ratios):.2f}",
         **{f"propagation_{shape}": f"{min(found):.2f} to {max(found):.2f}" for shape, found in shares.items()},
         "propagation_paper_ics": percent(recommended["ic_largest"]),
         "propagation_paper_contact": percent(_size(recommended)),
-        "propagation_flat_end": percent(ends[0]),
-        "propagation_curved_end": percent(ends[1]),
+        "propagation_flat_end": percent(flat["finest_error"]),
+        "propagation_curved_end": percent(recommended["finest_error"]),
     }
     return values, {
         "propagation_ics": all(1 / ALIKE < ratio < ALIKE for ratio in ratios),

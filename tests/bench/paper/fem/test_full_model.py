@@ -17,7 +17,7 @@ def quarter(n=4):
     for x, y, z in np.ndindex(n, n, n):
         a, b, c, d = [(y, z), (y + 1, z), (y + 1, z + 1), (y, z + 1)]
         for triangle in ((a, b, c), (a, c, d)):
-            elements.append([number[X, *at] for X in (x, x + 1) for at in triangle])
+            elements.append([number[(X, *at)] for X in (x, x + 1) for at in triangle])
     for i, j in np.ndindex(n, n):
         for axis in range(3):
             for end in (0, n):
@@ -79,7 +79,7 @@ def table_of_the_whole(mesh):
     table = np.zeros((3, 3, 2, 2))
     for j, load in enumerate(AXES):
         u = displacements(whole, matrix, load, {})
-        for k, l in np.ndindex(2, 2):  # noqa: E741
+        for k, l in np.ndindex(2, 2):
             table[:, j, l, k] = u[np.abs(whole.vertices - [k, l, 0]).sum(axis=1).argmin()]
     return table
 
