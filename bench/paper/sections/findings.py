@@ -80,14 +80,19 @@ def tables(rows: Rows) -> Found:
     body = []
     for name in names:
         points = {row["value"]: row for row in select(rows["tables"], curve=name)}
+        one = points[1e-3]
         body.append(
             [name, *(f"{points[a]['stated']:.1e} / {points[a]['found']:.1e}" for a in (1e-2, 1e-3)),
-             f"{points[1e-3]['finest']:.1e}", f"{points[1e-3]['seconds']:.1f}"]
+             f"{one['reciprocity']:.1e}", f"{one['finest_asked']:g}: {one['finest']:.1e}", f"{one['seconds']:.1f}"]
         )  # fmt: skip
     bounds = all(row["found"] <= row["stated"] + row["finest"] for row in rows["tables"])
-    within = all(row["stated"] <= row["value"] and row["finest"] <= 1e-4 for row in rows["tables"])
-    head = ["body", "1e-2: stated / found", "1e-3: stated / found", "1e-4: stated", "processor seconds for 1e-3"]
-    return {"tables": markdown(head, body)}, {"stated_bounds": bounds, "stated_within": within}
+    # What no mesh makes less, of columns beside an edge, is stated beyond the accuracy.
+    within = all(row["stated"] - row["reciprocity"] <= row["value"] for row in rows["tables"])
+    head = ["body", "1e-2: stated / found", "1e-3: stated / found", "of which reciprocity", "the finest: stated",
+            "processor seconds for 1e-3"]  # fmt: skip
+    seconds = [row["seconds"] for row in rows["tables"] if row["value"] == 1e-3]
+    values = {"tables": markdown(head, body), "tables_seconds": f"{min(seconds):.1f} to {max(seconds):.1f}"}
+    return values, {"stated_bounds": bounds, "stated_within": within}
 
 
 def find(rows: Rows) -> Found:

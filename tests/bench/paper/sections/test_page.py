@@ -50,7 +50,8 @@ def invented(case):
         seconds = {"seconds": 30.0, "assembly_seconds": 3.0, "setup_seconds": 9.0, "solve_seconds": 18.0, "transform_seconds": 3.0}
         many = {"many_dofs": 60000 * spec["order"] ** 3, "transform_error": 4e-4}
         return {"found": found, "stated": 3e-5, **counts, **seconds, **many}
-    return {"stated": 0.4 * spec["accuracy"], "found": 0.1 * spec["accuracy"], "finest": 5e-5, "seconds": 2.0}
+    errors = {"stated": 0.4 * spec["accuracy"] + 4e-3, "reciprocity": 4e-3, "found": 0.1 * spec["accuracy"]}
+    return {**errors, "finest_asked": 5e-4, "finest": 4.1e-3, "seconds": 2.0}
 
 
 def written(folder, results):
@@ -115,6 +116,7 @@ def test_the_time_of_three_dimensions_grows_with_loads_and_unknowns():
 @pytest.mark.parametrize(
     ("part", "change", "verdict"),
     [
+        ("tables", {"stated": 0.02}, "stated_within"),
         ("persson", {"p0": 3.0}, "persson_pressures"),
         ("persson", {"half_angle": 1.0}, "persson_angles"),
         ("groove", {"approach": 0.02}, "groove_approach"),
