@@ -75,6 +75,11 @@ def throat(rows: Rows) -> Found:
     }
 
 
+def _stated_and_found(row: Row) -> str:
+    found = f"{row['found']:.1e}" if row["finest_asked"] < row["value"] else "(reference)"
+    return f"{row['stated']:.1e} / {found}"
+
+
 def tables(rows: Rows) -> Found:
     names = list(dict.fromkeys(str(row["curve"]) for row in rows["tables"]))
     body = []
@@ -82,7 +87,7 @@ def tables(rows: Rows) -> Found:
         points = {row["value"]: row for row in select(rows["tables"], curve=name)}
         one = points[1e-3]
         body.append(
-            [name, *(f"{points[a]['stated']:.1e} / {points[a]['found']:.1e}" for a in (1e-2, 1e-3)),
+            [name, *(_stated_and_found(points[a]) for a in (1e-2, 1e-3)),
              f"{one['reciprocity']:.1e}", f"{one['finest_asked']:g}: {one['finest']:.1e}", f"{one['seconds']:.1f}"]
         )  # fmt: skip
     bounds = all(row["found"] <= row["stated"] + row["finest"] for row in rows["tables"])
