@@ -17,7 +17,8 @@ DOOR = b"""<!doctype html>
   const key = localStorage.getItem("contactd_dashboard") ?? "none";
   fetch(`/${encodeURIComponent(key)}/`, { cache: "no-store" }).then(async (answer) => {
     const said = await answer.text();
-    if (!answer.ok) throw new Error(said);
+    const is_page = (answer.headers.get("content-type") ?? "").startsWith("text/html");
+    if (!answer.ok && !is_page) throw new Error(said);
     document.open();
     document.write(said);
     document.close();

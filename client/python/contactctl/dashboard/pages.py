@@ -34,7 +34,7 @@ _TABS = (("Work", (RatesPanel, JobsPanel)), ("Solves", (SolvesPanel,)), ("Tables
 def add_page(watcher: Watcher) -> None:
     """At /, for each browser that opens it."""
 
-    async def page() -> None:
+    def page() -> None:
         ui.add_css(_STYLE)
         ui.colors(primary="#1449b8")
         panels: list[Panel] = []
@@ -57,7 +57,7 @@ def add_page(watcher: Watcher) -> None:
             for panel in panels:
                 await panel.show(view)
 
-        await bring_up_to_date()
+        # Not while the page is made: a daemon that does not answer would keep it from its reader.
         ui.timer(0.5, bring_up_to_date)
 
     ui.page("/", title="contactd")(page)

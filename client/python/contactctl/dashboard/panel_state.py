@@ -30,6 +30,7 @@ class StatePanel(Panel):
             self._why = ui.label()
         with ui.card().classes("w-full warnings bg-amber-50") as self._warned:
             self._warnings = ui.label().classes("whitespace-pre-line")
+        self._away.visible = self._warned.visible = False
 
     async def show(self, view: View) -> None:
         self._state.text = view.state

@@ -158,6 +158,18 @@ def test_it_may_begin_before_its_daemon(daemons, browser, own, daemon):
     assert made.end() == (130, "")
 
 
+def test_the_page_is_there_while_its_daemon_does_not_answer(own, daemon, browser):
+    daemon.process.send_signal(signal.SIGSTOP)
+    try:
+        made = Dashboard(own)
+        browser.open(made.link)
+        browser.wait_for("It is asked again and again.", ".away")
+    finally:
+        daemon.process.send_signal(signal.SIGCONT)
+    browser.wait_for("serving", ".state")
+    assert made.end() == (130, "")
+
+
 def test_tables_sessions_and_configuration_are_shown(page, shared):
     table = shared.get_ic(STEEL, GRID, QUICK)
     show(page, "Tables")
