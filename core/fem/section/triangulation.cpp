@@ -2,10 +2,13 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "contactd/error.hpp"
 #include "mesher.hpp"
@@ -40,9 +43,48 @@ FillOutline* open_module() {
     return reinterpret_cast<FillOutline*>(function);
 }
 
+double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point) {
+    return (b.y - a.y) * (point.z - a.z) - (b.z - a.z) * (point.y - a.y);
+}
+
+/// An edge of the outline as a chord.
+struct Chord {
+    int first, second;
+    PlanePoint a, b;
+
+    double left() const { return std::min(a.y, b.y); }
+    double right() const { return std::max(a.y, b.y); }
+    bool meets(const Chord& other) const {
+        if (first == other.second || second == other.first) return false;  // neighbours
+        if (std::min(a.z, b.z) > std::max(other.a.z, other.b.z) || std::max(a.z, b.z) < std::min(other.a.z, other.b.z))
+            return false;
+        return side(a, b, other.a) * side(a, b, other.b) <= 0 &&
+               side(other.a, other.b, a) * side(other.a, other.b, b) <= 0;
+    }
+};
+
+/// Curves that come close to each other may not meet, and their chords do: gmsh can look for a mesh of these for ever.
+void require_simple(const DividedOutline& outline) {
+    std::vector<Chord> chords;
+    for (const BoundaryEdge& edge : outline.edges)
+        chords.push_back({edge.first, edge.second, outline.vertices[edge.first], outline.vertices[edge.second]});
+    std::ranges::sort(chords, {}, &Chord::left);
+    for (auto one = chords.begin(); one != chords.end(); ++one)
+        for (auto other = one + 1; other != chords.end() && other->left() <= one->right(); ++other)
+            if (one->meets(*other)) {
+                std::array<char, 200> text{};
+                std::snprintf(text.data(), text.size(),
+                              "comes closer to itself than its elements are long at (y, z) = (%.6g, %.6g) dy; keep its "
+                              "parts further apart there, or take narrower columns",
+                              one->a.y, one->a.z);
+                throw InvalidArgument("ics.section", text.data());
+            }
+}
+
 }  // namespace
 
 Triangulation triangulate(const DividedOutline& outline, const MeshDensity& density) {
+    require_simple(outline);
     static FillOutline* const fill = open_module();
     Triangulation result;
     std::string problem;
