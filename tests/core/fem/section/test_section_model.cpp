@@ -1,6 +1,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 using namespace contactd;
 using namespace contactd::fem;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -36,6 +38,12 @@ double mean_response(const WaveResponse& response, int columns, int i, int j) {
 }
 
 }  // namespace
+
+TEST_CASE("An outline whose edges of elements cross is refused where they do", "[section]") {
+    DividedOutline crossed{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}, {0, 4}, 1};
+    for (int i = 0; i < 4; ++i) crossed.edges.push_back({0, 0, 0, 1, -1, false, i, (i + 1) % 4});
+    REQUIRE_THROWS_WITH(triangulate(crossed, {}), ContainsSubstring("comes closer to itself"));
+}
 
 TEST_CASE("Columns all round a solid cylinder meet the closed form with Bessel functions", "[section]") {
     // Of R = 10, G = 1; nothing is held.
