@@ -117,7 +117,7 @@ def fig8(rows: Sequence[Row], path: Path) -> None:
 
 
 def orders(rows: Sequence[Row], path: Path) -> None:
-    figure, (axes,) = new_figure(1, 8.0, 5.0)
+    figure, (axes,) = new_figure(1, 10.5, 5.0)
     _errors(axes, rows, ORDERS, "Linear and quadratic elements on prismatic Mesh2")
     _legend(figure, ORDERS)
     save(figure, path)

@@ -62,7 +62,6 @@ class Builder:
             "dofs": evidence["dofs"],
             "solver": evidence.get("solver", ""),
             "iterations": {case["load"]: case["iterations"] for case in evidence["load_cases"]},
-            "load_seconds": {case["load"]: case["seconds"] for case in evidence["load_cases"]},
             "seconds": evidence["seconds"],
             "cpu_seconds": usage.ru_utime + usage.ru_stime,
             "memory_mib": usage.ru_maxrss / 1024,

@@ -14,8 +14,6 @@ COLUMNS = [
     "origin_zz", "origin_xx", "origin_yy", "largest_zz", "largest_xx", "largest_yy", "scaled_xy", "scaled_xz",
     "cpu_seconds", "wall_seconds", "memory_mib",
 ]  # fmt: skip
-#: Wall time of the iterations of each load, without assembly and preconditioner.
-LOAD_SECONDS = ["load_z_seconds", "load_x_seconds", "load_y_seconds"]
 #: Of a solve: where the paper's stop test on the update ends it, and a true residual of 1e-8.
 _STOPS = [f"{stop}_{name}" for stop in ("update", "residual")
           for name in ("iterations", "seconds", "residual", "origin_error")]  # fmt: skip
@@ -26,7 +24,6 @@ RESULTS = {
     "meshes": ["elements", "vertices", "positions", "faces"],
 }
 PART_COLUMNS = {
-    "components": [*COLUMNS, *LOAD_SECONDS],
     "incomplete": [*PLACE, "L", "h", *RESULTS["incomplete"]],
     **{part: [*PLACE, *RESULTS[part]] for part in ("table1", "meshes")},
 }
@@ -40,11 +37,7 @@ def row(case: Case, result: dict[str, Any]) -> Row:
         return {**place, "L": case.value, "h": case.h, **{name: flat[name] for name in RESULTS["incomplete"]}}
     if case.part in RESULTS:
         return {**place, **(result[case.curve] if case.part == "table1" else result)}
-    return {**place, **_table_row(case, result), **(_load_seconds(result) if case.part == "components" else {})}
-
-
-def _load_seconds(result: dict[str, Any]) -> Row:
-    return {f"load_{load}_seconds": seconds for load, seconds in result["load_seconds"].items()}
+    return {**place, **_table_row(case, result)}
 
 
 def _table_row(case: Case, result: dict[str, Any]) -> Row:
