@@ -39,8 +39,8 @@ BODIES: dict[str, tuple[Spec, int, float]] = {
     "groove R5, nu 0.45": ({"groove": {"radius": 5, "depth": 5, "width": 60, "height": 40}}, 25, 0.45),
 }
 ACCURACIES = (1e-2, 1e-3)
-#: What the others are measured against; where it is refused it is the finest of the others. Columns beside an edge are
-#: not reciprocal, which no mesh makes less, and half of that defect is part of the stated error.
+#: What the others are measured against; where it is refused it is the finest of the others. Half of the defect of
+#: reciprocity is part of the stated error, and no mesh makes it less.
 FINEST = 1e-4
 #: Half angles of contact of a cylinder in a hole (degrees), of 20 columns or more.
 HALF_ANGLES = (20, 30, 45, 60, 75, 80)

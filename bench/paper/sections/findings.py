@@ -96,7 +96,11 @@ def tables(rows: Rows) -> Found:
     head = ["body", "1e-2: stated / found", "1e-3: stated / found", "of which reciprocity", "the finest: stated",
             "processor seconds for 1e-3"]  # fmt: skip
     seconds = [row["seconds"] for row in rows["tables"] if row["value"] == 1e-3]
-    values = {"tables": markdown(head, body), "tables_seconds": f"{min(seconds):.1f} to {max(seconds):.1f}"}
+    values = {
+        "tables": markdown(head, body),
+        "tables_seconds": f"{min(seconds):.1f} to {max(seconds):.1f}",
+        "tables_preset": " and ".join(sorted({str(row["preset"]) for row in rows["tables"]})),
+    }
     return values, {"stated_bounds": bounds, "stated_within": within}
 
 

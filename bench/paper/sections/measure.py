@@ -103,6 +103,7 @@ class Solver:
             "finest_asked": finest_asked,
             "finest": finest.evidence.section.error,
             "seconds": self._processor_seconds(spec),
+            "preset": self._programs.absolute().parent.name,  # one with assertions takes longer
         }
 
     def _finest_of(self, spec: Spec) -> tuple[float, Any]:

@@ -12,7 +12,7 @@ RESULTS = ["pmax", "approach", "Fx", "Fy", "stated", "found", "finest", "seconds
 COLUMNS = [*PLACE, *RESULTS]
 #: Of parts that have others.
 PART_RESULTS = {
-    "tables": ["stated", "reciprocity", "found", "finest_asked", "finest", "seconds"],
+    "tables": ["stated", "reciprocity", "found", "finest_asked", "finest", "seconds", "preset"],
     "persson": ["p0", "p0_exact", "half_angle", "angles", "pressures"],  # lists are texts, with blanks between
     "groove": ["pmax", "approach"],
     "propagation": ["unknowns", "ic_origin", "ic_largest", "p0_error", "extent_error", "approach_error", "finest_error"],
