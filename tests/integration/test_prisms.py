@@ -60,6 +60,7 @@ def test_an_archive_keeps_a_table_with_its_columns(shared, tmp_path):
         TableIcs.from_table(table)
 
 
+@pytest.mark.timeout(180)  # the table takes a quarter of a minute by itself
 @pytest.mark.parametrize(("distance", "change", "more"), [(3, 0.003, 0.09), (0.5, -0.22, 0.43), (0, -0.45, 0.5)])
 def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off(shared, distance, change, more):
     grid = Grid(12, 20, 0.25, 0.25, -1.5, distance - 5)  # beside a cut the largest pressure grows with finer elements
