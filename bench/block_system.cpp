@@ -103,7 +103,7 @@ struct System {
     int observed = -1;  ///< row of the displacement under the load, along it
 };
 
-/// Of the displacements that are not given; those given vanish.
+/// The equations have the displacements that are not given; those given vanish.
 System free_system(ElasticityProblem& problem, const Stiffness& stiffness, Axis load, const std::string& numbering) {
     const LoadCase load_case = problem.load_case(load);
     const std::vector<Position> positions = node_positions(problem);
@@ -174,7 +174,7 @@ Preconditioner ilu0(const Matrix& A, bool reorder) {
     return apply;
 }
 
-/// Of Eigen: as many entries a column as the matrix has, the largest ones.
+/// Eigen's factor keeps as many entries a column as the matrix has, the largest ones.
 Preconditioner incomplete_cholesky(const Matrix& A) {
     using Factor = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
     const auto factor = std::make_shared<Factor>(Eigen::SparseMatrix<double>(A));

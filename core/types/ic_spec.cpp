@@ -1,5 +1,4 @@
 #include "contactd/ic_spec.hpp"
-#include "contactd/below.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <type_traits>
 
 #include "block_spec.hpp"
+#include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem_fields.hpp"
 #include "contactd/grid.hpp"

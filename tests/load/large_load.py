@@ -45,7 +45,7 @@ class Report:
     outcome: Outcome
     watched: Watched
     bound: int
-    #: Of each batch, how long after the last deadline its last answer came (s).
+    #: Each batch has here how long after the last deadline its last answer came (s).
     overdue: list[float] = field(default_factory=list)
 
     def lines(self) -> list[str]:

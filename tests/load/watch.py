@@ -30,7 +30,7 @@ KEPT = ("contactd_cache_bytes", "contactd_session_bytes")
 @dataclass
 class Watched:
     latencies_ms: list[float] = field(default_factory=list)
-    #: Of each of them, how long threads of the daemon and of the watch waited for a processor meanwhile.
+    #: Each of them has here how long threads of the daemon and of the watch waited for a processor meanwhile.
     waited_ms: list[float] = field(default_factory=list)
     before: int = 0  # resident bytes
     most: int = 0

@@ -27,7 +27,7 @@ ZERO = {
 
 
 def stiffness(mesh: Mesh, nu: float) -> Array:
-    """Of all prisms, for G = 1; three rows a vertex."""
+    """The matrix of all prisms, for G = 1; it has three rows a vertex."""
     matrix = np.zeros((3 * len(mesh.vertices),) * 2)
     for element in mesh.elements:
         rows = (3 * np.array(element)[:, None] + np.arange(3)).ravel()
@@ -80,7 +80,7 @@ def mirrored(mesh: Mesh) -> Mesh:
 
 
 def displacements(mesh: Mesh, matrix: Array, load: str, zero: dict[int, str]) -> Array:
-    """Of all vertices under a unit traction along `load`; u = 0 on the far faces, and what `zero` names on others."""
+    """Displacements of all vertices under a unit traction along `load`; they vanish on the far faces, and what `zero` names on others."""
     forces, free = np.zeros((len(mesh.vertices), 3)), np.ones((len(mesh.vertices), 3), dtype=bool)
     for attribute, face in mesh.faces:
         for component in "xyz" if attribute == FAR else zero.get(attribute, ""):

@@ -43,7 +43,7 @@ def closed_form(body: str) -> float:
 
 
 def symmetric(lower: list[float], size: int) -> Array:
-    """Of the lower half, row by row."""
+    """The values of the lower half, row by row."""
     full = np.zeros((size, size))
     full[np.tril_indices(size)] = lower
     return np.asarray(full + np.tril(full, -1).T)

@@ -10,7 +10,7 @@ from .cases import Case
 PLACE = ["curve", "parameter", "value"]
 RESULTS = ["pmax", "approach", "Fx", "Fy", "stated", "found", "finest", "seconds"]
 COLUMNS = [*PLACE, *RESULTS]
-#: Of parts that have others.
+#: These parts have other columns.
 PART_RESULTS = {
     "tables": ["stated", "reciprocity", "found", "finest_asked", "finest", "seconds", "preset"],
     "persson": ["p0", "p0_exact", "half_angle", "angles", "pressures"],  # lists are texts, with blanks between

@@ -1,11 +1,11 @@
 #include "contactd/solve_wheel_rail.hpp"
-#include "contactd/below.hpp"
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "contactd/below.hpp"
 #include "geometry/position.hpp"
 #include "wheel_rail/influence_keeper.hpp"
 #include "wheel_rail/mirror.hpp"

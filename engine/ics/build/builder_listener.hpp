@@ -34,7 +34,7 @@ class BuilderListener {
     bool refused() const { return kind_ == "invalid_argument"; }
     /// The part of the request that the builder complains of; empty when it named none.
     const std::string& field() const { return field_; }
-    /// Of a refusal: what is wrong with the field, without its name.
+    /// A refusal says here what is wrong with the field, without its name.
     const std::string& problem() const { return problem_; }
     /// What the builder printed because it could not write it.
     BuiltTable take_table() { return awaited_ == 0 ? std::move(table_) : BuiltTable(); }

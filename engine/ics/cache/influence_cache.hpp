@@ -23,7 +23,7 @@ struct KeptInfluence {
 
 /// What a user should know of operators beyond the budget.
 std::string operator_warning(const OperatorUse& use);
-/// The same of operators that were made although they may be needed again; empty otherwise.
+/// It has that sentence for operators that were made although they may be needed again, and is empty otherwise.
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use);
 
 /// The least recently used go first when the budget is full. Beside them those beyond the budget that were used last

@@ -60,7 +60,7 @@ double length_of(const json& array) {
     return shape.empty() ? 1 : shape.front().get<double>();
 }
 
-/// Of an array, a nested list or a frame: all its numbers.
+/// Counts all numbers of an array, a nested list or a frame.
 double numbers_of(const json& array) {
     if (array.is_array())
         return array.empty() || !array.front().is_array()

@@ -23,7 +23,7 @@ WorkCost cost_of_wheel_rail(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_geometry(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_opening(const nlohmann::json& params, const Config& config);
 
-/// Whether work takes so long that it must leave a worker to what is small.
+/// Work that takes longer than a second must leave a worker to what is small.
 bool is_large(double seconds);
 
 /// Throws StatusError (LIMIT_EXCEEDED), with the figure and the limit, for what may not begin at all.

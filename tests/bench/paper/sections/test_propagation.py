@@ -11,7 +11,7 @@ PLACES = (np.arange(COLUMNS) - (COLUMNS - 1) / 2) / RADIUS
 
 
 def half_plane(datum):
-    """Of two equal bodies: normal displacement of columns under a column, up to a constant."""
+    """The normal displacement of columns under a column, up to a constant, of two equal bodies."""
     x = np.arange(COLUMNS)[:, None] - np.arange(COLUMNS)[None, :]
     outer, inner = x + 0.5, x - 0.5
     return -2 * (1 - NU) / np.pi * (outer * np.log(np.abs(outer)) - inner * np.log(np.abs(inner)) - 1 - np.log(datum))
