@@ -1,5 +1,7 @@
 """Influence coefficients: the two ways to ask for them, coefficients of one's own, and builds that fail."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -62,6 +64,20 @@ def test_what_a_file_holds_is_imported_and_wrong_numbers_are_refused(peer, start
         assert (imported["new"], imported["ics"]["origin"]) == (True, "file")
         assert imported["ics"]["evidence"]["imported"]
         assert other.ask("ic.get", QUICK_BUILD).result["key"] == imported["ics"]["key"]
+
+
+def test_what_needs_a_store_says_that_there_is_none_any_more(start):
+    daemon = start()
+    with daemon.peer() as peer:
+        assert peer.ask("ic.list").result["tables"] == []
+        store = daemon.folder / "store"
+        shutil.rmtree(store)
+        store.write_text("no folder")
+        reply = peer.ask("ic.list")
+        assert (reply.code, reply.reason) == (FAILED_PRECONDITION, "STORE_UNUSABLE")
+        assert str(daemon.folder) not in reply.text
+        assert peer.ask("contact.solve", SOLVE).code == OK  # closed forms need none
+        store.unlink()
 
 
 def test_a_builder_that_fails_is_reported(start):
