@@ -126,6 +126,7 @@ class Reference:
 
 
 def _bounds(field: Schema) -> str:
+    """Its unit, and what it has to lie in."""
     rules = [
         (f"{sign} {field[key]:g}" if abs(field[key]) >= 1e6 else f"{sign} {field[key]}")
         for key, sign in [("minimum", ">="), ("exclusiveMinimum", ">"), ("maximum", "<="), ("exclusiveMaximum", "<")]
@@ -136,7 +137,7 @@ def _bounds(field: Schema) -> str:
             low, high = field.get(least, 0), field.get(most, "")
             words = f"{low} or more" if high == "" else f"{low}" if low == high else f"{low} to {high}" if low else f"up to {high}"
             rules.append(f"{words} {unit}")
-    return f", {', '.join(rules)}" if rules else ""
+    return (f" ({field['x-unit']})" if "x-unit" in field else "") + (f", {', '.join(rules)}" if rules else "")
 
 
 def _default(field: Schema, required: bool) -> str:

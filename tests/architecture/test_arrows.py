@@ -64,8 +64,13 @@ class Arrows:
 
 def source_of(header: str) -> str:
     """The source with the name of a public header; "" when there is none."""
-    name = Path(header).with_suffix(".cpp").name
-    found = [path for folder in ("core/types", "core/src", "core/fem") for path in (ROOT / folder).rglob(name)]
+    name, of_fields = Path(header).with_suffix(".cpp").name, Path(header).parent.name == "fields"
+    found = [
+        path
+        for folder in ("core/types", "core/src", "core/fem")
+        for path in (ROOT / folder).rglob(name)
+        if (path.parent.name == "fields") == of_fields
+    ]
     return found[0].relative_to(ROOT).as_posix() if len(found) == 1 else ""
 
 

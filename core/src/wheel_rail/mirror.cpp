@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "contactd/fields/wheel_rail_state.hpp"
+
 namespace contactd {
 namespace {
 
@@ -107,10 +109,7 @@ void mirror(WheelRailPatch& patch) {
 }  // namespace
 
 WheelRailState mirrored(WheelRailState state) {
-    for (double* value : {&state.position.y, &state.position.roll, &state.position.yaw, &state.velocity.y,
-                          &state.velocity.roll, &state.velocity.yaw, &state.rail.y, &state.rail.roll,
-                          &state.rail.y_velocity, &state.rail.roll_velocity, &state.rail.Fy})
-        turn_sign(*value);
+    mirror_fields(state);
     return state;
 }
 

@@ -5,6 +5,7 @@
 
 #include "codec_parts.hpp"
 #include "contactd/error.hpp"
+#include "contactd/fields/contact_setup.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
@@ -112,7 +113,7 @@ SurfaceState decode_state(const std::string& field, const json& params, const Fr
 json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     json params = object({{"grid", encode_grid(problem.grid)}});
     if (problem.gap) params["gap"] = encode_gap(*problem.gap, problem.grid, arrays);
-    if (problem.model != Model::full) params["model"] = word_for(model_words, problem.model);
+    if (problem.model != Model::full) params["model"] = name_of(problem.model);
     encode_settings(problem.settings, params);
     if (problem.columns) params["columns"] = encode_columns(*problem.columns, arrays);
     encode_bodies(problem, params, arrays);
@@ -131,7 +132,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
 ContactProblem decode_opening(const json& params, const Frames& frames) {
     ContactProblem problem;
     problem.grid = decode_grid(params["grid"]);
-    if (params.contains("model")) problem.model = meaning_of(params["model"], model_words);
+    if (params.contains("model")) read_name(params["model"], problem.model);
     decode_bodies(params, frames, problem);
     if (params.contains("gap")) problem.gap = decode_gap(params["gap"], frames, problem.grid);
     if (params.contains("Fn")) problem.Fn = params["Fn"].get<double>();

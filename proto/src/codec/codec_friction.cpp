@@ -1,13 +1,14 @@
 // `friction` of a request, and the motion that a result tells.
 #include "codec_parts.hpp"
+#include "contactd/fields/friction.hpp"
 #include "contactd/proto/object.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
 
-constexpr Words<SlipLaw, 2> slip_laws{{{"linear", SlipLaw::linear}, {"exponential", SlipLaw::exponential}}};
 constexpr Words<RollingKind, 2> rolling_kinds{{{"steady", RollingKind::steady}, {"transient", RollingKind::transient}}};
 
 json encode_component(const std::optional<double>& force) {
@@ -86,16 +87,12 @@ Step known_or_new(const Motion& motion) {
 }  // namespace
 
 json encode_kinetic(const KineticFriction& kinetic) {
-    return {{"law", word_for(slip_laws, kinetic.law)},
-            {"mu", finite_field(kinetic.mu, "friction.kinetic.mu")},
-            {"slip_velocity", finite_field(kinetic.slip_velocity, "friction.kinetic.slip_velocity")}};
+    return write_fields(kinetic, FieldPath("friction.kinetic"));
 }
 
 KineticFriction decode_kinetic(const json& source) {
     KineticFriction kinetic;
-    if (source.contains("law")) kinetic.law = meaning_of(source["law"], slip_laws);
-    kinetic.mu = source["mu"].get<double>();
-    kinetic.slip_velocity = source["slip_velocity"].get<double>();
+    read_fields(source, kinetic, FieldPath("friction.kinetic"));
     return kinetic;
 }
 

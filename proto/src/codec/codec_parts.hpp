@@ -45,9 +45,6 @@ Enum meaning_of(const nlohmann::json& word, const Words<Enum, n>& words) {
     throw Error("The word " + word.dump() + " is unknown.");
 }
 
-inline constexpr Words<Model, 3> model_words{
-    {{"full", Model::full}, {"hertz", Model::hertz}, {"fastsim", Model::fastsim}}};
-
 /// The shape [ny, nx] of arrays over a grid.
 inline std::vector<std::size_t> shape_of(const Grid& grid) {
     return {static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};

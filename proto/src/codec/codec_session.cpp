@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "codec_parts.hpp"
+#include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/proto/status.hpp"
-#include "side_words.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -79,7 +79,7 @@ json encode_session_info(const SessionInfo& info) {
                 {"bytes", info.bytes},
                 {"ics", encode_uses(info.ics)}};
     if (info.grid) result["grid"] = encode_grid(*info.grid);
-    if (info.side) result["side"] = word_for(side_words, *info.side);
+    if (info.side) result["side"] = name_of(*info.side);
     if (info.motion) result["motion"] = word_for(motions, *info.motion);
     return result;
 }
@@ -91,7 +91,7 @@ SessionInfo decode_session_info(const json& result) {
     info.states = result["states"].get<std::size_t>();
     info.bytes = result["bytes"].get<std::size_t>();
     if (result.contains("grid")) info.grid = decode_grid(result["grid"]);
-    if (result.contains("side")) info.side = meaning_of(result["side"], side_words);
+    if (result.contains("side")) read_name(result["side"], info.side.emplace());
     info.ics = decode_uses(result["ics"]);
     if (result.contains("motion")) info.motion = meaning_of(result["motion"], motions);
     return info;

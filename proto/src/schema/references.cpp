@@ -1,6 +1,7 @@
 #include "references.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string_view>
 
@@ -29,6 +30,9 @@ std::string path_of(const Reference& reference) {
     return reference.pointer.substr(definitions.size());
 }
 
+/// What code is generated from, and a reader of messages need not know.
+constexpr std::array notes_of_sources{"x-cpp", "x-parity"};
+
 }  // namespace
 
 json without_file_notes(json document) {
@@ -56,6 +60,8 @@ json redirected(const json& schema, const std::string& prefix) {
     json result = schema;
     if (schema.is_object() && schema.contains("$ref"))
         result["$ref"] = prefix + path_of(parsed(schema["$ref"].get<std::string>()));
+    if (result.is_object())
+        for (const char* note : notes_of_sources) result.erase(note);
     for (json& child : result) child = redirected(child, prefix);
     return result;
 }

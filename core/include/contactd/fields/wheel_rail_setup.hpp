@@ -1,0 +1,58 @@
+// Written by ./dev generate from proto/schema: edit it there.
+
+#pragma once
+
+#include "contactd/fields.hpp"
+#include "contactd/wheel_rail_setup.hpp"
+
+namespace contactd {
+
+template <>
+inline constexpr auto enum_words<Side> = std::to_array<std::string_view>({"left", "right"});
+static_assert(static_cast<int>(Side::left) == 0);
+static_assert(static_cast<int>(Side::right) == 1);
+
+template <>
+inline constexpr auto enum_words<ContactSearch> = std::to_array<std::string_view>({"locus", "mesh"});
+static_assert(static_cast<int>(ContactSearch::locus) == 0);
+static_assert(static_cast<int>(ContactSearch::mesh) == 1);
+
+template <>
+inline constexpr auto enum_words<WheelSurfaceKind> = std::to_array<std::string_view>({"exact", "bilinear"});
+static_assert(static_cast<int>(WheelSurfaceKind::exact) == 0);
+static_assert(static_cast<int>(WheelSurfaceKind::bilinear) == 1);
+
+template <>
+inline constexpr auto enum_words<RigidSlipKind> = std::to_array<std::string_view>({"plane", "surfaces"});
+static_assert(static_cast<int>(RigidSlipKind::plane) == 0);
+static_assert(static_cast<int>(RigidSlipKind::surfaces) == 1);
+
+template <>
+inline constexpr auto enum_words<Conformal> =
+    std::to_array<std::string_view>({"off", "half_space", "rotated", "fem", "auto"});
+static_assert(static_cast<int>(Conformal::off) == 0);
+static_assert(static_cast<int>(Conformal::half_space) == 1);
+static_assert(static_cast<int>(Conformal::rotated) == 2);
+static_assert(static_cast<int>(Conformal::fem) == 3);
+static_assert(static_cast<int>(Conformal::automatic) == 4);
+
+template <>
+const FieldType& type_of<WheelRailFriction>();
+template <>
+const FieldType& type_of<FrictionAtAngle>();
+template <>
+const FieldType& type_of<WheelRailSetup>();
+template <>
+const FieldType& type_of<RailSlice>();
+template <>
+const FieldType& type_of<WheelSlice>();
+template <>
+const FieldType& type_of<Track>();
+template <>
+const FieldType& type_of<RailSprings>();
+template <>
+const FieldType& type_of<Wheelset>();
+template <>
+const FieldType& type_of<PatchRules>();
+
+}  // namespace contactd

@@ -1,0 +1,119 @@
+#include "field_codec.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "codec_parts.hpp"
+
+namespace contactd::proto {
+
+using nlohmann::json;
+
+namespace {
+
+json write_number(double number, const FieldPath& path) {
+    return std::isfinite(number) ? number : finite_field(number, path.text().c_str());
+}
+
+json write_object(const FieldType& type, const void* owner, const FieldPath& path, ArrayWriter* arrays) {
+    json::object_t object;
+    for (const Field& field : type.fields) {
+        const void* value = field.find(owner);
+        const bool is_empty =
+            value == nullptr || (field.type().kind == FieldKind::list && field.type().size(value) == 0);
+        if (is_empty && !field.present_by_default) continue;
+        object.emplace(field.name, value == nullptr
+                                       ? json()
+                                       : write_fields(field.type(), value, FieldPath(path, field.name), arrays));
+    }
+    return object;
+}
+
+json write_list(const FieldType& type, const void* list, const FieldPath& path, ArrayWriter* arrays) {
+    json result = json::array();
+    for (std::size_t i = 0; i < type.size(list); ++i)
+        result.push_back(write_fields(type.element(), type.at(list, i), FieldPath(path, i), arrays));
+    return result;
+}
+
+void read_object(const json& source, const FieldType& type, void* owner, const FieldPath& path, const Frames& frames) {
+    for (const Field& field : type.fields) {
+        const auto given = source.find(field.name);
+        if (given == source.end()) continue;
+        if (given->is_null() && field.clear)
+            field.clear(owner);
+        else
+            read_fields(*given, field.type(), field.make(owner), FieldPath(path, field.name), frames);
+    }
+}
+
+void read_list(const json& source, const FieldType& type, void* list, const FieldPath& path, const Frames& frames) {
+    type.empty(list);
+    for (std::size_t i = 0; i < source.size(); ++i)
+        read_fields(source[i], type.element(), type.add(list), FieldPath(path, i), frames);
+}
+
+std::int64_t value_of_keyword(const json& word, const FieldType& type) {
+    const auto at = std::ranges::find(type.keywords, word.get_ref<const std::string&>());
+    if (at == type.keywords.end()) throw Error("The word " + word.dump() + " is unknown.");
+    return at - type.keywords.begin();
+}
+
+}  // namespace
+
+std::string FieldPath::text() const {
+    if (above_ == nullptr) return std::string(name_);
+    const std::string above = above_->text();
+    if (name_.empty()) return above + "[" + std::to_string(index_) + "]";
+    return above.empty() ? std::string(name_) : above + "." + std::string(name_);
+}
+
+json write_fields(const FieldType& type, const void* value, const FieldPath& path, ArrayWriter* arrays) {
+    if (const FieldHook* hook = hook_of(type)) return hook->write(value, path, arrays);
+    switch (type.kind) {
+        case FieldKind::number:
+            return write_number(*static_cast<const double*>(value), path);
+        case FieldKind::integer:
+            return type.integer(value);
+        case FieldKind::flag:
+            return type.integer(value) != 0;
+        case FieldKind::text:
+            return *static_cast<const std::string*>(value);
+        case FieldKind::keyword:
+            return type.keywords[static_cast<std::size_t>(type.integer(value))];
+        case FieldKind::list:
+            return write_list(type, value, path, arrays);
+        case FieldKind::object:
+            return write_object(type, value, path, arrays);
+        case FieldKind::custom:
+            break;
+    }
+    throw Error("The field " + path.text() + " has no form on the wire.");
+}
+
+void read_fields(const json& source, const FieldType& type, void* value, const FieldPath& path, const Frames& frames) {
+    if (const FieldHook* hook = hook_of(type)) return hook->read(source, value, path, frames);
+    switch (type.kind) {
+        case FieldKind::number:
+            *static_cast<double*>(value) = source.get<double>();
+            return;
+        case FieldKind::integer:
+            return type.set_integer(value, source.get<std::int64_t>());
+        case FieldKind::flag:
+            return type.set_integer(value, source.get<bool>() ? 1 : 0);
+        case FieldKind::text:
+            *static_cast<std::string*>(value) = source.get<std::string>();
+            return;
+        case FieldKind::keyword:
+            return type.set_integer(value, value_of_keyword(source, type));
+        case FieldKind::list:
+            return read_list(source, type, value, path, frames);
+        case FieldKind::object:
+            return read_object(source, type, value, path, frames);
+        case FieldKind::custom:
+            break;
+    }
+    throw Error("The field " + path.text() + " has no form on the wire.");
+}
+
+}  // namespace contactd::proto

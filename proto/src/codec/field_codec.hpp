@@ -1,0 +1,58 @@
+// Structs to JSON and back by their lists of fields (contactd/fields.hpp).
+//
+// What is written holds every field that is there; what is read leaves fields alone that are not. A type whose form on
+// the wire is another one than that of its fields has a hook (field_hooks.cpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "contactd/fields.hpp"
+#include "contactd/proto/message.hpp"
+
+namespace contactd::proto {
+
+/// Where a value stands, as a list from the inside out: its text is made when a refusal needs it.
+class FieldPath {
+   public:
+    explicit FieldPath(std::string_view name) : name_(name) {}
+    FieldPath(const FieldPath& above, std::string_view name) : above_(&above), name_(name) {}
+    FieldPath(const FieldPath& list, std::size_t index) : above_(&list), index_(index) {}
+
+    /// "setup.rail_slices[2].x"
+    std::string text() const;
+
+   private:
+    const FieldPath* above_ = nullptr;
+    std::string_view name_{};
+    std::size_t index_ = 0;
+};
+
+/// The form on the wire of values of one type. `arrays` may be null where a message has none.
+struct FieldHook {
+    const FieldType* type;
+    nlohmann::json (*write)(const void* value, const FieldPath& path, ArrayWriter* arrays);
+    void (*read)(const nlohmann::json& source, void* value, const FieldPath& path, const Frames& frames);
+};
+
+/// Null where the fields of a type say all.
+const FieldHook* hook_of(const FieldType& type);
+
+/// Throws InvalidArgument naming the path of a number that is not finite.
+nlohmann::json write_fields(const FieldType& type, const void* value, const FieldPath& path, ArrayWriter* arrays);
+/// `source` has passed its schema.
+void read_fields(const nlohmann::json& source, const FieldType& type, void* value, const FieldPath& path,
+                 const Frames& frames);
+
+template <class T>
+nlohmann::json write_fields(const T& value, const FieldPath& path, ArrayWriter* arrays = nullptr) {
+    return write_fields(type_of<T>(), &value, path, arrays);
+}
+template <class T>
+void read_fields(const nlohmann::json& source, T& value, const FieldPath& path, const Frames& frames = {}) {
+    read_fields(source, type_of<T>(), &value, path, frames);
+}
+
+}  // namespace contactd::proto

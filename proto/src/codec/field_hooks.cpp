@@ -1,0 +1,140 @@
+// Types whose form on the wire is another one than that of their fields.
+#include <algorithm>
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "codec_parts.hpp"
+#include "codec_profile.hpp"
+#include "contactd/body.hpp"
+#include "contactd/fields/wheel_rail_setup.hpp"
+#include "contactd/proto/object.hpp"
+#include "contactd/proto/status.hpp"
+#include "field_codec.hpp"
+
+namespace contactd::proto {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+const T& as(const void* value) {
+    return *static_cast<const T*>(value);
+}
+
+template <class T>
+T& as(void* value) {
+    return *static_cast<T*>(value);
+}
+
+// --- profiles --------------------------------------------------------------------------------------------------------
+json write_profile(const void* value, const FieldPath&, ArrayWriter* arrays) {
+    return encode_profile(as<ProfileSpec>(value), *arrays);
+}
+
+/// Which of both bodies a profile is of is where it stands.
+void read_profile(const json& source, void* value, const FieldPath& path, const Frames& frames) {
+    auto& profile = as<ProfileSpec>(value);
+    profile = decode_profile(source, profile.kind, frames, path.text());
+}
+
+/// One frame may be the points of many slices, each of which has its own: they are counted as they are read.
+template <class Slice>
+void read_slices(const json& source, void* value, const FieldPath& path, const Frames& frames) {
+    constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
+    auto& slices = as<std::vector<Slice>>(value);
+    slices.clear();
+    std::size_t points = 0;
+    for (const json& slice : source) {
+        const FieldPath place(path, slices.size());
+        read_fields(slice, slices.emplace_back(), place, frames);
+        if (const auto* given = std::get_if<ProfilePoints>(&slices.back().profile.shape))
+            points += given->points.size();
+        if (points > most_points_of_slices)
+            throw invalid_field(
+                path.text(),
+                "have more than " + std::to_string(most_points_of_slices) + " points together; leave some of them out",
+                reason::limit_exceeded);
+    }
+}
+
+template <class Slice>
+json write_slices(const void* value, const FieldPath& path, ArrayWriter* arrays) {
+    json result = json::array();
+    for (const Slice& slice : as<std::vector<Slice>>(value))
+        result.push_back(write_fields(slice, FieldPath(path, result.size()), arrays));
+    return result;
+}
+
+// --- bodies of wheels on rails: materials of half-spaces
+// ---------------------------------------------------------------
+json write_body(const Body& body, const std::string& field) {
+    if (body.material.is_rigid()) return {{"rigid", true}};
+    if (const Ics* ics = body.computed(); ics == nullptr || *ics != Ics{})
+        throw InvalidArgument(field + ".ics",
+                              "is no half-space in closed form; the daemon knows wheels and rails as such only");
+    return encode_material(body.material);
+}
+
+json write_bodies(const void* value, const FieldPath& path, ArrayWriter*) {
+    const auto& bodies = as<Bodies>(value);
+    const std::string field = path.text();
+    if (bodies.pair)
+        throw InvalidArgument(
+            field + ".pair",
+            "holds coefficients of a grid, and the grids of wheels on rails are found; give materials");
+    return object(
+        {{"upper", write_body(bodies.upper, field + ".upper")}, {"lower", write_body(bodies.lower, field + ".lower")}});
+}
+
+Body read_body(const json& source) {
+    return {source.contains("rigid") ? Material::rigid() : decode_material(source)};
+}
+
+void read_bodies(const json& source, void* value, const FieldPath&, const Frames&) {
+    auto& bodies = as<Bodies>(value);
+    bodies.upper = read_body(source["upper"]);
+    bodies.lower = source.contains("lower") ? read_body(source["lower"]) : bodies.upper;
+}
+
+// --- one coefficient of friction is a number
+// ---------------------------------------------------------------------------
+using Coefficients = std::vector<FrictionAtAngle>;
+
+json write_coefficients(const void* value, const FieldPath& path, ArrayWriter* arrays) {
+    const auto& coefficients = as<Coefficients>(value);
+    if (coefficients.size() == 1 && coefficients[0].angle == 0)
+        return finite_field(coefficients[0].mu, path.text().c_str());
+    json result = json::array();
+    for (const FrictionAtAngle& entry : coefficients)
+        result.push_back(write_fields(entry, FieldPath(path, result.size()), arrays));
+    return result;
+}
+
+void read_coefficients(const json& source, void* value, const FieldPath& path, const Frames& frames) {
+    auto& coefficients = as<Coefficients>(value);
+    coefficients.clear();
+    if (source.is_number()) {
+        coefficients.push_back({0, source.get<double>()});
+        return;
+    }
+    for (const json& entry : source)
+        read_fields(entry, coefficients.emplace_back(), FieldPath(path, coefficients.size() - 1), frames);
+}
+
+}  // namespace
+
+const FieldHook* hook_of(const FieldType& type) {
+    if (type.kind != FieldKind::custom && type.kind != FieldKind::list) return nullptr;
+    static const std::array hooks{
+        FieldHook{&custom_type<ProfileSpec>(), write_profile, read_profile},
+        FieldHook{&type_of<std::vector<RailSlice>>(), write_slices<RailSlice>, read_slices<RailSlice>},
+        FieldHook{&type_of<std::vector<WheelSlice>>(), write_slices<WheelSlice>, read_slices<WheelSlice>},
+        FieldHook{&custom_type<Bodies>(), write_bodies, read_bodies},
+        FieldHook{&type_of<Coefficients>(), write_coefficients, read_coefficients},
+    };
+    const auto found = std::ranges::find(hooks, &type, &FieldHook::type);
+    return found == hooks.end() ? nullptr : &*found;
+}
+
+}  // namespace contactd::proto
