@@ -55,15 +55,29 @@ void check_bounds(const FieldType& type, const void* value) {
         if (const void* found = field.find(value)) check_field(field, found);
 }
 
+namespace {
+
+/// Turns the sign of every number, whatever its parity.
+void negate(const FieldType& type, void* value) {
+    if (type.kind == FieldKind::number) {
+        double& number = *static_cast<double*>(value);
+        number = 0 - number;  // no negative zero
+    }
+    for (const Field& field : type.fields)
+        if (field.find(value) != nullptr) negate(field.type(), field.make(value));
+}
+
+}  // namespace
+
 void mirror_fields(const FieldType& type, void* value) {
+    if (type.kind == FieldKind::list && type.element().kind != FieldKind::number)
+        for (std::size_t i = 0; i < type.size(value); ++i)
+            mirror_fields(type.element(), const_cast<void*>(type.at(value, i)));
     for (const Field& field : type.fields) {
         if (field.find(value) == nullptr) continue;
         void* found = field.make(value);
-        const FieldType& inner = field.type();
-        if (inner.kind == FieldKind::object) mirror_fields(inner, found);
-        if (field.parity == MirrorParity::even || inner.kind != FieldKind::number) continue;
-        double& number = *static_cast<double*>(found);
-        number = 0 - number;  // no negative zero
+        mirror_fields(field.type(), found);
+        if (field.parity == MirrorParity::odd) negate(field.type(), found);
     }
 }
 

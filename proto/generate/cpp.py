@@ -20,31 +20,37 @@ def cpp_files(declarations: Declarations) -> dict[Path, str]:
     homes = _homes()
     by_header: dict[str, list[Struct | Enum]] = {}
     for declared in [*declarations.enums.values(), *declarations.structs.values()]:
-        if declared.name not in homes:
-            raise DeclarationError(f"no header of core/include/contactd defines {declared.name}")
-        by_header.setdefault(homes[declared.name], []).append(declared)
+        by_header.setdefault(_home(declared.name, homes), []).append(declared)
     files = {}
     for header, declared in by_header.items():
         enums = [one for one in declared if isinstance(one, Enum)]
         structs = [one for one in declared if isinstance(one, Struct)]
-        files[INCLUDE / "fields" / header] = _formatted(_header(header, enums, structs))
+        used = {_home(field.type, homes) for struct in structs for field in struct.fields if field.type and not field.is_custom}
+        files[INCLUDE / "fields" / header] = _formatted(_header(header, sorted(used - {header}), enums, structs))
         if structs:
-            source = SOURCES / f"{Path(header).stem}.cpp"
-            files[source] = _formatted(_source(header, structs, homes))
+            files[SOURCES / f"{Path(header).stem}.cpp"] = _formatted(_source(header, structs))
     return files
+
+
+def _home(name: str, homes: dict[str, str]) -> str:
+    outer = name.partition("::")[0]
+    if outer not in homes:
+        raise DeclarationError(f"no header of core/include/contactd defines {outer}")
+    return homes[outer]
 
 
 def _homes() -> dict[str, str]:
     """The header of each struct and enum of core."""
     homes: dict[str, str] = {}
     for path in sorted(INCLUDE.glob("*.hpp")):
-        for name in re.findall(r"^(?:struct|enum class) (\w+) \{", path.read_text(), re.MULTILINE):
+        for name in re.findall(r"^(?:struct|enum class) (\w+)(?: : [\w:]+)? \{", path.read_text(), re.MULTILINE):
             homes[name] = path.name
     return homes
 
 
-def _header(header: str, enums: list[Enum], structs: list[Struct]) -> str:
-    lines = [NOTE, "#pragma once\n", '#include "contactd/fields.hpp"', f'#include "contactd/{header}"\n', "namespace contactd {\n"]
+def _header(header: str, used: list[str], enums: list[Enum], structs: list[Struct]) -> str:
+    includes = sorted(["contactd/fields.hpp", f"contactd/{header}", *(f"contactd/fields/{name}" for name in used)])
+    lines = [NOTE, "#pragma once\n", *(f'#include "{name}"' for name in includes), "\nnamespace contactd {\n"]
     for enum in enums:
         words = ", ".join(f'"{word}"' for word in enum.keywords)
         lines += ["template <>", f"inline constexpr auto enum_words<{enum.name}> = std::to_array<std::string_view>({{{words}}});"]
@@ -55,14 +61,12 @@ def _header(header: str, enums: list[Enum], structs: list[Struct]) -> str:
     return "\n".join([*lines, "\n}  // namespace contactd\n"])
 
 
-def _source(header: str, structs: list[Struct], homes: dict[str, str]) -> str:
-    used = {homes[field.type] for struct in structs for field in struct.fields if field.type} - {header}
-    lines = [NOTE, f'#include "contactd/fields/{header}"\n', "#include <array>\n"]
-    lines += [f'#include "contactd/fields/{name}"' for name in sorted(used)]
-    lines += ["\nnamespace contactd {", "namespace {\n"]
+def _source(header: str, structs: list[Struct]) -> str:
+    lines = [NOTE, f'#include "contactd/fields/{header}"\n', "#include <array>", "\nnamespace contactd {", "namespace {\n"]
     lines.append("// A member that the schema does not declare makes the number of these names wrong.")
     for struct in structs:
-        names = ", ".join(f"{field.name}_" for field in struct.fields)
+        members = [field.name for field in struct.fields] + list(struct.other_members)
+        names = ", ".join(f"{name}_" for name in members)
         lines += [f"[[maybe_unused]] void all_of(const {struct.name}& all) {{", f"[[maybe_unused]] const auto& [{names}] = all;", "}"]
     lines.append("\n}  // namespace\n")
     for struct in structs:
@@ -89,6 +93,8 @@ def _notes(field: Field) -> list[str]:
         notes.append(f'.unit = "{field.unit}"')
     if field.parity != "even":
         notes.append(f".parity = MirrorParity::{field.parity}")
+    if field.required:
+        notes.append(".required = true")
     return notes
 
 

@@ -1,7 +1,13 @@
 """The declarations of proto/schema: structs with their fields, and enums with their keywords.
 
-A schema that stands for a type of C++ names it in `x-cpp`: an object a struct, a list of words an enum. A number has
-its unit in `x-unit`, and in `x-parity` whether the mirror image of a wheel turns its sign.
+A schema that stands for a type of C++ names it in `x-cpp`: an object a struct, a list of words an enum. What else is
+named there has a form of its own on the wire, and so has an object with fields of which none is named.
+
+`x-unit`     of a number
+`x-parity`   odd: the mirror image of a wheel turns its sign
+`x-derived`  a field that follows from others, and is no member of the struct
+`x-cpp-only` members of the struct that are no fields
+`x-partial`  an object that has some fields only of the struct that it names
 """
 
 from __future__ import annotations
@@ -41,12 +47,14 @@ class Field:
     bounds: Bounds
     unit: str
     parity: str
+    required: bool
 
 
 @dataclass(frozen=True)
 class Struct:
     name: str
     fields: tuple[Field, ...]
+    other_members: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -64,16 +72,16 @@ class Declarations:
         self.enums: dict[str, Enum] = {}
         for document in self._documents.values():
             for schema in _all_schemas(document):
-                if "x-cpp" in schema:
+                if "x-cpp" in schema and "x-partial" not in schema:
                     self._declare(self.resolved(schema))
 
     def resolved(self, schema: Schema) -> Schema:
         """What a reference leads to, with what stands beside it."""
         if "$ref" not in schema:
             return schema
-        file, _, pointer = schema["$ref"].partition("#/")
+        file, _, pointer = schema["$ref"].partition("#")
         target: Any = self._documents[file]
-        for step in pointer.split("/"):
+        for step in filter(None, pointer.split("/")):
             target = target[step]
         return {**self.resolved(target), **{key: value for key, value in schema.items() if key != "$ref"}}
 
@@ -84,21 +92,38 @@ class Declarations:
             if self.enums.setdefault(name, found) != found:
                 raise DeclarationError(f"{name} has the words {found.keywords} here and others there")
             return
-        fields = tuple(self._field(field, self.resolved(part)) for field, part in schema["properties"].items())
-        struct = Struct(name, fields)
+        if "properties" not in schema:
+            return
+        properties = {field: self.resolved(part) for field, part in schema["properties"].items()}
+        required = schema.get("required", [])
+        fields = tuple(self._field(field, part, field in required) for field, part in properties.items() if "x-derived" not in part)
+        struct = Struct(name, fields, tuple(schema.get("x-cpp-only", ())))
         if self.structs.setdefault(name, struct) != struct:
             raise DeclarationError(f"{name} is declared twice, and differently: {struct}, {self.structs[name]}")
 
-    def _field(self, name: str, schema: Schema) -> Field:
-        items = self.resolved(schema.get("items") or {}) if "array" in _types(schema) else {}
-        named = schema if "x-cpp" in schema else items
-        is_plain = bool(_types(schema) & {"number", "integer", "boolean", "string"}) and not schema.get("properties")
+    def _field(self, name: str, schema: Schema, required: bool) -> Field:
+        is_list = "array" in _types(schema) and "x-cpp" not in schema
+        value = self.resolved(schema.get("items") or {}) if is_list else schema
         bounds: dict[str, Any] = {}
         for key, (end, excluded) in _BOUNDS.items():
-            if key in schema and not items:
-                bounds[end], bounds[f"{end}_excluded"] = schema[key], excluded
-        is_custom = "x-cpp" not in named and not is_plain
-        return Field(name, named.get("x-cpp"), is_custom, Bounds(**bounds), schema.get("x-unit", ""), schema.get("x-parity", "even"))
+            if key in value and not is_list:
+                bounds[end], bounds[f"{end}_excluded"] = value[key], excluded
+        return Field(
+            name,
+            value.get("x-cpp"),
+            _is_custom(value),
+            Bounds(**bounds),
+            schema.get("x-unit", ""),
+            schema.get("x-parity", "even"),
+            required,
+        )
+
+
+def _is_custom(schema: Schema) -> bool:
+    """Whether a value has another form on the wire than that of a plain one, or of the fields of a struct."""
+    if "x-cpp" in schema:
+        return "enum" not in schema and "properties" not in schema
+    return not _types(schema) or bool(_types(schema) - {"number", "integer", "boolean", "string"})
 
 
 def _types(schema: Schema) -> set[str]:

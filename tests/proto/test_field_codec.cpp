@@ -10,6 +10,7 @@
 #include "contactd/fields/friction.hpp"
 #include "contactd/fields/profile_spec.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
+#include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
 #include "contactd/proto/schema.hpp"
 #include "support/random_fields.hpp"
@@ -19,7 +20,8 @@ using namespace contactd::proto;
 using nlohmann::json;
 
 TEMPLATE_TEST_CASE("Every field comes back from the wire as it was", "[fields]", WheelRailSetup, WheelRailState,
-                   WheelsetState, WheelRailFriction, KineticFriction, ContactSettings, PatchRules, Track) {
+                   WheelsetState, WheelRailFriction, KineticFriction, ContactSettings, PatchRules, Track,
+                   ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailShift, Discretisation) {
     const auto value = with_random_fields<TestType>(GENERATE(range(0u, 20u)));
     ArrayWriter arrays(ArrayEncoding::list);
     const json written = write_fields(value, FieldPath("value"), &arrays);
@@ -92,4 +94,12 @@ TEST_CASE("The mirror image of a state's mirror image is the state", "[fields]")
     CHECK(twice.position.z == state.position.z);
     mirror_fields(twice);
     CHECK(twice == state);
+}
+
+TEST_CASE("Forces by a motion to the side turn all signs but those that turn themselves", "[fields]") {
+    WheelRailDerivatives derivatives;
+    derivatives.position.z = derivatives.position.y = {1, 2, 3, 4, 5, 6};
+    mirror_fields(derivatives);
+    CHECK(derivatives.position.z == Wrench{1, -2, 3, -4, 5, -6});
+    CHECK(derivatives.position.y == Wrench{-1, 2, -3, 4, -5, 6});
 }

@@ -49,6 +49,7 @@ struct Field {
     /// Whether an optional, or an entry of a list, is there by default: null or an empty list says otherwise then, and
     /// not a member that is left out.
     bool present_by_default = false;
+    bool required = false;  ///< a message without it is wrong, also where it is an empty list
     Bounds bounds{};
     std::string_view unit{};
     MirrorParity parity = MirrorParity::even;
@@ -63,8 +64,8 @@ struct FieldType {
     void (*set_integer)(void* value, std::int64_t) = {};  ///< of the same
     const FieldType& (*element)() = {};                   ///< of a list, with what follows
     std::size_t (*size)(const void* list) = {};
-    const void* (*at)(const void* list, std::size_t index) = {};
-    void* (*add)(void* list) = {};  ///< a default at its end
+    const void* (*at)(const void* list, std::size_t index) = {};  ///< to be written to where the list is
+    void* (*add)(void* list) = {};                                ///< a default at its end
     void (*empty)(void* list) = {};
 };
 
@@ -154,6 +155,7 @@ struct Notes {
     Bounds bounds{};
     std::string_view unit{};
     MirrorParity parity = MirrorParity::even;
+    bool required = false;
 };
 
 template <auto member>
@@ -164,6 +166,7 @@ Field field_of_type(std::string_view name, const FieldType& (*type)(), const Not
     field.bounds = notes.bounds;
     field.unit = notes.unit;
     field.parity = notes.parity;
+    field.required = notes.required;
     if constexpr (Optional::is_optional) {
         field.find = [](const void* owner) -> const void* {
             const auto& value = static_cast<const Owner*>(owner)->*member;
@@ -220,7 +223,8 @@ void check_bounds(const T& value) {
     check_bounds(type_of<T>(), &value);
 }
 
-/// Turns the sign of every number of `value`, below its fields, whose parity is odd.
+/// Makes `value` its mirror image: turns the sign of every number below its fields that is odd, or stands in an object
+/// that is. The order of lists stays, and so do values of custom types.
 void mirror_fields(const FieldType& type, void* value);
 template <class T>
 void mirror_fields(T& value) {

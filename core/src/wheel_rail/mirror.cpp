@@ -5,8 +5,11 @@
 #include <utility>
 #include <variant>
 
+#include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
 
+// The signs of numbers are those of their fields (x-parity in proto/schema); what lists, arrays and ends become is
+// here.
 namespace contactd {
 namespace {
 
@@ -18,13 +21,7 @@ void mirror(Extent& extent) {
     extent = {0 - extent.to, 0 - extent.from};
 }
 
-void mirror(ContactReference& reference) {
-    turn_sign(reference.y);
-    turn_sign(reference.angle);
-}
-
 void mirror(OverlapRegion& region) {
-    mirror(region.reference);
     mirror(region.y);
     std::swap(region.z.from, region.z.to);
 }
@@ -57,53 +54,24 @@ void mirror(Motion& motion) {
 }
 
 void mirror(ContactSolution& solution, const Grid& grid) {
-    turn_sign(solution.forces.Fy);
-    turn_sign(solution.forces.Mz);
     mirror_rows(solution.element_division, grid);
     for (auto* values : {&solution.pressure, &solution.traction_x, &solution.slip_x}) mirror_rows(*values, grid);
     for (auto* values : {&solution.traction_y, &solution.slip_y}) mirror_across(*values, grid);
     if (solution.motion) mirror(*solution.motion);
 }
 
-void mirror(Wrench& wrench) {
-    for (double* value : {&wrench.Fy, &wrench.Mx, &wrench.Mz}) turn_sign(*value);
-}
-
 void mirror(ContactPlace& place) {
-    mirror(place.reference);
     mirror(place.grid);
     std::reverse(place.rows.begin(), place.rows.end());
-    for (ContactRow& row : place.rows) {
-        turn_sign(row.y);
-        turn_sign(row.angle);
-    }
-    turn_sign(place.creepages.eta);
-    turn_sign(place.creepages.phi);
     for (OverlapRegion& region : place.regions) mirror(region);
     std::reverse(place.regions.begin(), place.regions.end());
     std::reverse(place.shares.begin(), place.shares.end());
-}
-
-/// By an input that turns its sign, too, or does not.
-void mirror(WheelRailDerivatives& derivatives) {
-    auto& [position, velocity] = derivatives;
-    for (Wrench* held : {&position.z, &velocity.x, &velocity.z, &velocity.pitch}) mirror(*held);
-    for (Wrench* turned : {&position.y, &position.roll, &position.yaw, &velocity.y, &velocity.roll, &velocity.yaw}) {
-        mirror(*turned);
-        for (double* value : {&turned->Fx, &turned->Fy, &turned->Fz, &turned->Mx, &turned->My, &turned->Mz})
-            turn_sign(*value);
-    }
-}
-
-void mirror(WheelRailForces& forces) {
-    for (Wrench* wrench : {&forces.track, &forces.rail, &forces.wheelset}) mirror(*wrench);
 }
 
 void mirror(WheelRailPatch& patch) {
     mirror(patch.place);
     mirror_rows(patch.gap, patch.place.grid);
     mirror(patch.solution, patch.place.grid);
-    mirror(patch.forces);
 }
 
 }  // namespace
@@ -114,17 +82,16 @@ WheelRailState mirrored(WheelRailState state) {
 }
 
 WheelRailGeometry mirrored(WheelRailGeometry geometry) {
+    mirror_fields(geometry);
     for (ContactPlace& place : geometry.places) mirror(place);
     std::reverse(geometry.places.begin(), geometry.places.end());
     return geometry;
 }
 
 WheelRailSolution mirrored(WheelRailSolution solution) {
+    mirror_fields(solution);
     for (WheelRailPatch& patch : solution.patches) mirror(patch);
     std::reverse(solution.patches.begin(), solution.patches.end());
-    mirror(solution.forces);
-    if (solution.derivatives) mirror(*solution.derivatives);
-    if (solution.rail_shift) turn_sign(solution.rail_shift->y);
     return solution;
 }
 

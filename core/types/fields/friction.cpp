@@ -18,9 +18,10 @@ template <>
 const FieldType& type_of<KineticFriction>() {
     static const auto list = std::to_array<Field>({
         fields::field<&KineticFriction::law>("law"),
-        fields::field<&KineticFriction::mu>("mu", {.bounds = {.least = 0, .most = 1000}}),
+        fields::field<&KineticFriction::mu>("mu", {.bounds = {.least = 0, .most = 1000}, .required = true}),
         fields::field<&KineticFriction::slip_velocity>(
-            "slip_velocity", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s"}),
+            "slip_velocity",
+            {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -17,8 +17,10 @@ namespace {
 template <>
 const FieldType& type_of<ProfilePoint>() {
     static const auto list = std::to_array<Field>({
-        fields::field<&ProfilePoint::y>("y", {.bounds = {.least = -10000, .most = 10000}, .unit = "mm"}),
-        fields::field<&ProfilePoint::z>("z", {.bounds = {.least = -10000, .most = 10000}, .unit = "mm"}),
+        fields::field<&ProfilePoint::y>("y",
+                                        {.bounds = {.least = -10000, .most = 10000}, .unit = "mm", .required = true}),
+        fields::field<&ProfilePoint::z>("z",
+                                        {.bounds = {.least = -10000, .most = 10000}, .unit = "mm", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -4,10 +4,6 @@
 
 #include <array>
 
-#include "contactd/fields/contact_setup.hpp"
-#include "contactd/fields/friction.hpp"
-#include "contactd/fields/profile_spec.hpp"
-
 namespace contactd {
 namespace {
 
@@ -60,8 +56,9 @@ template <>
 const FieldType& type_of<FrictionAtAngle>() {
     static const auto list = std::to_array<Field>({
         fields::field<&FrictionAtAngle::angle>(
-            "angle", {.bounds = {.least = -3.141592653589793, .most = 3.141592653589793}, .unit = "rad"}),
-        fields::field<&FrictionAtAngle::mu>("mu", {.bounds = {.least = 0, .most = 1000}}),
+            "angle",
+            {.bounds = {.least = -3.141592653589793, .most = 3.141592653589793}, .unit = "rad", .required = true}),
+        fields::field<&FrictionAtAngle::mu>("mu", {.bounds = {.least = 0, .most = 1000}, .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -97,8 +94,8 @@ const FieldType& type_of<WheelRailSetup>() {
 template <>
 const FieldType& type_of<RailSlice>() {
     static const auto list = std::to_array<Field>({
-        fields::field<&RailSlice::x>("x", {.bounds = {.least = -1e+09, .most = 1e+09}, .unit = "mm"}),
-        fields::custom_field<&RailSlice::profile>("profile"),
+        fields::field<&RailSlice::x>("x", {.bounds = {.least = -1e+09, .most = 1e+09}, .unit = "mm", .required = true}),
+        fields::custom_field<&RailSlice::profile>("profile", {.required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -108,8 +105,9 @@ template <>
 const FieldType& type_of<WheelSlice>() {
     static const auto list = std::to_array<Field>({
         fields::field<&WheelSlice::angle>(
-            "angle", {.bounds = {.least = -6.283185307179586, .most = 6.283185307179586}, .unit = "rad"}),
-        fields::custom_field<&WheelSlice::profile>("profile"),
+            "angle",
+            {.bounds = {.least = -6.283185307179586, .most = 6.283185307179586}, .unit = "rad", .required = true}),
+        fields::custom_field<&WheelSlice::profile>("profile", {.required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

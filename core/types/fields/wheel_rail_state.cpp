@@ -109,8 +109,10 @@ const FieldType& type_of<WheelsetState>() {
         fields::field<&WheelsetState::right_rail>("right_rail"),
         fields::field<&WheelsetState::roller_pitch>("roller_pitch",
                                                     {.bounds = {.least = -1e+09, .most = 1e+09}, .unit = "rad/s"}),
-        fields::field<&WheelsetState::Fz_left>("Fz_left", {.bounds = {.least = 1e-06, .most = 1e+18}, .unit = "N"}),
-        fields::field<&WheelsetState::Fz_right>("Fz_right", {.bounds = {.least = 1e-06, .most = 1e+18}, .unit = "N"}),
+        fields::field<&WheelsetState::Fz_left>(
+            "Fz_left", {.bounds = {.least = 1e-06, .most = 1e+18}, .unit = "N", .required = true}),
+        fields::field<&WheelsetState::Fz_right>(
+            "Fz_right", {.bounds = {.least = 1e-06, .most = 1e+18}, .unit = "N", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

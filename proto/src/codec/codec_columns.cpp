@@ -1,4 +1,4 @@
-// Contact on curved columns: where they lie, and the resultant of the tractions there.
+// Contact on curved columns: where they lie.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -14,11 +14,6 @@ using nlohmann::json;
 constexpr std::size_t numbers_of_frame = 3;  // y, z, angle
 
 /// With their names; Part may be const.
-template <class Part>
-auto components_of(Part& resultant) {
-    return std::array{std::pair("Fx", &resultant.Fx), std::pair("Fy", &resultant.Fy), std::pair("Fz", &resultant.Fz),
-                      std::pair("Mx", &resultant.Mx), std::pair("My", &resultant.My), std::pair("Mz", &resultant.Mz)};
-}
 
 }  // namespace
 
@@ -41,18 +36,6 @@ ContactColumns decode_columns(const json& source, const Frames& frames, const Gr
     if (source.contains("origin"))
         columns.origin = {source["origin"][0].get<double>(), source["origin"][1].get<double>()};
     return columns;
-}
-
-json encode_resultant(const Resultant& resultant) {
-    json result = json::object();
-    for (const auto& [name, value] : components_of(resultant)) result[name] = finite(*value, name);
-    return result;
-}
-
-Resultant decode_resultant(const json& source) {
-    Resultant resultant;
-    for (const auto& [name, value] : components_of(resultant)) *value = source[name].get<double>();
-    return resultant;
 }
 
 }  // namespace contactd::proto

@@ -57,8 +57,6 @@ double finite_field(double value, const char* field);
 
 nlohmann::json encode_columns(const ContactColumns& columns, ArrayWriter& arrays);
 ContactColumns decode_columns(const nlohmann::json& source, const Frames& frames, const Grid& grid);
-nlohmann::json encode_resultant(const Resultant& resultant);
-Resultant decode_resultant(const nlohmann::json& source);
 
 /// nx or ny of a grid. Throws StatusError when no grid has so many elements.
 int decode_count(const nlohmann::json& grid, const char* name);
@@ -122,13 +120,9 @@ nlohmann::json encode_friction(const FrictionParts& parts, const Grid& grid, Arr
 /// Lays `friction` of a request over the problem's, which stays as it is in fields that are not there.
 void decode_friction(const nlohmann::json& json, const Frames& frames, ContactProblem& problem);
 
-/// The parts of a result that hold no arrays: of a solution all but its evidence, and that of its solvers.
+/// What a result holds of a solution, but for its arrays. Throws Error for numbers that are not finite.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);
 void decode_summary(const nlohmann::json& result, ContactSolution& solution);
-nlohmann::json encode_evidence(const ContactEvidence& evidence);
-ContactEvidence decode_contact_evidence(const nlohmann::json& source);
-nlohmann::json encode_solver_evidence(const SolverEvidence& evidence);
-SolverEvidence decode_solver_evidence(const nlohmann::json& source);
 /// Adds those of `fields` that the solution has.
 void encode_arrays(const ContactSolution& solution, const SolutionFields& fields, const Grid& grid, ArrayWriter& arrays,
                    nlohmann::json& result);

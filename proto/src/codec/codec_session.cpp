@@ -139,7 +139,6 @@ json encode_step_reply(long long step, const ContactSolution& solution, const Gr
                        ArrayWriter& arrays) {
     json result = encode_summary(solution, grid);
     result["step"] = step;
-    result["evidence"] = encode_evidence(solution.evidence);
     encode_arrays(solution, fields, grid, arrays, result);
     return result;
 }
@@ -148,7 +147,6 @@ StepReply decode_step_reply(const json& result, const Frames& frames, const Grid
     StepReply reply;
     reply.step = result["step"].get<long long>();
     decode_summary(result, reply.solution);
-    reply.solution.evidence = decode_contact_evidence(result["evidence"]);
     decode_arrays(result, frames, shape_of(grid), reply.solution);
     return reply;
 }

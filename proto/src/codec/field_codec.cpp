@@ -15,16 +15,25 @@ json write_number(double number, const FieldPath& path) {
     return std::isfinite(number) ? number : finite_field(number, path.text().c_str());
 }
 
+bool is_left_to_the_message(const FieldType& type) {
+    const FieldHook* hook = hook_of(type);
+    return hook != nullptr && hook->write == nullptr;
+}
+
+bool is_empty_list(const FieldType& type, const void* value) {
+    return type.kind == FieldKind::list && type.size(value) == 0;
+}
+
 json write_object(const FieldType& type, const void* owner, const FieldPath& path, ArrayWriter* arrays) {
     json::object_t object;
     for (const Field& field : type.fields) {
+        if (is_left_to_the_message(field.type())) continue;
         const void* value = field.find(owner);
-        const bool is_empty =
-            value == nullptr || (field.type().kind == FieldKind::list && field.type().size(value) == 0);
-        if (is_empty && !field.present_by_default) continue;
-        object.emplace(field.name, value == nullptr
-                                       ? json()
-                                       : write_fields(field.type(), value, FieldPath(path, field.name), arrays));
+        if (value == nullptr) {
+            if (field.present_by_default) object.emplace(field.name, nullptr);
+        } else if (field.present_by_default || field.required || !is_empty_list(field.type(), value)) {
+            object.emplace(field.name, write_fields(field.type(), value, FieldPath(path, field.name), arrays));
+        }
     }
     return object;
 }
@@ -39,7 +48,7 @@ json write_list(const FieldType& type, const void* list, const FieldPath& path, 
 void read_object(const json& source, const FieldType& type, void* owner, const FieldPath& path, const Frames& frames) {
     for (const Field& field : type.fields) {
         const auto given = source.find(field.name);
-        if (given == source.end()) continue;
+        if (given == source.end() || is_left_to_the_message(field.type())) continue;
         if (given->is_null() && field.clear)
             field.clear(owner);
         else

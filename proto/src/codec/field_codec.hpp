@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contactd/error.hpp"
 #include "contactd/fields.hpp"
 #include "contactd/proto/message.hpp"
 
@@ -30,7 +31,8 @@ class FieldPath {
     std::size_t index_ = 0;
 };
 
-/// The form on the wire of values of one type. `arrays` may be null where a message has none.
+/// The form on the wire of values of one type. `arrays` may be null where a message has none. Without functions a field
+/// of this type is passed over: what the message holds of it depends on more than its value.
 struct FieldHook {
     const FieldType* type;
     nlohmann::json (*write)(const void* value, const FieldPath& path, ArrayWriter* arrays);
@@ -53,6 +55,16 @@ nlohmann::json write_fields(const T& value, const FieldPath& path, ArrayWriter* 
 template <class T>
 void read_fields(const nlohmann::json& source, T& value, const FieldPath& path, const Frames& frames = {}) {
     read_fields(source, type_of<T>(), &value, path, frames);
+}
+
+/// write_fields of what was computed: a number that is not finite is an Error, not a refusal of what was asked.
+template <class T>
+nlohmann::json write_answer(const T& answer, const FieldPath& path) {
+    try {
+        return write_fields(answer, path);
+    } catch (const InvalidArgument& error) {
+        throw Error(error.what());
+    }
 }
 
 }  // namespace contactd::proto

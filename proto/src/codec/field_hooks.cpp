@@ -1,13 +1,18 @@
 // Types whose form on the wire is another one than that of their fields.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "codec_parts.hpp"
 #include "codec_profile.hpp"
 #include "contactd/body.hpp"
+#include "contactd/fields/grid.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
+#include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 #include "field_codec.hpp"
@@ -122,17 +127,74 @@ void read_coefficients(const json& source, void* value, const FieldPath& path, c
         read_fields(entry, coefficients.emplace_back(), FieldPath(path, coefficients.size() - 1), frames);
 }
 
+// --- where wheel and rail are in contact
+// -------------------------------------------------------------------------------
+json write_extent(const void* value, const FieldPath& path, ArrayWriter*) {
+    const auto& [from, to] = as<Extent>(value);
+    const std::string field = path.text();
+    return {finite_field(from, field.c_str()), finite_field(to, field.c_str())};
+}
+
+void read_extent(const json& source, void* value, const FieldPath&, const Frames&) {
+    as<Extent>(value) = {source[0].get<double>(), source[1].get<double>()};
+}
+
+/// The radius of what is straight is infinite, and left out.
+json write_radii(const void* value, const FieldPath& path, ArrayWriter*) {
+    json result = json::object();
+    for (const Field& field : type_of<ContactRadii>().fields)
+        if (const double radius = as<double>(field.find(value)); !std::isinf(radius))
+            result[std::string(field.name)] = write_fields(radius, FieldPath(path, field.name));
+    return result;
+}
+
+void read_radii(const json& source, void* value, const FieldPath& path, const Frames&) {
+    constexpr double straight = std::numeric_limits<double>::infinity();
+    for (const Field& field : type_of<ContactRadii>().fields) {
+        auto& radius = as<double>(field.make(value));
+        radius = straight;
+        if (source.contains(field.name))
+            read_fields(source[std::string(field.name)], radius, FieldPath(path, field.name));
+    }
+}
+
+json write_grid(const void* value, const FieldPath&, ArrayWriter*) {
+    return encode_grid(as<Grid>(value));
+}
+
+void read_grid(const json& source, void* value, const FieldPath&, const Frames&) {
+    as<Grid>(value) = decode_grid(source);
+}
+
+// --- derivatives of contacts
+// -------------------------------------------------------------------------------------------
+json write_derivatives(const void* value, const FieldPath&, ArrayWriter*) {
+    return encode_derivatives(as<Derivatives>(value));
+}
+
+void read_derivatives(const json& source, void* value, const FieldPath&, const Frames&) {
+    as<Derivatives>(value) = decode_derivatives(source);
+}
+
 }  // namespace
 
 const FieldHook* hook_of(const FieldType& type) {
-    if (type.kind != FieldKind::custom && type.kind != FieldKind::list) return nullptr;
     static const std::array hooks{
+        FieldHook{&custom_type<std::vector<double>>(), nullptr, nullptr},
+        FieldHook{&custom_type<std::vector<ElementState>>(), nullptr, nullptr},
+        FieldHook{&custom_type<Motion>(), nullptr, nullptr},
+        FieldHook{&type_of<std::vector<WheelRailPatch>>(), nullptr, nullptr},
+        FieldHook{&custom_type<Derivatives>(), write_derivatives, read_derivatives},
+        FieldHook{&custom_type<Extent>(), write_extent, read_extent},
+        FieldHook{&type_of<ContactRadii>(), write_radii, read_radii},
+        FieldHook{&type_of<Grid>(), write_grid, read_grid},
         FieldHook{&custom_type<ProfileSpec>(), write_profile, read_profile},
         FieldHook{&type_of<std::vector<RailSlice>>(), write_slices<RailSlice>, read_slices<RailSlice>},
         FieldHook{&type_of<std::vector<WheelSlice>>(), write_slices<WheelSlice>, read_slices<WheelSlice>},
         FieldHook{&custom_type<Bodies>(), write_bodies, read_bodies},
         FieldHook{&type_of<Coefficients>(), write_coefficients, read_coefficients},
     };
+    if (type.kind < FieldKind::object) return nullptr;
     const auto found = std::ranges::find(hooks, &type, &FieldHook::type);
     return found == hooks.end() ? nullptr : &*found;
 }

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "contactd/fields.hpp"
+#include "contactd/fields/contact_setup.hpp"
+#include "contactd/fields/friction.hpp"
+#include "contactd/fields/profile_spec.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 
 namespace contactd {

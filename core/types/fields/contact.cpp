@@ -1,0 +1,139 @@
+// Written by ./dev generate from proto/schema: edit it there.
+
+#include "contactd/fields/contact.hpp"
+
+#include <array>
+
+namespace contactd {
+namespace {
+
+// A member that the schema does not declare makes the number of these names wrong.
+[[maybe_unused]] void all_of(const ContactSolution& all) {
+    [[maybe_unused]] const auto& [approach_, forces_, resultant_, pmax_, area_, elements_, element_division_, pressure_,
+                                  traction_x_, traction_y_, slip_x_, slip_y_, frictional_work_, frictional_power_,
+                                  motion_, derivatives_, warnings_, evidence_] = all;
+}
+[[maybe_unused]] void all_of(const Forces& all) {
+    [[maybe_unused]] const auto& [Fn_, Fx_, Fy_, Mz_] = all;
+}
+[[maybe_unused]] void all_of(const Areas& all) {
+    [[maybe_unused]] const auto& [contact_, adhesion_, slip_] = all;
+}
+[[maybe_unused]] void all_of(const Counts& all) {
+    [[maybe_unused]] const auto& [contact_, adhesion_, slip_, border_] = all;
+}
+[[maybe_unused]] void all_of(const ContactEvidence& all) {
+    [[maybe_unused]] const auto& [normal_, tangential_, outer_, force_, derivatives_, discretisation_] = all;
+}
+[[maybe_unused]] void all_of(const Discretisation& all) {
+    [[maybe_unused]] const auto& [elements_across_, force_error_, pmax_error_, source_, rolling_error_,
+                                  compliance_ratio_] = all;
+}
+[[maybe_unused]] void all_of(const SolverEvidence& all) {
+    [[maybe_unused]] const auto& [iterations_, residual_, converged_, seconds_] = all;
+}
+
+}  // namespace
+
+template <>
+const FieldType& type_of<ContactSolution>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&ContactSolution::approach>("approach", {.unit = "mm", .required = true}),
+        fields::field<&ContactSolution::forces>("forces", {.required = true}),
+        fields::field<&ContactSolution::resultant>("resultant"),
+        fields::field<&ContactSolution::pmax>("pmax", {.bounds = {.least = 0}, .unit = "N/mm^2", .required = true}),
+        fields::field<&ContactSolution::area>("area", {.required = true}),
+        fields::field<&ContactSolution::elements>("elements", {.required = true}),
+        fields::custom_field<&ContactSolution::element_division>("element_division"),
+        fields::custom_field<&ContactSolution::pressure>("pressure"),
+        fields::custom_field<&ContactSolution::traction_x>("traction_x"),
+        fields::custom_field<&ContactSolution::traction_y>("traction_y"),
+        fields::custom_field<&ContactSolution::slip_x>("slip_x"),
+        fields::custom_field<&ContactSolution::slip_y>("slip_y"),
+        fields::field<&ContactSolution::frictional_work>("frictional_work", {.unit = "N mm"}),
+        fields::field<&ContactSolution::frictional_power>("frictional_power", {.unit = "N mm/s"}),
+        fields::custom_field<&ContactSolution::motion>("motion"),
+        fields::custom_field<&ContactSolution::derivatives>("derivatives"),
+        fields::field<&ContactSolution::warnings>("warnings", {.required = true}),
+        fields::field<&ContactSolution::evidence>("evidence", {.required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Forces>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Forces::Fn>("Fn", {.unit = "N", .required = true}),
+        fields::field<&Forces::Fx>("Fx", {.unit = "N", .required = true}),
+        fields::field<&Forces::Fy>("Fy", {.unit = "N", .parity = MirrorParity::odd, .required = true}),
+        fields::field<&Forces::Mz>("Mz", {.unit = "N mm", .parity = MirrorParity::odd, .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Areas>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Areas::contact>("contact", {.bounds = {.least = 0}, .unit = "mm^2", .required = true}),
+        fields::field<&Areas::adhesion>("adhesion", {.bounds = {.least = 0}, .unit = "mm^2", .required = true}),
+        fields::field<&Areas::slip>("slip", {.bounds = {.least = 0}, .unit = "mm^2", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Counts>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Counts::contact>("contact", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&Counts::adhesion>("adhesion", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&Counts::slip>("slip", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&Counts::border>("border", {.bounds = {.least = 0}, .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ContactEvidence>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&ContactEvidence::normal>("normal", {.required = true}),
+        fields::field<&ContactEvidence::tangential>("tangential"),
+        fields::field<&ContactEvidence::outer>("outer"),
+        fields::field<&ContactEvidence::force>("force"),
+        fields::field<&ContactEvidence::derivatives>("derivatives"),
+        fields::field<&ContactEvidence::discretisation>("discretisation"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Discretisation>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Discretisation::elements_across>("elements_across", {.bounds = {.least = 1}, .required = true}),
+        fields::field<&Discretisation::force_error>("force_error", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&Discretisation::pmax_error>("pmax_error", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&Discretisation::source>("source", {.required = true}),
+        fields::field<&Discretisation::rolling_error>("rolling_error", {.bounds = {.least = 0}}),
+        fields::field<&Discretisation::compliance_ratio>("compliance_ratio"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<SolverEvidence>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&SolverEvidence::iterations>("iterations", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&SolverEvidence::residual>("residual", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&SolverEvidence::converged>("converged", {.required = true}),
+        fields::field<&SolverEvidence::seconds>("seconds", {.bounds = {.least = 0}, .unit = "s", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+}  // namespace contactd

@@ -1,0 +1,31 @@
+// Written by ./dev generate from proto/schema: edit it there.
+
+#include "contactd/fields/contact_columns.hpp"
+
+#include <array>
+
+namespace contactd {
+namespace {
+
+// A member that the schema does not declare makes the number of these names wrong.
+[[maybe_unused]] void all_of(const Resultant& all) {
+    [[maybe_unused]] const auto& [Fx_, Fy_, Fz_, Mx_, My_, Mz_] = all;
+}
+
+}  // namespace
+
+template <>
+const FieldType& type_of<Resultant>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Resultant::Fx>("Fx", {.unit = "N", .required = true}),
+        fields::field<&Resultant::Fy>("Fy", {.unit = "N", .required = true}),
+        fields::field<&Resultant::Fz>("Fz", {.unit = "N", .required = true}),
+        fields::field<&Resultant::Mx>("Mx", {.unit = "N mm", .required = true}),
+        fields::field<&Resultant::My>("My", {.unit = "N mm", .required = true}),
+        fields::field<&Resultant::Mz>("Mz", {.unit = "N mm", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+}  // namespace contactd
