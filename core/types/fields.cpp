@@ -23,20 +23,14 @@ std::string must(const Bounds& bounds, std::string_view unit) {
     return unit.empty() ? sentence : sentence + " " + std::string(unit);
 }
 
-void check_number(const Field& field, double number) {
-    if (!field.bounds.contain(number))
-        throw InvalidArgument(std::string(field.name),
-                              "is " + number_text(number) + "; it must " + must(field.bounds, field.unit));
-}
-
 void check_field(const Field& field, const void* value) {
     const FieldType& type = field.type();
     const std::string name(field.name);
     switch (type.kind) {
         case FieldKind::number:
-            return check_number(field, *static_cast<const double*>(value));
+            return check_number(field, *static_cast<const double*>(value), name);
         case FieldKind::integer:
-            return check_number(field, static_cast<double>(type.integer(value)));
+            return check_number(field, static_cast<double>(type.integer(value)), name);
         case FieldKind::object:
             return below(name, [&] { check_bounds(type, value); });
         case FieldKind::list:
@@ -49,6 +43,11 @@ void check_field(const Field& field, const void* value) {
 }
 
 }  // namespace
+
+void check_number(const Field& field, double number, const std::string& name) {
+    if (!field.bounds.contain(number))
+        throw InvalidArgument(name, "is " + number_text(number) + "; it must " + must(field.bounds, field.unit));
+}
 
 void check_bounds(const FieldType& type, const void* value) {
     for (const Field& field : type.fields)

@@ -24,10 +24,10 @@ TEMPLATE_TEST_CASE("Every field comes back from the wire as it was", "[fields]",
                    ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailShift, Discretisation) {
     const auto value = with_random_fields<TestType>(GENERATE(range(0u, 20u)));
     ArrayWriter arrays(ArrayEncoding::list);
-    const json written = write_fields(value, FieldPath("value"), &arrays);
+    const json written = write_fields(value, MemberPath("value"), &arrays);
     TestType read;
     REQUIRE(read != value);
-    read_fields(json::parse(written.dump()), read, FieldPath("value"));
+    read_fields(json::parse(written.dump()), read, MemberPath("value"));
     CHECK(read == value);
 }
 
@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE("What an optional field was set to can be unset by the wire",
         if (field.clear) field.clear(&value);
     ArrayWriter arrays(ArrayEncoding::list);
     TestType read;
-    read_fields(write_fields(value, FieldPath("value"), &arrays), read, FieldPath("value"));
+    read_fields(write_fields(value, MemberPath("value"), &arrays), read, MemberPath("value"));
     CHECK(read == value);
 }
 
@@ -69,8 +69,8 @@ TEMPLATE_TEST_CASE("Every number that is out of its bounds is refused by its pat
 TEST_CASE("A random set-up and a random state conform to their schema", "[fields]") {
     const unsigned seed = GENERATE(range(0u, 20u));
     ArrayWriter arrays(ArrayEncoding::list);
-    const json params{{"setup", write_fields(with_random_fields<WheelRailSetup>(seed), FieldPath("setup"), &arrays)},
-                      {"state", write_fields(with_random_fields<WheelRailState>(seed), FieldPath("state"))}};
+    const json params{{"setup", write_fields(with_random_fields<WheelRailSetup>(seed), MemberPath("setup"), &arrays)},
+                      {"state", write_fields(with_random_fields<WheelRailState>(seed), MemberPath("state"))}};
     CHECK_NOTHROW(check_params("wheelrail.solve", params));
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("A number that is not finite cannot be written, and is named by its pa
     setup.track.springs = RailSprings{1e4, std::numeric_limits<double>::infinity()};
     ArrayWriter arrays(ArrayEncoding::list);
     try {
-        write_fields(setup, FieldPath("setup"), &arrays);
+        write_fields(setup, MemberPath("setup"), &arrays);
         FAIL("It was written.");
     } catch (const InvalidArgument& error) {
         CHECK(error.field() == "setup.track.springs.z");

@@ -52,6 +52,7 @@ module contactd
         contactd_log_warning = 2, contactd_log_error = 3
 
     private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
+    private :: set_c, set_word_c, clear_c, get_c, get_word_c
     private :: get_warning_c, get_origin_c, set_profile_file_c, wheel_get_warning_c, wheel_set_file_c, strlen, text_of, copy_text
 
 contains
@@ -89,6 +90,37 @@ contains
         type(c_ptr), intent(in) :: connection
         character(*), intent(in) :: server_key, own_key
         code = set_keys_c(connection, trim(server_key) // c_null_char, trim(own_key) // c_null_char)
+    end function
+    ! Fields by their paths, as "setup.track.springs.z" or "patches[0].place.creepages.xi": lists count from 0, as in C.
+    integer(c_int32_t) function contactd_set(handle, path, value) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        real(c_double), intent(in) :: value
+        code = set_c(handle, trim(path) // c_null_char, value)
+    end function
+    integer(c_int32_t) function contactd_set_word(handle, path, word) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path, word
+        code = set_word_c(handle, trim(path) // c_null_char, trim(word) // c_null_char)
+    end function
+    integer(c_int32_t) function contactd_clear(handle, path) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        code = clear_c(handle, trim(path) // c_null_char)
+    end function
+    integer(c_int32_t) function contactd_get(handle, path, value) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        real(c_double), intent(out) :: value
+        code = get_c(handle, trim(path) // c_null_char, value)
+    end function
+    integer(c_int32_t) function contactd_get_word(handle, path, text) result(code)
+        type(c_ptr), intent(in) :: handle
+        character(*), intent(in) :: path
+        character(*), intent(out) :: text
+        character(c_char) :: buffer(len(text) + 1)
+        code = get_word_c(handle, trim(path) // c_null_char, buffer, size(buffer, kind=c_int32_t))
+        call copy_text(code, buffer, text)
     end function
     ! The number of a warning counts from 0, as in C. What does not fit `text` is cut off.
     integer(c_int32_t) function contactd_get_warning(contact, index, text) result(code)

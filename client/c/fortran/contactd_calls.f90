@@ -326,6 +326,23 @@ module contactd_calls
             import; type(c_ptr), value :: contact; integer(c_int32_t), value :: body, length
             character(c_char), intent(out) :: text(*)
         end function
+        integer(c_int32_t) function set_c(handle, path, value) bind(c, name="contactd_set")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*); real(c_double), value :: value
+        end function
+        integer(c_int32_t) function set_word_c(handle, path, word) bind(c, name="contactd_set_word")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*), word(*)
+        end function
+        integer(c_int32_t) function clear_c(handle, path) bind(c, name="contactd_clear")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+        end function
+        integer(c_int32_t) function get_c(handle, path, value) bind(c, name="contactd_get")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+            real(c_double), intent(out) :: value
+        end function
+        integer(c_int32_t) function get_word_c(handle, path, text, length) bind(c, name="contactd_get_word")
+            import; type(c_ptr), value :: handle; character(c_char), intent(in) :: path(*)
+            character(c_char), intent(out) :: text(*); integer(c_int32_t), value :: length
+        end function
         integer(c_size_t) function strlen(text) bind(c)
             import; type(c_ptr), value :: text
         end function

@@ -140,6 +140,25 @@ CONTACTD_API const char* contactd_last_error(const void* handle);  /* a sentence
 CONTACTD_API const char* contactd_last_field(const void* handle);  /* "gap.paraboloid.Rx", as on the wire, or "" */
 CONTACTD_API const char* contactd_last_reason(const void* handle); /* "FIELD_INVALID", for programs, or "" */
 
+/* --- fields by their paths ----------------------------------------------------------------------------------- */
+/* A field is named as on the wire (docs/protocol.md has all, with units, bounds and defaults): inputs of a wheel as
+ * "setup.track.springs.z" or "state.position.yaw", results of a contact or a wheel as "forces.Fn" or
+ * "patches[0].place.creepages.xi". `handle` is a contact or a wheel. What is out of its bounds is refused at once, by
+ * path, value, and what would be right; a path that does not exist with the names that do. A path is read once for each
+ * handle, so that it may be used in a loop.
+ *
+ * Numbers, flags (0 or 1) and whole numbers; a field that may be left out is there from then on. Inputs of contacts
+ * have functions of their own (CONTACTD_UNIMPLEMENTED). */
+CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
+/* One of the words that the field has, such as "setup.model" "hertz". */
+CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* word);
+/* Leaves a field out again that may be: "setup.friction": without friction; "state.Fz": z is prescribed. */
+CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
+/* Of the last solve or step. Of a list its length. CONTACTD_NOT_FOUND: the solution does not have it. */
+CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value);
+/* `text`, of `length` bytes with its end. */
+CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);
+
 /* --- connections --------------------------------------------------------------------------------------------- */
 /* `where`: a daemon, "ipc:///path" or "tcp://host:port", or "local", in process (libcontactd-local only). Nothing is
  * sent yet. Sets *connection to NULL when it fails. */

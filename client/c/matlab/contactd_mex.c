@@ -202,8 +202,8 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         return;
     }
     handle = handle_in(prhs[1], 2);
-    if (!call_of_connection(command, plhs) && !call_that_sets(command) && !call_of_section(command, nlhs, plhs) &&
-        !call_that_reads(command, nlhs, plhs) && !call_that_sets_wheel(command) &&
-        !call_that_reads_wheel(command, nlhs, plhs))
+    if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_that_sets(command) &&
+        !call_of_section(command, nlhs, plhs) && !call_that_reads(command, nlhs, plhs) &&
+        !call_that_sets_wheel(command) && !call_that_reads_wheel(command, nlhs, plhs))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

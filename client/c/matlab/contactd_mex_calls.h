@@ -7,6 +7,42 @@
         return 1;                            \
     }
 
+/* Fields by their paths. */
+static int call_of_field(const char* command, mxArray* plhs[]) {
+    void* of = (void*)(uintptr_t)handle;
+    char path[longest_text], text[longest_text];
+    double value = 0;
+    if (!strcmp(command, "set")) {
+        read_text(argument(0), 3, path);
+        check(contactd_set(of, path, number(1)));
+        return 1;
+    }
+    if (!strcmp(command, "set_word")) {
+        read_text(argument(0), 3, path);
+        read_text(argument(1), 4, text);
+        check(contactd_set_word(of, path, text));
+        return 1;
+    }
+    if (!strcmp(command, "clear")) {
+        read_text(argument(0), 3, path);
+        check(contactd_clear(of, path));
+        return 1;
+    }
+    if (!strcmp(command, "get")) {
+        read_text(argument(0), 3, path);
+        check(contactd_get(of, path, &value));
+        plhs[0] = mxCreateDoubleScalar(value);
+        return 1;
+    }
+    if (!strcmp(command, "get_word")) {
+        read_text(argument(0), 3, path);
+        check(contactd_get_word(of, path, text, longest_text));
+        plhs[0] = mxCreateString(text);
+        return 1;
+    }
+    return 0;
+}
+
 static int call_of_connection(const char* command, mxArray* plhs[]) {
     contactd_connection* c = (contactd_connection*)(uintptr_t)handle;
     contactd_contact* contact = NULL;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "connection.hpp"
+#include "paths.hpp"
 #include "turn.hpp"
 
 namespace contactd::c {
@@ -17,6 +18,7 @@ namespace contactd::c {
 class Called {
    public:
     std::atomic<int> user;  ///< of Turn
+    PathCache paths;        ///< of who has its turn
 
     /// From any thread: ends what runs, and what has its turn but does not run yet.
     void cancel() {

@@ -216,6 +216,9 @@ const FieldType& type_of() {
     return type;
 }
 
+/// Throws InvalidArgument with `name` for its field where the number is out of the field's bounds, or not finite.
+void check_number(const Field& field, double number, const std::string& name);
+
 /// Throws InvalidArgument for the first number of `value`, below its fields, that is out of its bounds.
 void check_bounds(const FieldType& type, const void* value);
 template <class T>

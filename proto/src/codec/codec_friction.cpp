@@ -87,12 +87,12 @@ Step known_or_new(const Motion& motion) {
 }  // namespace
 
 json encode_kinetic(const KineticFriction& kinetic) {
-    return write_fields(kinetic, FieldPath("friction.kinetic"));
+    return write_fields(kinetic, MemberPath("friction.kinetic"));
 }
 
 KineticFriction decode_kinetic(const json& source) {
     KineticFriction kinetic;
-    read_fields(source, kinetic, FieldPath("friction.kinetic"));
+    read_fields(source, kinetic, MemberPath("friction.kinetic"));
     return kinetic;
 }
 

@@ -62,14 +62,14 @@ IcUses decode_uses(const json& source) {
 }
 
 json encode_summary(const ContactSolution& solution, const Grid& grid) {
-    json result = write_answer(solution, FieldPath("solution"));
+    json result = write_answer(solution, MemberPath("solution"));
     result["converged"] = solution.converged();
     if (solution.motion) result["motion"] = encode_motion_of(*solution.motion, grid);
     return result;
 }
 
 void decode_summary(const json& result, ContactSolution& solution) {
-    read_fields(result, solution, FieldPath("solution"));
+    read_fields(result, solution, MemberPath("solution"));
     if (result.contains("motion")) solution.motion = decode_motion(result["motion"]);
 }
 

@@ -14,12 +14,12 @@ namespace {
 using nlohmann::json;
 
 json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays, const char* name = "setup") {
-    return write_fields(setup, FieldPath(name), &arrays);
+    return write_fields(setup, MemberPath(name), &arrays);
 }
 
 WheelRailSetup decode_setup(const json& params, const char* name, const Frames& frames) {
     WheelRailSetup setup;
-    if (params.contains(name)) read_fields(params[name], setup, FieldPath(name), frames);
+    if (params.contains(name)) read_fields(params[name], setup, MemberPath(name), frames);
     return setup;
 }
 
@@ -41,12 +41,12 @@ json encode_wheel_rail_setup(const WheelRailSetup& setup, ArrayWriter& arrays) {
 }
 
 json encode_wheel_rail_friction(const WheelRailFriction& friction) {
-    return write_fields(friction, FieldPath("friction"));
+    return write_fields(friction, MemberPath("friction"));
 }
 
 WheelRailFriction decode_wheel_rail_friction(const json& source) {
     WheelRailFriction friction;
-    read_fields(source, friction, FieldPath("friction"));
+    read_fields(source, friction, MemberPath("friction"));
     return friction;
 }
 

@@ -18,9 +18,9 @@ json encode_patch(const WheelRailPatch& patch, const PatchFields& fields, ArrayW
     const Grid& grid = patch.place.grid;
     json solution = encode_summary(patch.solution, grid);
     encode_arrays(patch.solution, fields.solution, grid, arrays, solution);
-    json result = object({{"place", write_answer(patch.place, FieldPath("place"))},
+    json result = object({{"place", write_answer(patch.place, MemberPath("place"))},
                           {"solution", std::move(solution)},
-                          {"forces", write_answer(patch.forces, FieldPath("forces"))}});
+                          {"forces", write_answer(patch.forces, MemberPath("forces"))}});
     if (fields.gap && !patch.gap.empty())
         result["gap"] = arrays.write(std::span<const double>(patch.gap), shape_of(grid));
     return result;
@@ -28,12 +28,12 @@ json encode_patch(const WheelRailPatch& patch, const PatchFields& fields, ArrayW
 
 WheelRailPatch decode_patch(const json& source, const Frames& frames) {
     WheelRailPatch patch;
-    read_fields(source["place"], patch.place, FieldPath("place"));
+    read_fields(source["place"], patch.place, MemberPath("place"));
     const std::vector<std::size_t> shape = shape_of(patch.place.grid);
     if (source.contains("gap")) patch.gap = read_array(source["gap"], frames, shape, "gap");
     decode_summary(source["solution"], patch.solution);
     decode_arrays(source["solution"], frames, shape, patch.solution);
-    read_fields(source["forces"], patch.forces, FieldPath("forces"));
+    read_fields(source["forces"], patch.forces, MemberPath("forces"));
     return patch;
 }
 
@@ -49,7 +49,7 @@ PatchesLeftOut decode_left_out(const json& result) {
 }  // namespace
 
 json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFields& fields, ArrayWriter& arrays) {
-    json result = write_answer(solution, FieldPath("solution"));
+    json result = write_answer(solution, MemberPath("solution"));
     result["converged"] = solution.converged();
     if (fields.patches) {
         json& patches = result["patches"] = json::array();
@@ -64,7 +64,7 @@ json encode_wheel_rail_solution(const WheelRailSolution& solution, const PatchFi
 
 WheelRailSolution decode_wheel_rail_solution(const json& result, const Frames& frames) {
     WheelRailSolution solution;
-    read_fields(result, solution, FieldPath("solution"));
+    read_fields(result, solution, MemberPath("solution"));
     if (result.contains("patches"))
         for (const json& patch : result["patches"]) solution.patches.push_back(decode_patch(patch, frames));
     else
@@ -77,7 +77,7 @@ json encode_wheelset_solution(const WheelsetSolution& solution, const PatchField
                    {"roll", finite(solution.roll, "The roll")},
                    {"left", encode_wheel_rail_solution(solution.left, fields, arrays)},
                    {"right", encode_wheel_rail_solution(solution.right, fields, arrays)},
-                   {"roll_search", write_answer(solution.roll_search, FieldPath("roll_search"))},
+                   {"roll_search", write_answer(solution.roll_search, MemberPath("roll_search"))},
                    {"warnings", solution.warnings},
                    {"converged", solution.converged()}});
 }
@@ -88,7 +88,7 @@ WheelsetSolution decode_wheelset_solution(const json& result, const Frames& fram
     solution.roll = result["roll"].get<double>();
     solution.left = decode_wheel_rail_solution(result["left"], frames);
     solution.right = decode_wheel_rail_solution(result["right"], frames);
-    read_fields(result["roll_search"], solution.roll_search, FieldPath("roll_search"));
+    read_fields(result["roll_search"], solution.roll_search, MemberPath("roll_search"));
     solution.warnings = result["warnings"].get<std::vector<std::string>>();
     return solution;
 }
@@ -96,14 +96,14 @@ WheelsetSolution decode_wheelset_solution(const json& result, const Frames& fram
 json encode_wheel_rail_geometries(std::span<const WheelRailGeometry> geometries) {
     json result = object({{"geometries", json::array()}});
     for (const WheelRailGeometry& geometry : geometries)
-        result["geometries"].push_back(write_answer(geometry, FieldPath("geometry")));
+        result["geometries"].push_back(write_answer(geometry, MemberPath("geometry")));
     return result;
 }
 
 std::vector<WheelRailGeometry> decode_wheel_rail_geometries(const json& result) {
     std::vector<WheelRailGeometry> geometries;
     for (const json& geometry : result["geometries"])
-        read_fields(geometry, geometries.emplace_back(), FieldPath("geometry"));
+        read_fields(geometry, geometries.emplace_back(), MemberPath("geometry"));
     return geometries;
 }
 

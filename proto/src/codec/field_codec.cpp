@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-json write_number(double number, const FieldPath& path) {
+json write_number(double number, const MemberPath& path) {
     return std::isfinite(number) ? number : finite_field(number, path.text().c_str());
 }
 
@@ -24,7 +24,7 @@ bool is_empty_list(const FieldType& type, const void* value) {
     return type.kind == FieldKind::list && type.size(value) == 0;
 }
 
-json write_object(const FieldType& type, const void* owner, const FieldPath& path, ArrayWriter* arrays) {
+json write_object(const FieldType& type, const void* owner, const MemberPath& path, ArrayWriter* arrays) {
     json::object_t object;
     for (const Field& field : type.fields) {
         if (is_left_to_the_message(field.type())) continue;
@@ -32,34 +32,34 @@ json write_object(const FieldType& type, const void* owner, const FieldPath& pat
         if (value == nullptr) {
             if (field.present_by_default) object.emplace(field.name, nullptr);
         } else if (field.present_by_default || field.required || !is_empty_list(field.type(), value)) {
-            object.emplace(field.name, write_fields(field.type(), value, FieldPath(path, field.name), arrays));
+            object.emplace(field.name, write_fields(field.type(), value, MemberPath(path, field.name), arrays));
         }
     }
     return object;
 }
 
-json write_list(const FieldType& type, const void* list, const FieldPath& path, ArrayWriter* arrays) {
+json write_list(const FieldType& type, const void* list, const MemberPath& path, ArrayWriter* arrays) {
     json result = json::array();
     for (std::size_t i = 0; i < type.size(list); ++i)
-        result.push_back(write_fields(type.element(), type.at(list, i), FieldPath(path, i), arrays));
+        result.push_back(write_fields(type.element(), type.at(list, i), MemberPath(path, i), arrays));
     return result;
 }
 
-void read_object(const json& source, const FieldType& type, void* owner, const FieldPath& path, const Frames& frames) {
+void read_object(const json& source, const FieldType& type, void* owner, const MemberPath& path, const Frames& frames) {
     for (const Field& field : type.fields) {
         const auto given = source.find(field.name);
         if (given == source.end() || is_left_to_the_message(field.type())) continue;
         if (given->is_null() && field.clear)
             field.clear(owner);
         else
-            read_fields(*given, field.type(), field.make(owner), FieldPath(path, field.name), frames);
+            read_fields(*given, field.type(), field.make(owner), MemberPath(path, field.name), frames);
     }
 }
 
-void read_list(const json& source, const FieldType& type, void* list, const FieldPath& path, const Frames& frames) {
+void read_list(const json& source, const FieldType& type, void* list, const MemberPath& path, const Frames& frames) {
     type.empty(list);
     for (std::size_t i = 0; i < source.size(); ++i)
-        read_fields(source[i], type.element(), type.add(list), FieldPath(path, i), frames);
+        read_fields(source[i], type.element(), type.add(list), MemberPath(path, i), frames);
 }
 
 std::int64_t value_of_keyword(const json& word, const FieldType& type) {
@@ -70,14 +70,14 @@ std::int64_t value_of_keyword(const json& word, const FieldType& type) {
 
 }  // namespace
 
-std::string FieldPath::text() const {
+std::string MemberPath::text() const {
     if (above_ == nullptr) return std::string(name_);
     const std::string above = above_->text();
     if (name_.empty()) return above + "[" + std::to_string(index_) + "]";
     return above.empty() ? std::string(name_) : above + "." + std::string(name_);
 }
 
-json write_fields(const FieldType& type, const void* value, const FieldPath& path, ArrayWriter* arrays) {
+json write_fields(const FieldType& type, const void* value, const MemberPath& path, ArrayWriter* arrays) {
     if (const FieldHook* hook = hook_of(type)) return hook->write(value, path, arrays);
     switch (type.kind) {
         case FieldKind::number:
@@ -100,7 +100,7 @@ json write_fields(const FieldType& type, const void* value, const FieldPath& pat
     throw Error("The field " + path.text() + " has no form on the wire.");
 }
 
-void read_fields(const json& source, const FieldType& type, void* value, const FieldPath& path, const Frames& frames) {
+void read_fields(const json& source, const FieldType& type, void* value, const MemberPath& path, const Frames& frames) {
     if (const FieldHook* hook = hook_of(type)) return hook->read(source, value, path, frames);
     switch (type.kind) {
         case FieldKind::number:

@@ -16,17 +16,17 @@
 namespace contactd::proto {
 
 /// Where a value stands, as a list from the inside out: its text is made when a refusal needs it.
-class FieldPath {
+class MemberPath {
    public:
-    explicit FieldPath(std::string_view name) : name_(name) {}
-    FieldPath(const FieldPath& above, std::string_view name) : above_(&above), name_(name) {}
-    FieldPath(const FieldPath& list, std::size_t index) : above_(&list), index_(index) {}
+    explicit MemberPath(std::string_view name) : name_(name) {}
+    MemberPath(const MemberPath& above, std::string_view name) : above_(&above), name_(name) {}
+    MemberPath(const MemberPath& list, std::size_t index) : above_(&list), index_(index) {}
 
     /// "setup.rail_slices[2].x"
     std::string text() const;
 
    private:
-    const FieldPath* above_ = nullptr;
+    const MemberPath* above_ = nullptr;
     std::string_view name_{};
     std::size_t index_ = 0;
 };
@@ -35,31 +35,31 @@ class FieldPath {
 /// of this type is passed over: what the message holds of it depends on more than its value.
 struct FieldHook {
     const FieldType* type;
-    nlohmann::json (*write)(const void* value, const FieldPath& path, ArrayWriter* arrays);
-    void (*read)(const nlohmann::json& source, void* value, const FieldPath& path, const Frames& frames);
+    nlohmann::json (*write)(const void* value, const MemberPath& path, ArrayWriter* arrays);
+    void (*read)(const nlohmann::json& source, void* value, const MemberPath& path, const Frames& frames);
 };
 
 /// Null where the fields of a type say all.
 const FieldHook* hook_of(const FieldType& type);
 
 /// Throws InvalidArgument naming the path of a number that is not finite.
-nlohmann::json write_fields(const FieldType& type, const void* value, const FieldPath& path, ArrayWriter* arrays);
+nlohmann::json write_fields(const FieldType& type, const void* value, const MemberPath& path, ArrayWriter* arrays);
 /// `source` has passed its schema.
-void read_fields(const nlohmann::json& source, const FieldType& type, void* value, const FieldPath& path,
+void read_fields(const nlohmann::json& source, const FieldType& type, void* value, const MemberPath& path,
                  const Frames& frames);
 
 template <class T>
-nlohmann::json write_fields(const T& value, const FieldPath& path, ArrayWriter* arrays = nullptr) {
+nlohmann::json write_fields(const T& value, const MemberPath& path, ArrayWriter* arrays = nullptr) {
     return write_fields(type_of<T>(), &value, path, arrays);
 }
 template <class T>
-void read_fields(const nlohmann::json& source, T& value, const FieldPath& path, const Frames& frames = {}) {
+void read_fields(const nlohmann::json& source, T& value, const MemberPath& path, const Frames& frames = {}) {
     read_fields(source, type_of<T>(), &value, path, frames);
 }
 
 /// write_fields of what was computed: a number that is not finite is an Error, not a refusal of what was asked.
 template <class T>
-nlohmann::json write_answer(const T& answer, const FieldPath& path) {
+nlohmann::json write_answer(const T& answer, const MemberPath& path) {
     try {
         return write_fields(answer, path);
     } catch (const InvalidArgument& error) {

@@ -33,25 +33,25 @@ T& as(void* value) {
 }
 
 // --- profiles --------------------------------------------------------------------------------------------------------
-json write_profile(const void* value, const FieldPath&, ArrayWriter* arrays) {
+json write_profile(const void* value, const MemberPath&, ArrayWriter* arrays) {
     return encode_profile(as<ProfileSpec>(value), *arrays);
 }
 
 /// Which of both bodies a profile is of is where it stands.
-void read_profile(const json& source, void* value, const FieldPath& path, const Frames& frames) {
+void read_profile(const json& source, void* value, const MemberPath& path, const Frames& frames) {
     auto& profile = as<ProfileSpec>(value);
     profile = decode_profile(source, profile.kind, frames, path.text());
 }
 
 /// One frame may be the points of many slices, each of which has its own: they are counted as they are read.
 template <class Slice>
-void read_slices(const json& source, void* value, const FieldPath& path, const Frames& frames) {
+void read_slices(const json& source, void* value, const MemberPath& path, const Frames& frames) {
     constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
     auto& slices = as<std::vector<Slice>>(value);
     slices.clear();
     std::size_t points = 0;
     for (const json& slice : source) {
-        const FieldPath place(path, slices.size());
+        const MemberPath place(path, slices.size());
         read_fields(slice, slices.emplace_back(), place, frames);
         if (const auto* given = std::get_if<ProfilePoints>(&slices.back().profile.shape))
             points += given->points.size();
@@ -64,10 +64,10 @@ void read_slices(const json& source, void* value, const FieldPath& path, const F
 }
 
 template <class Slice>
-json write_slices(const void* value, const FieldPath& path, ArrayWriter* arrays) {
+json write_slices(const void* value, const MemberPath& path, ArrayWriter* arrays) {
     json result = json::array();
     for (const Slice& slice : as<std::vector<Slice>>(value))
-        result.push_back(write_fields(slice, FieldPath(path, result.size()), arrays));
+        result.push_back(write_fields(slice, MemberPath(path, result.size()), arrays));
     return result;
 }
 
@@ -81,7 +81,7 @@ json write_body(const Body& body, const std::string& field) {
     return encode_material(body.material);
 }
 
-json write_bodies(const void* value, const FieldPath& path, ArrayWriter*) {
+json write_bodies(const void* value, const MemberPath& path, ArrayWriter*) {
     const auto& bodies = as<Bodies>(value);
     const std::string field = path.text();
     if (bodies.pair)
@@ -96,7 +96,7 @@ Body read_body(const json& source) {
     return {source.contains("rigid") ? Material::rigid() : decode_material(source)};
 }
 
-void read_bodies(const json& source, void* value, const FieldPath&, const Frames&) {
+void read_bodies(const json& source, void* value, const MemberPath&, const Frames&) {
     auto& bodies = as<Bodies>(value);
     bodies.upper = read_body(source["upper"]);
     bodies.lower = source.contains("lower") ? read_body(source["lower"]) : bodies.upper;
@@ -106,17 +106,17 @@ void read_bodies(const json& source, void* value, const FieldPath&, const Frames
 // ---------------------------------------------------------------------------
 using Coefficients = std::vector<FrictionAtAngle>;
 
-json write_coefficients(const void* value, const FieldPath& path, ArrayWriter* arrays) {
+json write_coefficients(const void* value, const MemberPath& path, ArrayWriter* arrays) {
     const auto& coefficients = as<Coefficients>(value);
     if (coefficients.size() == 1 && coefficients[0].angle == 0)
         return finite_field(coefficients[0].mu, path.text().c_str());
     json result = json::array();
     for (const FrictionAtAngle& entry : coefficients)
-        result.push_back(write_fields(entry, FieldPath(path, result.size()), arrays));
+        result.push_back(write_fields(entry, MemberPath(path, result.size()), arrays));
     return result;
 }
 
-void read_coefficients(const json& source, void* value, const FieldPath& path, const Frames& frames) {
+void read_coefficients(const json& source, void* value, const MemberPath& path, const Frames& frames) {
     auto& coefficients = as<Coefficients>(value);
     coefficients.clear();
     if (source.is_number()) {
@@ -124,55 +124,55 @@ void read_coefficients(const json& source, void* value, const FieldPath& path, c
         return;
     }
     for (const json& entry : source)
-        read_fields(entry, coefficients.emplace_back(), FieldPath(path, coefficients.size() - 1), frames);
+        read_fields(entry, coefficients.emplace_back(), MemberPath(path, coefficients.size() - 1), frames);
 }
 
 // --- where wheel and rail are in contact
 // -------------------------------------------------------------------------------
-json write_extent(const void* value, const FieldPath& path, ArrayWriter*) {
+json write_extent(const void* value, const MemberPath& path, ArrayWriter*) {
     const auto& [from, to] = as<Extent>(value);
     const std::string field = path.text();
     return {finite_field(from, field.c_str()), finite_field(to, field.c_str())};
 }
 
-void read_extent(const json& source, void* value, const FieldPath&, const Frames&) {
+void read_extent(const json& source, void* value, const MemberPath&, const Frames&) {
     as<Extent>(value) = {source[0].get<double>(), source[1].get<double>()};
 }
 
 /// The radius of what is straight is infinite, and left out.
-json write_radii(const void* value, const FieldPath& path, ArrayWriter*) {
+json write_radii(const void* value, const MemberPath& path, ArrayWriter*) {
     json result = json::object();
     for (const Field& field : type_of<ContactRadii>().fields)
         if (const double radius = as<double>(field.find(value)); !std::isinf(radius))
-            result[std::string(field.name)] = write_fields(radius, FieldPath(path, field.name));
+            result[std::string(field.name)] = write_fields(radius, MemberPath(path, field.name));
     return result;
 }
 
-void read_radii(const json& source, void* value, const FieldPath& path, const Frames&) {
+void read_radii(const json& source, void* value, const MemberPath& path, const Frames&) {
     constexpr double straight = std::numeric_limits<double>::infinity();
     for (const Field& field : type_of<ContactRadii>().fields) {
         auto& radius = as<double>(field.make(value));
         radius = straight;
         if (source.contains(field.name))
-            read_fields(source[std::string(field.name)], radius, FieldPath(path, field.name));
+            read_fields(source[std::string(field.name)], radius, MemberPath(path, field.name));
     }
 }
 
-json write_grid(const void* value, const FieldPath&, ArrayWriter*) {
+json write_grid(const void* value, const MemberPath&, ArrayWriter*) {
     return encode_grid(as<Grid>(value));
 }
 
-void read_grid(const json& source, void* value, const FieldPath&, const Frames&) {
+void read_grid(const json& source, void* value, const MemberPath&, const Frames&) {
     as<Grid>(value) = decode_grid(source);
 }
 
 // --- derivatives of contacts
 // -------------------------------------------------------------------------------------------
-json write_derivatives(const void* value, const FieldPath&, ArrayWriter*) {
+json write_derivatives(const void* value, const MemberPath&, ArrayWriter*) {
     return encode_derivatives(as<Derivatives>(value));
 }
 
-void read_derivatives(const json& source, void* value, const FieldPath&, const Frames&) {
+void read_derivatives(const json& source, void* value, const MemberPath&, const Frames&) {
     as<Derivatives>(value) = decode_derivatives(source);
 }
 

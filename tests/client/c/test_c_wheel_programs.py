@@ -122,12 +122,14 @@ def test_octave_has_wheels_that_are_not_round_and_rails_on_springs(shared_daemon
     ended = octave(
         f"c = contactd('open', '{shared_daemon.endpoint}'); w = contactd('wheel_new', c);"
         "contactd('wheel_set_elements', w, 1, 1, 0); contactd('wheel_set_Fz', w, 1e4);"
-        "contactd('wheel_set_springs', w, 1e4, 5e4); contactd('wheel_set_rail_forces', w, 0, 2e3);"
+        "contactd('set', w, 'setup.track.springs.y', 1e4); contactd('set', w, 'setup.track.springs.z', 5e4);"
+        "contactd('set_word', w, 'setup.side', 'left'); contactd('clear', w, 'state.Fx');"
+        "contactd('wheel_set_rail_forces', w, 0, 2e3);"
         "for k = -3:3, d = max(0, 0.4 - 0.2 * abs(k)); contactd('wheel_set_points', w, 'wheel', [-20 50], [-d -d], 0);"
         "contactd('wheel_add_wheel_slice', w, 0.03 * k); end;"
         "for pitch = [0 1], contactd('wheel_set_pitch_angle', w, pitch); contactd('wheel_solve', w);"
         "[y, z] = contactd('wheel_get_rail_shift', w); [n, left, good] = contactd('wheel_get_evidence', w, 'rail_shift');"
-        "printf('%.10g %.10g %d\\n', contactd('wheel_get_motion', w), z, good); end;"
+        "printf('%.10g %.10g %d\\n', contactd('get', w, 'z'), contactd('get', w, 'rail_shift.z'), good); end;"
         "contactd('wheel_clear_wheel_slices', w); contactd('wheel_free', w); contactd('close', c);"
     )
     assert ended.returncode == 0, ended.stderr
