@@ -82,7 +82,7 @@ const FieldType& type_of<RailDeviation>() {
     static const auto list = std::to_array<Field>({
         fields::field<&RailDeviation::y>(
             "y", {.bounds = {.least = -10000, .most = 10000}, .unit = "mm", .parity = MirrorParity::odd}),
-        fields::field<&RailDeviation::z>("z", {.bounds = {.least = -10000, .most = 10000}}),
+        fields::field<&RailDeviation::z>("z", {.bounds = {.least = -10000, .most = 10000}, .unit = "mm"}),
         fields::field<&RailDeviation::roll>(
             "roll", {.bounds = {.least = -0.5, .most = 0.5}, .unit = "rad", .parity = MirrorParity::odd}),
         fields::field<&RailDeviation::y_velocity>(
