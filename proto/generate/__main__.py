@@ -11,11 +11,13 @@ from pathlib import Path
 
 from .cpp import INCLUDE, SOURCES, cpp_files
 from .declarations import ROOT, Declarations
+from .fmu import fmu_files
 
 
 def differing() -> dict[Path, str | None]:
     """The files whose text in the tree is another one than the generated; None where there should be no file."""
-    generated = cpp_files(Declarations())
+    declarations = Declarations()
+    generated = {**cpp_files(declarations), **fmu_files(declarations)}
     wrong: dict[Path, str | None] = {
         path: text for path, text in generated.items() if not path.exists() or path.read_text() != text
     }

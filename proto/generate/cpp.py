@@ -26,9 +26,9 @@ def cpp_files(declarations: Declarations) -> dict[Path, str]:
         enums = [one for one in declared if isinstance(one, Enum)]
         structs = [one for one in declared if isinstance(one, Struct)]
         used = {_home(field.type, homes) for struct in structs for field in struct.fields if field.type and not field.is_custom}
-        files[INCLUDE / "fields" / header] = _formatted(_header(header, sorted(used - {header}), enums, structs))
+        files[INCLUDE / "fields" / header] = formatted(_header(header, sorted(used - {header}), enums, structs))
         if structs:
-            files[SOURCES / f"{Path(header).stem}.cpp"] = _formatted(_source(header, structs))
+            files[SOURCES / f"{Path(header).stem}.cpp"] = formatted(_source(header, structs))
     return files
 
 
@@ -86,7 +86,7 @@ def _notes(field: Field) -> list[str]:
     notes = []
     if field.bounds != Bounds():
         bounds = field.bounds
-        ends = [f".{end} = {_number(value)}" for end, value in [("least", bounds.least), ("most", bounds.most)] if value is not None]
+        ends = [f".{end} = {number_text(value)}" for end, value in [("least", bounds.least), ("most", bounds.most)] if value is not None]
         ends += [f".{end}_excluded = true" for end in ("least", "most") if getattr(bounds, f"{end}_excluded")]
         notes.append(f".bounds = {{{', '.join(ends)}}}")
     if field.unit:
@@ -98,12 +98,12 @@ def _notes(field: Field) -> list[str]:
     return notes
 
 
-def _number(value: float) -> str:
+def number_text(value: float) -> str:
     """In the fewest digits that read back to it."""
     short = f"{value:.6g}"
     return short if float(short) == value else repr(value)
 
 
-def _formatted(text: str) -> str:
+def formatted(text: str) -> str:
     command = ["clang-format", f"--style=file:{ROOT / '.clang-format'}"]
     return subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout

@@ -5,6 +5,7 @@ named there has a form of its own on the wire, and so has an object with fields 
 
 `x-unit`     of a number
 `x-parity`   odd: the mirror image of a wheel turns its sign
+`x-fmu`      what a number is in FMUs: parameter, input or output
 `x-derived`  a field that follows from others, and is no member of the struct
 `x-cpp-only` members of the struct that are no fields
 `x-partial`  an object that has some fields only of the struct that it names

@@ -89,6 +89,7 @@ void WheelModel::say(const Values& v) {
                                             v[at("deviation_rate.roll")]),
           w);
     check(contactd_wheel_set_roller_pitch(w, v[at("roller.pitch")]), w);
+    set_fields(w, v, Role::input);
     check(contactd_wheel_clear_forces(w), w);
     if (v.whole(at("vertical")) == 0) check(contactd_wheel_set_Fz(w, v[at("load.Fz")]), w);
     if (v.is(at("prescribe_Fx"))) check(contactd_wheel_set_Fx(w, v[at("load.Fx")]), w);
@@ -110,6 +111,7 @@ void WheelModel::read(Values& values) {
     std::int32_t converged = 0;
     check(contactd_wheel_get_converged(w, &converged), w);
     values[at("converged")] = converged;
+    read_fields(w, values);
     read_patches(values);
 }
 

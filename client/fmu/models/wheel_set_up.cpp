@@ -1,5 +1,6 @@
 #include "wheel_set_up.hpp"
 
+#include <string>
 #include <string_view>
 
 #include "place.hpp"
@@ -83,6 +84,22 @@ void set_solvers(contactd_wheel* w, const Values& values) {
 
 }  // namespace
 
+void set_fields(contactd_wheel* w, const Values& values, Role role) {
+    for (std::size_t at = 0; at < wheel_variables.size(); ++at) {
+        const Variable& variable = wheel_variables[at];
+        if (variable.path.empty() || variable.role != role || (variable.zero_is_absent && values[at] == 0)) continue;
+        check(contactd_set(w, std::string(variable.path).c_str(), values[at]), w);
+    }
+}
+
+void read_fields(contactd_wheel* w, Values& values) {
+    for (std::size_t at = 0; at < wheel_variables.size(); ++at) {
+        const Variable& variable = wheel_variables[at];
+        if (variable.path.empty() || variable.role != Role::output) continue;
+        if (!found(contactd_get(w, std::string(variable.path).c_str(), &values[at]), w)) values[at] = 0;
+    }
+}
+
 void set_up(contactd_wheel* w, const Values& values, const std::filesystem::path& resources) {
     check(contactd_wheel_set_side(w, values.whole(at("side"))), w);
     for (const BodyPlaces& of : bodies) {
@@ -93,6 +110,7 @@ void set_up(contactd_wheel* w, const Values& values, const std::filesystem::path
     }
     set_track(w, values);
     set_solvers(w, values);
+    set_fields(w, values, Role::parameter);
 }
 
 }  // namespace contactd::fmu

@@ -1,4 +1,4 @@
-// What a wheel is told before its first position.
+// Parameters of a wheel, and its fields that are variables by their paths.
 #pragma once
 
 #include <filesystem>
@@ -9,5 +9,10 @@ namespace contactd::fmu {
 
 /// All parameters. Throws Failure, also for a file that cannot be read, naming the variable.
 void set_up(contactd_wheel* wheel, const Values& values, const std::filesystem::path& resources);
+
+/// The variables of this role that are fields by their paths (wheel_fields.hpp).
+void set_fields(contactd_wheel* wheel, const Values& values, Role role);
+/// Those that are outputs; 0 where the solution has none.
+void read_fields(contactd_wheel* wheel, Values& values);
 
 }  // namespace contactd::fmu

@@ -30,6 +30,8 @@ struct Variable {
     const Enumeration* enumeration = nullptr;  ///< of enumerations, and of integers in the place of one
     std::string_view same_as{};                ///< of such an integer: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
+    std::string_view path{};                   ///< of a field that contactd.h sets or reads by its path
+    bool zero_is_absent = false;               ///< of such a field: it may be left out, and is where it is 0
 };
 
 /// In the base units of SI: kg^kg m^m s^s rad^rad, times the factor.
@@ -44,7 +46,7 @@ inline constexpr Unit units[] = {
     {"mm", 1e-3, 0, 1, 0, 0},      {"mm2", 1e-6, 0, 2, 0, 0},    {"rad", 1, 0, 0, 0, 1},
     {"rad/mm", 1e3, 0, -1, 0, 1},  {"s", 1, 0, 0, 1, 0},         {"mm/s", 1e-3, 0, 1, -1, 0},
     {"rad/s", 1, 0, 0, -1, 1},     {"N", 1, 1, 1, -2, 0},        {"N.mm", 1e-3, 1, 2, -2, 0},
-    {"N.mm/s", 1e-3, 1, 2, -3, 0}, {"N/mm2", 1e6, 1, -1, -2, 0},
+    {"N.mm/s", 1e-3, 1, 2, -3, 0}, {"N/mm2", 1e6, 1, -1, -2, 0}, {"N/mm", 1e3, 1, 0, -2, 0},
 };
 
 constexpr Variable real(std::string_view name, Role role, std::string_view unit, double start, std::string_view says) {

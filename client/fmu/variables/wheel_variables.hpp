@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common_variables.hpp"
+#include "wheel_fields.hpp"
 
 namespace contactd::fmu {
 
@@ -160,6 +161,6 @@ consteval auto patch_variables() {
 }  // namespace detail
 
 inline constexpr auto wheel_variables =
-    joined(joined(common_variables, detail::wheel_alone), detail::patch_variables());
+    joined(joined(joined(common_variables, detail::wheel_alone), detail::wheel_fields), detail::patch_variables());
 
 }  // namespace contactd::fmu

@@ -166,3 +166,23 @@ def test_derivatives_under_a_force_hold_the_force(wheel):
         assert told[name] == pytest.approx(measured, rel=0.03, abs=0.01 * max(map(abs, measured))), name
     assert told["load.Fz"][2] == pytest.approx(1, rel=1e-9)
     assert told["position.z"] == [0] * 6
+
+
+def test_a_massless_flexible_rail_deflects_by_its_load_over_its_stiffness(wheel):
+    fmu = wheel().start({**COARSE, "track.springs.z": 1e5, "track.springs.y": 2e4})
+    outputs = fmu.step({**values_at(0), "rail.Fy": -500.0, "rail.Fz": 2e3})
+    assert outputs["rail_shift.z"] == pytest.approx((80e3 + 2e3) / 1e5, rel=1e-5)
+    assert outputs["rail_shift.y"] == pytest.approx((outputs["Fy"] - 500) / 2e4, rel=1e-3)
+
+
+def test_fields_are_those_of_the_c_interface_to_the_last_bit(wheel):
+    fmu = wheel().start({**COARSE, "patches.distance_combine": 2.0, "track.springs.z": 1e5})
+    outputs = fmu.step({**values_at(5), "position.pitch": 0.4})
+    with c_interface.wheel() as call:
+        set_up(call, 5)
+        call("set_patch_rules", math.pi / 2, 8.0, 2.0, 12.0, 0.3)
+        call("set_springs", 0.0, 1e5)
+        call("set_pitch_angle", 0.4)
+        call("solve")
+        assert [outputs[name] for name in FORCES] == call("get_forces", 0, out="6")
+        assert outputs["rail_shift.z"] == call("get_rail_shift", out="dd")[1]

@@ -1,0 +1,50 @@
+"""Variables of FMUs: the fields of a wheel on its rail that have a role there (`x-fmu`), by their paths."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+from .cpp import NOTE, formatted, number_text
+from .declarations import ROOT, DeclarationError, Declarations, Schema
+
+TARGET = ROOT / "client" / "fmu" / "variables" / "wheel_fields.hpp"
+ROLES = ("parameter", "input", "output")
+#: Where fields begin: what their paths begin with in contactd.h, and the schema there.
+ROOTS = [
+    ("setup", "definitions.json#/definitions/wheel_rail_setup"),
+    ("state", "definitions.json#/definitions/wheel_rail_state"),
+    ("", "wheelrail.solve.result.json#"),
+]
+
+
+def fmu_files(declarations: Declarations) -> dict[Path, str]:
+    variables = []
+    for root, reference in ROOTS:
+        schema = declarations.resolved({"$ref": reference})
+        variables += [_variable(root, name, field) for name, field in _fields(declarations, schema, "")]
+    lines = [NOTE, "#pragma once\n", "#include <array>\n", '#include "variable.hpp"\n', "namespace contactd::fmu::detail {\n"]
+    lines += ["inline constexpr auto wheel_fields = std::to_array<Variable>({", *variables, "});\n"]
+    return {TARGET: formatted("\n".join([*lines, "}  // namespace contactd::fmu::detail\n"]))}
+
+
+def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[tuple[str, Schema]]:
+    for name, given in schema.get("properties", {}).items():
+        field = declarations.resolved(given)
+        if "x-fmu" in field:
+            yield above + name, field
+        yield from _fields(declarations, field, f"{above}{name}.")
+
+
+def _variable(root: str, name: str, field: Schema) -> str:
+    """A variable is called as its path without what all have; a field that may be left out is, where it is 0."""
+    role, start = field["x-fmu"], field.get("default")
+    if role not in ROLES or field.get("type") != "number":
+        raise DeclarationError(f"{name} has x-fmu {role}; only numbers are variables, and these are {', '.join(ROLES)}")
+    unit = field.get("x-unit", "").replace("^", "").replace(" ", ".")
+    says = field["description"] + (" 0: left out." if start is None and role != "output" else "")
+    path = f"{root}.{name}" if root else name
+    parts = [f'.name = "{name}"', f".role = Role::{role}", f'.unit = "{unit}"', f".start = {number_text(start or 0)}"]
+    parts += [f".says = {json.dumps(says)}", f'.path = "{path}"', f".zero_is_absent = {str(start is None).lower()}"]
+    return f"Variable{{{', '.join(parts)}}},"
