@@ -181,7 +181,8 @@ PreparedContacts::Contact Engine::wheel_on_rail(const WheelRailSetup& setup, con
 
 void Engine::count(const WheelRailSolution& solution) {
     for (const WheelRailPatch& patch : solution.patches) {
-        check_patch(patch.place.grid, settings_.most_patch_elements);  // of quick models, which ask for no operators
+        check_patch(patch.place.grid,
+                    settings_.most_patch_elements);  // of simplified models, which ask for no operators
         count(patch.solution);
     }
 }

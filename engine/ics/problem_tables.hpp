@@ -14,7 +14,7 @@
 
 namespace contactd::engine {
 
-/// False for quick models, and where the request holds all coefficients.
+/// False for simplified models, and where the request holds all coefficients.
 bool needs_tables(const ContactSetup& setup);
 
 /// The tables wanted; none of a rigid body, nor of one whose table is given.
@@ -25,7 +25,7 @@ void check(const ContactProblem& problem);
 /// The same, where steps will bring gap and load that are missing.
 void check_opening(const ContactProblem& problem);
 
-/// The operators of the pair, from the cache where they can be; none of a quick model.
+/// The operators of the pair, from the cache where they can be; none of a simplified model.
 KeptInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
                            const Observer& observer);
 

@@ -35,7 +35,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Statement& st
     problem_.rigid_slip = opened.rigid_slip;
     problem_.derivatives = opened.derivatives;
     statement(before.motion, problem_);
-    // The quick models know no history and need no estimate.
+    // The simplified models know no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;
     fit_influence(cache, observer);
     ContactSolution solution = solve_contact(problem_, influence_.influence, observer);

@@ -19,7 +19,7 @@ double distance(const PlanePoint& a, const PlanePoint& b) {
     return std::hypot(a.y - b.y, a.z - b.z);
 }
 
-/// Between two of these the outline is smooth, wholly a column or not, wholly held or not.
+/// Between two of these the outline is smooth, wholly a column or not, wholly clamped or not.
 struct Stretch {
     std::size_t loop, piece;
     double from, to;
@@ -81,7 +81,7 @@ std::vector<PlanePoint> singular_corners(const SectionOutline& outline) {
             const PlanePoint a = before.normal(before.length), b = after.normal(0);
             // Positive where the outline turns left, away from the body.
             const double turn = std::atan2(a.y * b.z - a.z * b.y, a.y * b.y + a.z * b.z);
-            if (turn > straight_enough || before.held != after.held) result.push_back(after.point(0));
+            if (turn > straight_enough || before.clamped != after.clamped) result.push_back(after.point(0));
         }
     return result;
 }
@@ -115,8 +115,8 @@ class Division {
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
                 const int vertex = static_cast<int>(result.vertices.size());
                 result.vertices.push_back(piece.point(cuts[i]));
-                result.edges.push_back({stretch.loop, stretch.piece, cuts[i], cuts[i + 1], stretch.column, piece.held,
-                                        vertex, vertex + 1});
+                result.edges.push_back({stretch.loop, stretch.piece, cuts[i], cuts[i + 1], stretch.column,
+                                        piece.clamped, vertex, vertex + 1});
             }
         }
         close(result);

@@ -21,7 +21,7 @@ struct BoundaryEdge {
     std::size_t loop, piece;
     double from, to;
     int column;  ///< that it belongs to, or -1
-    bool held;
+    bool clamped;
     int first, second;  ///< vertices, numbered from loop to loop with the body on the right
 };
 
@@ -33,8 +33,8 @@ struct DividedOutline {
 };
 
 /// Columns are divided evenly, everything else grows with the distance from them, and from corners where stresses are
-/// singular: re-entrant ones, and the ends of what is held. No edge turns by more than a sixth of a right angle, or is
-/// much longer than the body is thick there.
+/// singular: re-entrant ones, and the ends of what is clamped. No edge turns by more than a sixth of a right angle, or
+/// is much longer than the body is thick there.
 DividedOutline divide(const SectionOutline& outline, const MeshDensity& density);
 
 /// Size of elements at a point, as the edges of the outline are long there.

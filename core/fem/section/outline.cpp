@@ -21,17 +21,17 @@ OutlinePosition position_at(const SectionOutline& outline, std::size_t loop, dou
     return {};
 }
 
-OutlinePiece straight(const PlanePoint& from, const PlanePoint& to, bool held) {
+OutlinePiece straight(const PlanePoint& from, const PlanePoint& to, bool clamped) {
     const double length = std::hypot(to.y - from.y, to.z - from.z);
     const PlanePoint along{(to.y - from.y) / length, (to.z - from.z) / length};
-    return {length, held, [=](double s) { return PlanePoint{from.y + s * along.y, from.z + s * along.z}; },
+    return {length, clamped, [=](double s) { return PlanePoint{from.y + s * along.y, from.z + s * along.z}; },
             [=](double) { return PlanePoint{-along.z, along.y}; }};
 }
 
-OutlinePiece arc(const PlanePoint& centre, double radius, double from, double turn, bool held) {
+OutlinePiece arc(const PlanePoint& centre, double radius, double from, double turn, bool clamped) {
     const double sense = turn > 0 ? 1 : -1;
     const auto angle = [=](double s) { return from + sense * s / radius; };
-    return {radius * std::abs(turn), held,
+    return {radius * std::abs(turn), clamped,
             [=](double s) {
                 return PlanePoint{centre.y + radius * std::cos(angle(s)), centre.z + radius * std::sin(angle(s))};
             },

@@ -14,7 +14,7 @@ struct PlanePoint {
 /// A smooth stretch of an outline; s runs from 0 to `length` with the body on the right.
 struct OutlinePiece {
     double length = 0;
-    bool held = false;
+    bool clamped = false;
     std::function<PlanePoint(double s)> point;
     std::function<PlanePoint(double s)> normal;  ///< outward, of length one
 };
@@ -47,7 +47,7 @@ inline PlanePoint normal_at(const SectionOutline& outline, const OutlinePosition
 
 /// Two pieces of an outline: a straight one, and an arc about `centre` that begins at angle `from` (rad, from +y
 /// towards +z) and turns by `turn` (rad, positive towards +z).
-OutlinePiece straight(const PlanePoint& from, const PlanePoint& to, bool held = false);
-OutlinePiece arc(const PlanePoint& centre, double radius, double from, double turn, bool held = false);
+OutlinePiece straight(const PlanePoint& from, const PlanePoint& to, bool clamped = false);
+OutlinePiece arc(const PlanePoint& centre, double radius, double from, double turn, bool clamped = false);
 
 }  // namespace contactd::fem

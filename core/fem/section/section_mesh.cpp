@@ -87,7 +87,7 @@ SectionMesh make_section_mesh(const SectionOutline& outline, const DividedOutlin
                                              static_cast<int>(divided.edges.size()));
     for (const PlanePoint& vertex : triangulation.vertices) mesh->AddVertex(vertex.y, vertex.z);
     for (const auto& triangle : triangulation.triangles) mesh->AddTriangle(triangle.data());
-    for (const BoundaryEdge& edge : divided.edges) mesh->AddBdrSegment(edge.first, edge.second, edge.held ? 2 : 1);
+    for (const BoundaryEdge& edge : divided.edges) mesh->AddBdrSegment(edge.first, edge.second, edge.clamped ? 2 : 1);
     mesh->FinalizeTriMesh(1, 0, false);
     mesh->SetCurvature(order);
     SectionMesh result{std::move(mesh), divided, elements_of_edges(divided, triangulation)};

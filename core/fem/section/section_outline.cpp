@@ -9,7 +9,7 @@ namespace {
 OutlinePiece piece_of(const geometry::OutlinePiece& original) {
     const auto piece = std::make_shared<const geometry::OutlinePiece>(original);
     const double length = piece->length();
-    return {length, piece->held(),
+    return {length, piece->clamped(),
             [=](double s) {
                 const SectionPoint at = piece->place(std::clamp(s, 0.0, length)).at;
                 return PlanePoint{at.y, at.z};

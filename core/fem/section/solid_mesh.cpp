@@ -81,7 +81,7 @@ class Marker {
         if (farthest == 0) return BoundaryPart::front;
         if (nearest == length_) return BoundaryPart::far;
         const BoundaryEdge& edge = divided_.edges[edge_of_.at({low, high})];
-        if (edge.held) return BoundaryPart::far;
+        if (edge.clamped) return BoundaryPart::far;
         constexpr double half_load = 0.5;
         return edge.column == column_ && farthest <= half_load * (1 + rounding) ? BoundaryPart::loaded
                                                                                 : BoundaryPart::free;

@@ -10,7 +10,7 @@ namespace contactd::fem {
 /// Slices along x: as thick under the load as edges on columns are long, growing behind it.
 struct Slices {
     double growth = 1.4;  ///< of each slice to the next one
-    double length = 0;    ///< from the middle of the load to where the body ends, and is held; over ds
+    double length = 0;    ///< from the middle of the load to where the body ends, and is clamped; over ds
 };
 
 /// The half x <= 0 of a body whose section, of straight lines, is `divided` into `triangulation`, with a load one long

@@ -3,7 +3,7 @@
 // With u_x = w sin(xi x), u_y = v cos(xi x), u_z = t cos(xi x) the strains are e_xx = xi w, e_yy = v_y, e_zz = t_z,
 // g_yz = v_z + t_y (times cos) and g_xy = w_y - xi v, g_xz = w_z - xi t (times sin). The energy of
 // lambda (e_xx + e_yy + e_zz)^2 + 2 mu (e_xx^2 + e_yy^2 + e_zz^2) + mu (g_yz^2 + g_xy^2 + g_xz^2), mu = 1, gives one
-// real symmetric matrix K0 + xi K1 + xi^2 K2 of (w, v, t), positive definite when the section is held or xi > 0.
+// real symmetric matrix K0 + xi K1 + xi^2 K2 of (w, v, t), positive definite when the section is clamped or xi > 0.
 #pragma once
 
 #include <vector>
@@ -21,14 +21,14 @@ struct LowerPattern {
 
 class WaveMatrices {
    public:
-    /// G = 1. Nodes on held edges are left out.
+    /// G = 1. Nodes on clamped edges are left out.
     WaveMatrices(const SectionMesh& mesh, int order, double nu);
 
     const LowerPattern& pattern() const { return pattern_; }
     std::vector<double> at(double xi) const;
 
     const mfem::FiniteElementSpace& space() const { return *space_; }
-    /// Of a scalar node the first of its three unknowns w, v, t; -1 when it is held.
+    /// Of a scalar node the first of its three unknowns w, v, t; -1 when it is clamped.
     int unknown(int node) const { return number_[static_cast<std::size_t>(node)] < 0 ? -1 : 3 * number_[node]; }
 
    private:

@@ -1,5 +1,5 @@
-// Hertzian contact as the quick models see it, and what they all give back. The models: cattaneo_mindlin.hpp (shift),
-// vermeulen_johnson.hpp (rolling without spin), fastsim.hpp (rolling).
+// Hertzian contact as the simplified models see it, and what they all give back. The models: cattaneo_mindlin.hpp
+// (shift), vermeulen_johnson.hpp (rolling without spin), fastsim.hpp (rolling).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace contactd {
 
 /// The one material that stands for both bodies in tangential contact: 1/G = (1/G1 + 1/G2)/2, nu/G = (nu1/G1 +
 /// nu2/G2)/2 (Kalker 1990, section 1.7). One body may be rigid. What couples normal and tangential contact of bodies
-/// that are not quasi-identical is left out by all quick models.
+/// that are not quasi-identical is left out by all simplified models.
 Material combined_material(const MaterialPair& bodies);
 
 /// An elliptic contact area centred at the origin, its axes along x and y, with Hertz's pressure
@@ -37,8 +37,9 @@ struct EllipticContact {
 std::vector<double> hertz_pressure(const Grid& grid, const SemiAxes& axes, double pmax);
 std::vector<double> hertz_pressure(const Grid& grid, const EllipticContact& contact);
 
-/// Tangential contact by a quick model. Forces, areas and power belong to the whole ellipse and come from integrals
-/// over it; arrays, shape [ny, nx], are samples at the element centres, exterior where these lie outside the ellipse.
+/// Tangential contact by a simplified model. Forces, areas and power belong to the whole ellipse and come from
+/// integrals over it; arrays, shape [ny, nx], are samples at the element centres, exterior where these lie outside the
+/// ellipse.
 struct EllipticFriction {
     double Fx = 0, Fy = 0;                       ///< on the upper body (N)
     double Mz = 0;                               ///< about the origin (N mm)

@@ -1,4 +1,4 @@
-// Derivatives of tangential forces by the motion, as the quick models find them.
+// Derivatives of tangential forces by the motion, as the simplified models find them.
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "closed_forms/undeformed_distance.hpp"
-#include "coarse_turns.hpp"
+#include "coarse_outer_iterations.hpp"
 #include "contact/derivatives/differentiate.hpp"
 #include "contact/normal/approach_operator.hpp"
 #include "contact/normal/normal_solver.hpp"
@@ -14,9 +14,9 @@
 #include "contact/tangential/friction_law.hpp"
 #include "curved_columns.hpp"
 #include "hertz_start.hpp"
+#include "outer_tolerances.hpp"
 #include "tangential_step.hpp"
 #include "tractions.hpp"
-#include "turn_tolerances.hpp"
 
 namespace contactd {
 namespace {
@@ -99,7 +99,7 @@ class BoundaryElements {
         const bool repeats = coupled || (step_ && problem_.friction->kinetic);
         if (repeats) solution_.evidence.outer = SolverEvidence{};
         const Stopwatch stopwatch;
-        TurnTolerances tolerances(problem_, coupled && !problem_.friction->kinetic);
+        OuterTolerances tolerances(problem_, coupled && !problem_.friction->kinetic);
         for (int iteration = 1;; ++iteration) {
             const Tractions last = now_;
             const bool solved_finally = tolerances.are_final();
@@ -117,7 +117,7 @@ class BoundaryElements {
         }
     }
 
-    void solve_normal_contact(const TurnTolerances& tolerances, Observer& observer) {
+    void solve_normal_contact(const OuterTolerances& tolerances, Observer& observer) {
         Values gap = distance_;
         if (step_ && influence_.coupled() && inner(now_.tangential, now_.tangential) > 0) {
             Values uz(n_);
@@ -136,7 +136,7 @@ class BoundaryElements {
         return std::make_unique<const ApproachOperator>(influence, facing(*problem.columns, problem.grid));
     }
 
-    NormalSolution solve_under_load(Values& gap, const TurnTolerances& tolerances, Observer& observer) {
+    NormalSolution solve_under_load(Values& gap, const OuterTolerances& tolerances, Observer& observer) {
         if (!along_approach_) return solve_along_approach(gap, now_.pressure, tolerances, observer);
         gap = along_approach_->over_cosine(std::move(gap));
         const Values estimate = along_approach_->times_cosine(now_.pressure);
@@ -145,7 +145,7 @@ class BoundaryElements {
         return normal;
     }
 
-    NormalSolution solve_along_approach(Values& gap, const Values& estimate, const TurnTolerances& tolerances,
+    NormalSolution solve_along_approach(Values& gap, const Values& estimate, const OuterTolerances& tolerances,
                                         Observer& observer) {
         // Pressures that miss a part of the contact may not carry a force that is prescribed.
         NormalTask task{gap, {}, tolerances.normal(), !tolerances.are_final() && !prescribes_force(problem_.motion)};
@@ -175,11 +175,11 @@ class BoundaryElements {
         continue_with(*evidence, tangential_.evidence);
     }
 
-    // Turns on the coarser grid take the place of the first one.
+    // Outer iterations on the coarser grid replace the first one.
     bool start_on_coarser(const Observer& observer) {
         if (any(now_.tangential) || problem_.settings.outer.max_iterations == 1) return false;
         bound_ = bound_of(static_mu_);
-        auto start = turns_on_coarser(problem_, influences_, distance_, bound_, observer);
+        auto start = outer_iterations_on_coarser(problem_, influences_, distance_, bound_, observer);
         if (!start) return false;
         now_.tangential = std::move(start->tractions);
         step_->expect(start->motion);

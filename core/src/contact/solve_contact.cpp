@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "boundary_elements.hpp"
-#include "closed_forms/quick_models.hpp"
+#include "closed_forms/simplified_models.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contactd/column_frames.hpp"
@@ -164,7 +164,7 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
 ContactSolution solve_contact(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer) {
     validate(problem);
     if (problem.model != Model::full) {
-        ContactSolution solution = solve_by_quick_model(problem);
+        ContactSolution solution = solve_by_simplified_model(problem);
         count_elements(problem, solution);
         warn(problem, solution);
         return solution;

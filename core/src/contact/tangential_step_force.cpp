@@ -95,7 +95,8 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
     return solution;
 }
 
-// As exactly as the problem asks for, also in loose turns: near the bound, rough forces tell nothing of the motion.
+// Forces are met to the problem's tolerance in loose outer iterations, too: near the bound, rough forces do not tell
+// the motion.
 RollingSolution TangentialStep::search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                                        const Field& estimate, Observer& observer) {
     RollingSolution solution;

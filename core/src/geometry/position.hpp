@@ -56,8 +56,8 @@ class Position {
     /// From the right to the left, still without gaps: approaches are those of the search, vertical penetrations seen
     /// along the normal.
     std::vector<PlaceWithGap> places(double z) const;
-    /// Takes gap and approach at the elements, and what follows from them; of quick models nothing is left to do. False
-    /// where no element has wheel and rail along its normal: that is no place of contact.
+    /// Takes gap and approach at the elements, and what follows from them; of simplified models nothing is left to do.
+    /// False where no element has wheel and rail along its normal: that is no place of contact.
     bool measure(PlaceWithGap& found, double z) const;
     /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
     double expected_force(double z, double compliance) const;

@@ -35,7 +35,7 @@ constexpr double small_box = 0.7, small_lasting_box = 0.95;
 // Between these sizes multiples of three take longer than larger sizes without: 96 takes 1.4 times as long as 100.
 constexpr int smallest_without_threes = 65, largest_without_threes = 128;
 // A size >= n whose transform takes little time for its size: few of them, so that few transforms are made.
-int quick_size(int n) {
+int fft_size(int n) {
     int least = 2 * n;
     for (const int odd : {1, 3, 5, 7, 9, 25}) {
         int size = odd;
@@ -51,7 +51,7 @@ struct Interval {
     int first, n;
 };
 Interval convenient_interval(Interval needed, int all, int margin) {
-    const int n = std::min(quick_size(std::max(needed.n + margin, 1)), all);
+    const int n = std::min(fft_size(std::max(needed.n + margin, 1)), all);
     return {std::clamp(needed.first - (n - needed.n) / 2, 0, all - n), n};
 }
 

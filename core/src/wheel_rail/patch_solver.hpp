@@ -12,8 +12,8 @@ namespace contactd {
 ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWithGap& found,
                           const geometry::RailSurface& rail, const WheelRailFriction* friction);
 
-/// Solves it, on the columns of its patch. Regions that feel a share of each other only are solved in turns: what they
-/// do not feel of the displacements of the others is taken out of the gap.
+/// Solves it, on the columns of its patch. Regions that feel a share of each other only are solved in outer iterations:
+/// what they do not feel of the displacements of the others is taken out of the gap.
 ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchColumns& columns,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 

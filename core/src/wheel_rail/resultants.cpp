@@ -11,9 +11,9 @@ using geometry::Frame;
 using geometry::Vector3;
 
 /// Of the pressures about x and y, in contact coordinates; about z as the solution has it.
-Vector3 moment(const Grid& grid, const ContactSolution& solution, bool quick_model) {
+Vector3 moment(const Grid& grid, const ContactSolution& solution, bool simplified) {
     Vector3 about{0, 0, solution.forces.Mz};
-    if (quick_model) return about;
+    if (simplified) return about;
     std::size_t i = 0;
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix, ++i) {
@@ -29,10 +29,10 @@ struct Sum {
 };
 
 /// At the reference, in the track.
-Sum of_plane(const ContactPlace& place, const ContactSolution& solution, bool quick_model) {
+Sum of_plane(const ContactPlace& place, const ContactSolution& solution, bool simplified) {
     const geometry::Rotation axes = geometry::contact_frame(place.reference).axes;
     const Forces& forces = solution.forces;
-    return {axes * Vector3{forces.Fx, forces.Fy, forces.Fn}, axes * moment(place.grid, solution, quick_model)};
+    return {axes * Vector3{forces.Fx, forces.Fy, forces.Fn}, axes * moment(place.grid, solution, simplified)};
 }
 
 Sum of_rows(const ContactPlace& place, const ContactSolution& solution) {
@@ -66,10 +66,10 @@ Wrench sum(const Wrench& a, const Wrench& b) {
 
 }  // namespace
 
-WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool quick_model,
+WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool simplified,
                            const Frame& rail, const Frame& wheelset) {
     const Vector3 at = geometry::contact_frame(place.reference).origin;
-    const auto [force, about] = place.rows.empty() ? of_plane(place, solution, quick_model) : of_rows(place, solution);
+    const auto [force, about] = place.rows.empty() ? of_plane(place, solution, simplified) : of_rows(place, solution);
     return {seen_from({}, at, force, about), seen_from(rail, at, force, about), seen_from(wheelset, at, force, about)};
 }
 

@@ -6,9 +6,9 @@
 
 namespace contactd {
 
-/// `rail` and `wheelset` are their axes in the track. Of quick models the pressures' centre is the reference. Tractions
-/// of a curved contact are turned row by row.
-WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool quick_model,
+/// `rail` and `wheelset` are their axes in the track. Of simplified models the pressures' centre is the reference.
+/// Tractions of a curved contact are turned row by row.
+WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool simplified,
                            const geometry::Frame& rail, const geometry::Frame& wheelset);
 
 WheelRailForces sum(const WheelRailForces& a, const WheelRailForces& b);

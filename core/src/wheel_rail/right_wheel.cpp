@@ -195,7 +195,7 @@ WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observ
     return patch;
 }
 
-double RightWheel::quick_force(double z, std::vector<PlaceWithGap> places, Observer& observer) const {
+double RightWheel::simplified_force(double z, std::vector<PlaceWithGap> places, Observer& observer) const {
     double force = 0;
     for (PlaceWithGap& found : places) {
         found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
@@ -230,7 +230,7 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     task.force = [&](double z) {
         check_depth(z);
         places = position_.places(z);
-        if (quick) return quick_force(z, places, observer);
+        if (quick) return simplified_force(z, places, observer);
         solution = at(z, std::move(places), observer);
         return solution.forces.track.Fz;
     };

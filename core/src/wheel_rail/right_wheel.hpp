@@ -54,8 +54,8 @@ class RightWheel {
     WheelRailSolution at_height(Observer& observer);
     WheelRailSolution at(double z, std::vector<geometry::PlaceWithGap> places, Observer& observer);
     WheelRailPatch solve(geometry::PlaceWithGap& found, double z, Observer& observer) const;
-    /// Of a quick model, whose forces do not depend on elements, and cost less than what it tells of them.
-    double quick_force(double z, std::vector<geometry::PlaceWithGap> places, Observer& observer) const;
+    /// Of a simplified model, whose forces do not depend on elements, and cost less than what it tells of them.
+    double simplified_force(double z, std::vector<geometry::PlaceWithGap> places, Observer& observer) const;
     void check_loads() const;
     WheelRailSolution on_springs(Observer& observer);
     WheelRailSolution under_force(double Fz, Observer& observer);

@@ -67,7 +67,7 @@ std::string field_refused(const ContactProblem& problem) {
 
 }  // namespace
 
-TEST_CASE("model hertz presses cylinders as boundary elements do", "[quick][line]") {
+TEST_CASE("model hertz presses cylinders as boundary elements do", "[simplified][line]") {
     const MaterialPair pair = GENERATE(bodies, MaterialPair{{82000, 0.28}, Material::rigid()});
     const ContactSolution quick = solve_half_spaces(pressed(Model::hertz, pair));
     const ContactSolution full = solve_half_spaces(pressed(Model::full, pair));
@@ -82,7 +82,7 @@ TEST_CASE("model hertz presses cylinders as boundary elements do", "[quick][line
     CHECK_THAT(solve_half_spaces(by_approach).forces.Fn, WithinRel(P * length, 1e-12));
 }
 
-TEST_CASE("model hertz rolls cylinders as Carter does, and sideways the same", "[quick][line]") {
+TEST_CASE("model hertz rolls cylinders as Carter does, and sideways the same", "[simplified][line]") {
     const double chi = GENERATE(0.0, 3.141592653589793), share = GENERATE(0.1, 0.5, 0.9, 1.4);
     const bool along = GENERATE(true, false);
     Rolling rolling{.chi = chi, .velocity = 5};
@@ -100,7 +100,7 @@ TEST_CASE("model hertz rolls cylinders as Carter does, and sideways the same", "
     CHECK(compared > 780);
 }
 
-TEST_CASE("model hertz finds the creepage of a line contact's force", "[quick][line]") {
+TEST_CASE("model hertz finds the creepage of a line contact's force", "[simplified][line]") {
     const double share = GENERATE(-0.9, 0.3);
     Rolling rolling;
     rolling.force = {share * mu * P * length, {}};
@@ -110,7 +110,7 @@ TEST_CASE("model hertz finds the creepage of a line contact's force", "[quick][l
     CHECK_THAT(std::get<Rolling>(*quick.motion).xi, WithinRel(carter.creepage, 1e-8));
 }
 
-TEST_CASE("model hertz shifts cylinders as boundary elements do", "[quick][line]") {
+TEST_CASE("model hertz shifts cylinders as boundary elements do", "[simplified][line]") {
     const double share = GENERATE(0.05, 0.6, 0.98, 1.3), angle = GENERATE(0.0, 1.5707963267948966, 3.0);
     const double full_shift =
         2 * mu * P / (3.141592653589793 * 82000) * (std::log(2 * datum / cylinder.half_width) + 0.5);
@@ -122,7 +122,7 @@ TEST_CASE("model hertz shifts cylinders as boundary elements do", "[quick][line]
     CHECK_THAT(quick.forces.Fy, WithinAbs(full.forces.Fy, 0.02 * bound));
 }
 
-TEST_CASE("model hertz finds the shift of a line contact's force", "[quick][line]") {
+TEST_CASE("model hertz finds the shift of a line contact's force", "[simplified][line]") {
     Shift shift;
     shift.force = {-0.7 * mu * P * length, -0.2 * mu * P * length};
     const auto [quick, full] = both(shift);
@@ -132,7 +132,7 @@ TEST_CASE("model hertz finds the shift of a line contact's force", "[quick][line
     CHECK_THAT(w.y, WithinRel(exact.y, 0.01));
 }
 
-TEST_CASE("derivatives of model hertz on line contacts are central differences", "[quick][line][derivatives]") {
+TEST_CASE("derivatives of model hertz on line contacts are central differences", "[simplified][line][derivatives]") {
     int compared = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
@@ -161,7 +161,7 @@ TEST_CASE("derivatives of model hertz on line contacts are central differences",
     CHECK(compared > 200);
 }
 
-TEST_CASE("what a line contact's closed form does not know is refused by name", "[quick][line]") {
+TEST_CASE("what a line contact's closed form does not know is refused by name", "[simplified][line]") {
     ContactProblem fastsim = moved(Model::fastsim, Rolling{.xi = 1e-4});
     CHECK(field_refused(fastsim) == "model");
     ContactProblem spins = moved(Model::hertz, Rolling{.phi = 1e-4});

@@ -11,7 +11,7 @@
 using namespace contactd;
 using Catch::Matchers::WithinAbs;
 
-TEST_CASE("Half an ellipsoid has its heights at element centres, and none outside", "[quick]") {
+TEST_CASE("Half an ellipsoid has its heights at element centres, and none outside", "[simplified]") {
     const int nx = GENERATE(1, 3, 4, 7, 30);
     const Grid grid = Grid::centred(nx, 9, 14.0 / nx, 1.1);
     const SemiEllipsoid of{{6, 4}, 0.8, 1.2, -0.3};
@@ -29,7 +29,7 @@ TEST_CASE("Half an ellipsoid has its heights at element centres, and none outsid
     }
 }
 
-TEST_CASE("Half an ellipsoid of infinite length is the half cylinder of a line contact", "[quick]") {
+TEST_CASE("Half an ellipsoid of infinite length is the half cylinder of a line contact", "[simplified]") {
     const double infinite = std::numeric_limits<double>::infinity();
     const Grid grid = Grid::centred(5, 4, 1e3, 1);
     std::vector<double> heights(5);

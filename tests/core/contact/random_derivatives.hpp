@@ -122,7 +122,7 @@ inline std::optional<DerivativeRows> differences(const ContactProblem& problem, 
                                                  int input, const InputSizes& sizes) {
     ContactProblem plain = problem;
     plain.derivatives = false;
-    // Quick models are exact to rounding, and fastsim's corners lie close to each other.
+    // Simplified models are exact to rounding, and fastsim's corners lie close to each other.
     const auto parts = problem.model == Model::full ? std::array{1e-4, 1e-5} : std::array{1e-6, 1e-7};
     for (const double part : parts) {
         const double step = part * sizes.size[input];

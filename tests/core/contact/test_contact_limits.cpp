@@ -180,7 +180,7 @@ TEST_CASE("adhesion dissipates nothing", "[limits]") {
     CHECK(*rolled.frictional_power == 0);
 }
 
-TEST_CASE("a quick model says that its arrays miss the contact", "[limits]") {
+TEST_CASE("a simplified model says that its arrays miss the contact", "[limits]") {
     ContactProblem problem = cattaneo_problem(10);
     problem.model = Model::hertz;
     Observer observer;

@@ -131,7 +131,7 @@ TEST_CASE("forces oppose more motion and follow more friction", "[derivatives]")
 TEST_CASE("a shift that does not slip is an elastic spring", "[derivatives]") {
     ContactProblem problem = ellipse(Shift{{1e-6, 2e-6}, 1e-8});
     problem.friction->mu = {10};
-    problem.grid.x0 += 0.3;  // so that turning shifts, too
+    problem.grid.x0 += 0.3;  // so that a rotation shifts, too
     const ContactSolution solution = solve_half_spaces(problem);
     REQUIRE(solution.elements.slip == 0);
     const Derivatives& by = *solution.derivatives;

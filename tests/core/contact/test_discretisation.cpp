@@ -246,7 +246,7 @@ TEST_CASE("a grid without an element in the contact says so", "[discretisation]"
     CHECK(solve_half_spaces(problem).warnings.empty());
 }
 
-TEST_CASE("quick models have no elements that err", "[discretisation]") {
+TEST_CASE("simplified models have no elements that err", "[discretisation]") {
     ContactProblem problem = rolling_ellipse(6, 4, 5, Rolling{.xi = 1e-3, .dq = 20});
     problem.grid = Grid::centred(7, 7, 3, 2);
     problem.model = GENERATE(Model::hertz, Model::fastsim);

@@ -59,7 +59,7 @@ const MaterialPair stiff_on_soft{{82000, 0.28}, {10, 0.2}};
 
 }  // namespace
 
-TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimilar]") {
+TEST_CASE("dissimilar bodies satisfy all contact conditions at once", "[dissimilar]") {
     const MaterialPair bodies = GENERATE(rigid_on_soft, soft_on_rigid, extreme, stiff_on_soft);
     const double mu = GENERATE(0.05, 0.4);
     ContactProblem problem = sphere(bodies, mu, 16);
@@ -91,7 +91,7 @@ TEST_CASE("bodies that differ satisfy all contact conditions at once", "[dissimi
     }
 }
 
-TEST_CASE("without friction's force, friction between bodies that differ is as none", "[dissimilar]") {
+TEST_CASE("without friction's force, friction between dissimilar bodies is as none", "[dissimilar]") {
     const ContactProblem with = sphere(rigid_on_soft, 1e-7);
     ContactProblem without = with;
     without.friction.reset();
@@ -113,7 +113,7 @@ TEST_CASE("a rigid punch that adheres carries the force of Mossakovskii's soluti
     CHECK_THAT(held.forces.Fn / free.forces.Fn, WithinRel((1 - nu) * std::log(3 - 4 * nu) / (1 - 2 * nu), 5e-3));
 }
 
-TEST_CASE("friction between bodies that differ leaves the forces in balance", "[dissimilar]") {
+TEST_CASE("friction between dissimilar bodies leaves the forces in balance", "[dissimilar]") {
     const ContactSolution solution = solve_half_spaces(sphere(rigid_on_soft, 0.3));
     REQUIRE(solution.converged());
     CHECK_THAT(solution.forces.Fx, WithinAbs(0, 1e-5 * solution.forces.Fn));
@@ -130,7 +130,7 @@ TEST_CASE("swapping the bodies turns the tangential tractions", "[dissimilar]") 
         CHECK_THAT(a.traction_x[i], WithinAbs(-b.traction_x[i], 1e-4 * a.pmax));
 }
 
-TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
+TEST_CASE("dissimilar bodies roll steadily", "[dissimilar]") {
     ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
     problem.approach.reset();
     problem.Fn = 5;
@@ -142,8 +142,8 @@ TEST_CASE("bodies that differ roll steadily", "[dissimilar]") {
     CHECK(*solution.frictional_power > 0);
 }
 
-// Solved to the end in every turn, the normal problem would take as many iterations in each as in the first.
-TEST_CASE("turns are not solved better than the next one changes them", "[dissimilar]") {
+// Solved to the end in every outer iteration, the normal problem would take as many of its own as in the first.
+TEST_CASE("outer iterations are not solved better than the next one changes them", "[dissimilar]") {
     ContactProblem problem = sphere(rigid_on_soft, 0.3);
     problem.approach.reset();
     problem.Fn = 8;
@@ -159,7 +159,7 @@ TEST_CASE("turns are not solved better than the next one changes them", "[dissim
     CHECK(solution.evidence.tangential->iterations < 8 * solution.evidence.outer->iterations);
 }
 
-TEST_CASE("turns that begin at one of two places of contact find the other", "[dissimilar]") {
+TEST_CASE("outer iterations that begin at one of two places of contact find the other", "[dissimilar]") {
     ContactProblem problem = sphere(extreme, 0.4, 40);
     problem.motion = Shift{{0.003, -0.001}};
     const auto place = [&](double x0) {
@@ -194,7 +194,7 @@ TEST_CASE("turns that begin at one of two places of contact find the other", "[d
     }
 }
 
-TEST_CASE("bodies that differ meet the forces that are given, steadily, by shifts and in transients", "[dissimilar]") {
+TEST_CASE("dissimilar bodies meet the forces that are given, steadily, by shifts and in transients", "[dissimilar]") {
     ContactProblem problem = sphere(GENERATE(rigid_on_soft, extreme), 0.3);
     problem.approach.reset();
     problem.Fn = 5;

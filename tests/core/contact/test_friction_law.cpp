@@ -24,7 +24,7 @@ struct Slider {
     }
 };
 
-/// Solves and follows in turns, as boundary elements do; `solve` writes slip velocities for bounds.
+/// Iterates between solving and following, as boundary elements do; `solve` writes slip velocities for bounds.
 template <class Solve>
 SolverEvidence iterate(SlipLawIteration& law, const Values& pressure, const SolverSettings& settings,
                        const Solve& solve) {

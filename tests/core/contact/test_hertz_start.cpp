@@ -137,7 +137,7 @@ TEST_CASE("a poor start does not change the answer", "[normal]") {
     SECTION("a cylinder that ends with the grid") {
         problem.gap = Paraboloid{300, infinity};
     }
-    SECTION("bodies that differ") {
+    SECTION("dissimilar bodies") {
         problem.bodies.lower.material = {8000, 0.1};
         problem.friction = FrictionLaw{{0.5}};
         problem.motion = Shift{.rigid_shift = {0.02, 0}};

@@ -22,7 +22,7 @@ struct Example {
     explicit Example(int first) {
         for (std::size_t e = 0; e < contact.size(); ++e) {
             law.slips[e] = column(e) < first;
-            law.turning[e] = law.slips[e] ? 0.1 * self() : 0;
+            law.tangent_stiffness[e] = law.slips[e] ? 0.1 * self() : 0;
             r.x[e] = std::sin(0.3 * static_cast<double>(e));
             r.y[e] = std::cos(0.2 * static_cast<double>(e));
         }

@@ -105,7 +105,7 @@ TEST_CASE("a step without inverses rolls to the same tractions", "[rolling]") {
     }
 }
 
-TEST_CASE("bodies that differ roll on many elements", "[rolling]") {
+TEST_CASE("dissimilar bodies roll on many elements", "[rolling]") {
     ContactProblem problem;
     problem.grid = Grid::centred(78, 78, 12.8 / 78, 8.4 / 78);
     problem.bodies = Bodies::of({steel, {8000, 0.1}});

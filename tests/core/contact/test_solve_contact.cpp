@@ -322,7 +322,7 @@ TEST_CASE("semi-axes stand for the paraboloid whose contact has them", "[contact
     CHECK_THAT(solution.area.contact, WithinRel(2 * std::numbers::pi, 0.01));
 }
 
-TEST_CASE("quick models answer the same request, near to the full one", "[contact]") {
+TEST_CASE("simplified models answer the same request, near to the full one", "[contact]") {
     ContactProblem problem = cattaneo_problem(40);
     const auto full = solve_half_spaces(problem);
     problem.model = Model::hertz;
@@ -339,7 +339,7 @@ TEST_CASE("quick models answer the same request, near to the full one", "[contac
     CHECK_THAT(fastsim.forces.Fy, WithinAbs(rolling.forces.Fy, 0.1 * 0.4 * rolling.forces.Fn));
 }
 
-TEST_CASE("what a quick model does not know is refused by name", "[contact]") {
+TEST_CASE("what a simplified model does not know is refused by name", "[contact]") {
     const auto refused = [](const std::function<void(ContactProblem&)>& change) -> std::string {
         ContactProblem problem = cattaneo_problem(8);
         problem.model = Model::hertz;

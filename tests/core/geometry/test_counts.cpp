@@ -70,7 +70,7 @@ TEST_CASE("Nodes of the mesh search that no memory holds are refused by the elem
     CHECK(refused([&] { solve(setup, WheelRailState{}); }) == "dx");
 }
 
-TEST_CASE("Elements of the contacts of quick models are bounded as those of full ones") {
+TEST_CASE("Elements of the contacts of simplified models are bounded as those of full ones") {
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.model = GENERATE(Model::full, Model::hertz);
     setup.dx = setup.dy = 1e-3;

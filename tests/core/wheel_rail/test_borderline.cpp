@@ -69,7 +69,7 @@ TEST_CASE("Springs that are next to nothing are refused by name") {
                       StartsWith("track.springs.z is ") && ContainsSubstring("0.001 N/mm at least"));
 }
 
-TEST_CASE("A friction that is next to nothing is none to the quick models") {
+TEST_CASE("A friction that is next to nothing is none to the simplified models") {
     WheelRailSetup setup;
     setup.model = Model::fastsim;
     setup.friction = WheelRailFriction{{{0, 5e-324}}, false, {}};

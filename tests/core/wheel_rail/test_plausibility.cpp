@@ -29,7 +29,7 @@ std::string warnings_of(const WheelRailSetup& setup, double y = 0) {
     return all;
 }
 
-WheelRailSetup quick_setup() {
+WheelRailSetup simplified_setup() {
     WheelRailSetup setup;
     setup.model = Model::hertz;
     setup.friction.reset();
@@ -39,7 +39,7 @@ WheelRailSetup quick_setup() {
 }  // namespace
 
 TEST_CASE("A usual wheel on a usual rail is warned of nothing, across the track") {
-    WheelRailSetup setup = quick_setup();
+    WheelRailSetup setup = simplified_setup();
     SECTION("by formulae") {}
     SECTION("by points") {
         setup.wheel.shape = points_of(setup.wheel);
@@ -49,7 +49,7 @@ TEST_CASE("A usual wheel on a usual rail is warned of nothing, across the track"
 }
 
 TEST_CASE("Points in inches are warned of") {
-    WheelRailSetup setup = quick_setup();
+    WheelRailSetup setup = simplified_setup();
     setup.track.rail_origin = ProfilePoint{750, 0};
     const auto shrunk = [](const ProfileSpec& profile) {
         ProfilePoints points = points_of(profile);
@@ -69,7 +69,7 @@ TEST_CASE("Points in inches are warned of") {
 }
 
 TEST_CASE("Dense points that are rounded are warned of, until they are smoothed") {
-    WheelRailSetup setup = quick_setup();
+    WheelRailSetup setup = simplified_setup();
     ProfilePoints points;
     for (double y = -36; y <= 36; y += 0.25) points.points.push_back({y, std::round(y * y / 6) / 100});
     setup.rail.shape = points;
@@ -82,13 +82,13 @@ TEST_CASE("Dense points that are rounded are warned of, until they are smoothed"
 }
 
 TEST_CASE("The back of a flange that lies nowhere on the wheel is warned of") {
-    WheelRailSetup setup = quick_setup();
+    WheelRailSetup setup = simplified_setup();
     setup.wheelset.flange_back_position = -30;
     CHECK_THAT(warnings_of(setup), ContainsSubstring("wheelset.flange_back_position is -30"));
 }
 
 TEST_CASE("A wheel that runs on the tip of its flange is warned of") {
-    WheelRailSetup setup = quick_setup();
+    WheelRailSetup setup = simplified_setup();
     setup.track.rail_origin = ProfilePoint{694, 0};  // as if the gauge were narrower by the width of a flange
     CHECK_THAT(warnings_of(setup), ContainsSubstring("tip or the back of the wheel's flange"));
 }

@@ -9,7 +9,7 @@
 #include "closed_forms/derivative_table.hpp"
 #include "contact/rolling/rolling.hpp"
 #include "contact/support/solver_support.hpp"
-#include "held_contact.hpp"
+#include "frozen_contact.hpp"
 #include "krylov_space.hpp"
 
 namespace contactd {
@@ -95,7 +95,7 @@ class Differentiation {
         const Eigen::Index pressures = contact_.pressures(), tractions = contact_.tractions();
         const std::array columns{Table::along_x, Table::along_y, Table::about_z, Table::approach, Table::mu};
         std::vector<Right> rights;
-        const auto add_right = [&](const Vector& normal, const HeldContact::Right& tangential, const Vector& known,
+        const auto add_right = [&](const Vector& normal, const FrozenContact::Right& tangential, const Vector& known,
                                    double measure = 1) {
             Vector all(pressures + tractions);
             all << normal, tangential.values;
@@ -122,7 +122,9 @@ class Differentiation {
         }
     }
 
-    static Right right(const HeldContact::Right& from, const Vector& known) { return {from.values, from.size, known}; }
+    static Right right(const FrozenContact::Right& from, const Vector& known) {
+        return {from.values, from.size, known};
+    }
 
     KrylovSpace solve(LinearEquations equations, const std::vector<Right>& rights,
                       const KrylovSpace::Tolerance& tolerance) {
@@ -151,7 +153,7 @@ class Differentiation {
         };
     }
 
-    void take(Table::Column column, const HeldContact::Forces& forces) {
+    void take(Table::Column column, const FrozenContact::Forces& forces) {
         for (int k = 0; k < 3; ++k) table_.values[Table::Fx + k][column] = forces[k];
     }
 
@@ -198,7 +200,7 @@ class Differentiation {
 
     const ContactProblem& problem_;
     const ContactSolution& solution_;
-    HeldContact contact_;
+    FrozenContact contact_;
     Observer& observer_;
     DerivativeTable table_;
     double residual_ = 0;

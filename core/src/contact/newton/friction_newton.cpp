@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_steps = 50;            // in the history
 constexpr std::size_t history_values = 16 << 20;  // that its arrays may hold
 constexpr double far_off = 0.5;        // squared, relative: part of a step against the bounds at which it tells nothing
-constexpr double much_turned = 0.05;   // relative change of the tractions that makes linearised steps stale
+constexpr double much_changed = 0.05;  // relative change of the tractions that makes linearised steps stale
 constexpr double negligible = 1e-12;   // traction over bound that counts as none
 constexpr double accepted_push = 0.1;  // times the tolerance: slip along the traction that is no reason to adhere
 constexpr double accepted_move = 0.3;  // times the tolerance: move to the bounds that the slip found knows nothing of
@@ -100,7 +100,7 @@ bool FrictionNewton::iterate(int iterations, const SolverSettings& settings, Obs
         last_residual = residual();
         last_update = relative_step();
         take_step(settings.tolerance);
-        turned_ += last_update;
+        relative_change_ += last_update;
         ++evidence_.iterations;
     }
 }
@@ -143,7 +143,7 @@ bool FrictionNewton::division_stands(double tolerance) const {
 }
 
 void FrictionNewton::linearise() {
-    linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.turning.data(), r_);
+    linearise_law(m_, law_.slips.data(), p_, s_, inverse_g_.data(), law_.normal, law_.tangent_stiffness.data(), r_);
     const double sum = inner(r_, r_) + pushes(m_, law_.normal, s_);
     violation_ = sum > 0 ? std::sqrt(sum / static_cast<double>(m_)) / rms_w_ : 0;
     has_step_ = false;
@@ -156,7 +156,7 @@ double FrictionNewton::residual() const {
 void FrictionNewton::linearise_history() {
     const auto image = [this](const FieldView& step, const FieldView& response, const Pair& rigid,
                               const FieldView& result) -> Pair {
-        jacobian_times(m_, law_.normal, law_.turning.data(), step, response, result);
+        jacobian_times(m_, law_.normal, law_.tangent_stiffness.data(), step, response, result);
         const auto [inside, against] = step_parts(m_, law_.normal, step);
         const bool rigid_stays = !joined_ && rigid != Pair::Zero();
         if (against <= far_off * (inside + against) && !rigid_stays)
@@ -165,10 +165,10 @@ void FrictionNewton::linearise_history() {
         std::fill_n(result.y, m_, 0.0);
         return Pair::Zero();
     };
-    if (is_stale_ || changed_ > 0 || turned_ > much_turned) {
+    if (is_stale_ || changed_ > 0 || relative_change_ > much_changed) {
         history_.map_all(image);
         is_stale_ = false;
-        turned_ = 0;
+        relative_change_ = 0;
     } else {
         history_.map_newest(image);
     }

@@ -60,7 +60,7 @@ class FrictionNewton {
 
     // From here on the rigid slip changes, too.
     void join_forces();
-    // Tangents, turning stiffness, residual and violation at the present tractions.
+    // Tangents, tangent stiffness, residual and violation at the present tractions.
     void linearise();
     // What the Jacobian makes of the steps made so far; of all of them when the division or the tangents have changed.
     void linearise_history();
@@ -106,7 +106,7 @@ class FrictionNewton {
     std::size_t changed_ = 0;                 // elements, in the last step
     bool has_step_ = false;                   // step_ is for the tractions as they are
     bool is_stale_ = false;                   // what the Jacobian makes of the steps
-    double turned_ = 0;                       // relative change of the tractions since the history was linearised
+    double relative_change_ = 0;              // relative change of the tractions since the history was linearised
     double best_ = std::numeric_limits<double>::infinity(), first_ = 0;
     int without_progress_ = 0;
 };

@@ -76,7 +76,7 @@ void Norm::go_on(const NormProblem& problem, const SolverSettings& settings, Obs
     check_ = advance(0);
 }
 
-// Turns of an iteration change the distance by ever smaller multiples of about the same field.
+// Iterations change the distance by ever smaller multiples of about the same field.
 void Norm::go_along_last_change() {
     for (std::size_t i = 0; i < n_; ++i) {
         v_[i] = p_[i] - last_p_[i];

@@ -9,7 +9,7 @@ namespace contactd {
 namespace {
 
 constexpr double sweep_self = 1.5;      // times the self-influence: of an element with its close neighbours
-constexpr double stiff_self = 2;        // times the self-influence: turning stiffness that rules the Jacobian
+constexpr double stiff_self = 2;        // times the self-influence: tangent stiffness that rules the Jacobian
 constexpr int margin = 2;               // elements around adhesion
 constexpr std::size_t much_larger = 2;  // than the best box: not worth another one
 
@@ -38,7 +38,7 @@ InfluenceDivision::InfluenceDivision(const InfluenceOperator& influence, const C
 }
 
 void InfluenceDivision::linearise(const Linearisation& law) {
-    shifted_reciprocal(weight_.size(), law.turning.data(), stiff_.data(), stiff_.data(), weight_.data());
+    shifted_reciprocal(weight_.size(), law.tangent_stiffness.data(), stiff_.data(), stiff_.data(), weight_.data());
     for (std::size_t e = 0; e < weight_.size(); ++e) diagonal_[e] = (1 - weight_[e] * weight_[e]) * to_diagonal_[e];
 }
 

@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-// q ~ A^-1 r where turning is easy, r over A's diagonal where it is not.
+// q ~ A^-1 r where the tangent stiffness is small, r over A's diagonal where it is not.
 class InfluenceDivision {
    public:
     // `self`: A's diagonal of each element in contact. The operator and the contact outlive this.
@@ -39,7 +39,7 @@ class InfluenceDivision {
     std::vector<Contact::Run> runs_;           // of the elements that count, on the box
     Field full_in_, full_out_;                 // on the box
     std::vector<double> weight_, diagonal_;    // of A^-1 and of what stands in for it, per element
-    std::vector<double> stiff_, to_diagonal_;  // turning stiffness that rules the Jacobian; slip to traction of one
+    std::vector<double> stiff_, to_diagonal_;  // tangent stiffness that rules the Jacobian; slip to traction of one
 };
 
 }  // namespace contactd

@@ -52,7 +52,7 @@ void RollingCompliance::linearise_levels() {
         return;
     if (!levels_) {
         const double self = std::accumulate(self_.begin(), self_.end(), 0.0) / static_cast<double>(m_);
-        levels_ = TurningLevels::make(change_, contact_, self);
+        levels_ = TangentStiffnessLevels::make(change_, contact_, self);
         if (!levels_) return;
     }
     levels_->linearise(*law_);

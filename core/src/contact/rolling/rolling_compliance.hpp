@@ -8,7 +8,7 @@
 #include "influence_division.hpp"
 #include "rolling.hpp"
 #include "rolling_sweep.hpp"
-#include "turning_levels.hpp"
+#include "tangent_stiffness_levels.hpp"
 
 namespace contactd {
 
@@ -46,7 +46,7 @@ class RollingCompliance final : public Compliance {
     InfluenceDivision division_;
     std::size_t sweep_count_ = 0;  // elements of the sweep that the division counts
     const PreconditionerLevels with_levels_;
-    std::unique_ptr<TurningLevels> levels_;  // null until they are of use
+    std::unique_ptr<TangentStiffnessLevels> levels_;  // null until they are of use
     bool uses_levels_ = false;
     const Linearisation* law_ = nullptr;
     std::size_t slipping_ = 0;  // elements

@@ -78,7 +78,7 @@ RollingSweep::RollingSweep(const Grid& grid, double step_x, double step_y, const
 
 void RollingSweep::linearise(const Linearisation& linearisation) {
     linearisation_ = &linearisation;
-    shifted_reciprocal(m_, linearisation.turning.data(), diagonal_stiffness_.data(), stiffness_.data(),
+    shifted_reciprocal(m_, linearisation.tangent_stiffness.data(), diagonal_stiffness_.data(), stiffness_.data(),
                        inverse_diagonal_.data());
     to_adhesion_ = up_to_last([&](std::size_t e) { return !linearisation.slips[e]; });
 }

@@ -88,25 +88,26 @@ void project_out(std::size_t m, Vectors n, MutableVectors a) {
 
 CONTACTD_WIDE
 void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const double* inverse_g, MutableVectors n,
-                   double* turning, MutableVectors r) {
+                   double* tangent_stiffness, MutableVectors r) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) {
         const double scale = slips[e] != 0 ? inverse_g[e] : 0;
         const double x = p.x[e] * scale, y = p.y[e] * scale, along = s.x[e] * x + s.y[e] * y;
         n.x[e] = x;
         n.y[e] = y;
-        turning[e] = (along < 0 ? -along : 0) * inverse_g[e];
+        tangent_stiffness[e] = (along < 0 ? -along : 0) * inverse_g[e];
         r.x[e] = along * x - s.x[e];
         r.y[e] = along * y - s.y[e];
     }
 }
 
 CONTACTD_WIDE
-void jacobian_times(std::size_t m, Vectors n, const double* turning, Vectors step, Vectors response,
+void jacobian_times(std::size_t m, Vectors n, const double* tangent_stiffness, Vectors step, Vectors response,
                     MutableVectors image) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) {
-        const double x = response.x[e] + turning[e] * step.x[e], y = response.y[e] + turning[e] * step.y[e];
+        const double x = response.x[e] + tangent_stiffness[e] * step.x[e],
+                     y = response.y[e] + tangent_stiffness[e] * step.y[e];
         const double along = x * n.x[e] + y * n.y[e];
         image.x[e] = x - along * n.x[e];
         image.y[e] = y - along * n.y[e];

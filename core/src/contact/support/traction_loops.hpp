@@ -43,12 +43,12 @@ void take_where(std::size_t m, const char* chosen, const double* a, double* to);
 /// a -> a - (a . n) n
 void project_out(std::size_t m, Vectors n, MutableVectors a);
 
-/// n, the turning stiffness D = max(-s . n, 0)/g, and the residual r = -s projected.
+/// n, the tangent stiffness D = max(-s . n, 0)/g, and the residual r = -s projected.
 void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const double* inverse_g, MutableVectors n,
-                   double* turning, MutableVectors r);
+                   double* tangent_stiffness, MutableVectors r);
 
 /// What the Jacobian makes of a step with a known response: the response projected, plus D times the step projected.
-void jacobian_times(std::size_t m, Vectors n, const double* turning, Vectors step, Vectors response,
+void jacobian_times(std::size_t m, Vectors n, const double* tangent_stiffness, Vectors step, Vectors response,
                     MutableVectors image);
 
 /// Squares of a step along and across what is free.

@@ -5,7 +5,7 @@
 namespace contactd {
 namespace {
 
-constexpr double soft = 3;  // times the self-influence: turning stiffness at which A and D have equal say, as in TangCg
+constexpr double soft = 3;  // times the self-influence: tangent stiffness at which A and D have equal say, as in TangCg
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void ShiftCompliance::apply(const Field& p, Field& u) {
 void ShiftCompliance::linearise(const Linearisation& law) {
     law_ = &law;
     for (std::size_t e = 0; e < self_.size(); ++e) {
-        const double added = 1 / (soft * self_[e] + law.turning[e]);
+        const double added = 1 / (soft * self_[e] + law.tangent_stiffness[e]);
         scale_[e] = soft * self_[e] * added;
         diagonal_[e] = (1 - scale_[e] * scale_[e]) * added;
     }

@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-// The preconditioner is that of TangCg: where A rules it is the operator's own, scaled on both sides, where turning
+// The preconditioner is that of TangCg: where A rules it is the operator's own, scaled on both sides, where D
 // rules it is the diagonal, in between it is their mean.
 class ShiftCompliance final : public Compliance {
    public:

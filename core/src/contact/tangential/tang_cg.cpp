@@ -20,8 +20,8 @@ constexpr double stale_at_end = 0.1;  // drift over tolerance
 constexpr double stale_at_start = 1e-2;
 
 // The preconditioner's mean, tuned on the spectra of Cattaneo shifts and spin: condition numbers of 3 to 4 for any part
-// of slip. In units of the influence of an element on itself: the turning term at which A and D have equal say, and
-// what neighbours add to the diagonal where D rules.
+// of slip. In units of the influence of an element on itself: the tangent stiffness at which A and D have equal say,
+// and what neighbours add to the diagonal where D rules.
 constexpr double few = 3e-3;  // part of the contact whose change of division leaves the directions conjugate enough
 constexpr double soft = 3;
 constexpr double start_self = 8;  // stiffness that turns slip into traction for the first division
@@ -39,7 +39,7 @@ TangCg::TangCg(const InfluenceOperator& influence, const Contact& contact, const
       m_(contact.size()),
       self_(tangential_diagonal(influence, contact)) {
     for (Field* field : {&p_, &s_, &r_, &z_, &v_, &q_, &jv_, &normal_}) *field = Field(m_);
-    for (Values* values : {&turning_, &scale_, &diagonal_, &inverse_g_, &to_self_}) values->resize(m_);
+    for (Values* values : {&tangent_stiffness_, &scale_, &diagonal_, &inverse_g_, &to_self_}) values->resize(m_);
     slips_.resize(m_);
     squared_bound_ = dot(g_, g_);
     full_in_ = Field(influence.size());
@@ -142,9 +142,9 @@ double TangCg::relative_to_traction(double change_squared) const {
 }
 
 void TangCg::linearise() {
-    linearise_law(m_, slips_.data(), p_, s_, inverse_g_.data(), normal_, turning_.data(), r_);
+    linearise_law(m_, slips_.data(), p_, s_, inverse_g_.data(), normal_, tangent_stiffness_.data(), r_);
     for (std::size_t e = 0; e < m_; ++e) {
-        const double part = 1 / (soft + turning_[e] * to_self_[e]);
+        const double part = 1 / (soft + tangent_stiffness_[e] * to_self_[e]);
         scale_[e] = soft * part;
         diagonal_[e] = (1 - scale_[e] * scale_[e]) * part * to_self_[e];
     }
@@ -161,7 +161,7 @@ void TangCg::linearise() {
 double TangCg::step() {
     const double slope = choose_direction();
     apply(v_, q_);
-    jacobian_times(m_, normal_, turning_.data(), v_, q_, jv_);
+    jacobian_times(m_, normal_, tangent_stiffness_.data(), v_, q_, jv_);
     curvature_ = inner(v_, jv_);
     if (!(slope > 0 && curvature_ > 0)) {  // nothing left to do, or a table that is not positive
         steps_ = 0;

@@ -36,7 +36,7 @@ class TangCg {
     double f() const { return 0.5 * (inner(p_, s_) + inner(p_, w_)); }
     double relative_to_traction(double change_squared) const;
 
-    // Residual, normals and the term D = -(s . n)/g of the turning direction at the present tractions, and from them
+    // Residual, normals and the tangent stiffness D = -(s . n)/g at the present tractions, and from them
     // the preconditioned residual z ~ (A + D)^-1 r, which estimates the error: where A rules by the operator's own
     // preconditioner, scaled on both sides so that it stays symmetric and positive, where D rules by the diagonal, in
     // between by their mean.
@@ -78,13 +78,14 @@ class TangCg {
     const SolverSettings& settings_;
     Observer& observer_;
     const std::size_t m_;
-    const std::vector<double> self_;                              // of each element in contact, A's diagonal
-    std::vector<double> to_self_;                                 // the reciprocals
-    double squared_bound_ = 0;                                    // sum of g^2
-    double noise_ = 0;                                            // of a slip distance
-    Field p_, s_, r_, z_, v_, q_, jv_;                            // q = A v, jv = J v with J the reduced Jacobian
-    Field normal_, full_in_, full_out_;                           // p/g in slip, 0 in adhesion
-    std::vector<double> turning_, scale_, diagonal_, inverse_g_;  // D, and the preconditioner's factors for A and D
+    const std::vector<double> self_;     // of each element in contact, A's diagonal
+    std::vector<double> to_self_;        // the reciprocals
+    double squared_bound_ = 0;           // sum of g^2
+    double noise_ = 0;                   // of a slip distance
+    Field p_, s_, r_, z_, v_, q_, jv_;   // q = A v, jv = J v with J the reduced Jacobian
+    Field normal_, full_in_, full_out_;  // p/g in slip, 0 in adhesion
+    std::vector<double> tangent_stiffness_, scale_, diagonal_,
+        inverse_g_;  // D, and the preconditioner's factors for A and D
     std::vector<char> slips_;
     Field best_p_, best_s_;
     double best_f_ = std::numeric_limits<double>::infinity();

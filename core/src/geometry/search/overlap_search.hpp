@@ -18,7 +18,7 @@ struct EquivalentEllipse {
     /// The paraboloid whose overlap it is, approached so far.
     Paraboloid radii() const { return {along * along / (2 * approach), across * across / (2 * approach)}; }
 };
-inline constexpr double most_slender_ellipse = 16;  ///< ratio of semi-axes: quick models know contacts of up to 32
+inline constexpr double most_slender_ellipse = 16;  ///< ratio of semi-axes: simplified models know contacts of up to 32
 
 /// What speaks against a planar contact.
 struct OverlapDoubts {

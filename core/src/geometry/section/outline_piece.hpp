@@ -34,7 +34,7 @@ class OutlinePiece {
     OutlinePiece(const SectionPoint& from, const OutlinePart& part, const std::string& field);
 
     double length() const { return length_; }
-    bool held() const { return held_; }
+    bool clamped() const { return clamped_; }
     OutlinePlace place(double s) const;  ///< 0 <= s <= length
     /// Points along it from s = 0 on, without its end: chords between them turn by little from one to the next.
     std::vector<SectionPoint> points() const;
@@ -57,7 +57,7 @@ class OutlinePiece {
 
     Shape shape_;
     double length_ = 0;
-    bool held_;
+    bool clamped_;
 };
 
 /// Where a part ends.

@@ -55,7 +55,7 @@ class ColumnCheck {
 
     void support() const {
         for_each_piece([&](std::size_t piece, double from, double to) {
-            if (curve_.pieces()[piece].held() && to > begin_ && from < end_) held(std::max(from, begin_));
+            if (curve_.pieces()[piece].clamped() && to > begin_ && from < end_) refuse_clamped(std::max(from, begin_));
         });
     }
 
@@ -87,7 +87,7 @@ class ColumnCheck {
                      high = std::max(start, start + outline.from) - rounding;
         for (const double lap : {-length, 0.0, length})
             for (std::size_t i = 0; i < curve_.pieces().size(); ++i) {
-                if (!curve_.pieces()[i].held() || i == outline.part) continue;
+                if (!curve_.pieces()[i].clamped() || i == outline.part) continue;
                 if (lap + curve_.begin_of(i) < high && lap + curve_.begin_of(i + 1) > low)
                     refuse("it leads across what is held, at " + place_text(curve_.pieces()[i].place(0).at) +
                            ", to columns that begin on another side of the body, at " +
@@ -117,7 +117,7 @@ class ColumnCheck {
                                           "; columns must end at a corner, take fewer of them or let them begin "
                                           "elsewhere");
     }
-    void held(double s) const {
+    void refuse_clamped(double s) const {
         throw InvalidArgument(field_, "is held at " + place_text(curve_.place(s).at) + " where its column " +
                                           std::to_string(column_at(s)) + " of " + number() +
                                           " lies; columns must lie on parts that are free to move");

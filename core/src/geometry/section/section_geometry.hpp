@@ -18,7 +18,7 @@ inline constexpr double most_column_turn = 0.5;
 class SectionGeometry {
    public:
     /// `ds` is the arc length of a column (mm). Throws InvalidArgument below `field` as validate() and check_outlines()
-    /// do, and, with coordinates, for columns that pass a corner, lie on a held part, on each other, or turn by more
+    /// do, and, with coordinates, for columns that pass a corner, lie on a clamped part, on each other, or turn by more
     /// than most_column_turn.
     SectionGeometry(const Section& section, int columns, double ds, const std::string& field = "section");
 

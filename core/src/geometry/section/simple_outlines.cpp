@@ -11,7 +11,7 @@ using std::numbers::pi;
 OutlinePart line(double y, double z) {
     return {LineTo{{y, z}}};
 }
-OutlinePart held_line(double y, double z) {
+OutlinePart clamped_line(double y, double z) {
     return {LineTo{{y, z}}, true};
 }
 OutlinePart arc(double y, double z, double radius) {
@@ -19,34 +19,34 @@ OutlinePart arc(double y, double z, double radius) {
 }
 
 // From -radius on over the top and below back, or as a hole below and over the top back.
-Outline circle(double radius, bool held) {
-    return {{-radius, 0}, {{ArcTo{{radius, 0}, radius}, held}, {ArcTo{{-radius, 0}, radius}, held}}};
+Outline circle(double radius, bool clamped) {
+    return {{-radius, 0}, {{ArcTo{{radius, 0}, radius}, clamped}, {ArcTo{{-radius, 0}, radius}, clamped}}};
 }
-Outline round_hole(double radius, bool held) {
-    return {{-radius, 0}, {{ArcTo{{radius, 0}, -radius}, held}, {ArcTo{{-radius, 0}, -radius}, held}}};
+Outline round_hole(double radius, bool clamped) {
+    return {{-radius, 0}, {{ArcTo{{radius, 0}, -radius}, clamped}, {ArcTo{{-radius, 0}, -radius}, clamped}}};
 }
 
 }  // namespace
 
 OutlineSection outline_of(const EdgeBlock& block, double width) {
     const double b = block.width, h = block.height;
-    return {.outside = {{-b, 0}, {line(0, 0), line(0, -h), held_line(-b, -h), held_line(-b, 0)}},
+    return {.outside = {{-b, 0}, {line(0, 0), line(0, -h), clamped_line(-b, -h), clamped_line(-b, 0)}},
             .from = b - block.edge_distance - width};
 }
 
 OutlineSection outline_of(const Groove& groove, double width) {
     const double r = groove.radius, d = groove.depth, b = groove.width / 2, h = groove.height;
     const double opening = std::sqrt(d * (2 * r - d));
-    return {
-        .outside = {{-b, -h},
-                    {line(-b, 0), line(-opening, 0), arc(opening, 0, -r), line(b, 0), line(b, -h), held_line(-b, -h)}},
-        .part = 2,
-        .from = r * std::atan2(opening, r - d) - width / 2};
+    return {.outside = {{-b, -h},
+                        {line(-b, 0), line(-opening, 0), arc(opening, 0, -r), line(b, 0), line(b, -h),
+                         clamped_line(-b, -h)}},
+            .part = 2,
+            .from = r * std::atan2(opening, r - d) - width / 2};
 }
 
 OutlineSection outline_of(const RoundEnd& end, double width) {
     const double r = end.radius, h = end.length;
-    return {.outside = {{-r, -h}, {line(-r, 0), arc(r, 0, r), line(r, -h), held_line(-r, -h)}},
+    return {.outside = {{-r, -h}, {line(-r, 0), arc(r, 0, r), line(r, -h), clamped_line(-r, -h)}},
             .part = 1,
             .from = r * pi / 2 - width / 2};
 }
@@ -66,7 +66,7 @@ OutlineSection outline_of(const PlateHole& hole, double width) {
 
 OutlineSection outline_of(const Slab& slab, double width) {
     const double b = slab.width / 2, t = slab.thickness;
-    return {.outside = {{-b, -t}, {held_line(-b, 0), line(b, 0), held_line(b, -t), held_line(-b, -t)}},
+    return {.outside = {{-b, -t}, {clamped_line(-b, 0), line(b, 0), clamped_line(b, -t), clamped_line(-b, -t)}},
             .part = 1,
             .from = b - width / 2};
 }

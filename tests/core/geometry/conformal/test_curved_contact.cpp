@@ -161,7 +161,7 @@ TEST_CASE("A left wheel in a curved contact is a right one in a mirror") {
     CHECK(a.front().y == -b.back().y);
 }
 
-TEST_CASE("Quick models know no curved contacts") {
+TEST_CASE("Simplified models know no curved contacts") {
     WheelRailSetup setup = throat_on_rail(Conformal::half_space);
     setup.model = Model::hertz;
     CHECK_THROWS_WITH(validate(setup), ContainsSubstring("conformal is not off"));

@@ -1,4 +1,4 @@
-#include "turn_tolerances.hpp"
+#include "outer_tolerances.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ constexpr double first_normal = 3e-3, first_tangential = 0.1;
 constexpr double normal_part = 0.01, tangential_part = 0.2;  // of the expected change
 constexpr double least_rate = 0.03, largest_rate = 0.3, first_rate = 0.05;
 // Rates that tell what is left: smaller ones may be luck, and larger ones are no sign of a series that ends. Of the
-// last two the smaller one counts: what a turn left unsolved is made up for by the next one, and adds to its change.
+// last two the smaller one counts: the next iteration makes up for what one left unsolved, which adds to its change.
 constexpr double least_sure_rate = 0.1, largest_sure_rate = 0.5;
 
 void tighten(SolverSettings& settings, double tolerance, const SolverSettings& last) {
@@ -24,18 +24,18 @@ double sum_behind(double change, double rate) {
 
 }  // namespace
 
-TurnTolerances::TurnTolerances(const ContactSetup& setup, bool loose)
+OuterTolerances::OuterTolerances(const ContactSetup& setup, bool loose)
     : setup_(setup), loose_(loose), normal_(setup.settings.normal), tangential_(setup.settings.tangential) {
     if (!loose) return;
     normal_.tolerance = std::max(normal_.tolerance, first_normal);
     tangential_.tolerance = std::max(tangential_.tolerance, first_tangential);
 }
 
-bool TurnTolerances::are_final() const {
+bool OuterTolerances::are_final() const {
     return normal_ == setup_.settings.normal && tangential_ == setup_.settings.tangential;
 }
 
-void TurnTolerances::follow(double change) {
+void OuterTolerances::follow(double change) {
     const bool is_first = change_ == 0;
     const double last = is_first ? 1 : change / change_;
     sure_rate_ = std::min(rate_, last);
@@ -48,7 +48,7 @@ void TurnTolerances::follow(double change) {
     tighten(tangential_, is_last ? 0 : tangential_part * next, setup_.settings.tangential);
 }
 
-double TurnTolerances::left() const {
+double OuterTolerances::left() const {
     return loose_ ? sum_behind(change_, sure_rate_) : change_;
 }
 

@@ -12,7 +12,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 /// Elliptic contact on half-spaces, by the approach or by the force, in part of slip or all of it.
-ContactProblem random_quick(std::uint64_t seed) {
+ContactProblem random_simplified(std::uint64_t seed) {
     Dice dice(seed + 5'000'000);
     ContactProblem problem;
     problem.grid = Grid::centred(12, 12, 14, 14);
@@ -48,11 +48,11 @@ ContactProblem random_quick(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("derivatives of quick models are central differences", "[derivatives][random]") {
+TEST_CASE("derivatives of simplified models are central differences", "[derivatives][random]") {
     int compared = 0, skipped = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);
-        const ContactProblem problem = random_quick(seed);
+        const ContactProblem problem = random_simplified(seed);
         const ContactSolution solution = solve_half_spaces(problem);
         REQUIRE(solution.derivatives);
         CHECK(solution.evidence.derivatives->converged);
@@ -69,9 +69,9 @@ TEST_CASE("derivatives of quick models are central differences", "[derivatives][
     CHECK(skipped < compared / 10);
 }
 
-TEST_CASE("quick models have no derivative by friction where there is none", "[derivatives]") {
+TEST_CASE("simplified models have no derivative by friction where there is none", "[derivatives]") {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        ContactProblem problem = random_quick(seed);
+        ContactProblem problem = random_simplified(seed);
         if (!problem.friction) continue;
         problem.friction->mu = {0};
         const ContactSolution solution = solve_half_spaces(problem);

@@ -1,4 +1,4 @@
-#include "coarse_turns.hpp"
+#include "coarse_outer_iterations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ std::optional<ContactInfluence> coarser(const ContactInfluence& fine) {
 }
 
 // On the coarser grid, where forces are met roughly, those near what friction holds would be refused.
-bool is_well_held(const ContactProblem& problem) {
+bool is_well_within_bound(const ContactProblem& problem) {
     constexpr double well = 0.95;
     const Force force = std::visit([](const auto& motion) { return motion.force; }, problem.motion);
     if (force.empty()) return true;
@@ -39,7 +39,7 @@ bool is_plain(const ContactProblem& problem) {
     return !problem.columns && problem.friction->mu.size() == 1 && !problem.friction->kinetic &&
            problem.rigid_slip.empty() && before.pressure.empty() && before.traction_x.empty() &&
            before.traction_y.empty() && initial.traction_x.empty() && initial.traction_y.empty() &&
-           is_well_held(problem);
+           is_well_within_bound(problem);
 }
 
 ContactProblem on_coarser(const ContactProblem& fine, const CoarserGrid& coarse, const std::vector<double>& distance) {
@@ -71,9 +71,9 @@ ContactProblem on_coarser(const ContactProblem& fine, const CoarserGrid& coarse,
 
 }  // namespace
 
-std::optional<TurnsStart> turns_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
-                                           const std::vector<double>& distance, const std::vector<double>& bound,
-                                           const Observer& observer) {
+std::optional<OuterStart> outer_iterations_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
+                                                      const std::vector<double>& distance,
+                                                      const std::vector<double>& bound, const Observer& observer) {
     const auto in_contact = std::count_if(bound.begin(), bound.end(), [](double g) { return g > 0; });
     if (in_contact < smallest_to_coarsen || !is_plain(problem)) return {};
     const std::optional<ContactInfluence> coarse = coarser(influence);
@@ -84,7 +84,7 @@ std::optional<TurnsStart> turns_on_coarser(const ContactProblem& problem, const 
     SilentObserver silent(observer);
     const ContactSolution solution = solve_boundary_elements(there, *coarse, silent);
     if (!solution.converged()) return {};
-    TurnsStart start{Field(problem.grid.size()), *solution.motion};
+    OuterStart start{Field(problem.grid.size()), *solution.motion};
     auto& [x, y] = start.tractions;
     grid.interpolate(solution.traction_x, x);
     grid.interpolate(solution.traction_y, y);

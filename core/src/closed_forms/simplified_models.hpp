@@ -9,6 +9,6 @@ namespace contactd {
 /// FASTSIM for rolling). Of line contacts, which hertz alone knows, it is Hertz, Cattaneo and Carter. Forces, areas and
 /// pmax are those of the whole ellipse, arrays samples. `problem` is valid. Throws InvalidArgument for what these
 /// theories do not know.
-ContactSolution solve_by_quick_model(const ContactProblem& problem);
+ContactSolution solve_by_simplified_model(const ContactProblem& problem);
 
 }  // namespace contactd

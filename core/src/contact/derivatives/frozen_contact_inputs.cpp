@@ -2,18 +2,18 @@
 #include <cmath>
 
 #include "contact/rolling/rolling.hpp"
-#include "held_contact.hpp"
+#include "frozen_contact.hpp"
 
 namespace contactd {
 
-double HeldContact::mean_friction() const {
+double FrozenContact::mean_friction() const {
     double sum = 0;
     for (const std::size_t i : pressed_.elements) sum += mu_[i];
     return sum / static_cast<double>(pressed_.size());
 }
 
 // Of the slip in out_.
-HeldContact::Right HeldContact::right_of_slip() const {
+FrozenContact::Right FrozenContact::right_of_slip() const {
     double squares = 0;
     for (std::size_t e = 0; e < rubbed_.size(); ++e) {
         const double weight = weights_[static_cast<Eigen::Index>(e)];
@@ -22,7 +22,7 @@ HeldContact::Right HeldContact::right_of_slip() const {
     return {-free_of(out_), std::sqrt(squares)};
 }
 
-HeldContact::Right HeldContact::of_slip(int direction) {
+FrozenContact::Right FrozenContact::of_slip(int direction) {
     for (std::size_t e = 0; e < rubbed_.size(); ++e) {
         const auto i = static_cast<int>(rubbed_.elements[e]);
         out_.x[e] = direction == 0 ? 1 : direction == 1 ? 0 : -grid_.y(i / grid_.nx);
@@ -31,7 +31,7 @@ HeldContact::Right HeldContact::of_slip(int direction) {
     return right_of_slip();
 }
 
-HeldContact::Right HeldContact::of_bound(const Vector& dg) {
+FrozenContact::Right FrozenContact::of_bound(const Vector& dg) {
     take_bounds(dg);
     find_slip();
     rubbed_.gather(s_.x, out_.x);
@@ -39,7 +39,7 @@ HeldContact::Right HeldContact::of_bound(const Vector& dg) {
     return right_of_slip();
 }
 
-HeldContact::Vector HeldContact::pressures_of_bound(const Vector& dg) {
+FrozenContact::Vector FrozenContact::pressures_of_bound(const Vector& dg) {
     take_bounds(dg);
     influence_.normal_of_tangential(q_.x, q_.y, u_);
     Vector right(pressures());
@@ -47,30 +47,30 @@ HeldContact::Vector HeldContact::pressures_of_bound(const Vector& dg) {
     return -right;
 }
 
-HeldContact::Vector HeldContact::bound_of_friction() const {
+FrozenContact::Vector FrozenContact::bound_of_friction() const {
     return Eigen::Map<const Vector>(pressed_.bound.data(), pressures());
 }
 
-HeldContact::Vector HeldContact::bound_of_pressure(const Vector& dp) const {
+FrozenContact::Vector FrozenContact::bound_of_pressure(const Vector& dp) const {
     Vector dg = dp;
     for (std::size_t e = 0; e < pressed_.size(); ++e) dg[static_cast<Eigen::Index>(e)] *= mu_[pressed_.elements[e]];
     return dg;
 }
 
-HeldContact::Vector HeldContact::weights_of_all() const {
+FrozenContact::Vector FrozenContact::weights_of_all() const {
     Vector weights(pressures() + tractions());
     weights << Vector::Ones(pressures()), weights_;
     return weights;
 }
 
 // What a unit of rigid slip acts on is what sums up to the force.
-Eigen::MatrixXd HeldContact::forces_of_tractions() {
+Eigen::MatrixXd FrozenContact::forces_of_tractions() {
     Eigen::MatrixXd forces(tractions(), 3);
     for (int k = 0; k < 3; ++k) forces.col(k) = -grid_.element_area() * of_slip(k).values;
     return forces;
 }
 
-Eigen::MatrixXd HeldContact::forces_of_all() {
+Eigen::MatrixXd FrozenContact::forces_of_all() {
     Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(pressures() + tractions(), 4);
     const double area = grid_.element_area();
     for (Eigen::Index e = 0; e < pressures(); ++e) {
@@ -83,7 +83,7 @@ Eigen::MatrixXd HeldContact::forces_of_all() {
     return forces;
 }
 
-HeldContact::Forces HeldContact::forces_of_bound(const Vector& dg) {
+FrozenContact::Forces FrozenContact::forces_of_bound(const Vector& dg) {
     take_bounds(dg);
     const TangentialForces sum = tangential_forces(grid_, q_.x, q_.y);
     return {sum.Fx, sum.Fy, sum.Mz};

@@ -1,4 +1,4 @@
-#include "quick_models.hpp"
+#include "simplified_models.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "elliptic_contact.hpp"
 #include "fastsim.hpp"
 #include "hertz.hpp"
-#include "quick_derivatives.hpp"
+#include "simplified_derivatives.hpp"
 #include "vermeulen_johnson.hpp"
 
 namespace contactd {
@@ -108,14 +108,14 @@ void differentiate(const ContactProblem& problem, const EllipticContact& contact
         return;
     }
     const auto start = std::chrono::steady_clock::now();
-    solution.derivatives = quick_derivatives(problem, contact, solution);
+    solution.derivatives = simplified_derivatives(problem, contact, solution);
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
     solution.evidence.derivatives = SolverEvidence{0, 0, true, duration.count()};  // closed form
 }
 
 }  // namespace
 
-ContactSolution solve_by_quick_model(const ContactProblem& problem) {
+ContactSolution solve_by_simplified_model(const ContactProblem& problem) {
     check_is_elliptic(problem);
     if (problem.friction) check_is_simple(problem);
     const HertzContact found = hertz(problem);

@@ -1,4 +1,4 @@
-#include "held_contact.hpp"
+#include "frozen_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,8 @@ double mean(const Values& values) {
 
 }  // namespace
 
-HeldContact::HeldContact(const ContactProblem& problem, const ContactInfluence& influence,
-                         const ContactSolution& solution)
+FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluence& influence,
+                             const ContactSolution& solution)
     : restriction_(*influence.here, box_of_pressures(*influence.here, solution.pressure), false),
       part_change_(is_steady_rolling(problem) && !restriction_.is_whole() ? influence.change->on(restriction_.box())
                                                                           : nullptr),
@@ -83,11 +83,11 @@ HeldContact::HeldContact(const ContactProblem& problem, const ContactInfluence& 
     take_weights();
 }
 
-Values HeldContact::crop(std::span<const double> whole) const {
+Values FrozenContact::crop(std::span<const double> whole) const {
     return is_whole_ ? Values(whole.begin(), whole.end()) : restriction_.crop(whole);
 }
 
-void HeldContact::take_law(const ContactSolution& solution) {
+void FrozenContact::take_law(const ContactSolution& solution) {
     Field slip, traction;
     slip.x = crop(solution.slip_x);
     slip.y = crop(solution.slip_y);
@@ -108,7 +108,8 @@ void HeldContact::take_law(const ContactSolution& solution) {
         law_.slips[e] = states[rubbed_.elements[e]] > 0;
         inverse_bound[e] = 1 / rubbed_.bound[e];
     }
-    linearise_law(m, law_.slips.data(), p, s, inverse_bound.data(), law_.normal, law_.turning.data(), residual);
+    linearise_law(m, law_.slips.data(), p, s, inverse_bound.data(), law_.normal, law_.tangent_stiffness.data(),
+                  residual);
 
     // Friction that begins opposes the slip that there is without it.
     for (const std::size_t i : pressed_.elements) {
@@ -127,22 +128,22 @@ void HeldContact::take_law(const ContactSolution& solution) {
     }
 }
 
-// Where turning is stiff little is left of a large residual: all are measured by the tractions that they are about, and
-// these as displacements, along with the residuals of the pressures.
-void HeldContact::take_weights() {
+// Where the tangent is stiff little is left of a large residual: all are measured by the tractions that they are about,
+// and these as displacements, along with the residuals of the pressures.
+void FrozenContact::take_weights() {
     const double stiffness = mean(influence_.diagonal(Axis::z));
     const Values& self = compliance_->self();
     weights_.resize(static_cast<Eigen::Index>(rubbed_.size() + adhering_.size()));
     Eigen::Index k = 0;
-    for (std::size_t e = 0; e < rubbed_.size(); ++e) weights_[k++] = stiffness / (self[e] + law_.turning[e]);
+    for (std::size_t e = 0; e < rubbed_.size(); ++e) weights_[k++] = stiffness / (self[e] + law_.tangent_stiffness[e]);
     for (const std::size_t e : adhering_) weights_[k++] = stiffness / self[e];
 }
 
-void HeldContact::take_pressures(const Vector& dp) {
+void FrozenContact::take_pressures(const Vector& dp) {
     for (std::size_t e = 0; e < pressed_.size(); ++e) p_[pressed_.elements[e]] = dp[static_cast<Eigen::Index>(e)];
 }
 
-void HeldContact::take_bounds(const Vector& dg) {
+void FrozenContact::take_bounds(const Vector& dg) {
     for (std::size_t e = 0; e < pressed_.size(); ++e) {
         const std::size_t i = pressed_.elements[e];
         q_.x[i] = radial_.x[i] * dg[static_cast<Eigen::Index>(e)];
@@ -150,7 +151,7 @@ void HeldContact::take_bounds(const Vector& dg) {
     }
 }
 
-void HeldContact::take_free(const Eigen::Ref<const Vector>& dq) {
+void FrozenContact::take_free(const Eigen::Ref<const Vector>& dq) {
     Eigen::Index k = 0;
     for (std::size_t e = 0; e < rubbed_.size(); ++e, ++k) {
         in_.x[e] = along_.x[e] * dq[k];
@@ -159,7 +160,7 @@ void HeldContact::take_free(const Eigen::Ref<const Vector>& dq) {
     for (const std::size_t e : adhering_) in_.y[e] = dq[k++];
 }
 
-HeldContact::Vector HeldContact::free_of(const Field& field) const {
+FrozenContact::Vector FrozenContact::free_of(const Field& field) const {
     Vector result(tractions());
     Eigen::Index k = 0;
     for (std::size_t e = 0; e < rubbed_.size(); ++e) result[k++] = along_.x[e] * field.x[e] + along_.y[e] * field.y[e];
@@ -167,7 +168,7 @@ HeldContact::Vector HeldContact::free_of(const Field& field) const {
     return result;
 }
 
-void HeldContact::add_free() {
+void FrozenContact::add_free() {
     for (std::size_t e = 0; e < rubbed_.size(); ++e) {
         q_.x[rubbed_.elements[e]] += in_.x[e];
         q_.y[rubbed_.elements[e]] += in_.y[e];
@@ -175,50 +176,50 @@ void HeldContact::add_free() {
 }
 
 // s_ = K q_
-void HeldContact::find_slip() {
+void FrozenContact::find_slip() {
     if (change_ != nullptr)
         change_->tangential(q_.x, q_.y, s_.x, s_.y);
     else
         influence_.tangential(q_.x, q_.y, s_.x, s_.y);
 }
 
-void HeldContact::give_normal(double* result) const {
+void FrozenContact::give_normal(double* result) const {
     for (const Contact::Run& run : pressed_.runs) std::copy_n(&u_[run.grid_first], run.size, result + run.first);
 }
 
 // P u + D dq for the response u in out_. Nothing that adheres turns.
-HeldContact::Vector HeldContact::tangential_residual() {
-    add_product(rubbed_.size(), law_.turning.data(), in_.x.data(), out_.x.data());
-    add_product(rubbed_.size(), law_.turning.data(), in_.y.data(), out_.y.data());
+FrozenContact::Vector FrozenContact::tangential_residual() {
+    add_product(rubbed_.size(), law_.tangent_stiffness.data(), in_.x.data(), out_.x.data());
+    add_product(rubbed_.size(), law_.tangent_stiffness.data(), in_.y.data(), out_.y.data());
     return free_of(out_);
 }
 
-void HeldContact::normal(const Vector& dp, Vector& result) {
+void FrozenContact::normal(const Vector& dp, Vector& result) {
     take_pressures(dp);
     influence_.normal(p_, u_);
     give_normal(result.data());
 }
 
-void HeldContact::precondition_normal(const Vector& r, Vector& z) {
+void FrozenContact::precondition_normal(const Vector& r, Vector& z) {
     take_pressures(r);
     influence_.precondition(Axis::z, p_, u_);
     give_normal(z.data());
 }
 
-void HeldContact::tangential(const Vector& dq, Vector& result) {
+void FrozenContact::tangential(const Vector& dq, Vector& result) {
     take_free(dq);
     compliance_->apply(in_, out_);
     result = tangential_residual();
 }
 
-void HeldContact::precondition_tangential(const Vector& r, Vector& z, int step) {
+void FrozenContact::precondition_tangential(const Vector& r, Vector& z, int step) {
     take_free(r);
     const auto kind = step == 0 ? Compliance::Residual::first : Compliance::Residual::later;
     compliance_->precondition(in_, out_, kind, step);
     z = free_of(out_);
 }
 
-void HeldContact::all(const Vector& both, Vector& result) {
+void FrozenContact::all(const Vector& both, Vector& result) {
     const Vector dp = both.head(pressures());
     take_bounds(bound_of_pressure(dp));
     take_free(both.tail(tractions()));
@@ -239,7 +240,7 @@ void HeldContact::all(const Vector& both, Vector& result) {
     give_normal(result.data());
 }
 
-void HeldContact::precondition_all(const Vector& r, Vector& z, int step) {
+void FrozenContact::precondition_all(const Vector& r, Vector& z, int step) {
     Vector dp(pressures()), dq(tractions());
     precondition_normal(r.head(pressures()), dp);
     if (tractions() > 0) precondition_tangential(r.tail(tractions()), dq, step);

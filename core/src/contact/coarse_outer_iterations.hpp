@@ -1,4 +1,4 @@
-// Where the turns between bodies that differ start on many elements.
+// Starts the outer iterations of dissimilar bodies with many elements on the coarser grid.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace contactd {
 
-struct TurnsStart {
+struct OuterStart {
     Field tractions;  ///< on the grid, within the bound
     Motion motion;    ///< as asked, with what forces made of it
 };
 
-/// Found roughly on the coarser grid, in turns with the pressures there. `distance` is the problem's undeformed
+/// Iterates roughly between pressures and tractions on the coarser grid. `distance` is the problem's undeformed
 /// distance, `bound` what friction holds under pressures that are about right. Nothing where few elements are in
 /// contact or there is no coarser grid, where the problem has more than bodies, load and motion, or where it did not
 /// converge.
-std::optional<TurnsStart> turns_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
-                                           const std::vector<double>& distance, const std::vector<double>& bound,
-                                           const Observer& observer);
+std::optional<OuterStart> outer_iterations_on_coarser(const ContactProblem& problem, const ContactInfluence& influence,
+                                                      const std::vector<double>& distance,
+                                                      const std::vector<double>& bound, const Observer& observer);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-#include "quick_derivatives.hpp"
+#include "simplified_derivatives.hpp"
 
 #include <cmath>
 
@@ -62,8 +62,8 @@ double stiffness(const EllipticContact& contact, double approach) {
 
 }  // namespace
 
-Derivatives quick_derivatives(const ContactProblem& problem, const EllipticContact& contact,
-                              const ContactSolution& solution) {
+Derivatives simplified_derivatives(const ContactProblem& problem, const EllipticContact& contact,
+                                   const ContactSolution& solution) {
     DerivativeTable table;
     table.values[Table::Fn][Table::approach] = stiffness(contact, solution.approach);
     if (problem.friction) {

@@ -1,5 +1,5 @@
-// Bodies that differ on many elements: what turns on the coarser grid find is where those on the fine one start.
-#include "contact/coarse_turns.hpp"
+// Dissimilar bodies on many elements: outer iterations on the fine grid start from those on the coarser one.
+#include "contact/coarse_outer_iterations.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -38,14 +38,15 @@ struct Example {
     Values distance = undeformed_distance(problem);
     Observer observer{};
 
-    std::optional<TurnsStart> start(const Values& bound) {
-        return turns_on_coarser(problem, influence, distance, bound, observer);
+    std::optional<OuterStart> start(const Values& bound) {
+        return outer_iterations_on_coarser(problem, influence, distance, bound, observer);
     }
 };
 
 }  // namespace
 
-TEST_CASE("turns on the coarser grid find about the tractions and the motion of the fine one", "[dissimilar]") {
+TEST_CASE("outer iterations on the coarser grid find about the tractions and the motion of the fine one",
+          "[dissimilar]") {
     Example example{ellipse(48, GENERATE(rolls, shifts, rolls_by_force, shifts_by_force))};
     const ContactSolution solution = solve_contact(example.problem, example.influence, example.observer);
     REQUIRE(solution.converged());
@@ -78,7 +79,8 @@ TEST_CASE("there is nothing to start from without many elements or a coarser gri
     CHECK_FALSE(example.start(all));
 }
 
-TEST_CASE("turns start on the fine grid where elements have friction, slip or tractions of their own", "[dissimilar]") {
+TEST_CASE("outer iterations start on the fine grid where elements have friction, slip or tractions of their own",
+          "[dissimilar]") {
     Example example{ellipse(48, rolls)};
     const std::size_t n = example.problem.grid.size();
     const Values all(n, 1);
@@ -109,7 +111,7 @@ TEST_CASE("turns start on the fine grid where elements have friction, slip or tr
     CHECK_FALSE(example.start(all));
 }
 
-TEST_CASE("many elements of bodies that differ meet a force that friction just holds", "[dissimilar]") {
+TEST_CASE("many elements of dissimilar bodies meet a force that friction just holds", "[dissimilar]") {
     Example example{ellipse(48, Shift{.force = {-0.999 * 0.3 * 50000, {}}})};
     const ContactSolution solution = solve_contact(example.problem, example.influence, example.observer);
     REQUIRE(solution.converged());

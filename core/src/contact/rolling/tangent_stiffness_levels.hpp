@@ -11,17 +11,18 @@
 
 namespace contactd {
 
-// C + D is a convolution but for the turning stiffness D, which spans two orders of magnitude over the contact. So
+// C + D is a convolution but for the tangent stiffness D, which spans two orders of magnitude over the contact. So
 //
 //     J^-1 r ~ sum over j of q_j (C + d_j)^-1 q_j r + q r/(D + d)
 //
 // with two levels d_j of D, and what is beyond them, where C matters little. q_j^2 and q say how near D is to each;
 // they sum to 1. Adhesion, D = 0, belongs to the lowest level: it is how slip here feels slip there. C is of order
 // zero, so that the levels, in units of its diagonal, and the iterations do not depend on the size of the elements.
-class TurningLevels {
+class TangentStiffnessLevels {
    public:
     // `unit`: about what C has on its diagonal (mm^3/N). Null where C has no inverses.
-    static std::unique_ptr<TurningLevels> make(const StepOperator& change, const Contact& contact, double unit);
+    static std::unique_ptr<TangentStiffnessLevels> make(const StepOperator& change, const Contact& contact,
+                                                        double unit);
 
     // To be called when division or stiffness have changed.
     void linearise(const Linearisation& linearisation);
@@ -32,7 +33,7 @@ class TurningLevels {
     static constexpr std::size_t count = 2;
     using Inverses = std::array<std::shared_ptr<const StepInverse>, count>;
 
-    TurningLevels(Inverses inverses, std::size_t elements, const Contact& contact, double unit);
+    TangentStiffnessLevels(Inverses inverses, std::size_t elements, const Contact& contact, double unit);
 
     const Inverses inverses_;
     const Contact& contact_;

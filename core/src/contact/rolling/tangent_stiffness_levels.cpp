@@ -1,4 +1,4 @@
-#include "turning_levels.hpp"
+#include "tangent_stiffness_levels.hpp"
 
 #include <utility>
 
@@ -14,16 +14,19 @@ constexpr LevelPassages passages{0.63, 3.2, 1.5};
 
 }  // namespace
 
-std::unique_ptr<TurningLevels> TurningLevels::make(const StepOperator& change, const Contact& contact, double unit) {
+std::unique_ptr<TangentStiffnessLevels> TangentStiffnessLevels::make(const StepOperator& change, const Contact& contact,
+                                                                     double unit) {
     Inverses inverses;
     for (std::size_t j = 0; j < count; ++j) {
         inverses[j] = change.inverse(levels[j] * unit);
         if (!inverses[j]) return nullptr;
     }
-    return std::unique_ptr<TurningLevels>(new TurningLevels(std::move(inverses), change.size(), contact, unit));
+    return std::unique_ptr<TangentStiffnessLevels>(
+        new TangentStiffnessLevels(std::move(inverses), change.size(), contact, unit));
 }
 
-TurningLevels::TurningLevels(Inverses inverses, std::size_t elements, const Contact& contact, double unit)
+TangentStiffnessLevels::TangentStiffnessLevels(Inverses inverses, std::size_t elements, const Contact& contact,
+                                               double unit)
     : inverses_(std::move(inverses)),
       contact_(contact),
       unit_(unit),
@@ -34,12 +37,12 @@ TurningLevels::TurningLevels(Inverses inverses, std::size_t elements, const Cont
     for (std::vector<double>& weight : weight_) weight.resize(contact.size());
 }
 
-void TurningLevels::linearise(const Linearisation& linearisation) {
-    weigh_levels(contact_.size(), passages, unit_, linearisation.turning.data(), weight_[0].data(), weight_[1].data(),
-                 local_.data());
+void TangentStiffnessLevels::linearise(const Linearisation& linearisation) {
+    weigh_levels(contact_.size(), passages, unit_, linearisation.tangent_stiffness.data(), weight_[0].data(),
+                 weight_[1].data(), local_.data());
 }
 
-void TurningLevels::solve_slip(const Linearisation& linearisation, const Field& r, Field& z) {
+void TangentStiffnessLevels::solve_slip(const Linearisation& linearisation, const Field& r, Field& z) {
     const std::size_t m = contact_.size();
     multiply(m, local_.data(), r.x.data(), sum_.x.data());
     multiply(m, local_.data(), r.y.data(), sum_.y.data());

@@ -1,4 +1,4 @@
-// The equations of a solved contact to first order, its division into contact, adhesion and slip held.
+// The equations of a solved contact to first order, its element division frozen.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,13 +25,13 @@ namespace contactd {
 // with P, which projects on what is free, and K, A or C, as Newton's method on the friction law has them. Vectors hold
 // dp of each element in contact, or what is free of dq: of each element along x where it adheres, across its traction
 // where it slips, and then along y of those that adhere. All of them hold dp first. On the right: what equations leave.
-class HeldContact {
+class FrozenContact {
    public:
     using Vector = Eigen::VectorXd;
     using Values = std::vector<double>;
 
     // Of a solution as solvers leave it: slip is in mm. Problem and operators outlive it.
-    HeldContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution);
+    FrozenContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution);
 
     // Whether pressures follow tractions; otherwise the tangential part of the equations stands alone.
     bool coupled() const { return coupled_; }
