@@ -48,13 +48,13 @@ struct Rolled {
                                  BodyTable(rotated_prism(*ics.section, longer, steel, LoadShape::constant)));
 
         const Values distance = sampled(radii_of_force({6, 4}, (1 - steel.nu) / steel.G / 2, Fn), grid);
-        bound = solve_normal_force(*half_spaces.here, distance, Fn / grid.element_area(), {}, {}, observer).pressure;
+        bound = solve_normal_force(*half_spaces.current, distance, Fn / grid.element_area(), {}, {}, observer).pressure;
         for (double& g : bound) g *= 0.3;
         rigid = rigid_slip(grid, std::get<Rolling>(problem.motion), grid.dx);
     }
 
     RollingSolution steady(const ContactInfluence& influence) const {
-        const RollingBodies bodies{*influence.here, *influence.change, problem.grid, problem.grid.dx, 0};
+        const RollingBodies bodies{*influence.current, *influence.increment, problem.grid, problem.grid.dx, 0};
         return solve_steady_rolling(bodies, bound, rigid.x, rigid.y, {}, {}, {}, observer);
     }
 };
@@ -93,21 +93,21 @@ void steady_rolling(benchmark::State& state) {
 void change_product(benchmark::State& state) {
     compare(state, [](const Rolled& rolled, const ContactInfluence& influence) {
         Values ux(rolled.bound.size()), uy(ux);
-        influence.change->tangential(rolled.bound, rolled.bound, ux, uy);
+        influence.increment->tangential(rolled.bound, rolled.bound, ux, uy);
     });
 }
 
 void normal_product(benchmark::State& state) {
     compare(state, [](const Rolled& rolled, const ContactInfluence& influence) {
         Values u(rolled.bound.size());
-        influence.here->normal(rolled.bound, u);
+        influence.current->normal(rolled.bound, u);
     });
 }
 
 void coupled_product(benchmark::State& state) {
     compare(state, [](const Rolled& rolled, const ContactInfluence& influence) {
         Values ux(rolled.bound.size()), uy(ux);
-        influence.here->tangential_of_normal(rolled.bound, ux, uy);
+        influence.current->tangential_of_normal(rolled.bound, ux, uy);
     });
 }
 

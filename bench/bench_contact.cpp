@@ -59,7 +59,7 @@ IcTable pair_of_bodies(const ContactProblem& problem) {
 void run(benchmark::State& state, const ContactProblem& problem) {
     Observer observer;
     const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));
-    bench::count_in_products(state, *influence.here,
+    bench::count_in_products(state, *influence.current,
                              [&] { return evidence_of(solve_contact(problem, influence, observer)); });
 }
 
@@ -72,7 +72,7 @@ void run_derivatives(benchmark::State& state, ContactProblem problem) {
     problem.derivatives = true;
     ContactSolution solution = solve_contact(plain, influence, observer);
     std::vector<double> plain_seconds;
-    bench::count_in_products(state, *influence.here, [&] {
+    bench::count_in_products(state, *influence.current, [&] {
         const double start = bench::processor_seconds();
         solve_contact(plain, influence, observer);
         plain_seconds.push_back(bench::processor_seconds() - start);

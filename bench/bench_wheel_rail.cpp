@@ -11,7 +11,7 @@
 #include "contactd/solve_contact.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "geometry/position.hpp"
-#include "wheel_rail/influence_keeper.hpp"
+#include "wheel_rail/half_space_cache.hpp"
 #include "wheel_rail/patch_solver.hpp"
 
 namespace {
@@ -78,14 +78,14 @@ void full(benchmark::State& state) {
     const WheelRailState wheel = at_height(contact, static_cast<double>(state.range(0)));
     const geometry::Profiles profiles = geometry::make_profiles(setup);
     const geometry::Position position(setup, profiles, wheel);
-    InfluenceKeeper keeper(setup.bodies);
+    HalfSpaceCache cache(setup.bodies);
     std::vector<ContactProblem> problems;
     std::vector<ContactInfluence> influences;
     double elements = 0;
     for (geometry::PlaceWithGap& found : position.places(wheel.position.z)) {
         position.measure(found, wheel.position.z);
         problems.push_back(problem_of(setup, found, position.rail(), &*setup.friction));
-        influences.push_back(keeper.of(problems.back()));
+        influences.push_back(cache.of(problems.back()));
         elements += static_cast<double>(found.place.grid.size());
     }
     Observer observer;

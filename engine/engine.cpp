@@ -161,12 +161,12 @@ SolveReply Engine::solve(const ContactProblem& problem, Observer& observer) {
 
 SolveReply Engine::solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer) {
     SolveReply reply;
-    const KeptInfluence kept = influence_of(problem, ics, influences_, observer);
-    reply.solution = solve_contact(problem, kept.influence, observer);
+    const CachedInfluence cached = influence_of(problem, ics, influences_, observer);
+    reply.solution = solve_contact(problem, cached.influence, observer);
     count(reply.solution);
     reply.ics = uses_of(problem, ics);
-    reply.operators = kept.use;
-    for (std::string& warning : operator_warnings(kept.use)) reply.solution.warnings.push_back(std::move(warning));
+    reply.operators = cached.use;
+    for (std::string& warning : operator_warnings(cached.use)) reply.solution.warnings.push_back(std::move(warning));
     return reply;
 }
 
@@ -177,8 +177,8 @@ std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, Observer& observer)
 }
 
 std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, const IcAnswers& ics, const Observer& observer) {
-    KeptInfluence kept = influence_of({spec.setup, spec.load}, ics, influences_, observer);
-    return std::make_unique<ContactSteps>(std::move(spec), ics, std::move(kept));
+    CachedInfluence cached = influence_of({spec.setup, spec.load}, ics, influences_, observer);
+    return std::make_unique<ContactSteps>(std::move(spec), ics, std::move(cached));
 }
 
 ContactSolution Engine::solve(ContactSteps& steps, const StepState& before, const ContactSteps::Statement& statement,

@@ -73,9 +73,9 @@ void check_section(const IcSpec& spec, const std::string& name) {
 
 /// Operators beyond their budget are a warning of the patch that is solved with them, also where an earlier solve of
 /// the search for a height has made them.
-ContactInfluence with_warnings(KeptInfluence kept) {
-    if (kept.use) kept.influence.warnings.push_back(operator_warning(*kept.use));
-    return std::move(kept.influence);
+ContactInfluence with_warnings(CachedInfluence cached) {
+    if (cached.use) cached.influence.warnings.push_back(operator_warning(*cached.use));
+    return std::move(cached.influence);
 }
 
 /// The result of `solve`, which refuses fields of the set-up below `setup`; the core names those of a state "state.".

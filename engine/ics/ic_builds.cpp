@@ -63,9 +63,9 @@ std::string summary(const IcEvidence& evidence) {
 
 }  // namespace
 
-IcBuilds::IcBuilds(Settings settings, StoreKeeper& keeper, EngineCounters& counters, const EngineLog& log)
+IcBuilds::IcBuilds(Settings settings, ResilientStore& resilient_store, EngineCounters& counters, const EngineLog& log)
     : settings_(std::move(settings)),
-      keeper_(keeper),
+      resilient_store_(resilient_store),
       counters_(counters),
       log_(log),
       quarantine_(settings_.quarantine),
@@ -78,13 +78,13 @@ void IcBuilds::queue(Turn turn, TableBuild build) {
 void IcBuilds::run(const TableBuild& build) {
     Job& job = *build.job;
     if (job.cancelled()) return;  // while it was queued; its callers know
-    const BuildClock clock(counters_, keeper_.store().folder());
+    const BuildClock clock(counters_, resilient_store_.store().folder());
     try {
         job.set_running();
-        TableLock lock(keeper_.store().lock_of(build.key));
+        TableLock lock(resilient_store_.store().lock_of(build.key));
         wait_for_turn(build, lock);
         // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
-        if (auto found = keeper_.find(build.spec)) {
+        if (auto found = resilient_store_.find(build.spec)) {
             ++counters_.disk_hits;
             return build.done(std::make_shared<const IcRecord>(std::move(*found)), "disk");
         }
@@ -137,25 +137,25 @@ void IcBuilds::wait_for_turn(const TableBuild& build, TableLock& lock) {
         }
         if (now - changed < patience) continue;
         log_.warn(std::format("{} does not wait any longer for whoever holds {}", build.job->name,
-                              keeper_.store().lock_of(build.key).string()));
+                              resilient_store_.store().lock_of(build.key).string()));
         return;
     }
 }
 
-StoreKeeper::Record IcBuilds::run_builder(const TableBuild& build, const TableLock& lock) {
-    const auto output = keeper_.store().path_to_write(build.key, build.spec.nx, build.spec.ny);
+ResilientStore::Record IcBuilds::run_builder(const TableBuild& build, const TableLock& lock) {
+    const auto output = resilient_store_.store().path_to_write(build.key, build.spec.nx, build.spec.ny);
     auto next_sign = std::chrono::steady_clock::now();
     const auto give_sign = [&] {
         if (std::chrono::steady_clock::now() < next_sign) return;
         next_sign += lock_sign_interval;
         lock.give_sign();
     };
-    keeper_.store().problem();  // makes a folder that was removed
+    resilient_store_.store().problem();  // makes a folder that was removed
     const BuiltTable built =
         engine::run_builder(settings_.command, build.spec, output, *build.job, build.report, give_sign);
-    if (!built.bytes.empty()) return keeper_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);
+    if (!built.bytes.empty()) return resilient_store_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);
     auto record = std::make_shared<const IcRecord>(read_ic_file(output));
-    keeper_.note_stored(build.spec, build.keys_in_use());
+    resilient_store_.note_stored(build.spec, build.keys_in_use());
     return record;
 }
 

@@ -10,7 +10,7 @@
 #include "contactd/table_lock.hpp"
 #include "engine/ics/build/build_quarantine.hpp"
 #include "engine/ics/build/builder.hpp"
-#include "engine/ics/store/store_keeper.hpp"
+#include "engine/ics/store/resilient_store.hpp"
 #include "engine/jobs/job.hpp"
 #include "engine/jobs/worker_pool.hpp"
 #include "engine/operation/engine_counters.hpp"
@@ -25,7 +25,7 @@ struct TableBuild {
     std::string key;
     std::shared_ptr<Job> job;
     std::function<void(const JobProgress&)> report;
-    std::function<void(StoreKeeper::Record, const char* origin)> done;  ///< "built", or "disk" where others built it
+    std::function<void(ResilientStore::Record, const char* origin)> done;  ///< "built", or "disk" where others built it
     std::function<void(const proto::Status&)> failed;
     std::function<void()> cancelled;
     std::function<std::vector<std::string>()> keys_in_use;  ///< whose tables are not evicted for this one
@@ -40,7 +40,7 @@ class IcBuilds {
         BuildQuarantine::Settings quarantine = {};
     };
     /// All three outlive this.
-    IcBuilds(Settings settings, StoreKeeper& keeper, EngineCounters& counters, const EngineLog& log);
+    IcBuilds(Settings settings, ResilientStore& resilient_store, EngineCounters& counters, const EngineLog& log);
 
     void queue(Turn turn, TableBuild build);
     /// Waits for running builds, whose jobs were cancelled. Nothing begins afterwards.
@@ -53,11 +53,11 @@ class IcBuilds {
    private:
     void run(const TableBuild& build);
     void wait_for_turn(const TableBuild& build, TableLock& lock);
-    StoreKeeper::Record run_builder(const TableBuild& build, const TableLock& lock);
+    ResilientStore::Record run_builder(const TableBuild& build, const TableLock& lock);
     void fail(const TableBuild& build, const proto::Status& status);
 
     const Settings settings_;
-    StoreKeeper& keeper_;
+    ResilientStore& resilient_store_;
     EngineCounters& counters_;
     const EngineLog& log_;
     BuildQuarantine quarantine_;

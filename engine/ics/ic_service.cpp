@@ -36,11 +36,12 @@ class WhileWanted final : public Observer {
 IcService::IcService(Settings settings, IcStore store, JobTable& jobs, EngineCounters& counters)
     : settings_(std::move(settings)),
       log_(settings_.log),
-      keeper_(std::move(store), {settings_.disk_budget_bytes, settings_.memory_budget_bytes}, log_),
+      resilient_store_(std::move(store), {settings_.disk_budget_bytes, settings_.memory_budget_bytes}, log_),
       jobs_(jobs),
       counters_(counters),
       cache_(settings_.memory_budget_bytes),
-      builds_({settings_.command, settings_.concurrent_builds, settings_.quarantine}, keeper_, counters_, log_) {}
+      builds_({settings_.command, settings_.concurrent_builds, settings_.quarantine}, resilient_store_, counters_,
+              log_) {}
 
 IcService::~IcService() {
     stop(failure(StatusCode::unavailable, proto::reason::stopping, "No more tables are made here."));
@@ -48,10 +49,10 @@ IcService::~IcService() {
 
 void IcService::request(const IcSpec& spec, IcCaller caller) {
     const std::string key = ic_key(spec);
-    for (const IcCache::Record& stored : keeper_.recover()) cache_.insert(ic_key(stored->spec), stored);
+    for (const IcCache::Record& stored : resilient_store_.recover()) cache_.insert(ic_key(stored->spec), stored);
     if (auto record = cache_.find(key, spec.nx, spec.ny)) {
         ++counters_.memory_hits;
-        keeper_.note_use(key, *record);
+        resilient_store_.note_use(key, *record);
         return answer(caller, key, std::move(record), "memory");
     }
     if (spec.source == IcSource::analytic) {
@@ -84,19 +85,19 @@ TableOwner IcService::owner_of(const std::string& user) const {
 /// Whatever the daemon has built itself comes before what the caller has brought.
 bool IcService::answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller) {
     const TableOwner owner = owner_of(caller.turn.user);
-    if (owner.empty() || keeper_.may_have(spec, {})) return false;
+    if (owner.empty() || resilient_store_.may_have(spec, {})) return false;
     IcAnswer found{nullptr, key, "memory", owner};
     found.record = cache_.find(found.cache_key(), spec.nx, spec.ny);
     if (found.record) {
         ++counters_.memory_hits;
-    } else if (auto stored = keeper_.find(spec, owner)) {
+    } else if (auto stored = resilient_store_.find(spec, owner)) {
         ++counters_.disk_hits;
         found.origin = "disk";
         found.record = std::make_shared<const IcRecord>(std::move(*stored));
         cache_.insert(found.cache_key(), found.record);
     }
     if (!found.record) return false;
-    keeper_.note_use(key, *found.record, owner);
+    resilient_store_.note_use(key, *found.record, owner);
     caller.done(found);
     return true;
 }
@@ -126,10 +127,10 @@ void IcService::look_up(const RequestPtr& request) {
     // cache.
     if (auto record = cache_.find(request->key, request->spec.nx, request->spec.ny)) {
         ++counters_.memory_hits;
-        keeper_.note_use(request->key, *record);
+        resilient_store_.note_use(request->key, *record);
         return complete(request, std::move(record), "memory");
     }
-    if (auto record = keeper_.find(request->spec)) {
+    if (auto record = resilient_store_.find(request->spec)) {
         ++counters_.disk_hits;
         return complete(request, std::make_shared<const IcRecord>(std::move(*record)), "disk");
     }
@@ -253,7 +254,7 @@ std::vector<std::string> IcService::keys_in_flight() {
 
 IcService::Forgotten IcService::forget(const std::string& key, const std::string& user) {
     const TableOwner owner = owner_of(user);
-    Forgotten forgotten{keeper_.remove(key, owner), builds_.quarantine().forget(key)};
+    Forgotten forgotten{resilient_store_.remove(key, owner), builds_.quarantine().forget(key)};
     cache_.remove(key);
     cache_.remove(IcAnswer{nullptr, key, "", owner}.cache_key());
     return forgotten;
@@ -266,9 +267,9 @@ std::vector<StoredTable> IcService::stored(const std::string& user) const {
 }
 
 std::optional<IcRecord> IcService::stored_for(const IcSpec& spec, const std::string& user) {
-    if (auto built = keeper_.find(spec)) return built;
+    if (auto built = resilient_store_.find(spec)) return built;
     const TableOwner owner = owner_of(user);
-    return owner.empty() ? std::nullopt : keeper_.find(spec, owner);
+    return owner.empty() ? std::nullopt : resilient_store_.find(spec, owner);
 }
 
 void IcService::keep_imported(IcRecord record, const std::string& user) {
@@ -279,7 +280,7 @@ void IcService::keep_imported(IcRecord record, const std::string& user) {
     if (owner.empty()) builds_.quarantine().forget(key);  // builds that failed do not matter any more
     const auto [nx, ny] = extent_of(answer.record->tables);
     write_ic_file(store().path_to_write(key, nx, ny, owner), *answer.record);
-    keeper_.note_stored(answer.record->spec, keys_in_flight(), owner);
+    resilient_store_.note_stored(answer.record->spec, keys_in_flight(), owner);
     cache_.insert(answer.cache_key(), answer.record);
 }
 

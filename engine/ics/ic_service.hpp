@@ -77,10 +77,10 @@ class IcService {
     /// Every file of the store that this user is served from. Throws StoreError.
     std::vector<StoredTable> stored(const std::string& user) const;
 
-    const IcStore& store() const { return keeper_.store(); }
+    const IcStore& store() const { return resilient_store_.store(); }
     std::vector<BuildQuarantine::Entry> quarantined() { return builds_.quarantine().entries(); }
     /// What keeps the store from being used, as a sentence; empty when all is well.
-    std::string store_problem() const { return keeper_.problem(); }
+    std::string store_problem() const { return resilient_store_.problem(); }
     IcCache::Usage cache_usage() const { return cache_.usage(); }
     int builds_waiting() const { return builds_.waiting(); }
     int builds_running() const { return builds_.running(); }
@@ -107,11 +107,11 @@ class IcService {
 
     const Settings settings_;
     const EngineLog log_;
-    StoreKeeper keeper_;
+    ResilientStore resilient_store_;
     JobTable& jobs_;
     EngineCounters& counters_;
     IcCache cache_;
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;                   // guards what follows
     std::vector<RequestPtr> in_flight_;  // looking up, queued or building
     bool stopping_ = false;
     proto::Status stop_status_;

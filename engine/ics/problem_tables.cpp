@@ -65,8 +65,8 @@ void check_opening(const ContactProblem& problem) {
     check_tables(problem);
 }
 
-KeptInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
-                           const Observer& observer) {
+CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
+                             const Observer& observer) {
     const Bodies& bodies = problem.bodies;
     if (problem.model != Model::full) return {};
     if (bodies.pair) return {make_influence(problem, bodies.pair->table, observer)};

@@ -26,8 +26,8 @@ void check(const ContactProblem& problem);
 void check_opening(const ContactProblem& problem);
 
 /// The operators of the pair, from the cache where they can be; none of a simplified model.
-KeptInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
-                           const Observer& observer);
+CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics, InfluenceCache& cache,
+                             const Observer& observer);
 
 /// Where the coefficients came from.
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);

@@ -17,7 +17,7 @@ StatusError not_converged(const ContactEvidence& evidence) {
 
 }  // namespace
 
-ContactSteps::ContactSteps(SessionSpec spec, IcAnswers ics, KeptInfluence influence)
+ContactSteps::ContactSteps(SessionSpec spec, IcAnswers ics, CachedInfluence influence)
     : opened{std::move(spec.setup), std::move(spec.load)},
       accept_unconverged(spec.accept_unconverged),
       ics_(std::move(ics)),

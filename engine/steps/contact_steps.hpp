@@ -26,7 +26,7 @@ struct StepState {
 class ContactSteps {
    public:
     /// `influence` is that of the set-up, made of `ics`.
-    ContactSteps(SessionSpec spec, IcAnswers ics, KeptInfluence influence);
+    ContactSteps(SessionSpec spec, IcAnswers ics, CachedInfluence influence);
 
     /// What all steps have in common, and what holds for those that do not say it.
     const ContactProblem opened;
@@ -51,7 +51,7 @@ class ContactSteps {
 
     const IcAnswers ics_;
     ContactProblem problem_;  // of the step that runs
-    KeptInfluence influence_;
+    CachedInfluence influence_;
     std::array<double, 2> rolling_step_;  // that influence_ is for
 };
 

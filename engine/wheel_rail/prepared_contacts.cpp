@@ -5,7 +5,7 @@
 namespace contactd::engine {
 namespace {
 
-constexpr std::size_t most_kept = 32;  // both wheels of 16 wheelsets; at most 2 MB each, by the limit of points
+constexpr std::size_t most_cached = 32;  // both wheels of 16 wheelsets; at most 2 MB each, by the limit of points
 
 }  // namespace
 
@@ -22,7 +22,7 @@ PreparedContacts::Contact PreparedContacts::of(const WheelRailSetup& setup, cons
     auto made = std::make_shared<const WheelRailContact>(setup, source_, observer);  // two steps may make the same
     const std::scoped_lock lock(mutex_);
     contacts_.push_front(made);
-    if (contacts_.size() > most_kept) contacts_.pop_back();
+    if (contacts_.size() > most_cached) contacts_.pop_back();
     return made;
 }
 

@@ -16,9 +16,9 @@
 namespace contactd {
 
 struct ContactInfluence {
-    std::shared_ptr<const InfluenceOperator> here;  ///< displacements at the elements
-    /// Of rolling: by how much they differ from those one step ahead; null otherwise.
-    std::shared_ptr<const StepOperator> change;
+    std::shared_ptr<const InfluenceOperator> current;  ///< A: displacements at the elements
+    /// A - A' of rolling: by how much they differ from those one step ahead; null otherwise.
+    std::shared_ptr<const StepOperator> increment;
     /// What whoever uses a solution should know of the tables behind the operators: sentences.
     std::vector<std::string> warnings{};
 

@@ -124,8 +124,8 @@ void complete(ColumnTable& table) {
 }
 
 /// A(k) less the mean of A' = A(k + step) at both signs of k, by parity, and half of what these differ by.
-ColumnChange change_of(const ColumnTable& table, const Shifted& ahead, int nx, double left_out,
-                       const Observer& observer) {
+ColumnIncrement change_of(const ColumnTable& table, const Shifted& ahead, int nx, double left_out,
+                          const Observer& observer) {
     ColumnTable natural(nx, table.columns), opposite(nx, table.columns);
     for (const Axis i : {Axis::x, Axis::y})
         for (const Axis j : {Axis::x, Axis::y, Axis::z}) {
@@ -162,16 +162,17 @@ ContactInfluence column_influence(const ContactProblem& problem, ColumnTable pai
     const double left_out = negligible(problem.bodies) * near(Axis::z, Axis::z, 0, 0);
     const auto parts = std::make_shared<const ColumnParts>(std::move(pair), grid.nx, OffsetParity::natural, left_out);
     ContactInfluence influence;
-    influence.here = std::make_shared<const ColumnOperator>(
+    influence.current = std::make_shared<const ColumnOperator>(
         parts, parts->extent(), std::make_shared<const ConvolutionOperator>(near, grid.nx, grid.ny));
     const auto [x, y] = step_of(problem);
     if (x == 0) return influence;
     const ShiftedTable near_ahead = shifted_half_spaces({problem.bodies.materials()}, grid, x, 0, observer);
     auto near_step = std::make_shared<const ShiftedOperator>(change_over_step(near, near_ahead));
     if (step.fraction == 0)
-        influence.change = std::make_shared<const ColumnStep>(parts, parts->extent(), step.whole, std::move(near_step));
+        influence.increment =
+            std::make_shared<const ColumnStep>(parts, parts->extent(), step.whole, std::move(near_step));
     else
-        influence.change = std::make_shared<const ColumnStep>(
+        influence.increment = std::make_shared<const ColumnStep>(
             change_of(parts->table(), Shifted(parts->table(), near, near_ahead, step), grid.nx,
                       left_out * std::min(1.0, std::abs(x) / grid.dx), observer),
             parts->extent(), parts->coupled(), std::move(near_step));

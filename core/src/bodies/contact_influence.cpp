@@ -71,11 +71,11 @@ ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const
 ContactInfluence influence_of(const ContactProblem& problem, IcTable pair, std::optional<ShiftedTable> change) {
     const Grid& grid = problem.grid;
     ContactInfluence influence;
-    if (change) influence.change = std::make_shared<const ShiftedOperator>(*std::move(change));
+    if (change) influence.increment = std::make_shared<const ShiftedOperator>(*std::move(change));
     if (pair.nx == grid.nx && pair.ny == grid.ny)
-        influence.here = std::make_shared<const ConvolutionOperator>(std::move(pair));
+        influence.current = std::make_shared<const ConvolutionOperator>(std::move(pair));
     else
-        influence.here = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
+        influence.current = std::make_shared<const ConvolutionOperator>(pair, grid.nx, grid.ny);
     return influence;
 }
 
@@ -155,7 +155,7 @@ ContactInfluence influence_of_two_kinds(const ContactProblem& problem, Upper upp
 }  // namespace
 
 std::size_t ContactInfluence::bytes() const {
-    return (here ? here->bytes() : 0) + (change ? change->bytes() : 0);
+    return (current ? current->bytes() : 0) + (increment ? increment->bytes() : 0);
 }
 
 std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
@@ -192,9 +192,9 @@ ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, 
 
 ContactInfluence sum_of(const ContactInfluence& upper, const ContactInfluence& lower) {
     ContactInfluence influence;
-    influence.here = std::make_shared<const SumOperator>(OfBodies<InfluenceOperator>{upper.here, lower.here});
-    if (upper.change || lower.change)
-        influence.change = std::make_shared<const SumStep>(OfBodies<StepOperator>{upper.change, lower.change});
+    influence.current = std::make_shared<const SumOperator>(OfBodies<InfluenceOperator>{upper.current, lower.current});
+    if (upper.increment || lower.increment)
+        influence.increment = std::make_shared<const SumStep>(OfBodies<StepOperator>{upper.increment, lower.increment});
     return influence;
 }
 

@@ -35,7 +35,7 @@ class BoundaryElements {
     BoundaryElements(const ContactProblem& problem, const ContactInfluence& influence)
         : problem_(problem),
           influences_(influence),
-          influence_(*influence.here),
+          influence_(*influence.current),
           n_(problem.grid.size()),
           distance_(undeformed_distance(problem)),
           now_(first_estimate(problem)),

@@ -18,11 +18,11 @@ constexpr std::ptrdiff_t smallest_to_coarsen = 1000;  // elements in contact
 constexpr double coarse_normal = 1e-3, coarse_tangential = 1e-2, coarse_outer = 1e-2;
 
 std::optional<ContactInfluence> coarser(const ContactInfluence& fine) {
-    const CoarserGrid* here = fine.here->coarser();
-    const StepOperator* change = fine.change ? fine.change->coarser() : nullptr;
-    if (here == nullptr || (fine.change && change == nullptr)) return {};
-    return ContactInfluence{{fine.here, &here->influence()},
-                            fine.change ? std::shared_ptr<const StepOperator>(fine.change, change) : nullptr};
+    const CoarserGrid* current = fine.current->coarser();
+    const StepOperator* increment = fine.increment ? fine.increment->coarser() : nullptr;
+    if (current == nullptr || (fine.increment && increment == nullptr)) return {};
+    return ContactInfluence{{fine.current, &current->influence()},
+                            fine.increment ? std::shared_ptr<const StepOperator>(fine.increment, increment) : nullptr};
 }
 
 // On the coarser grid, where forces are met roughly, those near what friction holds would be refused.
@@ -78,9 +78,9 @@ std::optional<OuterStart> outer_iterations_on_coarser(const ContactProblem& prob
     if (in_contact < smallest_to_coarsen || !is_plain(problem)) return {};
     const std::optional<ContactInfluence> coarse = coarser(influence);
     if (!coarse) return {};
-    const CoarserGrid& grid = *influence.here->coarser();
+    const CoarserGrid& grid = *influence.current->coarser();
     const ContactProblem there = on_coarser(problem, grid, distance);
-    if (coarse->here->size() != there.grid.size()) return {};
+    if (coarse->current->size() != there.grid.size()) return {};
     SilentObserver silent(observer);
     const ContactSolution solution = solve_boundary_elements(there, *coarse, silent);
     if (!solution.converged()) return {};

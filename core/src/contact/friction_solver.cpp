@@ -60,11 +60,11 @@ class FrictionSolver::Area {
           restriction_(bodies.influence,
                        bounding_box(extent_of(bodies.influence), [&](std::size_t i) { return task.bound[i] > 0; }),
                        false),
-          change_(bodies.change == nullptr || restriction_.is_whole() ? nullptr
-                                                                      : bodies.change->on(restriction_.box())),
-          is_whole_(restriction_.is_whole() || (bodies.change != nullptr && !change_)),
+          increment_(bodies.increment == nullptr || restriction_.is_whole() ? nullptr
+                                                                            : bodies.increment->on(restriction_.box())),
+          is_whole_(restriction_.is_whole() || (bodies.increment != nullptr && !increment_)),
           bodies_(is_whole_ ? bodies
-                            : FrictionBodies{restriction_.influence(), change_.get(), restriction_.crop(bodies.grid),
+                            : FrictionBodies{restriction_.influence(), increment_.get(), restriction_.crop(bodies.grid),
                                              bodies.step_x, bodies.step_y}),
           contact_(crop(task.bound), crop(task.rigid.x), crop(task.rigid.y)),
           compliance_(compliance_of(bodies_, contact_)),
@@ -121,7 +121,7 @@ class FrictionSolver::Area {
 
     const std::size_t size_;
     const Restriction restriction_;
-    const std::shared_ptr<const StepOperator> change_;
+    const std::shared_ptr<const StepOperator> increment_;
     const bool is_whole_;
     const FrictionBodies bodies_;
     Contact contact_;

@@ -169,16 +169,17 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactInflue
         warn(problem, solution);
         return solution;
     }
-    if (influence.here->size() != problem.grid.size())
+    if (influence.current->size() != problem.grid.size())
         throw InvalidArgument("grid", "has " + std::to_string(problem.grid.size()) +
                                           " elements; the influence coefficients are for " +
-                                          std::to_string(influence.here->size()));
+                                          std::to_string(influence.current->size()));
     require_layers_resolved(problem);
     ContactSolution solution = solve_boundary_elements(problem, influence, observer);
     count_elements(problem, solution);
     sum_up(problem, solution);
     take_friction_losses(problem, solution);
-    solution.evidence.discretisation = discretisation(problem, solution, problem.friction && influence.here->coupled());
+    solution.evidence.discretisation =
+        discretisation(problem, solution, problem.friction && influence.current->coupled());
     warn(problem, solution);
     solution.warnings.insert(solution.warnings.end(), influence.warnings.begin(), influence.warnings.end());
     return solution;

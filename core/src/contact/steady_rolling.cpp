@@ -21,10 +21,10 @@ void check(const RollingBodies& bodies) {
     const double dq = std::hypot(bodies.step_x, bodies.step_y);
     if (!(dq > 0) || !std::isfinite(dq))
         throw InvalidArgument("rolling.dq", "is " + number_text(dq) + "; it must be positive and finite");
-    if (bodies.influence.size() != bodies.grid.size() || bodies.change.size() != bodies.grid.size())
+    if (bodies.influence.size() != bodies.grid.size() || bodies.increment.size() != bodies.grid.size())
         throw InvalidArgument("grid", "has " + std::to_string(bodies.grid.size()) + " elements; the coefficients are " +
                                           "for " + std::to_string(bodies.influence.size()) + ", and " +
-                                          std::to_string(bodies.change.size()) + " for the change over a step");
+                                          std::to_string(bodies.increment.size()) + " for the change over a step");
 }
 
 void check_arrays(std::size_t size, std::span<const double> bound, std::span<const double> rigid_x,
@@ -42,7 +42,7 @@ RigidSlip rigid_slip_after(const FrictionBodies& bodies, const Field& rigid, con
     const std::size_t n = bodies.grid.size();
     RigidSlip result{Values(n), Values(n)};
     Values x(n), y(n);
-    bodies.change->tangential(p.x, p.y, result.x, result.y);
+    bodies.increment->tangential(p.x, p.y, result.x, result.y);
     bodies.influence.tangential(p.x, p.y, x, y);
     for (std::size_t i = 0; i < n; ++i) {
         result.x[i] += rigid.x[i] - x[i];
@@ -102,7 +102,7 @@ RollingSolution solve_steady_rolling(const RollingBodies& bodies, std::span<cons
                                      std::span<const double> initial_y, Observer& observer) {
     check(bodies);
     check_arrays(bodies.grid.size(), bound, rigid_x, rigid_y, initial_x, initial_y);
-    const FrictionBodies friction{bodies.influence, &bodies.change, bodies.grid, bodies.step_x, bodies.step_y};
+    const FrictionBodies friction{bodies.influence, &bodies.increment, bodies.grid, bodies.step_x, bodies.step_y};
     const Field rigid = field_of(rigid_x, rigid_y, bound.size()),
                 estimate = field_of(initial_x, initial_y, bound.size());
     const FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings};

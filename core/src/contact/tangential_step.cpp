@@ -16,7 +16,7 @@ using Values = std::vector<double>;
 FrictionBodies friction_bodies(const ContactProblem& problem, const ContactInfluence& influence) {
     const auto [x, y] = step_of(problem);
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
-    return {*influence.here, rolling && rolling->steady() ? influence.change.get() : nullptr, problem.grid, x, y};
+    return {*influence.current, rolling && rolling->steady() ? influence.increment.get() : nullptr, problem.grid, x, y};
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ Field TangentialStep::rigid_slip() const {
 
 RollingBodies TangentialStep::bodies() const {
     const auto [x, y] = step_of(problem_);
-    return {*influence_.here, *influence_.change, problem_.grid, x, y};
+    return {*influence_.current, *influence_.increment, problem_.grid, x, y};
 }
 
 // Particles had the displacements A' p_before of where they were, and A' = A - C; of a shift C is zero. A steady state
@@ -75,8 +75,8 @@ void TangentialStep::begin(const Tractions& before) {
         influence.tangential_of_normal(before.pressure, u.x, u.y);
         add(history_, u, factor);
     };
-    add_product(*influence_.here, -1);
-    if (rolling()) add_product(*influence_.change, 1);
+    add_product(*influence_.current, -1);
+    if (rolling()) add_product(*influence_.increment, 1);
 }
 
 void TangentialStep::add_coupling(std::span<const double> pressure, Field& rigid) const {
@@ -87,9 +87,9 @@ void TangentialStep::add_coupling(std::span<const double> pressure, Field& rigid
         add(rigid, u);
     };
     if (is_steady())
-        add_product(*influence_.change);
+        add_product(*influence_.increment);
     else
-        add_product(*influence_.here);
+        add_product(*influence_.current);
 }
 
 RollingSolution TangentialStep::solve(std::span<const double> pressure, std::span<const double> bound,
@@ -129,9 +129,9 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
     Field slip = rigid_slip(), u(n_);
     add(slip, rest);
     if (is_steady())
-        influence_.change->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
+        influence_.increment->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
     else
-        influence_.here->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
+        influence_.current->tangential(solution.traction_x, solution.traction_y, u.x, u.y);
     for (std::size_t i = first; i < n_; ++i) {
         if (!is_free(i)) continue;
         solution.slip_x[i] = slip.x[i] + u.x[i];
@@ -150,9 +150,9 @@ RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const d
     if (is_steady()) return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
     RollingSolution solution;
     static_cast<TangentialSolution&>(solution) =
-        solve_tangential(*influence_.here, bound, rigid.x, rigid.y, settings, x, y, observer);
+        solve_tangential(*influence_.current, bound, rigid.x, rigid.y, settings, x, y, observer);
     SlipDistance slip =
-        slip_distance(*influence_.here, bound, rigid.x, rigid.y, solution.traction_x, solution.traction_y);
+        slip_distance(*influence_.current, bound, rigid.x, rigid.y, solution.traction_x, solution.traction_y);
     solution.slip_x = std::move(slip.x);
     solution.slip_y = std::move(slip.y);
     return solution;

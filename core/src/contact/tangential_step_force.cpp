@@ -138,7 +138,7 @@ PrescribedForces TangentialStep::prescribed_forces(std::span<const double> bound
     const double area = problem_.grid.element_area();
     const auto in_contact = std::count_if(bound.begin(), bound.end(), [](double g) { return g > 0; });
     for (const double g : bound) forces.largest += g * area;
-    if (is_first_) slip_scale_ = slip_scale(*influence_.here, bound);
+    if (is_first_) slip_scale_ = slip_scale(*influence_.current, bound);
     forces.scale = slip_scale_;
     if (const Rolling* given = rolling()) {
         forces.Fx = given->force.Fx;

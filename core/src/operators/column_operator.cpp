@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "cached_boxes.hpp"
 #include "coarser_with.hpp"
 #include "contactd/error.hpp"
-#include "kept_boxes.hpp"
 
 namespace contactd {
 
@@ -18,14 +18,14 @@ class ColumnOperator::Boxes final : public ElementBoxes {
     }
     std::shared_ptr<const InfluenceOperator> influence(const ElementBox& box) const override {
         const ElementBox there{0, whole_.box_.first_y + box.first_y, box.nx, box.ny};
-        return kept_.get(there, [&] {
+        return cache_.get(there, [&] {
             return std::make_shared<const ColumnOperator>(whole_.parts_, there, whole_.near_->boxes()->influence(box));
         });
     }
 
    private:
     const ColumnOperator& whole_;
-    mutable KeptBoxes<InfluenceOperator> kept_;
+    mutable CachedBoxes<InfluenceOperator> cache_;
 };
 
 ColumnOperator::ColumnOperator(std::shared_ptr<const ColumnParts> parts, const ElementBox& box,

@@ -35,7 +35,7 @@ ColumnParts::ColumnParts(ColumnTable table, int nx, OffsetParity parity, double 
 
 std::shared_ptr<const ColumnProducts> ColumnParts::on(const ElementBox& box) const {
     const ElementBox part{0, box.first_y, box.nx, box.ny};
-    return kept_.get(part, [&] {
+    return cache_.get(part, [&] {
         return std::make_shared<const ColumnProducts>(table_, part, table_->nx - nx_, parity_, left_out_);
     });
 }

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "cached_boxes.hpp"
 #include "column_products.hpp"
-#include "kept_boxes.hpp"
 
 namespace contactd {
 
@@ -21,7 +21,7 @@ class ColumnParts {
     /// A[i,z] and A[z,i] of the tangential i beyond coupling_tolerance.
     bool coupled() const { return coupled_; }
     double left_out() const { return left_out_; }
-    /// Where the box lies along x does not matter. Those of the last few boxes are kept.
+    /// Where the box lies along x does not matter. Those of the last few boxes are cached.
     std::shared_ptr<const ColumnProducts> on(const ElementBox& box) const;
     /// About what all takes in memory: table, symbols, and those of some boxes.
     std::size_t bytes() const;
@@ -37,7 +37,7 @@ class ColumnParts {
     OffsetParity parity_;
     bool coupled_;
     double left_out_;
-    mutable KeptBoxes<ColumnProducts> kept_;
+    mutable CachedBoxes<ColumnProducts> cache_;
 };
 
 }  // namespace contactd

@@ -12,28 +12,28 @@ namespace contactd {
 
 ColumnStep::ColumnStep(std::shared_ptr<const ColumnParts> parts, const ElementBox& box, int ahead,
                        std::shared_ptr<const StepOperator> near)
-    : change_{std::move(parts), nullptr},
+    : increment_{std::move(parts), nullptr},
       box_(box),
       ahead_(ahead),
-      coupled_(change_.natural->coupled()),
+      coupled_(increment_.natural->coupled()),
       near_(std::move(near)),
-      natural_(change_.natural->on(box)) {
-    const ColumnTable& table = change_.natural->table();
-    const int nx = change_.natural->extent().nx;
+      natural_(increment_.natural->on(box)) {
+    const ColumnTable& table = increment_.natural->table();
+    const int nx = increment_.natural->extent().nx;
     if (std::abs(ahead_) > table.nx - nx)
         throw InvalidArgument("ahead", "is " + std::to_string(ahead_) + " elements; the table holds " +
                                            std::to_string(table.nx) + " offsets along x, and the grid has " +
                                            std::to_string(nx) + " elements");
 }
 
-ColumnStep::ColumnStep(ColumnChange change, const ElementBox& box, bool coupled,
+ColumnStep::ColumnStep(ColumnIncrement change, const ElementBox& box, bool coupled,
                        std::shared_ptr<const StepOperator> near)
-    : change_(std::move(change)),
+    : increment_(std::move(change)),
       box_(box),
       coupled_(coupled),
       near_(std::move(near)),
-      natural_(change_.natural->on(box)),
-      opposite_(change_.opposite->on(box)) {}
+      natural_(increment_.natural->on(box)),
+      opposite_(increment_.opposite->on(box)) {}
 
 void ColumnStep::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                             std::span<double> uy) const {
@@ -54,7 +54,7 @@ void ColumnStep::tangential_of_normal(std::span<const double> pz, std::span<doub
 }
 
 std::size_t ColumnStep::bytes() const {
-    const std::size_t own = opposite_ ? change_.natural->bytes() + change_.opposite->bytes() : 0;
+    const std::size_t own = opposite_ ? increment_.natural->bytes() + increment_.opposite->bytes() : 0;
     return own + near_->bytes();
 }
 
@@ -62,8 +62,8 @@ std::shared_ptr<const StepOperator> ColumnStep::on(const ElementBox& box) const 
     auto near = near_->on(box);
     if (!near) return nullptr;
     const ElementBox there{0, box_.first_y + box.first_y, box.nx, box.ny};
-    if (!opposite_) return std::make_shared<const ColumnStep>(change_.natural, there, ahead_, std::move(near));
-    return std::make_shared<const ColumnStep>(change_, there, coupled_, std::move(near));
+    if (!opposite_) return std::make_shared<const ColumnStep>(increment_.natural, there, ahead_, std::move(near));
+    return std::make_shared<const ColumnStep>(increment_, there, coupled_, std::move(near));
 }
 
 }  // namespace contactd

@@ -11,7 +11,7 @@ namespace contactd {
 
 /// C[i,j](I,J,k) for offsets of both signs as a sum: what of it has the parity of a column table and what has the
 /// opposite one, the tangential displacements of both.
-struct ColumnChange {
+struct ColumnIncrement {
     std::shared_ptr<const ColumnParts> natural, opposite;
 };
 
@@ -24,7 +24,7 @@ class ColumnStep final : public StepOperator {
     ColumnStep(std::shared_ptr<const ColumnParts> parts, const ElementBox& box, int ahead,
                std::shared_ptr<const StepOperator> near);
     /// The same for any step. `coupled`: as of the influence operator.
-    ColumnStep(ColumnChange change, const ElementBox& box, bool coupled, std::shared_ptr<const StepOperator> near);
+    ColumnStep(ColumnIncrement change, const ElementBox& box, bool coupled, std::shared_ptr<const StepOperator> near);
 
     std::size_t size() const override { return box_.size(); }
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
@@ -38,7 +38,7 @@ class ColumnStep final : public StepOperator {
     const StepOperator* coarser() const override { return near_->coarser(); }
 
    private:
-    const ColumnChange change_;  // of a step by whole elements the influence operator's, and no opposite
+    const ColumnIncrement increment_;  // of a step by whole elements the influence operator's, and no opposite
     const ElementBox box_;
     const int ahead_ = 0;
     const bool coupled_;

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "cached_boxes.hpp"
 #include "coarsening.hpp"
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
-#include "kept_boxes.hpp"
 #include "lazy.hpp"
 #include "padded_fft.hpp"
 #include "padded_size.hpp"
@@ -98,7 +98,7 @@ class ConvolutionOperator::Boxes final : public ElementBoxes {
 
    private:
     const Impl& whole_;
-    mutable KeptBoxes<InfluenceOperator> kept_;
+    mutable CachedBoxes<InfluenceOperator> cache_;
 };
 
 struct ConvolutionOperator::Impl {
@@ -281,8 +281,8 @@ ElementBox ConvolutionOperator::Boxes::convenient(const ElementBox& needed, bool
 
 std::shared_ptr<const InfluenceOperator> ConvolutionOperator::Boxes::influence(const ElementBox& box) const {
     // Where it lies does not matter.
-    return kept_.get({0, 0, box.nx, box.ny},
-                     [&] { return std::make_shared<const ConvolutionOperator>(whole_.table, box.nx, box.ny); });
+    return cache_.get({0, 0, box.nx, box.ny},
+                      [&] { return std::make_shared<const ConvolutionOperator>(whole_.table, box.nx, box.ny); });
 }
 
 int smooth_size(int n) {

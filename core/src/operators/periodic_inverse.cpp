@@ -57,11 +57,11 @@ PeriodicInverses::PeriodicInverses(const ShiftedTable& table)
 
 std::shared_ptr<const StepInverse> PeriodicInverses::get(double added) const {
     const std::scoped_lock lock(mutex_);
-    for (const auto& [key, made] : kept_)
+    for (const auto& [key, made] : cache_)
         if (key == added) return made;
-    if (kept_.size() == most_kept) kept_.pop_front();
-    kept_.emplace_back(added, std::make_shared<const Inverse>(fft_, inverted(added)));
-    return kept_.back().second;
+    if (cache_.size() == most_cached) cache_.pop_front();
+    cache_.emplace_back(added, std::make_shared<const Inverse>(fft_, inverted(added)));
+    return cache_.back().second;
 }
 
 TangentialSymbols PeriodicInverses::inverted(double added) const {

@@ -25,11 +25,11 @@ class PeriodicInverses {
 
     TangentialSymbols inverted(double added) const;
 
-    static constexpr std::size_t most_kept = 4;
+    static constexpr std::size_t most_cached = 4;
     std::shared_ptr<const PaddedFft> fft_;
     const TangentialSymbols symbols_;  // of the table
     mutable std::mutex mutex_;
-    mutable std::deque<std::pair<double, std::shared_ptr<const StepInverse>>> kept_;  // the oldest first
+    mutable std::deque<std::pair<double, std::shared_ptr<const StepInverse>>> cache_;  // the oldest first
 };
 
 }  // namespace contactd

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cached_boxes.hpp"
 #include "coarsening.hpp"
 #include "contactd/given_ics.hpp"
-#include "kept_boxes.hpp"
 #include "lazy.hpp"
 #include "padded_fft.hpp"
 #include "padded_size.hpp"
@@ -44,7 +44,7 @@ struct ShiftedOperator::Impl {
     Lazy<Coupling> coupling;
     Lazy<std::unique_ptr<ShiftedOperator>> coarse;
     Lazy<std::unique_ptr<PeriodicInverses>> inverses;
-    KeptBoxes<StepOperator> boxes;
+    CachedBoxes<StepOperator> boxes;
 
     explicit Impl(ShiftedTable table_)
         : nx(table_.nx),

@@ -165,7 +165,7 @@ void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules&
            const ContactInfluence& influence, Observer& observer) {
     constexpr int most_rounds = 30;
     constexpr double settled = 1e-9;  // mm
-    const Blending blending(problem, place, rules, *influence.here);
+    const Blending blending(problem, place, rules, *influence.current);
     ContactProblem normal = problem;
     normal.friction.reset();
     normal.gap = blending.gap();

@@ -7,7 +7,7 @@
 
 #include "contactd/below.hpp"
 #include "geometry/position.hpp"
-#include "wheel_rail/influence_keeper.hpp"
+#include "wheel_rail/half_space_cache.hpp"
 #include "wheel_rail/mirror.hpp"
 #include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/right_wheel.hpp"
@@ -18,9 +18,9 @@ namespace {
 
 InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) {
     if (source || setup.model != Model::full) return source;
-    return [keeper = std::make_shared<InfluenceKeeper>(setup.bodies)](const ContactProblem& problem,
-                                                                      const PatchColumns& columns, Observer& observer) {
-        return keeper->of(problem, columns, observer);
+    return [cache = std::make_shared<HalfSpaceCache>(setup.bodies)](const ContactProblem& problem,
+                                                                    const PatchColumns& columns, Observer& observer) {
+        return cache->of(problem, columns, observer);
     };
 }
 

@@ -2,28 +2,28 @@
 
 namespace contactd::engine {
 
-KeptInfluence InfluenceCache::of(const std::string& key, const Make& make) {
+CachedInfluence InfluenceCache::of(const std::string& key, const Make& make) {
     const auto any = [](const ContactInfluence&) { return true; };
     if (auto found = influences_.find(key, any)) return {*std::move(found)};
     if (auto found = found_beyond(key)) return *std::move(found);
-    ContactInfluence influence = make();  // two solves may make the same, and the later one is kept
+    ContactInfluence influence = make();  // two solves may make the same, and the later one is cached
     const std::size_t bytes = influence.bytes();
     if (bytes <= budget_) {
         influences_.insert(key, influence, bytes, any);
         return {std::move(influence)};
     }
-    KeptInfluence kept{std::move(influence), OperatorUse{false, bytes, budget_}};
+    CachedInfluence cached{std::move(influence), OperatorUse{false, bytes, budget_}};
     {
         const std::scoped_lock lock(mutex_);
-        beyond_ = Beyond{key, kept};
+        beyond_ = Beyond{key, cached};
     }
-    kept.use->made = true;
-    return kept;
+    cached.use->made = true;
+    return cached;
 }
 
-std::optional<KeptInfluence> InfluenceCache::found_beyond(const std::string& key) const {
+std::optional<CachedInfluence> InfluenceCache::found_beyond(const std::string& key) const {
     const std::scoped_lock lock(mutex_);
-    return beyond_ && beyond_->key == key ? std::optional(beyond_->kept) : std::nullopt;
+    return beyond_ && beyond_->key == key ? std::optional(beyond_->cached) : std::nullopt;
 }
 
 InfluenceCache::Usage InfluenceCache::usage() const {
@@ -31,7 +31,7 @@ InfluenceCache::Usage InfluenceCache::usage() const {
     const std::scoped_lock lock(mutex_);
     if (beyond_) {
         ++usage.entries;
-        usage.bytes += beyond_->kept.use->bytes;
+        usage.bytes += beyond_->cached.use->bytes;
     }
     return usage;
 }

@@ -16,7 +16,7 @@
 namespace contactd::engine {
 
 /// Operators, and what is told of those beyond the budget.
-struct KeptInfluence {
+struct CachedInfluence {
     ContactInfluence influence{};
     std::optional<OperatorUse> use{};
 };
@@ -27,7 +27,7 @@ std::string operator_warning(const OperatorUse& use);
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use);
 
 /// The least recently used go first when the budget is full. Beside them those beyond the budget that were used last
-/// are kept, and their use is told: a problem that is solved again finds its operators in any case. Thread-safe;
+/// are cached, and their use is told: a problem that is solved again finds its operators in any case. Thread-safe;
 /// operators are shared between solves.
 class InfluenceCache {
    public:
@@ -35,7 +35,7 @@ class InfluenceCache {
 
     using Make = std::function<ContactInfluence()>;
     /// The operators that `key` stands for, from memory or made by `make`.
-    KeptInfluence of(const std::string& key, const Make& make);
+    CachedInfluence of(const std::string& key, const Make& make);
 
     using Usage = LeastRecentlyUsed<ContactInfluence>::Usage;
     Usage usage() const;  ///< with those beyond the budget
@@ -43,9 +43,9 @@ class InfluenceCache {
    private:
     struct Beyond {
         std::string key;
-        KeptInfluence kept;
+        CachedInfluence cached;
     };
-    std::optional<KeptInfluence> found_beyond(const std::string& key) const;
+    std::optional<CachedInfluence> found_beyond(const std::string& key) const;
 
     const std::size_t budget_;
     LeastRecentlyUsed<ContactInfluence> influences_;

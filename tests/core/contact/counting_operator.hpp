@@ -77,8 +77,8 @@ class CountingStep final : public StepOperator {
 /// `counts` outlives the result.
 inline ContactInfluence counted(const ContactInfluence& influence, ProductCounts& counts) {
     ContactInfluence result;
-    result.here = std::make_shared<CountingOperator>(influence.here, counts);
-    if (influence.change) result.change = std::make_shared<CountingStep>(influence.change, counts);
+    result.current = std::make_shared<CountingOperator>(influence.current, counts);
+    if (influence.increment) result.increment = std::make_shared<CountingStep>(influence.increment, counts);
     return result;
 }
 

@@ -72,7 +72,7 @@ inline ContactInfluence operators_of(const ContactProblem& problem, const IcTabl
     const bool along_x = std::abs(y) <= 1e-9 * std::abs(x) && std::abs(x) <= grid.nx * grid.dx;
     const bool known = !problem.bodies.any_given() && !problem.bodies.any_layered();
     if (along_x && known) return column_influence(problem, column_table_of(cropped(pair, pair.nx, grid.ny)));
-    influence.here = PairOperator::make(pair, grid.nx, grid.ny);
+    influence.current = PairOperator::make(pair, grid.nx, grid.ny);
     return influence;
 }
 

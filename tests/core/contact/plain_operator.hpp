@@ -38,7 +38,7 @@ class PlainOperator final : public InfluenceOperator {
 
 /// What normal contact takes of half-spaces.
 inline int products_of(const ContactProblem& problem) {
-    const auto plain = std::make_shared<PlainOperator>(operators_of(problem, pair_table(problem)).here);
+    const auto plain = std::make_shared<PlainOperator>(operators_of(problem, pair_table(problem)).current);
     Observer observer;
     (void)solve_contact(problem, {plain, nullptr}, observer);
     return plain->products();

@@ -16,10 +16,10 @@ struct RollingCase {
     Grid grid;
     double dq, step_x, step_y;
     IcTable pair;
-    ShiftedTable change_table;
+    ShiftedTable increment_table;
     ContactInfluence operators;
     const InfluenceOperator& influence;
-    const StepOperator& change;
+    const StepOperator& increment;
     RollingBodies bodies;
     Values bound;
     Rolling rolling;
@@ -30,12 +30,12 @@ struct RollingCase {
           step_x(dq * std::cos(chi)),
           step_y(dq * std::sin(chi)),
           pair(half_space_pair(grid, material)),
-          change_table(change_over_step(
+          increment_table(change_over_step(
               pair, shifted_half_spaces({{material, material}, LoadShape::constant}, grid, step_x, step_y))),
           operators(operators_of(problem(material, chi), pair)),
-          influence(*operators.here),
-          change(*operators.change),
-          bodies{influence, change, grid, step_x, step_y} {
+          influence(*operators.current),
+          increment(*operators.increment),
+          bodies{influence, increment, grid, step_x, step_y} {
         rolling.chi = chi;
         for (int iy = 0; iy < grid.ny; ++iy)
             for (int ix = 0; ix < grid.nx; ++ix) {
@@ -72,7 +72,7 @@ struct RollingCase {
     }
 
     /// C[i,x] px + C[i,y] py, element by element.
-    Values dense_change(Axis i, const Values& px, const Values& py) const {
+    Values dense_increment(Axis i, const Values& px, const Values& py) const {
         Values u(grid.size());
         const int n = static_cast<int>(grid.size());
         for (int to = 0; to < n; ++to)
@@ -80,7 +80,7 @@ struct RollingCase {
                 const int k = to % grid.nx - from % grid.nx, l = to / grid.nx - from / grid.nx;
                 const auto j = static_cast<std::size_t>(from);
                 u[static_cast<std::size_t>(to)] +=
-                    change_table(i, Axis::x, k, l) * px[j] + change_table(i, Axis::y, k, l) * py[j];
+                    increment_table(i, Axis::x, k, l) * px[j] + increment_table(i, Axis::y, k, l) * py[j];
             }
         return u;
     }
@@ -106,8 +106,8 @@ inline void check_steady_law(const RollingCase& rolling, const RollingSolution& 
     REQUIRE(solution.evidence.converged);
     const auto &px = solution.traction_x, &py = solution.traction_y;
     const RigidSlip w = rigid_slip(rolling.grid, rolling.rolling, rolling.dq);
-    const Values sx = sum(rolling.dense_change(Axis::x, px, py), w.x);
-    const Values sy = sum(rolling.dense_change(Axis::y, px, py), w.y);
+    const Values sx = sum(rolling.dense_increment(Axis::x, px, py), w.x);
+    const Values sy = sum(rolling.dense_increment(Axis::y, px, py), w.y);
     const double unit = std::max(largest(w.x), largest(w.y)) * accuracy;
     for (std::size_t i = 0; i < px.size(); ++i) {
         const double p = std::hypot(px[i], py[i]), g = rolling.bound[i];

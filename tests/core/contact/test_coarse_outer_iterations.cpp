@@ -75,7 +75,7 @@ TEST_CASE("there is nothing to start from without many elements or a coarser gri
     const Values all(example.problem.grid.size(), 1), none(all.size());
     CHECK(example.start(all));
     CHECK_FALSE(example.start(none));
-    example.influence.here = std::make_shared<PlainOperator>(example.influence.here);
+    example.influence.current = std::make_shared<PlainOperator>(example.influence.current);
     CHECK_FALSE(example.start(all));
 }
 

@@ -22,12 +22,12 @@ ContactInfluence dense_influence(const ContactProblem& problem) {
     const IcTable pair = pair_table(problem);
     const std::size_t n = problem.grid.size();
     ContactInfluence influence;
-    influence.here = std::make_shared<const DenseOperator>(DenseMatrices(n, 3, entries_of(pair, problem.grid)));
+    influence.current = std::make_shared<const DenseOperator>(DenseMatrices(n, 3, entries_of(pair, problem.grid)));
     const auto [x, y] = step_of(problem);
     if (x == 0 && y == 0) return influence;
     const ShiftedTable change =
         change_over_step(pair, shifted_half_spaces({problem.bodies.materials()}, problem.grid, x, y));
-    influence.change = std::make_shared<const DenseStep>(DenseMatrices(n, 2, entries_of(change, problem.grid)));
+    influence.increment = std::make_shared<const DenseStep>(DenseMatrices(n, 2, entries_of(change, problem.grid)));
     return influence;
 }
 

@@ -20,7 +20,9 @@ struct SmallRolling : RollingCase {
         set(0.001, -5e-4, 1e-3);
     }
 
-    FrictionBodies bodies_of(bool rolls) const { return {influence, rolls ? &change : nullptr, grid, step_x, step_y}; }
+    FrictionBodies bodies_of(bool rolls) const {
+        return {influence, rolls ? &increment : nullptr, grid, step_x, step_y};
+    }
     Field rigid(double factor = 1) const {
         const RigidSlip slip = rigid_slip(grid, rolling, dq);
         Field field;
@@ -77,7 +79,7 @@ TEST_CASE("the slip that a solve ends with is that of its tractions to the toler
         last = tractions_of(found);
         Field u(problem.grid.size());
         if (rolls)
-            problem.change.tangential(last.x, last.y, u.x, u.y);
+            problem.increment.tangential(last.x, last.y, u.x, u.y);
         else
             problem.influence.tangential(last.x, last.y, u.x, u.y);
         double squares = 0, of_rigid = 0;

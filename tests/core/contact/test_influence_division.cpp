@@ -76,7 +76,7 @@ TEST_CASE("the elements that count change with adhesion, and only when that pays
 
 TEST_CASE("without boxes all elements count", "[rolling]") {
     const Example example(48);
-    const PlainOperator plain(example.rolling.operators.here);
+    const PlainOperator plain(example.rolling.operators.current);
     InfluenceDivision division = example.division(plain);
     CHECK_FALSE(division.take_adhesion(example.law.slips));
     CHECK(division.counts(0));

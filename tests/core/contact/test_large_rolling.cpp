@@ -55,7 +55,7 @@ class PlainStep final : public StepOperator {
 };
 
 RollingSolution without_inverses(const RollingCase& rolling) {
-    const PlainStep plain(rolling.change);
+    const PlainStep plain(rolling.increment);
     const RollingBodies bodies{rolling.influence, plain, rolling.grid, rolling.step_x, rolling.step_y};
     const RigidSlip w = rigid_slip(rolling.grid, rolling.rolling, rolling.dq);
     Observer observer;

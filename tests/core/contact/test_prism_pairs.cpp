@@ -130,11 +130,11 @@ TEST_CASE("A prism and a half-space have the products of both together", "[prism
         }
     };
     compare([&](const ContactInfluence& of, Values& ux, Values& uy) {
-        of.here->normal(p, ux);
-        of.here->normal(q, uy);
+        of.current->normal(p, ux);
+        of.current->normal(q, uy);
     });
-    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.here->tangential(p, q, ux, uy); });
-    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.here->tangential_of_normal(p, ux, uy); });
-    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.change->tangential(p, q, ux, uy); });
-    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.change->tangential_of_normal(p, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.current->tangential(p, q, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.current->tangential_of_normal(p, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.increment->tangential(p, q, ux, uy); });
+    compare([&](const ContactInfluence& of, Values& ux, Values& uy) { of.increment->tangential_of_normal(p, ux, uy); });
 }

@@ -210,9 +210,10 @@ TEST_CASE("rolling refuses what does not fit", "[rolling]") {
     const RigidSlip w = rigid_slip(rolling.grid, rolling.rolling, rolling.dq);
     Observer observer;
     const Values too_short(3);
-    const RollingBodies at_rest{rolling.influence, rolling.change, rolling.grid, 0, 0};
+    const RollingBodies at_rest{rolling.influence, rolling.increment, rolling.grid, 0, 0};
     CHECK_THROWS_AS(solve_steady_rolling(at_rest, rolling.bound, w.x, w.y, {}, {}, {}, observer), InvalidArgument);
     CHECK_THROWS_AS(solve_steady_rolling(rolling.bodies, too_short, w.x, w.y, {}, {}, {}, observer), InvalidArgument);
     CHECK_THROWS_AS(rolling.steady({}, too_short, too_short), InvalidArgument);
-    CHECK_THROWS_AS(change_over_step(half_space_pair(window(5, 8), material), rolling.change_table), InvalidArgument);
+    CHECK_THROWS_AS(change_over_step(half_space_pair(window(5, 8), material), rolling.increment_table),
+                    InvalidArgument);
 }

@@ -108,7 +108,7 @@ void check_same_step(const FlatRolling& rolling, double accuracy) {
         change.tangential_of_normal(pz, vx, vy);
         return std::array{ux, uy, vx, vy};
     };
-    const auto computed = products(*rolling.columns.change), expected = products(*rolling.half_spaces.change);
+    const auto computed = products(*rolling.columns.increment), expected = products(*rolling.half_spaces.increment);
     for (std::size_t which = 0; which < computed.size(); ++which)
         for (std::size_t i = 0; i < n; ++i)
             CHECK_THAT(computed[which][i], WithinAbs(expected[which][i], accuracy * largest(expected[which])));
@@ -147,7 +147,7 @@ TEST_CASE("a column table that is not reciprocal counts with its symmetric part"
 
 TEST_CASE("the column operator of a flat surface is that of half-spaces", "[columns]") {
     const FlatRolling rolling(0, 1);
-    const InfluenceOperator &columns = *rolling.columns.here, &half_spaces = *rolling.half_spaces.here;
+    const InfluenceOperator &columns = *rolling.columns.current, &half_spaces = *rolling.half_spaces.current;
     REQUIRE(columns.coupled());
     const std::size_t n = columns.size();
     const Values px = random_values(n, 1), py = random_values(n, 2);
@@ -234,7 +234,7 @@ TEST_CASE("operators of an upper body alone are those of its mirror image below"
     }());
     const IcTable lower = body_table(grid, problem.bodies.lower.material);
     const ContactInfluence sum = make_influence(problem, BodyTable(upper), BodyTable(lower));
-    check_against_dense_sums(*sum.here, pair_of(upper, column_table_of(lower)), {0, 0, grid.nx, grid.ny});
+    check_against_dense_sums(*sum.current, pair_of(upper, column_table_of(lower)), {0, 0, grid.nx, grid.ny});
 }
 
 TEST_CASE("one column operator serves several threads at once", "[columns]") {

@@ -12,7 +12,7 @@
 #include "contactd/patch_influence.hpp"
 #include "contactd/rotated_prism.hpp"
 #include "contactd/solve_contact.hpp"
-#include "wheel_rail/influence_keeper.hpp"
+#include "wheel_rail/half_space_cache.hpp"
 #include "wheel_rail/section_columns.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
@@ -73,9 +73,9 @@ double difference(const ContactInfluence& a, const ContactInfluence& b, std::siz
                  pz = random_values(size, 3, 0, 1);
     const auto displacements = [&](const ContactInfluence& influence) {
         Values x(size), y(size), z(size), all;
-        influence.here->normal(pz, z);
+        influence.current->normal(pz, z);
         all = z;
-        influence.here->tangential(px, py, x, y);
+        influence.current->tangential(px, py, x, y);
         all.insert(all.end(), x.begin(), x.end());
         all.insert(all.end(), y.begin(), y.end());
         return all;
@@ -95,12 +95,12 @@ TEST_CASE("On rows that are not turned rotated half-spaces are half-spaces") {
     ContactProblem problem;
     problem.grid = {12, 9, 0.2, 0.3, -1.2, -1.5};
     problem.bodies = Bodies::of({{82000, 0.28}, {60000, 0.35}});
-    InfluenceKeeper keeper(problem.bodies);
+    HalfSpaceCache cache(problem.bodies);
     PatchColumns inclined;
     for (int i = 0; i < problem.grid.ny; ++i) inclined.frames.push_back({0.3 * i, 0, 0.4});
-    CHECK(difference(keeper.of(problem, inclined), keeper.of(problem), problem.grid.size()) < 1e-10);
+    CHECK(difference(cache.of(problem, inclined), cache.of(problem), problem.grid.size()) < 1e-10);
     inclined.frames.back().angle += 0.1;
-    CHECK(difference(keeper.of(problem, inclined), keeper.of(problem), problem.grid.size()) > 1e-3);
+    CHECK(difference(cache.of(problem, inclined), cache.of(problem), problem.grid.size()) > 1e-3);
 }
 
 // Blanco-Lorenzo's coefficients bring pmax down by one to three per cent from those of rows that lie flat.

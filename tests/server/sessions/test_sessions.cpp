@@ -18,7 +18,7 @@ SessionPtr session(std::chrono::duration<double> lease = 300s) {
     spec.setup.grid = Grid{4, 4, 1, 1, 0, 0};
     spec.setup.bodies = {{1, 0}, {1, 0}};
     return std::make_shared<Session>(simulation_of(std::make_unique<engine::ContactSteps>(
-                                         std::move(spec), engine::IcAnswers{}, engine::KeptInfluence{})),
+                                         std::move(spec), engine::IcAnswers{}, engine::CachedInfluence{})),
                                      lease);
 }
 

@@ -42,7 +42,7 @@ ContactSolution ContactSolver::solve(const ContactProblem& problem) {
 }
 
 Displacements ContactSolver::displacements(const ContactProblem& problem, const ContactSolution& solution) {
-    const InfluenceOperator& influence = *influence_of(problem).here;
+    const InfluenceOperator& influence = *influence_of(problem).current;
     const std::size_t n = problem.grid.size();
     Displacements u{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
     influence.normal(solution.pressure, u.z);

@@ -51,14 +51,15 @@ double mean(const Values& values) {
 
 FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluence& influence,
                              const ContactSolution& solution)
-    : restriction_(*influence.here, box_of_pressures(*influence.here, solution.pressure), false),
-      part_change_(is_steady_rolling(problem) && !restriction_.is_whole() ? influence.change->on(restriction_.box())
-                                                                          : nullptr),
-      is_whole_(restriction_.is_whole() || (is_steady_rolling(problem) && !part_change_)),
-      influence_(is_whole_ ? *influence.here : restriction_.influence()),
-      change_(is_whole_ && is_steady_rolling(problem) ? influence.change.get() : part_change_.get()),
+    : restriction_(*influence.current, box_of_pressures(*influence.current, solution.pressure), false),
+      part_increment_(is_steady_rolling(problem) && !restriction_.is_whole()
+                          ? influence.increment->on(restriction_.box())
+                          : nullptr),
+      is_whole_(restriction_.is_whole() || (is_steady_rolling(problem) && !part_increment_)),
+      influence_(is_whole_ ? *influence.current : restriction_.influence()),
+      increment_(is_whole_ && is_steady_rolling(problem) ? influence.increment.get() : part_increment_.get()),
       grid_(is_whole_ ? problem.grid : restriction_.crop(problem.grid)),
-      coupled_(problem.friction && influence.here->coupled()),
+      coupled_(problem.friction && influence.current->coupled()),
       pressure_(crop(solution.pressure)),
       mu_(crop(coefficients(problem))),
       radial_(grid_.size()),
@@ -78,7 +79,7 @@ FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluen
     if (rubbed_.size() == 0) return;
     const auto [x, y] = step_of(problem);
     // Several right-hand sides share steps, so that levels would save a sixth of them and make each half as dear again.
-    compliance_ = compliance_of({influence_, change_, grid_, x, y, PreconditionerLevels::never}, rubbed_);
+    compliance_ = compliance_of({influence_, increment_, grid_, x, y, PreconditionerLevels::never}, rubbed_);
     compliance_->linearise(law_);
     take_weights();
 }
@@ -177,8 +178,8 @@ void FrozenContact::add_free() {
 
 // s_ = K q_
 void FrozenContact::find_slip() {
-    if (change_ != nullptr)
-        change_->tangential(q_.x, q_.y, s_.x, s_.y);
+    if (increment_ != nullptr)
+        increment_->tangential(q_.x, q_.y, s_.x, s_.y);
     else
         influence_.tangential(q_.x, q_.y, s_.x, s_.y);
 }
@@ -226,8 +227,8 @@ void FrozenContact::all(const Vector& both, Vector& result) {
     add_free();
     find_slip();
     take_pressures(dp);
-    if (change_ != nullptr)
-        change_->tangential_of_normal(p_, coupling_.x, coupling_.y);
+    if (increment_ != nullptr)
+        increment_->tangential_of_normal(p_, coupling_.x, coupling_.y);
     else
         influence_.tangential_of_normal(p_, coupling_.x, coupling_.y);
     add(s_, coupling_);

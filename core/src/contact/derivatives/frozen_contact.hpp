@@ -36,7 +36,7 @@ class FrozenContact {
     // Whether pressures follow tractions; otherwise the tangential part of the equations stands alone.
     bool coupled() const { return coupled_; }
     // Whether that part is its own transpose.
-    bool symmetric() const { return change_ == nullptr; }
+    bool symmetric() const { return increment_ == nullptr; }
     // Over the elements in contact.
     double mean_friction() const;
     // Of the elements with a bound.
@@ -97,10 +97,10 @@ class FrozenContact {
     Right right_of_slip() const;
 
     const Restriction restriction_;
-    const std::shared_ptr<const StepOperator> part_change_;
+    const std::shared_ptr<const StepOperator> part_increment_;
     const bool is_whole_;
     const InfluenceOperator& influence_;
-    const StepOperator* change_;
+    const StepOperator* increment_;
     const Grid grid_;
     const bool coupled_;
     const Values pressure_, mu_;

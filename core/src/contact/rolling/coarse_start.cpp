@@ -13,15 +13,16 @@ constexpr int most_coarse_iterations = 40;
 
 std::optional<FrictionBodies> coarser(const FrictionBodies& bodies) {
     const CoarserGrid* coarse = bodies.influence.coarser();
-    const StepOperator* change = bodies.change == nullptr ? nullptr : bodies.change->coarser();
-    if (coarse == nullptr || (bodies.change != nullptr && change == nullptr)) return {};
+    const StepOperator* increment = bodies.increment == nullptr ? nullptr : bodies.increment->coarser();
+    if (coarse == nullptr || (bodies.increment != nullptr && increment == nullptr)) return {};
     Grid grid = bodies.grid;
     grid.dx *= coarse->along_x();
     grid.dy *= coarse->along_y();
     grid.nx = (grid.nx + coarse->along_x() - 1) / coarse->along_x();
     grid.ny = (grid.ny + coarse->along_y() - 1) / coarse->along_y();
-    if (coarse->influence().size() != grid.size() || (change != nullptr && change->size() != grid.size())) return {};
-    return FrictionBodies{coarse->influence(), change, grid, bodies.step_x, bodies.step_y};
+    if (coarse->influence().size() != grid.size() || (increment != nullptr && increment->size() != grid.size()))
+        return {};
+    return FrictionBodies{coarse->influence(), increment, grid, bodies.step_x, bodies.step_y};
 }
 
 }  // namespace

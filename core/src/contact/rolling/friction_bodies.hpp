@@ -12,12 +12,12 @@
 
 namespace contactd {
 
-/// What slip owes to tractions: C of steady rolling where there is a `change`, otherwise A.
+/// What slip owes to tractions: C of steady rolling where there is an `increment`, otherwise A.
 struct FrictionBodies {
     const InfluenceOperator& influence;
-    const StepOperator* change;
+    const StepOperator* increment;  ///< null for shifts
     Grid grid;
-    double step_x = 0, step_y = 0;  ///< as of RollingBodies, where there is a `change`
+    double step_x = 0, step_y = 0;  ///< as of RollingBodies, where there is an `increment`
     /// Of steady rolling: levels save iterations, but each costs more.
     PreconditionerLevels levels = PreconditionerLevels::on_many_elements;
 };

@@ -16,7 +16,7 @@ namespace contactd {
 /// What rolling solvers know of the bodies: the particle that is now at x was at x + step one step ago.
 struct RollingBodies {
     const InfluenceOperator& influence;  ///< A on the grid
-    const StepOperator& change;          ///< C on the grid, for the step
+    const StepOperator& increment;       ///< C on the grid, for the step
     const Grid& grid;
     double step_x = 0, step_y = 0;  ///< dq (cos chi, sin chi) (mm), not both zero
 };

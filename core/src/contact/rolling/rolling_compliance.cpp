@@ -22,7 +22,7 @@ std::vector<double> times(double factor, std::vector<double> values) {
 }  // namespace
 
 RollingCompliance::RollingCompliance(const RollingBodies& bodies, const Contact& contact, PreconditionerLevels levels)
-    : change_(bodies.change),
+    : increment_(bodies.increment),
       contact_(contact),
       m_(contact.size()),
       influence_self_(tangential_diagonal(bodies.influence, contact)),
@@ -35,7 +35,7 @@ RollingCompliance::RollingCompliance(const RollingBodies& bodies, const Contact&
       self_(times(sweep_.diagonal(), influence_self_)) {}
 
 void RollingCompliance::apply(const Field& p, Field& u) {
-    contact_.product(change_, p, full_in_, full_out_, u);
+    contact_.product(increment_, p, full_in_, full_out_, u);
 }
 
 void RollingCompliance::linearise(const Linearisation& law) {
@@ -52,7 +52,7 @@ void RollingCompliance::linearise_levels() {
         return;
     if (!levels_) {
         const double self = std::accumulate(self_.begin(), self_.end(), 0.0) / static_cast<double>(m_);
-        levels_ = TangentStiffnessLevels::make(change_, contact_, self);
+        levels_ = TangentStiffnessLevels::make(increment_, contact_, self);
         if (!levels_) return;
     }
     levels_->linearise(*law_);

@@ -38,7 +38,7 @@ class RollingCompliance final : public Compliance {
     // Both halves, where elements adhere; elsewhere z is left as anything.
     void precondition_adhesion(const Field& r, Field& z);
 
-    const StepOperator& change_;
+    const StepOperator& increment_;
     const Contact& contact_;
     const std::size_t m_;
     const std::vector<double> influence_self_;  // of each element in contact, A's diagonal

@@ -14,15 +14,15 @@ constexpr LevelPassages passages{0.63, 3.2, 1.5};
 
 }  // namespace
 
-std::unique_ptr<TangentStiffnessLevels> TangentStiffnessLevels::make(const StepOperator& change, const Contact& contact,
-                                                                     double unit) {
+std::unique_ptr<TangentStiffnessLevels> TangentStiffnessLevels::make(const StepOperator& increment,
+                                                                     const Contact& contact, double unit) {
     Inverses inverses;
     for (std::size_t j = 0; j < count; ++j) {
-        inverses[j] = change.inverse(levels[j] * unit);
+        inverses[j] = increment.inverse(levels[j] * unit);
         if (!inverses[j]) return nullptr;
     }
     return std::unique_ptr<TangentStiffnessLevels>(
-        new TangentStiffnessLevels(std::move(inverses), change.size(), contact, unit));
+        new TangentStiffnessLevels(std::move(inverses), increment.size(), contact, unit));
 }
 
 TangentStiffnessLevels::TangentStiffnessLevels(Inverses inverses, std::size_t elements, const Contact& contact,

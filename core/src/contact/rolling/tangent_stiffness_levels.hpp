@@ -21,7 +21,7 @@ namespace contactd {
 class TangentStiffnessLevels {
    public:
     // `unit`: about what C has on its diagonal (mm^3/N). Null where C has no inverses.
-    static std::unique_ptr<TangentStiffnessLevels> make(const StepOperator& change, const Contact& contact,
+    static std::unique_ptr<TangentStiffnessLevels> make(const StepOperator& increment, const Contact& contact,
                                                         double unit);
 
     // To be called when division or stiffness have changed.

@@ -86,6 +86,6 @@ TEST_CASE("Coefficients of sections are positive at every wavenumber and as solv
         problem.grid = Grid::centred(9, columns, 1, 1);
         problem.bodies = {{Material::rigid()}, {Material{1, nu}}};
         const ContactInfluence influence = column_influence(problem, column_table(spectrum, 1, problem.grid.nx));
-        CHECK(least_eigenvalue(matrix_of(*influence.here)) > 1e-6);
+        CHECK(least_eigenvalue(matrix_of(*influence.current)) > 1e-6);
     }
 }

@@ -1,4 +1,4 @@
-#include "store_keeper.hpp"
+#include "resilient_store.hpp"
 
 #include <algorithm>
 #include <format>
@@ -11,14 +11,14 @@ constexpr auto attempt_interval = std::chrono::seconds(2);
 
 }  // namespace
 
-StoreKeeper::StoreKeeper(IcStore store, const Budgets& budgets, EngineLog log)
+ResilientStore::ResilientStore(IcStore store, const Budgets& budgets, EngineLog log)
     : store_(std::move(store)), budgets_(budgets), log_(std::move(log)) {
     if (const int swept = store_.sweep()) log_.warn(std::format("swept {} left-over files from the store", swept));
     store_.settle_times();
     set_problem(store_.problem());
 }
 
-bool StoreKeeper::may_have(const IcSpec& spec, const TableOwner& owner) {
+bool ResilientStore::may_have(const IcSpec& spec, const TableOwner& owner) {
     try {
         return store_.may_have(spec, owner);
     } catch (const std::exception& error) {
@@ -27,7 +27,7 @@ bool StoreKeeper::may_have(const IcSpec& spec, const TableOwner& owner) {
     }
 }
 
-std::optional<IcRecord> StoreKeeper::find(const IcSpec& spec, const TableOwner& owner) {
+std::optional<IcRecord> ResilientStore::find(const IcSpec& spec, const TableOwner& owner) {
     try {
         return store_.find(spec, owner);
     } catch (const std::exception& error) {
@@ -36,13 +36,13 @@ std::optional<IcRecord> StoreKeeper::find(const IcSpec& spec, const TableOwner& 
     }
 }
 
-void StoreKeeper::note_use(const std::string& key, const IcRecord& record, const TableOwner& owner) {
+void ResilientStore::note_use(const std::string& key, const IcRecord& record, const TableOwner& owner) {
     if (record.spec.source != IcSource::fem) return;
     const auto [nx, ny] = extent_of(record.tables);
     uses_.note(store_.path_of(key, nx, ny, owner));
 }
 
-void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>& kept, const TableOwner& owner) {
+void ResilientStore::note_stored(const IcSpec& spec, const std::vector<std::string>& kept, const TableOwner& owner) {
     try {
         store_.note_use(store_.path_to_write(ic_key(spec), spec.nx, spec.ny, owner), store_.time_of_use());
         store_.remove_covered_by(spec, owner);
@@ -55,7 +55,7 @@ void StoreKeeper::note_stored(const IcSpec& spec, const std::vector<std::string>
     }
 }
 
-StoreKeeper::Record StoreKeeper::keep_unsaved(IcRecord record, const std::string& why) {
+ResilientStore::Record ResilientStore::keep_unsaved(IcRecord record, const std::string& why) {
     set_problem(why.empty() ? "A table could not be stored." : why);
     IcRecord answered = record;
     answered.evidence.warnings.push_back("This table could not be stored and is in the daemon's memory only. " + why);
@@ -70,7 +70,7 @@ StoreKeeper::Record StoreKeeper::keep_unsaved(IcRecord record, const std::string
     return std::make_shared<const IcRecord>(std::move(answered));
 }
 
-bool StoreKeeper::save(const IcRecord& record) {
+bool ResilientStore::save(const IcRecord& record) {
     try {
         write_ic_file(store_.path_to_write(ic_key(record.spec), record.spec.nx, record.spec.ny), record);
         return true;
@@ -80,7 +80,7 @@ bool StoreKeeper::save(const IcRecord& record) {
     }
 }
 
-std::vector<StoreKeeper::Record> StoreKeeper::recover() {
+std::vector<ResilientStore::Record> ResilientStore::recover() {
     if (!has_problem_) return {};
     std::list<Record> waiting;
     {
@@ -108,7 +108,7 @@ std::vector<StoreKeeper::Record> StoreKeeper::recover() {
     return saved;
 }
 
-int StoreKeeper::remove(const std::string& key, const TableOwner& owner) {
+int ResilientStore::remove(const std::string& key, const TableOwner& owner) {
     int removed = store_.remove(key, owner);
     const std::scoped_lock lock(mutex_);
     std::erase_if(unsaved_, [&](const Record& record) {
@@ -120,12 +120,12 @@ int StoreKeeper::remove(const std::string& key, const TableOwner& owner) {
     return removed;
 }
 
-std::string StoreKeeper::problem() const {
+std::string ResilientStore::problem() const {
     const std::scoped_lock lock(mutex_);
     return problem_;
 }
 
-void StoreKeeper::set_problem(const std::string& sentence) {
+void ResilientStore::set_problem(const std::string& sentence) {
     const std::scoped_lock lock(mutex_);
     if (!sentence.empty() && sentence != problem_)
         log_.warn(std::format("store {}: {}", store_.folder().string(), sentence));

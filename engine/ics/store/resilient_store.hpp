@@ -18,7 +18,7 @@
 namespace contactd::engine {
 
 /// Thread-safe.
-class StoreKeeper {
+class ResilientStore {
    public:
     using Record = std::shared_ptr<const IcRecord>;
     struct Budgets {
@@ -27,7 +27,7 @@ class StoreKeeper {
     };
 
     /// Sweeps what dead processes left, settles times of use, and looks whether the folder can be written to.
-    StoreKeeper(IcStore store, const Budgets& budgets, EngineLog log);
+    ResilientStore(IcStore store, const Budgets& budgets, EngineLog log);
 
     const IcStore& store() const { return store_; }
     /// As IcStore::find and may_have; nothing when the folder cannot be read.

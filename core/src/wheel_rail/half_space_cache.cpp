@@ -1,4 +1,4 @@
-#include "wheel_rail/influence_keeper.hpp"
+#include "wheel_rail/half_space_cache.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,9 +10,9 @@
 namespace contactd {
 namespace {
 
-constexpr std::size_t most_kept = 64;
-constexpr std::size_t most_elements_kept = 400'000;  // of all together, about 100 MB
-constexpr int spare = 16;                            // offsets that a table has beyond those that were needed
+constexpr std::size_t most_cached = 64;
+constexpr std::size_t most_cached_elements = 400'000;  // of all together, about 100 MB
+constexpr int spare = 16;                              // offsets that a table has beyond those that were needed
 
 IcTable table_of(const Body& body, double dx, double dy, int nx, int ny, const Observer& observer) {
     if (body.material.is_rigid()) return IcTable(nx, ny);
@@ -28,14 +28,14 @@ bool is_closed_form(const Body& body) {
 
 }  // namespace
 
-InfluenceKeeper::InfluenceKeeper(Bodies bodies) : bodies_(std::move(bodies)) {
+HalfSpaceCache::HalfSpaceCache(Bodies bodies) : bodies_(std::move(bodies)) {
     if (bodies_.pair || !is_closed_form(bodies_.upper) || !is_closed_form(bodies_.lower))
         throw InvalidArgument("bodies",
                               "are no half-spaces in closed form; for others give a source of their operators");
 }
 
-ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchColumns& columns,
-                                     const Observer& observer) {
+ContactInfluence HalfSpaceCache::of(const ContactProblem& problem, const PatchColumns& columns,
+                                    const Observer& observer) {
     if (columns.of_sections())
         throw InvalidArgument("conformal",
                               "is fem, whose tables take finite elements; give a source of operators that has them");
@@ -44,22 +44,23 @@ ContactInfluence InfluenceKeeper::of(const ContactProblem& problem, const PatchC
     const auto [step_x, step_y] = step_of(problem);
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, step_x, step_y};
     const std::lock_guard lock(mutex_);
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.key == key; });
-    if (found != kept_.end()) {
-        kept_.splice(kept_.begin(), kept_, found);
+    const auto found = std::find_if(cache_.begin(), cache_.end(), [&](const Entry& entry) { return entry.key == key; });
+    if (found != cache_.end()) {
+        cache_.splice(cache_.begin(), cache_, found);
         return found->influence;
     }
-    kept_.push_front({key, make_influence(problem, table_for(grid, observer), observer)});
+    cache_.push_front({key, make_influence(problem, table_for(grid, observer), observer)});
     std::size_t elements = 0, count = 0;
-    for (auto kept = kept_.begin(); kept != kept_.end();) {
-        elements += static_cast<std::size_t>(std::get<0>(kept->key)) * static_cast<std::size_t>(std::get<1>(kept->key));
-        const bool goes = ++count > 1 && (count > most_kept || elements > most_elements_kept);
-        kept = goes ? kept_.erase(kept) : std::next(kept);
+    for (auto entry = cache_.begin(); entry != cache_.end();) {
+        elements +=
+            static_cast<std::size_t>(std::get<0>(entry->key)) * static_cast<std::size_t>(std::get<1>(entry->key));
+        const bool goes = ++count > 1 && (count > most_cached || elements > most_cached_elements);
+        entry = goes ? cache_.erase(entry) : std::next(entry);
     }
-    return kept_.front().influence;
+    return cache_.front().influence;
 }
 
-IcTable InfluenceKeeper::table_for(const Grid& grid, const Observer& observer) {
+IcTable HalfSpaceCache::table_for(const Grid& grid, const Observer& observer) {
     const bool same_elements = grid.dx == dx_ && grid.dy == dy_;
     if (!same_elements || table_.nx < grid.nx || table_.ny < grid.ny) {
         const int nx = std::max(same_elements ? table_.nx : 0, grid.nx + spare);

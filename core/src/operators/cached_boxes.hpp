@@ -1,4 +1,4 @@
-// Operators on boxes of elements, of which the last few sizes are kept.
+// A cache of operators on boxes of elements, for the last few sizes.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,26 @@ namespace contactd {
 
 /// Safe to use from several threads at once.
 template <class Operator>
-class KeptBoxes {
+class CachedBoxes {
    public:
     template <class Make>
     std::shared_ptr<const Operator> get(const ElementBox& box, const Make& make) {
         const std::scoped_lock lock(mutex_);
-        for (const auto& kept : kept_)
-            if (kept.box == box) return kept.made;
-        if (kept_.size() == most_kept) kept_.pop_front();
-        kept_.push_back({box, make()});
-        return kept_.back().made;
+        for (const auto& entry : cache_)
+            if (entry.box == box) return entry.made;
+        if (cache_.size() == most_cached) cache_.pop_front();
+        cache_.push_back({box, make()});
+        return cache_.back().made;
     }
 
    private:
-    static constexpr std::size_t most_kept = 8;
-    struct Kept {
+    static constexpr std::size_t most_cached = 8;
+    struct Entry {
         ElementBox box;
         std::shared_ptr<const Operator> made;
     };
     std::mutex mutex_;
-    std::deque<Kept> kept_;  // the oldest first
+    std::deque<Entry> cache_;  // the oldest first
 };
 
 }  // namespace contactd

@@ -4,7 +4,7 @@
 
 #include "contact/contact_cases.hpp"
 #include "contactd/error.hpp"
-#include "wheel_rail/influence_keeper.hpp"
+#include "wheel_rail/half_space_cache.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;
@@ -24,23 +24,23 @@ ContactProblem problem_on(const Grid& grid) {
 }  // namespace
 
 TEST_CASE("Operators of grids that differ by their origin only are the same ones") {
-    InfluenceKeeper keeper(problem_on({}).bodies);
+    HalfSpaceCache cache(problem_on({}).bodies);
     const ContactProblem here = problem_on({12, 9, 0.2, 0.3, -1.2, -1.5}), there = problem_on({12, 9, 0.2, 0.3, 5, 7});
     const ContactProblem wider = problem_on({13, 9, 0.2, 0.3, -1.2, -1.5});
-    const ContactInfluence first = keeper.of(here);
-    CHECK(keeper.of(there).here == first.here);
-    CHECK(keeper.of(wider).here != first.here);
-    CHECK(keeper.of(here).here == first.here);
+    const ContactInfluence first = cache.of(here);
+    CHECK(cache.of(there).current == first.current);
+    CHECK(cache.of(wider).current != first.current);
+    CHECK(cache.of(here).current == first.current);
 }
 
 TEST_CASE("Operators that are kept are those that are made alone") {
-    InfluenceKeeper keeper(problem_on({}).bodies);
-    keeper.of(problem_on(Grid::centred(30, 20, 0.2, 0.3)));  // its table is larger
+    HalfSpaceCache cache(problem_on({}).bodies);
+    cache.of(problem_on(Grid::centred(30, 20, 0.2, 0.3)));  // its table is larger
     const ContactProblem problem = problem_on(Grid::centred(8, 7, 0.2, 0.3));
     const Values pressure = random_values(problem.grid.size(), 3, 0, 1);
     Values kept(pressure.size()), alone(pressure.size());
-    keeper.of(problem).here->normal(pressure, kept);
-    make_influence(problem, pair_table(problem)).here->normal(pressure, alone);
+    cache.of(problem).current->normal(pressure, kept);
+    make_influence(problem, pair_table(problem)).current->normal(pressure, alone);
     for (std::size_t i = 0; i < kept.size(); ++i) CHECK_THAT(kept[i], WithinRel(alone[i], 1e-10));
 }
 

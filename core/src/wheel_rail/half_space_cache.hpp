@@ -1,4 +1,4 @@
-// Operators of half-spaces for the grids of a wheel on its rail, which differ from step to step by a few elements.
+// A cache of the operators of half-spaces for a wheel on its rail, whose grids change by a few elements a step.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@
 
 namespace contactd {
 
-/// Keeps those that were used last, and one table that all are parts of. Only the sizes of a grid matter, not where it
-/// lies. Thread-safe.
-class InfluenceKeeper {
+/// It has the operators that were used last, and one table that all are parts of. Only the sizes of a grid matter, not
+/// where it lies. Thread-safe.
+class HalfSpaceCache {
    public:
     /// Throws InvalidArgument ("bodies") unless all bodies are half-spaces in closed form, or rigid.
-    explicit InfluenceKeeper(Bodies bodies);
+    explicit HalfSpaceCache(Bodies bodies);
 
-    /// Of columns that are not flat nothing is kept: they are others at the next position. Throws InvalidArgument
+    /// Columns that are not flat are not cached: they are others at the next position. Throws InvalidArgument
     /// ("conformal") for columns of sections, and Cancelled.
     ContactInfluence of(const ContactProblem& problem, const PatchColumns& columns = {}, const Observer& observer = {});
 
    private:
     using Key = std::tuple<int, int, double, double, double, double>;  // numbers and sizes of elements, the step
-    struct Kept {
+    struct Entry {
         Key key;
         ContactInfluence influence;
     };
     IcTable table_for(const Grid& grid, const Observer& observer);
 
     const Bodies bodies_;
-    std::mutex mutex_;      // guards what follows
-    std::list<Kept> kept_;  // used last first
+    std::mutex mutex_;        // guards what follows
+    std::list<Entry> cache_;  // used last first
     IcTable table_{1, 1};
     double dx_ = 0, dy_ = 0;  // of the table
 };
