@@ -102,10 +102,10 @@ void engine_step(benchmark::State& state) {
     int step = 0;
     for (auto _ : state) {
         input.motion = rolling(++step);
-        const auto statement = [&](const std::optional<Motion>& last, ContactProblem& stated) {
-            engine::lay_over(input, last, stated);
+        const auto overlay = [&](const std::optional<Motion>& last, ContactProblem& stated) {
+            engine::overlay(input, last, stated);
         };
-        ContactSolution solution = engine.solve(*steps, here, statement, observer);
+        ContactSolution solution = engine.solve(*steps, here, overlay, observer);
         benchmark::DoNotOptimize(solution.forces);
         here = engine::ContactSteps::after(here, std::move(solution));
     }

@@ -82,7 +82,7 @@ void full(benchmark::State& state) {
     std::vector<ContactProblem> problems;
     std::vector<ContactInfluence> influences;
     double elements = 0;
-    for (geometry::PlaceWithGap& found : position.places(wheel.position.z)) {
+    for (geometry::CandidatePatch& found : position.candidates(wheel.position.z)) {
         position.measure(found, wheel.position.z);
         problems.push_back(problem_of(setup, found, position.rail(), &*setup.friction));
         influences.push_back(cache.of(problems.back()));

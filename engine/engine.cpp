@@ -181,9 +181,9 @@ std::unique_ptr<ContactSteps> Engine::open(SessionSpec spec, const IcAnswers& ic
     return std::make_unique<ContactSteps>(std::move(spec), ics, std::move(cached));
 }
 
-ContactSolution Engine::solve(ContactSteps& steps, const StepState& before, const ContactSteps::Statement& statement,
+ContactSolution Engine::solve(ContactSteps& steps, const StepState& before, const ContactSteps::Overlay& overlay,
                               Observer& observer) {
-    ContactSolution solution = steps.solve(before, statement, influences_, observer);
+    ContactSolution solution = steps.solve(before, overlay, influences_, observer);
     count(solution);
     return solution;
 }

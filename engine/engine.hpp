@@ -46,7 +46,7 @@ class Engine {
     /// The steps of a simulation. Throws as solve.
     std::unique_ptr<ContactSteps> open(SessionSpec spec, Observer& observer);
     /// One of them; see ContactSteps::solve.
-    ContactSolution solve(ContactSteps& steps, const StepState& before, const ContactSteps::Statement& statement,
+    ContactSolution solve(ContactSteps& steps, const StepState& before, const ContactSteps::Overlay& overlay,
                           Observer& observer);
 
     /// A wheel on its rail. Bodies are half-spaces in closed form; profiles and operators are kept for the next step

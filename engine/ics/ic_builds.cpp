@@ -71,8 +71,8 @@ IcBuilds::IcBuilds(Settings settings, ResilientStore& resilient_store, EngineCou
       quarantine_(settings_.quarantine),
       builders_(settings_.concurrent) {}
 
-void IcBuilds::queue(Turn turn, TableBuild build) {
-    builders_.post(std::move(turn), [this, build = std::move(build)] { run(build); });
+void IcBuilds::queue(QueueTicket ticket, TableBuild build) {
+    builders_.post(std::move(ticket), [this, build = std::move(build)] { run(build); });
 }
 
 void IcBuilds::run(const TableBuild& build) {
@@ -82,7 +82,7 @@ void IcBuilds::run(const TableBuild& build) {
     try {
         job.set_running();
         TableLock lock(resilient_store_.store().lock_of(build.key));
-        wait_for_turn(build, lock);
+        wait_for_lock(build, lock);
         // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
         if (auto found = resilient_store_.find(build.spec)) {
             ++counters_.disk_hits;
@@ -119,7 +119,7 @@ void IcBuilds::run(const TableBuild& build) {
 
 /// Waits while somebody else builds a table with this key. Where locks do not work, and when the
 /// holder gives no sign of life any more, the build goes on without: at worst it is done twice.
-void IcBuilds::wait_for_turn(const TableBuild& build, TableLock& lock) {
+void IcBuilds::wait_for_lock(const TableBuild& build, TableLock& lock) {
     constexpr auto interval = std::chrono::milliseconds(100);
     const auto stall = settings_.command.stall;
     const auto patience = (stall.count() > 0 ? stall : default_patience) + lock_sign_delay;

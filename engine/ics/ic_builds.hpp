@@ -42,7 +42,7 @@ class IcBuilds {
     /// All three outlive this.
     IcBuilds(Settings settings, ResilientStore& resilient_store, EngineCounters& counters, const EngineLog& log);
 
-    void queue(Turn turn, TableBuild build);
+    void queue(QueueTicket ticket, TableBuild build);
     /// Waits for running builds, whose jobs were cancelled. Nothing begins afterwards.
     void stop() { builders_.stop(); }
 
@@ -52,7 +52,7 @@ class IcBuilds {
 
    private:
     void run(const TableBuild& build);
-    void wait_for_turn(const TableBuild& build, TableLock& lock);
+    void wait_for_lock(const TableBuild& build, TableLock& lock);
     ResilientStore::Record run_builder(const TableBuild& build, const TableLock& lock);
     void fail(const TableBuild& build, const proto::Status& status);
 

@@ -28,7 +28,7 @@ void fetch(const PairPtr& pair, std::size_t body, IcService& ics) {
                                              pair->caller.failed(status_of(error));
                                          }
                                      },
-                                     pair->caller.failed, pair->caller.progress, pair->caller.turn});
+                                     pair->caller.failed, pair->caller.progress, pair->caller.ticket});
 }
 
 }  // namespace

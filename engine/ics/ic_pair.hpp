@@ -20,7 +20,7 @@ struct IcPairCaller {
     std::function<void(const IcAnswers&)> done;
     std::function<void(const Status&)> failed;
     std::function<void(const Job&, const JobProgress&)> progress;
-    Turn turn{};
+    QueueTicket ticket{};
 };
 
 /// Asks for the tables of `specs` that there are, for the second only when it is another one.

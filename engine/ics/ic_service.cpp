@@ -84,7 +84,7 @@ TableOwner IcService::owner_of(const std::string& user) const {
 
 /// Whatever the daemon has built itself comes before what the caller has brought.
 bool IcService::answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller) {
-    const TableOwner owner = owner_of(caller.turn.user);
+    const TableOwner owner = owner_of(caller.ticket.user);
     if (owner.empty() || resilient_store_.may_have(spec, {})) return false;
     IcAnswer found{nullptr, key, "memory", owner};
     found.record = cache_.find(found.cache_key(), spec.nx, spec.ny);
@@ -147,7 +147,7 @@ bool IcService::turn_away(const RequestPtr& request) {
         const std::scoped_lock lock(mutex_);
         std::vector<IcCaller>& callers = request->callers;
         const auto first = std::stable_partition(callers.begin(), callers.end(), [this](const IcCaller& caller) {
-            return settings_.may_build(caller.turn.user);
+            return settings_.may_build(caller.ticket.user);
         });
         std::move(first, callers.end(), std::back_inserter(denied));
         callers.erase(first, callers.end());
@@ -173,9 +173,9 @@ bool IcService::queue_build(const RequestPtr& request) {
     });
     for (const IcCaller& caller : request->callers) caller.progress(*request->job, request->job->progress());
     // A build goes on for the cache when its callers have gone.
-    Turn turn = request->callers.empty() ? Turn{} : request->callers.front().turn;
-    turn.abandoned = nullptr;
-    builds_.queue(std::move(turn),
+    QueueTicket ticket = request->callers.empty() ? QueueTicket{} : request->callers.front().ticket;
+    ticket.abandoned = nullptr;
+    builds_.queue(std::move(ticket),
                   {request->spec, request->key, request->job,
                    [this, request](const JobProgress& progress) { report(request, progress); },
                    [this, request](IcCache::Record record, const char* origin_of_it) {
@@ -226,7 +226,7 @@ std::vector<std::string> IcService::users_of(const std::weak_ptr<RequestInFlight
     if (!known) return users;
     const std::scoped_lock lock(mutex_);
     for (const IcCaller& caller : known->callers)
-        if (!caller.has_gone()) users.push_back(caller.turn.user);
+        if (!caller.has_gone()) users.push_back(caller.ticket.user);
     return users;
 }
 

@@ -30,9 +30,9 @@ struct IcCaller {
     std::function<void(const IcAnswer&)> done;
     std::function<void(const proto::Status&)> failed;
     std::function<void(const Job&, const JobProgress&)> progress;
-    Turn turn{};  ///< of a build that the caller is the first to want; says whether the caller still waits
+    QueueTicket ticket{};  ///< of a build that the caller is the first to want; says whether the caller still waits
 
-    bool has_gone() const { return turn.abandoned && turn.abandoned(); }
+    bool has_gone() const { return ticket.abandoned && ticket.abandoned(); }
 };
 
 class IcService {

@@ -14,13 +14,13 @@ WorkerPool::~WorkerPool() {
     stop();
 }
 
-void WorkerPool::post(Turn turn, Task task) {
+void WorkerPool::post(QueueTicket ticket, Task task) {
     {
         const std::scoped_lock lock(mutex_);
         if (stopping_) return;
-        auto& users = levels_[static_cast<std::size_t>(turn.priority)].users;
-        auto& client = line_of(line_of(users, std::move(turn.user)).parts, std::move(turn.client));
-        client.parts.push_back({std::move(task), std::move(turn.abandoned), turn.is_large});
+        auto& users = levels_[static_cast<std::size_t>(ticket.priority)].users;
+        auto& client = line_of(line_of(users, std::move(ticket.user)).parts, std::move(ticket.client));
+        client.parts.push_back({std::move(task), std::move(ticket.abandoned), ticket.is_large});
         ++waiting_;
         const std::size_t wanted = static_cast<std::size_t>(running_ + waiting_);
         if (threads_.size() < std::min(wanted, most_)) threads_.emplace_back([this] { work(); });

@@ -17,7 +17,7 @@
 namespace contactd::engine {
 
 /// In whose name and how urgently a task waits.
-struct Turn {
+struct QueueTicket {
     std::string client;
     proto::Priority priority = proto::Priority::normal;
     std::function<bool()> abandoned{};  ///< nobody waits for the task any more; asked under the pool's lock
@@ -40,7 +40,7 @@ class WorkerPool {
     /// Tasks that have not begun are dropped; running ones are waited for.
     ~WorkerPool();
 
-    void post(Turn turn, Task task);
+    void post(QueueTicket ticket, Task task);
     /// Drops the waiting tasks that were abandoned, and what they hold.
     void drop_abandoned();
     void stop();  ///< what the destructor does; may be called before it

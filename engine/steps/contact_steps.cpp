@@ -25,7 +25,7 @@ ContactSteps::ContactSteps(SessionSpec spec, IcAnswers ics, CachedInfluence infl
       influence_(std::move(influence)),
       rolling_step_(step_of(opened)) {}
 
-ContactSolution ContactSteps::solve(const StepState& before, const Statement& statement, InfluenceCache& cache,
+ContactSolution ContactSteps::solve(const StepState& before, const Overlay& overlay, InfluenceCache& cache,
                                     Observer& observer) {
     problem_.friction = opened.friction;
     problem_.gap = opened.gap;
@@ -34,7 +34,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Statement& st
     problem_.motion = opened.motion;
     problem_.rigid_slip = opened.rigid_slip;
     problem_.derivatives = opened.derivatives;
-    statement(before.motion, problem_);
+    overlay(before.motion, problem_);
     // The simplified models know no history and need no estimate.
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;
     fit_influence(cache, observer);

@@ -34,13 +34,12 @@ class ContactSteps {
 
     StepState start() const { return {0, opened.previous, {}}; }
 
-    /// Lays what a step says over the problem, which is as opened. `last` is the motion of the step before: the
-    /// creepage it found for a prescribed force is the estimate now, unless the step names another.
-    using Statement = std::function<void(const std::optional<Motion>& last, ContactProblem& problem)>;
+    /// Overrides fields of the problem, which is as opened, by those of a step. `last` is the motion of the step
+    /// before: the creepage it found for a prescribed force is the estimate now, unless the step names another.
+    using Overlay = std::function<void(const std::optional<Motion>& last, ContactProblem& problem)>;
     /// The step after `before`. Operators for another rolling step than before come from `cache`. Throws as
-    /// solve_contact, what the statement throws, and StatusError (NOT_CONVERGED) unless such steps count.
-    ContactSolution solve(const StepState& before, const Statement& statement, InfluenceCache& cache,
-                          Observer& observer);
+    /// solve_contact, what `overlay` throws, and StatusError (NOT_CONVERGED) unless such steps count.
+    ContactSolution solve(const StepState& before, const Overlay& overlay, InfluenceCache& cache, Observer& observer);
     /// Where that leads; takes the tractions of the solution.
     static StepState after(const StepState& before, ContactSolution&& solution);
 
@@ -55,8 +54,8 @@ class ContactSteps {
     std::array<double, 2> rolling_step_;  // that influence_ is for
 };
 
-/// The statement of a step in typed words, as `session.step` has it on the wire. Throws InvalidArgument naming the
-/// field when gap, load or friction are missing.
-void lay_over(const StepInput& input, const std::optional<Motion>& last, ContactProblem& problem);
+/// Overrides a problem by the typed fields of a step, those of `session.step` on the wire. Throws InvalidArgument
+/// naming the field when gap, load or friction are missing.
+void overlay(const StepInput& input, const std::optional<Motion>& last, ContactProblem& problem);
 
 }  // namespace contactd::engine

@@ -14,7 +14,7 @@ std::size_t bytes_of(const Message& message) {
     return bytes;
 }
 
-Turn turn_of(const Route& route) {
+QueueTicket turn_of(const Route& route) {
     return {.client = route.identity, .user = route.user};
 }
 
@@ -35,7 +35,7 @@ void Intake::take(Message message) {
     if (is_small || stopped_) return read(std::move(message), received, {});
     try {
         OpenCalls::Admission admission = open_calls_.admit(message.route, bytes_of(message));
-        Turn turn = turn_of(message.route);
+        QueueTicket turn = turn_of(message.route);
         reader_.post(std::move(turn),
                      [this, received, message = std::move(message), admission = std::move(admission)]() mutable {
                          read(std::move(message), received, std::move(admission));

@@ -80,10 +80,10 @@ class LocalContact final : public OpenContact {
         const StepStatePtr from = start_of(input);
         asked_ = from->step + 1;
         ContactSolution solution = observed(control, timeout_, [&](LocalObserver& observer) {
-            const auto statement = [&](const std::optional<Motion>& last, ContactProblem& problem) {
-                engine::lay_over(input, last, problem);
+            const auto overlay = [&](const std::optional<Motion>& last, ContactProblem& problem) {
+                engine::overlay(input, last, problem);
             };
-            return engine_->solve(*steps_, *from, statement, observer);
+            return engine_->solve(*steps_, *from, overlay, observer);
         });
         StepReply reply{asked_, solution};
         here_ = {std::make_shared<const StepState>(ContactSteps::after(*from, std::move(solution))), from};

@@ -29,7 +29,7 @@ std::vector<double> seen_from(double origin, std::vector<double> points) {
 
 double half_space(const IcSpec& spec, Axis i, double x, double y) {
     return spec.load_shape == LoadShape::bilinear
-               ? half_space_tent_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material)
+               ? half_space_bilinear_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material)
                : half_space_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material);
 }
 
@@ -67,10 +67,10 @@ double modelling_error(const IcSpec& spec, const ProgressPart& progress) {
     double result = 0, done = 0;
     for (const Axis load : loads) {
         const auto solve = [&](const LoadPlace& place, const ProgressPart& part) {
-            auto solution = correction.solve(load, place, [&](double fraction, int iteration, double residual,
-                                                              double seconds) {
-                part.report("modelling_error", fraction, iteration, residual, seconds);
-            });
+            auto solution =
+                correction.solve(load, place, [&](double fraction, int iteration, double residual, double seconds) {
+                    part.report("modelling_error", fraction, iteration, residual, seconds);
+                });
             require_converged(solution.result(), load, plain.fem);
             return solution;
         };

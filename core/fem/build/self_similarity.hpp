@@ -1,7 +1,8 @@
-// Coefficients of the bilinear load next to the load from those farther away, on a half-space. A tent is the sum of
-// nine tents of half its size, and of half the size the half-space is its own image: in offsets of elements
+// Coefficients of the bilinear load next to the load from those farther away, on a half-space. A hat function is the
+// sum of nine hat functions of half its size, and of half the size the half-space is its own image: in offsets of
+// elements
 //     A(k, l) = 1/2 sum_ij c_i c_j A(2k - i, 2l - j),  i, j = -1, 0, 1,  c = (1/2, 1, 1/2).
-// At the tent's apex and folds finite elements converge slowly; a few elements away they do not know of them.
+// At the hat function's apex and folds finite elements converge slowly; a few elements away they do not know of them.
 #pragma once
 
 #include "contactd/ic_table.hpp"

@@ -16,7 +16,7 @@ enum class BoundaryPart {
     front = 1,   ///< x = 0
     right = 2,   ///< y = 0
     free = 3,    ///< z = 0 outside the load
-    loaded = 4,  ///< z = 0, the quarter of the loaded element (of the tent: of its support)
+    loaded = 4,  ///< z = 0, the quarter of the loaded element (of the hat function: of its support)
     far = 5      ///< x = -L, y = -L or z = -L
 };
 

@@ -122,7 +122,7 @@ LoadCase ElasticityProblem::load_case(Axis load) {
     mfem::Array<int> loaded = marker(BoundaryPart::loaded);
     mfem::ParLinearForm form(space_.get());
     auto* integrator = new mfem::VectorBoundaryLFIntegrator(traction);  // the form deletes it
-    const int degree = 2 * spec_.fem.order + 2;                         // bilinear map and tent times shape function
+    const int degree = 2 * spec_.fem.order + 2;  // bilinear map and hat function times shape function
     const mfem::IntegrationRule& rule = mfem::IntRules.Get(mfem::Geometry::SQUARE, degree);
     integrator->SetIntRule(&rule);
     form.AddBoundaryIntegrator(integrator, loaded);

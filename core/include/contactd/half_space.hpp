@@ -16,7 +16,8 @@ double half_space_coefficient(Axis i, Axis j, double x, double y, double dx, dou
 
 /// The same for the tent of bilinear tractions, (1 - |x|/dx)(1 - |y|/dy) on |x| <= dx, |y| <= dy (paper, Remark 1): the
 /// coefficient of the constant load averaged over an element. Relative accuracy 1e-12 of the largest component there.
-double half_space_tent_coefficient(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material);
+double half_space_bilinear_coefficient(Axis i, Axis j, double x, double y, double dx, double dy,
+                                       const Material& material);
 
 /// Displacement (x, y, z; mm) at the point (x, y, z), z <= 0, of the half-space under the load of `spec` along `load`
 /// at the origin, by Boussinesq's and Cerruti's point loads (Johnson, section 3.2 and 3.6) at Gauss points of the load.

@@ -40,7 +40,7 @@ class WheelRailContact {
     WheelRailGeometry locate(const WheelRailState& state, const Observer& observer = {}) const;
 
     /// position.z at which wheel and rail begin to touch (mm); nothing where they are not above each other.
-    std::optional<double> touch(const WheelRailState& state, const Observer& observer = {}) const;
+    std::optional<double> first_contact_height(const WheelRailState& state, const Observer& observer = {}) const;
 
     /// The same wheel on the same rail with another friction; shares what is kept. Throws InvalidArgument
     /// ("friction.mu", ...).

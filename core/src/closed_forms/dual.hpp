@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "quad.hpp"
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 

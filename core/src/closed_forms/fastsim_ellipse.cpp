@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 namespace {
@@ -37,12 +37,12 @@ CONTACTD_INLINE void follow_each(const FastsimLaw<Number>& law, std::span<const 
 
 }  // namespace
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 static void follow(const FastsimLaw<Quad>& law, std::span<const double> positions, std::span<FourSlices<Quad>> groups) {
     follow_each(law, positions, groups);
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 static void follow(const FastsimLaw<DualOf<Quad>>& law, std::span<const double> positions,
                    std::span<FourSlices<DualOf<Quad>>> groups) {
     follow_each(law, positions, groups);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "quad.hpp"
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 namespace {
@@ -57,7 +57,7 @@ CONTACTD_INLINE TractionAt<Quad> chosen(const Quad::Mask& first, const TractionA
 
 }  // namespace
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 static void march(const FastsimLaw<Quad>& law, FourLines& four, std::span<Sample> samples) {
     const Quad none = 0, one = 1;
     FastsimPoint<Quad> point = four.point;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 

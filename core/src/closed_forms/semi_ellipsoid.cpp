@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 static void fill(double first, double step, double rest, std::span<double> heights) {
     double* const out = heights.data();
     const int count = static_cast<int>(heights.size());

@@ -15,8 +15,9 @@ struct PatchSize {
 
 /// Compliance of both bodies to pressures in a contact of this size as elements of the grid give it, over that of the
 /// bodies themselves; 1 where elements are fine. Nothing where neither body has layers. The pressures are a wave with
-/// the curvature that (1 - (r/a)^2)^2 has at its middle; uniform elements, or tents, add waves that are shorter than an
-/// element. What half-spaces and foundations of springs err by, too, is left out, since it is an error of any grid.
+/// the curvature that (1 - (r/a)^2)^2 has at its middle; uniform elements, or hat functions, add waves that are shorter
+/// than an element. What half-spaces and foundations of springs err by, too, is left out, since it is an error of any
+/// grid.
 std::optional<double> compliance_ratio(const ContactSetup& setup, const PatchSize& contact);
 
 /// What such a ratio does to the normal force for an approach, relative, and to the largest pressure.

@@ -170,11 +170,12 @@ std::vector<RegionGroup> Position::groups(double z, bool blends) const {
     return group_regions(search_->regions(z), setup_.patches, blends, rail_);
 }
 
-std::vector<PlaceWithGap> Position::places(double z) const {
+std::vector<CandidatePatch> Position::candidates(double z) const {
     const WheelSurface wheel = wheel_.lowered(z);
-    std::vector<PlaceWithGap> places;
-    for (const RegionGroup& group : groups(z, setup_.model == Model::full)) places.push_back(place_of(group, wheel, z));
-    return places;
+    std::vector<CandidatePatch> candidates;
+    for (const RegionGroup& group : groups(z, setup_.model == Model::full))
+        candidates.push_back(candidate_of(group, wheel, z));
+    return candidates;
 }
 
 double Position::expected_force(double z, double compliance) const {
@@ -186,8 +187,8 @@ double Position::expected_force(double z, double compliance) const {
     return force;
 }
 
-PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const {
-    PlaceWithGap found;
+CandidatePatch Position::candidate_of(const RegionGroup& group, const WheelSurface& wheel, double z) const {
+    CandidatePatch found;
     ContactPlace& place = found.place;
     place.reference = group.reference;
     place.regions = group.regions;
@@ -205,13 +206,13 @@ PlaceWithGap Position::place_of(const RegionGroup& group, const WheelSurface& wh
         cover(place.grid, ellipse.along, ellipse.across);
     }
     place.creepages = creepages(wheel, rail_, state_, place.reference, place.approach);
-    found.doubts = search_->doubts(z, group);
-    if (setup_.conformal != Conformal::off && bend(found, wheel, 0, 0)) found.doubts.bend = 0;
+    found.quality = search_->quality_flags(z, group);
+    if (setup_.conformal != Conformal::off && bend(found, wheel, 0, 0)) found.quality.bend = 0;
     return found;
 }
 
 /// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.
-bool Position::bend(PlaceWithGap& found, const WheelSurface& wheel, int more_below, int more_above) const {
+bool Position::bend(CandidatePatch& found, const WheelSurface& wheel, int more_below, int more_above) const {
     ContactPlace& place = found.place;
     Extent y = place.regions.front().y;
     for (const OverlapRegion& region : place.regions)
@@ -226,7 +227,7 @@ bool Position::bend(PlaceWithGap& found, const WheelSurface& wheel, int more_bel
     return true;
 }
 
-bool Position::measure(PlaceWithGap& found, double z) const {
+bool Position::measure(CandidatePatch& found, double z) const {
     if (setup_.model != Model::full) return std::isfinite(found.place.approach);
     constexpr int most_rounds = 50;
     const WheelSurface wheel = wheel_.lowered(z);

@@ -32,14 +32,14 @@ Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer = {
 /// For who never ends a search.
 inline const Observer no_observer{};
 
-struct PlaceWithGap {
+struct CandidatePatch {
     ContactPlace place;
     std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
     std::vector<RowSlip> row_slips;            ///< of rigid slip by surfaces only
     RigidSlip slip_beside;                     ///< of curved contacts: beside the creepages, of each element
-    OverlapDoubts doubts{};
+    QualityFlags quality{};
 };
 
 /// position.z of the state is that of no function here, but an argument.
@@ -55,19 +55,19 @@ class Position {
     double clearance(double z) const { return search_->least_gap() - z; }
     /// From the right to the left, still without gaps: approaches are those of the search, vertical penetrations seen
     /// along the normal.
-    std::vector<PlaceWithGap> places(double z) const;
+    std::vector<CandidatePatch> candidates(double z) const;
     /// Takes gap and approach at the elements, and what follows from them; of simplified models nothing is left to do.
     /// False where no element has wheel and rail along its normal: that is no place of contact.
-    bool measure(PlaceWithGap& found, double z) const;
+    bool measure(CandidatePatch& found, double z) const;
     /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
     double expected_force(double z, double compliance) const;
     const RailSurface& rail() const { return rail_; }
     WheelSurface wheel(double z) const { return wheel_.lowered(z); }
 
    private:
-    PlaceWithGap place_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
+    CandidatePatch candidate_of(const RegionGroup& group, const WheelSurface& wheel, double z) const;
     std::vector<RegionGroup> groups(double z, bool blends) const;
-    bool bend(PlaceWithGap& found, const WheelSurface& wheel, int more_below, int more_above) const;
+    bool bend(CandidatePatch& found, const WheelSurface& wheel, int more_below, int more_above) const;
 
     const WheelRailSetup& setup_;
     const WheelRailState& state_;

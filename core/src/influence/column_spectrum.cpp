@@ -51,9 +51,9 @@ Block half_space(const KernelIntegrals& k, double nu, bool transform) {
 }
 
 /// The load turned from column J, and the displacement to column I, by half the angle each.
-class Turn {
+class HalfAngleRotation {
    public:
-    explicit Turn(double angle) {
+    explicit HalfAngleRotation(double angle) {
         const double c = std::cos(angle / 2), s = std::sin(angle / 2);
         half_ << 1, 0, 0, 0, c, -s, 0, s, c;
     }
@@ -133,9 +133,9 @@ class TableMaker {
         for (int l = 0; l < columns_; ++l) {
             const Block flat_before = reference(last - 1, l), flat = reference(last, l);
             for (int J = 0; J + l < columns_; ++J) {
-                const Turn turn(angle(J + l, J));
-                const Eigen::Array33d before = difference(last - 1, J + l, J, turn(flat_before)).array().abs(),
-                                      size = difference(last, J + l, J, turn(flat)).array().abs(),
+                const HalfAngleRotation rotation(angle(J + l, J));
+                const Eigen::Array33d before = difference(last - 1, J + l, J, rotation(flat_before)).array().abs(),
+                                      size = difference(last, J + l, J, rotation(flat)).array().abs(),
                                       power = (before / size.max(1e-300)).log() / step;
                 largest = std::max(largest, (size * (power - 2).abs().max(least_doubt).min(most_doubt)).maxCoeff());
             }
@@ -206,9 +206,9 @@ class TableMaker {
         std::vector<Block> references;
         for (std::size_t node = 0; node < spectrum_.nodes.size(); ++node) references.push_back(reference(node, l));
         for (int J = 0; J + l < columns_; ++J) {
-            const Turn turn(angle(J + l, J));
+            const HalfAngleRotation rotation(angle(J + l, J));
             for (std::size_t node = 0; node < references.size(); ++node) {
-                const Block block = difference(node, J + l, J, turn(references[node]));
+                const Block block = difference(node, J + l, J, rotation(references[node]));
                 put_waves(even, J, node, block, even_components);
                 put_waves(odd, J, node, block, odd_components);
             }
@@ -223,11 +223,11 @@ class TableMaker {
         const auto nodes = static_cast<Eigen::Index>(spectrum_.nodes.size());
         RowMajor result(static_cast<Eigen::Index>(count) * (columns_ - l), functions.rows());
         for (int J = 0; J + l < columns_; ++J) {
-            const Turn turn(angle(J + l, J));
+            const HalfAngleRotation rotation(angle(J + l, J));
             for (std::size_t c = 0; c < count; ++c)
                 for (Eigen::Index flat = 0; nodes + flat < functions.rows(); ++flat)
                     result(row_of<count>(J, c), nodes + flat) =
-                        turn.share(components[c], components[static_cast<std::size_t>(flat)]);
+                        rotation.share(components[c], components[static_cast<std::size_t>(flat)]);
         }
         return result;
     }

@@ -1,5 +1,5 @@
 // Gauss's rules on [-1, 1] whose weights sum to one: for the mean over an interval, and for the mean weighted with a
-// tent, 1 - |t|. A rule of n points is exact for polynomials of degree 2n - 1.
+// hat function, 1 - |t|. A rule of n points is exact for polynomials of degree 2n - 1.
 #pragma once
 
 #include <array>

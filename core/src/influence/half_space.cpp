@@ -12,10 +12,10 @@ namespace contactd {
 namespace {
 
 KernelIntegrals integrals_at(const IcSpec& spec, double x, double y) {
-    const bool tent = spec.load_shape == LoadShape::bilinear;
+    const bool is_bilinear = spec.load_shape == LoadShape::bilinear;
     if (spec.line_contact)
-        return (tent ? tent_line_integrals : constant_line_integrals)(x, spec.dx, spec.line_contact->datum);
-    return (tent ? tent_load_integrals : constant_load_integrals)(x, y, spec.dx, spec.dy);
+        return (is_bilinear ? bilinear_line_integrals : constant_line_integrals)(x, spec.dx, spec.line_contact->datum);
+    return (is_bilinear ? bilinear_load_integrals : constant_load_integrals)(x, y, spec.dx, spec.dy);
 }
 
 // Displacement along i for a load along j, times G.
@@ -71,8 +71,9 @@ double half_space_coefficient(Axis i, Axis j, double x, double y, double dx, dou
     return scaled_coefficient(i, j, constant_load_integrals(x, y, dx, dy), material.nu) / material.G;
 }
 
-double half_space_tent_coefficient(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material) {
-    return scaled_coefficient(i, j, tent_load_integrals(x, y, dx, dy), material.nu) / material.G;
+double half_space_bilinear_coefficient(Axis i, Axis j, double x, double y, double dx, double dy,
+                                       const Material& material) {
+    return scaled_coefficient(i, j, bilinear_load_integrals(x, y, dx, dy), material.nu) / material.G;
 }
 
 IcTable half_space_table(const IcSpec& spec, const Observer& observer) {

@@ -31,9 +31,10 @@ struct HalfSpaceModel {
         return (a * (k.xx + k.yy) + b * (i == Axis::x ? k.xx : k.yy)) / (2 * pi);
     }
     KernelIntegrals integrals(double x, double y, double dx, double dy) const {
-        const bool tent = load_shape == LoadShape::bilinear;
-        if (line_contact) return (tent ? tent_line_integrals : constant_line_integrals)(x, dx, line_contact->datum);
-        return (tent ? tent_load_integrals : constant_load_integrals)(x, y, dx, dy);
+        const bool is_bilinear = load_shape == LoadShape::bilinear;
+        if (line_contact)
+            return (is_bilinear ? bilinear_line_integrals : constant_line_integrals)(x, dx, line_contact->datum);
+        return (is_bilinear ? bilinear_load_integrals : constant_load_integrals)(x, y, dx, dy);
     }
 };
 

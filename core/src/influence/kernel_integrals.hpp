@@ -19,13 +19,13 @@ KernelIntegrals constant_load_integrals(double x, double y, double dx, double dy
 /// Antiderivatives in x and y; `x` and `y` of the result, which only coupling needs, are left out unless `coupled`.
 KernelIntegrals corner_antiderivatives(double x, double y, bool coupled);
 /// Bilinear load, (1 - |x|/dx)(1 - |y|/dy).
-KernelIntegrals tent_load_integrals(double x, double y, double dx, double dy);
+KernelIntegrals bilinear_load_integrals(double x, double y, double dx, double dy);
 
 /// Loads that reach from -infinity to infinity along y, at x; logarithms are those of lengths over `datum`. With yy =
 /// -2 ln, x = pi sign and zeros the coefficients of a half-space are those of plane and anti-plane strain (Johnson,
 /// chapter 2): (1-nu)/(pi G) ln(datum/|x|) for xx and zz, 1/(pi G) ln(datum/|x|) for yy.
 KernelIntegrals constant_line_integrals(double x, double dx, double datum);
-KernelIntegrals tent_line_integrals(double x, double dx, double datum);
+KernelIntegrals bilinear_line_integrals(double x, double dx, double datum);
 
 /// Mean over the product of two Gauss rules on (x +- half_x) x (y +- half_y).
 template <class RuleX, class RuleY>

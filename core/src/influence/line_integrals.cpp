@@ -46,7 +46,7 @@ KernelIntegrals constant_line_integrals(double x, double dx, double datum) {
     return from_means(log + std::log(dx / datum), sign_of(x) * std::min(2 * X, 1.0), dx);
 }
 
-KernelIntegrals tent_line_integrals(double x, double dx, double datum) {
+KernelIntegrals bilinear_line_integrals(double x, double dx, double datum) {
     const double X = std::abs(x) / dx;
     const auto antiderivative = [](double t) { return times_log(0.5 * t * t, t); };
     const double log = X > far ? std::log(X) + far_log(1 / X, [](int m) { return 2.0 / ((m + 1) * (m + 2)); })

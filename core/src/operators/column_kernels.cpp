@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 namespace {
@@ -96,34 +96,34 @@ template <class Number>
 
 }  // namespace
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_symmetric(std::size_t n, const std::size_t* begin, const double* matrix, const double* in_re,
                         const double* in_im, double* out_re, double* out_im) {
     symmetric(n, begin, matrix, in_re, in_im, out_re, out_im);
 }
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_symmetric(std::size_t n, const std::size_t* begin, const float* matrix, const double* in_re,
                         const double* in_im, double* out_re, double* out_im) {
     symmetric(n, begin, matrix, in_re, in_im, out_re, out_im);
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_rows(std::size_t rows, const EntryRange* kept, const double* matrix, const double* in_re,
                    const double* in_im, double* out_re, double* out_im) {
     by_rows(rows, kept, matrix, in_re, in_im, out_re, out_im);
 }
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_rows(std::size_t rows, const EntryRange* kept, const float* matrix, const double* in_re,
                    const double* in_im, double* out_re, double* out_im) {
     by_rows(rows, kept, matrix, in_re, in_im, out_re, out_im);
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_columns(std::size_t rows, std::size_t columns, const EntryRange* kept, const double* matrix,
                       const double* in_re, const double* in_im, double* out_re, double* out_im) {
     by_columns(rows, columns, kept, matrix, in_re, in_im, out_re, out_im);
 }
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_columns(std::size_t rows, std::size_t columns, const EntryRange* kept, const float* matrix,
                       const double* in_re, const double* in_im, double* out_re, double* out_im) {
     by_columns(rows, columns, kept, matrix, in_re, in_im, out_re, out_im);

@@ -1,10 +1,10 @@
 #include "spectral_products.hpp"
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_pair(std::size_t n, double* __restrict x, double* __restrict y, const double* __restrict xx,
                    const double* __restrict xy, const double* __restrict yx, const double* __restrict yy) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -16,7 +16,7 @@ void multiply_pair(std::size_t n, double* __restrict x, double* __restrict y, co
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 static void multiply(std::size_t n, double* __restrict x, double* __restrict y, const double* __restrict xx_real,
                      const double* __restrict xx_imag, const double* __restrict xy_real,
                      const double* __restrict xy_imag, const double* __restrict yx_real,
@@ -36,7 +36,7 @@ void multiply_pair(std::size_t n, double* x, double* y, const ComplexFactor& xx,
     multiply(n, x, y, xx.real, xx.imag, xy.real, xy.imag, yx.real, yx.imag, yy.real, yy.imag);
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void interleave(std::size_t n, const double* __restrict x, const double* __restrict y, double* __restrict both) {
     for (std::size_t i = 0; i < n; ++i) {
         both[2 * i] = x[i];
@@ -44,7 +44,7 @@ void interleave(std::size_t n, const double* __restrict x, const double* __restr
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void deinterleave(std::size_t n, const double* __restrict both, double* __restrict x, double* __restrict y) {
     for (std::size_t i = 0; i < n; ++i) {
         x[i] = both[2 * i];
@@ -53,7 +53,7 @@ void deinterleave(std::size_t n, const double* __restrict both, double* __restri
 }
 
 // X(k) = (Z(k) + conj Z(n-k))/2, Y(k) = (Z(k) - conj Z(n-k))/(2i)
-CONTACTD_WIDE
+CONTACTD_SIMD
 void split_transforms(std::size_t n, const double* __restrict both, double* __restrict x, double* __restrict y) {
     x[0] = both[0];
     x[1] = 0;
@@ -69,7 +69,7 @@ void split_transforms(std::size_t n, const double* __restrict both, double* __re
 }
 
 // Z(k) = X(k) + i Y(k), Z(n-k) = conj X(k) + i conj Y(k); X and Y are real at 0 and at n/2 but for rounding.
-CONTACTD_WIDE
+CONTACTD_SIMD
 void join_transforms(std::size_t n, const double* __restrict x, const double* __restrict y, double* __restrict both) {
     both[0] = x[0];
     both[1] = y[0];

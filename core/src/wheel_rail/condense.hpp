@@ -1,4 +1,4 @@
-// Derivatives of forces on a rail that gives way to them.
+// Derivatives of forces on a massless flexible rail.
 #pragma once
 
 #include "contactd/wheel_rail_setup.hpp"
@@ -6,9 +6,9 @@
 
 namespace contactd {
 
-/// Turns derivatives of the forces on a rail that is held (in track coordinates, as their sum `forces`) into those on a
-/// rail on springs. A rail that goes aside with its wheel has the same forces, about another point: so what its shift
-/// does follows from what the wheel's position does, and the balance of the springs gives the shift.
-void let_give_way(WheelRailDerivatives& derivatives, const Wrench& forces, const RailSprings& springs);
+/// Converts derivatives of the forces on a fixed rail (in track coordinates, as their sum `forces`) to those on a
+/// flexible one. A rail that moves laterally with its wheel has the same forces, about another point: so the effect of
+/// its deflection follows from that of the wheel's position, and the balance of the springs gives the deflection.
+void condense_rail_deflection(WheelRailDerivatives& derivatives, const Wrench& forces, const RailSprings& springs);
 
 }  // namespace contactd

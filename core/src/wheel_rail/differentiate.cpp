@@ -13,7 +13,7 @@
 namespace contactd {
 namespace {
 
-using geometry::PlaceWithGap;
+using geometry::CandidatePatch;
 using geometry::Position;
 
 /// (a - b) over a length.
@@ -86,7 +86,7 @@ class Differences {
     }
 
     Wrench forces_of(const WheelRailState& state) const {
-        return wheel_.again(fine_, state).at(state.position.z, observer_).forces.track;
+        return wheel_.with(fine_, state).at(state.position.z, observer_).forces.track;
     }
 
     Wrench by(const PositionStep& step) const {
@@ -110,7 +110,7 @@ class Differences {
         if (fine_.friction->kinetic || fine_.rigid_slip != RigidSlipKind::plane || fine_.conformal != Conformal::off)
             return false;
         wheel_.set_velocity(state_.velocity);
-        for (PlaceWithGap& found : wheel_.position().places(solution_.z)) {
+        for (CandidatePatch& found : wheel_.position().candidates(solution_.z)) {
             if (!wheel_.position().measure(found, solution_.z)) continue;
             ContactProblem problem = wheel_.problem_of(found);
             if (!problem.friction) return true;

@@ -36,10 +36,14 @@ class Correction {
 class Search {
    public:
     explicit Search(const HeightTask& task)
-        : task_(task), low_(task.touch), high_(task.deepest), settled_(tight()), correction_(task.correction) {}
+        : task_(task),
+          low_(task.first_contact_height),
+          high_(task.deepest),
+          settled_(tight()),
+          correction_(task.correction) {}
 
     HeightFound run() {
-        HeightFound found{task_.touch, {0, std::numeric_limits<double>::infinity(), false, 0}};
+        HeightFound found{task_.first_contact_height, {0, std::numeric_limits<double>::infinity(), false, 0}};
         double z = next();
         for (int solve = 1; solve <= task_.settings.max_iterations; ++solve) {
             const double force = task_.force(z);
@@ -74,7 +78,7 @@ class Search {
 
     /// The force at z; a spring that is nearly unloaded counts as one that bears a little.
     double wanted(double z) const {
-        return std::max(task_.target - task_.spring * (z - task_.touch), 1e-9 * task_.target);
+        return std::max(task_.target - task_.spring * (z - task_.first_contact_height), 1e-9 * task_.target);
     }
     /// Of the corrected estimate over the force that is wanted. That of a spring may be next to nothing.
     double excess(double z, double estimate) const {
@@ -111,7 +115,8 @@ class Search {
     /// deeper costs the estimate more.
     End beyond(const End& low) {
         constexpr double generous = 1.1;
-        const double straight = low.excess > -1 ? -low.excess * (low.z - task_.touch) / (1 + low.excess) : first_step;
+        const double straight =
+            low.excess > -1 ? -low.excess * (low.z - task_.first_contact_height) / (1 + low.excess) : first_step;
         const double z = std::min(low.z + std::max(generous * straight, 0.1 * first_step), high_);
         return {z, excess(z)};
     }

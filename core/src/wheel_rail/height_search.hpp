@@ -10,8 +10,8 @@ namespace contactd {
 
 /// Forces rise with z. The estimate is cheap and close to the shape of the force: what is left is nearly constant.
 struct HeightTask {
-    std::function<double(double z)> estimate, force;  ///< (N), zero above `touch`
-    double touch = 0;                                 ///< z of first contact (mm)
+    std::function<double(double z)> estimate, force;  ///< (N), zero above `first_contact_height`
+    double first_contact_height = 0;                  ///< z of first contact (mm)
     double deepest = 0;                               ///< largest z that makes sense (mm)
     double target = 0;                                ///< (N), > 0
     SolverSettings settings;

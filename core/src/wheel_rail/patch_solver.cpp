@@ -182,7 +182,7 @@ void blend(ContactProblem& problem, const ContactPlace& place, const PatchRules&
 
 }  // namespace
 
-ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWithGap& found,
+ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
                           const geometry::RailSurface& rail, const WheelRailFriction* friction) {
     ContactProblem problem;
     problem.grid = found.place.grid;

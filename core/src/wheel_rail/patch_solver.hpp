@@ -9,7 +9,7 @@
 namespace contactd {
 
 /// What a place poses to the solvers, without friction where `friction` is null.
-ContactProblem problem_of(const WheelRailSetup& setup, const geometry::PlaceWithGap& found,
+ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
                           const geometry::RailSurface& rail, const WheelRailFriction* friction);
 
 /// Solves it, on the columns of its patch. Regions that feel a share of each other only are solved in outer iterations:

@@ -10,9 +10,9 @@
 #include "types/number_text.hpp"
 #include "wheel_rail/differentiate.hpp"
 #include "wheel_rail/estimates.hpp"
+#include "wheel_rail/flexible_rail.hpp"
 #include "wheel_rail/patch_solver.hpp"
 #include "wheel_rail/plausibility.hpp"
-#include "wheel_rail/rail_on_springs.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/rising_search.hpp"
 #include "wheel_rail/section_columns.hpp"
@@ -21,7 +21,7 @@
 namespace contactd {
 namespace {
 
-using geometry::PlaceWithGap;
+using geometry::CandidatePatch;
 
 constexpr double deepest_penetration = 5;  // mm: deeper than anything elastic
 constexpr const char* nothing_below =
@@ -70,11 +70,11 @@ void RightWheel::check_loads() const {
 
 WheelRailSolution RightWheel::solve(Observer& observer) {
     WheelRailSolution solution;
-    if (touch()) {
-        solution = state_.Fx ? pulling(*state_.Fx, observer) : at_height(observer);
+    if (first_contact_height()) {
+        solution = state_.Fx ? solve_for_Fx(*state_.Fx, observer) : at_height(observer);
         if (state_.derivatives) {
             if (solution.rail_shift)
-                differentiate_on_springs(*this, solution, observer);
+                differentiate_on_flexible_rail(*this, solution, observer);
             else
                 differentiate(*this, solution, observer);
         }
@@ -88,12 +88,12 @@ WheelRailSolution RightWheel::solve(Observer& observer) {
 
 WheelRailGeometry RightWheel::locate() {
     if (setup_.track.springs) {
-        const WheelRailSetup setup = held(setup_);
-        const WheelRailState state = expected_on_springs(*this);
-        return again(setup, state).locate();
+        const WheelRailSetup setup = with_fixed_rail(setup_);
+        const WheelRailState state = expected_on_flexible_rail(*this);
+        return with(setup, state).locate();
     }
     WheelRailGeometry geometry;
-    if (!touch()) {
+    if (!first_contact_height()) {
         geometry.z = state_.position.z;
         geometry.warnings.emplace_back(nothing_below);
         return geometry;
@@ -101,7 +101,7 @@ WheelRailGeometry RightWheel::locate() {
     geometry.z = expected_height();
     geometry.clearance = position_.clearance(geometry.z);
     check_depth(geometry.z);
-    for (const PlaceWithGap& found : position_.places(geometry.z)) {
+    for (const CandidatePatch& found : position_.candidates(geometry.z)) {
         geometry.places.push_back(found.place);
         warn(geometry, warnings_of(found, setup_.side, false));
         warn(geometry,
@@ -115,20 +115,20 @@ double RightWheel::expected_height() {
 }
 
 bool RightWheel::bends() {
-    if (!touch()) return false;
+    if (!first_contact_height()) return false;
     if (setup_.track.springs) {
-        const WheelRailSetup setup = held(setup_);
-        const WheelRailState state = expected_on_springs(*this);
-        return again(setup, state).bends();
+        const WheelRailSetup setup = with_fixed_rail(setup_);
+        const WheelRailState state = expected_on_flexible_rail(*this);
+        return with(setup, state).bends();
     }
     const double z = expected_height();
     check_depth(z);
-    const auto places = position_.places(z);
-    return std::any_of(places.begin(), places.end(),
-                       [](const PlaceWithGap& found) { return found.doubts.bend > most_bend; });
+    const auto candidates = position_.candidates(z);
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [](const CandidatePatch& found) { return found.quality.bend > most_bend; });
 }
 
-std::optional<double> RightWheel::touch() const {
+std::optional<double> RightWheel::first_contact_height() const {
     const double clearance = position_.clearance(0);
     return std::isfinite(clearance) ? std::optional(clearance) : std::nullopt;
 }
@@ -143,21 +143,21 @@ void RightWheel::check_depth(double z) const {
 }
 
 WheelRailSolution RightWheel::at_height(Observer& observer) {
-    if (setup_.track.springs) return on_springs(observer);
+    if (setup_.track.springs) return on_flexible_rail(observer);
     return state_.Fz ? under_force(*state_.Fz, observer) : at(state_.position.z, observer);
 }
 
 WheelRailSolution RightWheel::at(double z, Observer& observer) {
     check_depth(z);
-    return at(z, position_.places(z), observer);
+    return at(z, position_.candidates(z), observer);
 }
 
-WheelRailSolution RightWheel::at(double z, std::vector<PlaceWithGap> places, Observer& observer) {
+WheelRailSolution RightWheel::at(double z, std::vector<CandidatePatch> candidates, Observer& observer) {
     WheelRailSolution solution;
     solution.z = z;
     solution.pitch = state_.velocity.pitch;
     solution.clearance = position_.clearance(z);
-    for (PlaceWithGap& found : places) {
+    for (CandidatePatch& found : candidates) {
         observer.throw_if_cancelled();
         if (!position_.measure(found, z)) {
             solution.warnings.push_back(apart_along_normal(found.place.reference, setup_.side));
@@ -174,16 +174,16 @@ WheelRailSolution RightWheel::at(double z, std::vector<PlaceWithGap> places, Obs
     return solution;
 }
 
-ContactProblem RightWheel::problem_of(const PlaceWithGap& found) const {
+ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
     return contactd::problem_of(setup_, found, position_.rail(), setup_.friction ? &*setup_.friction : nullptr);
 }
 
-ContactSolution RightWheel::solve(ContactProblem problem, const PlaceWithGap& found, Observer& observer) const {
+ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found, Observer& observer) const {
     return solve_place(std::move(problem), found.place, columns_of(setup_, profiles_, found), setup_.patches,
                        influences_, observer);
 }
 
-WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observer) const {
+WheelRailPatch RightWheel::solve(CandidatePatch& found, double z, Observer& observer) const {
     WheelRailPatch patch;
     ContactProblem problem = problem_of(found);
     if (has_tractions_) problem.initial = estimate_for(found.place, estimates_->patches);
@@ -195,9 +195,9 @@ WheelRailPatch RightWheel::solve(PlaceWithGap& found, double z, Observer& observ
     return patch;
 }
 
-double RightWheel::simplified_force(double z, std::vector<PlaceWithGap> places, Observer& observer) const {
+double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
     double force = 0;
-    for (PlaceWithGap& found : places) {
+    for (CandidatePatch& found : candidates) {
         found.place.grid = Grid::centred(1, 1, setup_.dx, setup_.dy);
         force += solve(found, z, observer).forces.track.Fz;
     }
@@ -209,35 +209,35 @@ HeightTask RightWheel::height_task(double Fz) {
     HeightTask task;
     task.estimate = [this, compliance](double z) { return position_.expected_force(z, compliance); };
     task.force = task.estimate;
-    task.touch = *touch();
-    task.deepest = task.touch + deepest_penetration;
+    task.first_contact_height = *first_contact_height();
+    task.deepest = task.first_contact_height + deepest_penetration;
     task.target = Fz;
     task.settings = setup_.force;
     return task;
 }
 
-WheelRailSolution RightWheel::on_springs(Observer& observer) {
+WheelRailSolution RightWheel::on_flexible_rail(Observer& observer) {
     WheelRailEstimates own;
-    return solve_on_springs(*this, estimates_ ? *estimates_ : own, observer);
+    return solve_on_flexible_rail(*this, estimates_ ? *estimates_ : own, observer);
 }
 
 WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
     WheelRailSolution solution;
     HeightTask task = height_task(Fz);
-    const bool quick = setup_.model != Model::full;
-    std::vector<PlaceWithGap> places;  // at the last height
+    const bool simplified = setup_.model != Model::full;
+    std::vector<CandidatePatch> candidates;  // at the last height
     task.force = [&](double z) {
         check_depth(z);
-        places = position_.places(z);
-        if (quick) return simplified_force(z, places, observer);
-        solution = at(z, std::move(places), observer);
+        candidates = position_.candidates(z);
+        if (simplified) return simplified_force(z, candidates, observer);
+        solution = at(z, std::move(candidates), observer);
         return solution.forces.track.Fz;
     };
     if (estimates_) task.correction = estimates_->height;
     const HeightFound found = find_height(task);
     if (estimates_) estimates_->height = found.correction;
-    if (quick) solution = at(found.z, std::move(places), observer);
+    if (simplified) solution = at(found.z, std::move(candidates), observer);
     solution.force = found.evidence;
     if (!found.evidence.converged) solution.warnings.push_back(missed_force(Fz, found));
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
@@ -246,7 +246,7 @@ WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
 }
 
 // A pitch rate that grows pulls the rail forwards. Positions do not depend on it.
-WheelRailSolution RightWheel::pulling(double Fx, Observer& observer) {
+WheelRailSolution RightWheel::solve_for_Fx(double Fx, Observer& observer) {
     WheelRailSolution solution;
     // From pitch rate to pitch rate heights hardly differ. A first step of many does the same, to the last bit.
     WheelRailEstimates own;

@@ -20,15 +20,15 @@ class RightWheel {
     /// At this height, whatever the state says of height and force.
     WheelRailSolution at(double z, Observer& observer);
     WheelRailGeometry locate();
-    std::optional<double> touch() const;
+    std::optional<double> first_contact_height() const;
     /// Whether a contact bends away from its plane by more than most_bend, at position.z or where Hertz's theory
     /// expects Fz.
     bool bends();
 
     const WheelRailSetup& setup() const { return setup_; }
     const WheelRailState& state() const { return state_; }
-    /// The same wheel elsewhere, or with other tolerances; both arguments must live longer.
-    RightWheel again(const WheelRailSetup& setup, const WheelRailState& state) const {
+    /// Returns the same wheel elsewhere, or with other tolerances; both arguments must live longer.
+    RightWheel with(const WheelRailSetup& setup, const WheelRailState& state) const {
         return {setup, profiles_, influences_, state, observer_};
     }
     /// Where searches and solvers start, and those of one search from each other; after a solve, where those of the
@@ -44,22 +44,22 @@ class RightWheel {
     geometry::Position& position() { return position_; }
     /// Of a search for the height that brings a force.
     HeightTask height_task(double Fz);
-    ContactProblem problem_of(const geometry::PlaceWithGap& found) const;
-    ContactSolution solve(ContactProblem problem, const geometry::PlaceWithGap& found, Observer& observer) const;
+    ContactProblem problem_of(const geometry::CandidatePatch& found) const;
+    ContactSolution solve(ContactProblem problem, const geometry::CandidatePatch& found, Observer& observer) const;
 
    private:
     void check_depth(double z) const;
     /// Where Hertz's theory expects Fz, or position.z.
     double expected_height();
     WheelRailSolution at_height(Observer& observer);
-    WheelRailSolution at(double z, std::vector<geometry::PlaceWithGap> places, Observer& observer);
-    WheelRailPatch solve(geometry::PlaceWithGap& found, double z, Observer& observer) const;
+    WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
+    WheelRailPatch solve(geometry::CandidatePatch& found, double z, Observer& observer) const;
     /// Of a simplified model, whose forces do not depend on elements, and cost less than what it tells of them.
-    double simplified_force(double z, std::vector<geometry::PlaceWithGap> places, Observer& observer) const;
+    double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     void check_loads() const;
-    WheelRailSolution on_springs(Observer& observer);
+    WheelRailSolution on_flexible_rail(Observer& observer);
     WheelRailSolution under_force(double Fz, Observer& observer);
-    WheelRailSolution pulling(double Fx, Observer& observer);
+    WheelRailSolution solve_for_Fx(double Fx, Observer& observer);
 
     const WheelRailSetup& setup_;
     const geometry::Profiles& profiles_;

@@ -94,7 +94,7 @@ class ColumnCarrier {
 }  // namespace
 
 PatchColumns columns_of(const WheelRailSetup& setup, const geometry::Profiles& profiles,
-                        const geometry::PlaceWithGap& found) {
+                        const geometry::CandidatePatch& found) {
     PatchColumns columns;
     const bool rotated = setup.conformal == Conformal::rotated, fem = setup.conformal == Conformal::fem;
     if (found.place.rows.empty() || !(rotated || fem)) return columns;

@@ -11,6 +11,6 @@ namespace contactd {
 /// dy along a profile, and rows on the nearest ones: off by half an element at most. Throws InvalidArgument
 /// ("conformal") where a body has no columns below all rows.
 PatchColumns columns_of(const WheelRailSetup& setup, const geometry::Profiles& profiles,
-                        const geometry::PlaceWithGap& found);
+                        const geometry::CandidatePatch& found);
 
 }  // namespace contactd

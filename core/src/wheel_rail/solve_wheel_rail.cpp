@@ -105,8 +105,9 @@ WheelRailGeometry WheelRailContact::locate(const WheelRailState& state, const Ob
                   parts_->warnings, state);
 }
 
-std::optional<double> WheelRailContact::touch(const WheelRailState& state, const Observer& observer) const {
-    return parts_->of_right_wheel(state, observer, [](RightWheel&& wheel) { return wheel.touch(); });
+std::optional<double> WheelRailContact::first_contact_height(const WheelRailState& state,
+                                                             const Observer& observer) const {
+    return parts_->of_right_wheel(state, observer, [](RightWheel&& wheel) { return wheel.first_contact_height(); });
 }
 
 const WheelRailSetup& WheelRailContact::setup() const {

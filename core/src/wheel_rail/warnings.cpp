@@ -26,20 +26,20 @@ std::string apart_along_normal(const ContactReference& reference, Side side) {
            "the normal. Profiles that end there have nothing to touch; give more of them, or check position.z.";
 }
 
-std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction) {
+std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, Side side, bool has_friction) {
     std::vector<std::string> warnings;
     const std::string name = name_of(found.place.reference, side);
-    if (found.doubts.bend > most_bend)
+    if (found.quality.bend > most_bend)
         warnings.push_back(name + " bends too much for a planar one: the rail's surface turns by up to " +
-                           short_text(found.doubts.bend) +
+                           short_text(found.quality.bend) +
                            " rad from the plane of the contact. Conformal rotated follows it, and auto chooses it.");
-    if (found.doubts.at_end)
+    if (found.quality.at_end)
         warnings.push_back(name +
                            " reaches the end of a profile: what lies beyond is not known, and the contact is "
                            "that of bodies cut off there.");
-    if (found.doubts.curvature > largest_curvature)
+    if (found.quality.curvature > largest_curvature)
         warnings.push_back(name + " lies where the rail curves along the track by " +
-                           short_text(100 * found.doubts.curvature) +
+                           short_text(100 * found.quality.curvature) +
                            " % of what the wheel does, which the search along the locus leaves out: choose "
                            "patches.search mesh.");
     if (has_friction && !(found.place.creepages.velocity > 0))

@@ -12,7 +12,7 @@ namespace contactd {
 std::string apart_along_normal(const ContactReference& reference, Side side);
 
 /// Of a place of a right wheel, called by where it is on its own side.
-std::vector<std::string> warnings_of(const geometry::PlaceWithGap& found, Side side, bool has_friction);
+std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, Side side, bool has_friction);
 /// Of angles that look as if they were in degrees.
 std::vector<std::string> warnings_of(const WheelRailState& state);
 /// Those of its solution, under the same name.

@@ -18,7 +18,7 @@
 namespace contactd::server {
 
 using engine::Job;
-using engine::Turn;
+using engine::QueueTicket;
 using engine::WorkerPool;
 
 /// Where the answer goes.
@@ -109,7 +109,7 @@ class Call {
 using CallPtr = std::shared_ptr<Call>;
 
 /// The turn of work for `call` in a pool; work for a call that was answered is dropped.
-inline Turn turn_of(const CallPtr& call) {
+inline QueueTicket turn_of(const CallPtr& call) {
     return {call->client(), call->priority, [call] { return call->answered(); }, call->user(), call->is_large};
 }
 

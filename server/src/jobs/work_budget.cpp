@@ -78,7 +78,7 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
         WorkerPool& pool = *workers;
         lock.unlock();
         for (Waiting& next : ready) {
-            Turn turn = turn_of(next.call);
+            QueueTicket turn = turn_of(next.call);
             pool.post(std::move(turn), std::move(next.work));
         }
     }

@@ -102,7 +102,7 @@ void queue_steps(const CallPtr& call, const DaemonParts& parts) {
     const auto batch = BatchPtr(new Batch{call, parts, std::move(sessions)});
     for (std::size_t i = 0; i < batch->sessions.size(); ++i) {
         auto work = [batch, i] { take(batch, i); };
-        Turn turn = turn_of(call);
+        QueueTicket turn = turn_of(call);
         const SessionPtr& session = batch->sessions[i];
         turn.is_large = session && is_large(session->step_seconds);
         if (session)

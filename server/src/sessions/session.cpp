@@ -33,7 +33,7 @@ Session::Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<d
 
 // --- turns -----------------------------------------------------------------------------------------------------------
 
-void Session::take_turn(Turn turn, Work work, WorkerPool& workers) {
+void Session::take_turn(QueueTicket turn, Work work, WorkerPool& workers) {
     Waiting next{std::move(turn), std::move(work)};
     {
         const std::scoped_lock lock(mutex_);

@@ -39,7 +39,7 @@ class Session : public std::enable_shared_from_this<Session> {
     // Requests of one session run one after another, in the order in which they come here; sessions run side by side.
     using Work = WorkerPool::Task;
     /// Runs `work` on a worker, after what came before. Renews the lease.
-    void take_turn(Turn turn, Work work, WorkerPool& workers);
+    void take_turn(QueueTicket turn, Work work, WorkerPool& workers);
     /// Runs `work` here and now when nothing runs or waits in the session; false when something does.
     bool try_turn(const Work& work, WorkerPool& workers);
     /// Drops what waits for its turn and was abandoned.
@@ -76,7 +76,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
    private:
     struct Waiting {
-        Turn turn;
+        QueueTicket turn;
         Work work;
     };
     void post_turn(Waiting next, WorkerPool& workers);

@@ -96,7 +96,7 @@ TEST_CASE("elements under which nothing is left of a layer are refused", "[layer
         if (element < 50) return;  // the contact still feels the layer along x
         problem.grid.dx /= 4;
     }
-    SECTION("tents") {
+    SECTION("hat functions") {
         problem.bodies.lower = Body::of(film(0.5), LoadShape::bilinear);
     }
     SECTION("beneath half-spaces that hardly yield") {

@@ -115,10 +115,10 @@ TEST_CASE("random problems of layers meet all contact conditions", "[contact]") 
     }
 }
 
-TEST_CASE("layers of one material carry tents as the half-space does") {
-    Ics tents;
-    tents.load_shape = LoadShape::bilinear;
-    ContactProblem problem = ball(20, 3, {steel, tents}, {steel, tents});
+TEST_CASE("layers of one material carry hat functions as the half-space does") {
+    Ics bilinear;
+    bilinear.load_shape = LoadShape::bilinear;
+    ContactProblem problem = ball(20, 3, {steel, bilinear}, {steel, bilinear});
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = Rolling{.xi = 1e-3, .dq = GENERATE(0.15, 0.1)};
     const ContactSolution expected = solve_half_spaces(problem);

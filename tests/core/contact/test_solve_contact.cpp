@@ -364,9 +364,9 @@ TEST_CASE("what a simplified model does not know is refused by name", "[contact]
 
 TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]") {
     ContactProblem problem = cattaneo_problem(40);
-    Ics tents;
-    tents.load_shape = LoadShape::bilinear;
-    problem.bodies = Bodies::of(problem.bodies.materials(), tents);
+    Ics bilinear;
+    bilinear.load_shape = LoadShape::bilinear;
+    problem.bodies = Bodies::of(problem.bodies.materials(), bilinear);
     const IcTable pair = half_space_pair(problem.grid, problem.bodies.upper.material, LoadShape::bilinear);
     Observer observer;
 

@@ -59,7 +59,7 @@ std::vector<double> centres(int count, double step) {
 
 double half_space(const IcSpec& spec, Axis i, double x, double y) {
     return spec.load_shape == LoadShape::bilinear
-               ? half_space_tent_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material)
+               ? half_space_bilinear_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material)
                : half_space_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material);
 }
 

@@ -104,9 +104,9 @@ TEST_CASE("Gaps end on both surfaces, along the normal of the plane") {
     const Surfaces surfaces(setup, state);
     geometry::Position position(setup, surfaces.profiles(), state);
     const double z_ws = position.clearance(0) + 0.05;
-    auto places = position.places(z_ws);
-    REQUIRE_FALSE(places.empty());
-    for (geometry::PlaceWithGap& found : places) {
+    auto candidates = position.candidates(z_ws);
+    REQUIRE_FALSE(candidates.empty());
+    for (geometry::CandidatePatch& found : candidates) {
         position.measure(found, z_ws);
         const ContactPlace& place = found.place;
         const std::vector<double>& gap = found.gap;
@@ -147,14 +147,14 @@ TEST_CASE("Regions far apart are patches of their own, and close ones are one") 
     const geometry::Profiles profiles = geometry::make_profiles(setup);
     geometry::Position position(setup, profiles, state);
     const double depth = 0.025, half = std::sqrt(160 * depth);
-    const auto places = position.places(position.clearance(0) + depth);
+    const auto candidates = position.candidates(position.clearance(0) + depth);
     const double between = apart - 2 * half;
     if (between > 8) {
-        REQUIRE(places.size() == 2);
-        CHECK(places[0].place.reference.y > places[1].place.reference.y);
+        REQUIRE(candidates.size() == 2);
+        CHECK(candidates[0].place.reference.y > candidates[1].place.reference.y);
     } else {
-        REQUIRE(places.size() == 1);
-        CHECK(places[0].place.regions.size() == (between > 4 ? 2u : 1u));
-        if (between > 4) CHECK_THAT(places[0].place.shares[1], WithinAbs(std::pow((8 - between) / 4, 0.8), 0.02));
+        REQUIRE(candidates.size() == 1);
+        CHECK(candidates[0].place.regions.size() == (between > 4 ? 2u : 1u));
+        if (between > 4) CHECK_THAT(candidates[0].place.shares[1], WithinAbs(std::pow((8 - between) / 4, 0.8), 0.02));
     }
 }

@@ -93,7 +93,7 @@ TEST_CASE("Searches for contacts are ended, and reading profiles of slices") {
         const geometry::Profiles profiles = geometry::make_profiles(setup);
         check_asks(4, [&](Observer& observer) {
             const geometry::Position position(setup, profiles, state, observer);
-            for (geometry::PlaceWithGap& place : position.places(0.05)) position.measure(place, 0.05);
+            for (geometry::CandidatePatch& place : position.candidates(0.05)) position.measure(place, 0.05);
         });
     }
     for (int i = 0; i < 5; ++i) setup.rail_slices.push_back({10.0 * i, setup.rail});

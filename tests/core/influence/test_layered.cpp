@@ -129,7 +129,7 @@ TEST_CASE("a thin layer on a rigid base is a Winkler foundation") {
         CHECK_THAT(table(x, x, 0, 0), WithinRel(shear, 8 * deviation));
         CHECK_THAT(table(z, z, 1, 0), WithinAbs(0, deviation * winkler));
     } else {
-        // The kink of the tent spreads over the thickness.
+        // The kink of the hat function spreads over the thickness.
         CHECK_THAT(table(z, z, 0, 0), WithinRel(winkler, 2 * thickness));
         CHECK(table(z, z, 0, 0) < winkler);
     }
@@ -142,8 +142,8 @@ TEST_CASE("a thin incompressible layer on a rigid base yields where the pressure
     const double k = 0.05;
     CHECK_THAT(waves.at(k).c, WithinRel(k * std::pow(k * thickness, 2) * thickness / 3, 2 * k * thickness));
     const IcTable table = layered_table({{{thickness, 3, 0.5}}, Material::rigid()}, LoadShape::bilinear, 6, 6, 1, 1);
-    // Of a tent the second derivative is -2/dx where it has its apex, smeared over the thickness, and 1/dx at its feet:
-    // the layer is pressed out from below the load.
+    // Of a hat function the second derivative is -2/dx where it has its apex, smeared over the thickness, and 1/dx at
+    // its feet: the layer is pressed out from below the load.
     CHECK(table(z, z, 0, 0) > 0);
     CHECK(table(z, z, 1, 0) < 0);
     CHECK_THAT(sum_over_plane(table, z), WithinAbs(0, 1e-10 * thickness));
@@ -169,7 +169,7 @@ TEST_CASE("small elements add up to large ones") {
     CHECK(difference < 1e-10 * error_scale(body, large));
 }
 
-TEST_CASE("small tents add up to large ones") {
+TEST_CASE("small hat functions add up to large ones") {
     const Layers body = GENERATE(Layers{{{0.02, 1, 0.3}}, Material::rigid()}, Layers{{{0.1, 1, 0.49}}, {40, 0.28}},
                                  Layers{{{2, 100, 0.25}, {0.5, 0.3, 0.5}}, {1, 0.45}});
     const double dy = GENERATE(1.0, 0.1, 6.0);
@@ -189,10 +189,10 @@ TEST_CASE("small tents add up to large ones") {
     CHECK(difference < 1e-10 * error_scale(body, large));
 }
 
-TEST_CASE("a tent is the mean of constant loads around it") {
+TEST_CASE("a hat function is the mean of constant loads around it") {
     // Elements a third as large: the mean over 3 x 3 of them is the mean over an element, but for what is between.
     const Layers body = GENERATE(Layers{{{1, 1, 0.3}}, Material::rigid()}, Layers{{{0.4, 5, 0.5}}, {1, 0.3}});
-    const IcTable tents = layered_table(body, LoadShape::bilinear, 6, 6, 1, 1);
+    const IcTable hats = layered_table(body, LoadShape::bilinear, 6, 6, 1, 1);
     constexpr int parts = 9;
     const IcTable small = layered_table(body, LoadShape::constant, 6 * parts, 6 * parts, 1.0 / parts, 1.0 / parts);
     for (const auto& [k, l] : {std::pair{3, 2}, std::pair{0, 4}, std::pair{5, 5}})
@@ -204,7 +204,7 @@ TEST_CASE("a tent is the mean of constant loads around it") {
                         sum += (parts - std::abs(m)) * (parts - std::abs(n)) *
                                small.at(i, j, parts * k + m, parts * l + n);
                 sum /= parts * parts;
-                CHECK_THAT(sum, WithinAbs(tents(i, j, k, l), 2e-4 * tents(x, x, 0, 0)));
+                CHECK_THAT(sum, WithinAbs(hats(i, j, k, l), 2e-4 * hats(x, x, 0, 0)));
             }
 }
 

@@ -98,8 +98,8 @@ TEST_CASE("displacements of a line load vanish at the datum", "[line]") {
                WithinRel(dx * std::numbers::ln2 / (std::numbers::pi * steel.G), 1e-9));
 }
 
-TEST_CASE("a tent along x is a mean of constant loads, near and far", "[line]") {
-    const IcTable tent = half_space_table(line_spec(LoadShape::bilinear));
+TEST_CASE("a hat function along x is a mean of constant loads, near and far", "[line]") {
+    const IcTable hat = half_space_table(line_spec(LoadShape::bilinear));
     for (const int k : {0, 1, 2, 7, 8, 9, 30}) {
         // The constant load half an element to both sides, by shifted tables of its pair with a rigid body.
         double zz = 0, xz = 0;
@@ -112,8 +112,8 @@ TEST_CASE("a tent along x is a mean of constant loads, near and far", "[line]") 
             zz += shifted(x, x, k, 0) / points;
             xz += shifted(x, z, k, 0) / points;
         }
-        CHECK_THAT(tent(x, x, k, 0), WithinRel(zz, 1e-5));
-        CHECK_THAT(tent(x, z, k, 0), WithinAbs(xz, 1e-4 * tent(x, x, 0, 0)));
+        CHECK_THAT(hat(x, x, k, 0), WithinRel(zz, 1e-5));
+        CHECK_THAT(hat(x, z, k, 0), WithinAbs(xz, 1e-4 * hat(x, x, 0, 0)));
     }
 }
 

@@ -24,7 +24,7 @@ using Exact = std::function<double(Axis, Axis, double, double)>;
 Exact half_spaces(const MaterialPair& bodies, LoadShape load_shape, double dx, double dy) {
     return [=](Axis i, Axis j, double x, double y) {
         const auto of = [&](const Material& body) {
-            return load_shape == LoadShape::bilinear ? half_space_tent_coefficient(i, j, x, y, dx, dy, body)
+            return load_shape == LoadShape::bilinear ? half_space_bilinear_coefficient(i, j, x, y, dx, dy, body)
                                                      : half_space_coefficient(i, j, x, y, dx, dy, body);
         };
         const double sign = (i == Axis::z) != (j == Axis::z) ? -1 : 1;

@@ -57,13 +57,15 @@ std::array<Vector, 3> stress(const Field& u, const Vector& point, double nu, dou
 
 // The load of `spec` made of loads that are `parts` times smaller.
 Vector from_parts(const IcSpec& spec, Axis load, const Vector& point, int parts) {
-    const bool tent = spec.load_shape == LoadShape::bilinear;
+    const bool is_bilinear = spec.load_shape == LoadShape::bilinear;
     IcSpec part = spec;
     part.dx /= parts;
     part.dy /= parts;
     Vector sum{};
-    const int count = tent ? 2 * parts - 1 : parts;
-    const auto weight = [&](int k) { return tent ? 1 - std::abs(k - (parts - 1)) / static_cast<double>(parts) : 1; };
+    const int count = is_bilinear ? 2 * parts - 1 : parts;
+    const auto weight = [&](int k) {
+        return is_bilinear ? 1 - std::abs(k - (parts - 1)) / static_cast<double>(parts) : 1;
+    };
     for (int k = 0; k < count; ++k)
         for (int l = 0; l < count; ++l) {
             const double x = (k - 0.5 * (count - 1)) * part.dx, y = (l - 0.5 * (count - 1)) * part.dy;
@@ -81,7 +83,8 @@ TEST_CASE("the field at the surface is the influence coefficient", "[half_space]
     const double nu = GENERATE(0.0, 0.28, 0.5);
     const IcSpec spec = analytic({200, nu}, 0.3, 0.3 / aspect, 1, 1, load_shape);
     const double size = std::max(spec.dx, spec.dy);
-    const auto coefficient = load_shape == LoadShape::bilinear ? half_space_tent_coefficient : half_space_coefficient;
+    const auto coefficient =
+        load_shape == LoadShape::bilinear ? half_space_bilinear_coefficient : half_space_coefficient;
     for (const auto& [x, y] : {std::pair{3.0, 0.0}, {0.0, -3.0}, {-2.2, 2.1}, {5.0, -8.0}, {-90.0, 70.0}, {4.0, 300.0}})
         for (const Axis load : axes) {
             CAPTURE(aspect, nu, x, y, int(load));

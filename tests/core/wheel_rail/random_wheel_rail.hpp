@@ -108,8 +108,8 @@ inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) 
     state.derivatives = dice.chance(0.05);
     if (dice.chance(0.5))
         state.Fz = dice.log_uniform(10, 3e5);
-    else if (const auto touch = contact.touch(state))
-        state.position.z = *touch + dice.uniform(-0.05, 0.15);
+    else if (const auto height = contact.first_contact_height(state))
+        state.position.z = *height + dice.uniform(-0.05, 0.15);
     const bool rolls = state.velocity.x != 0 || state.roller_pitch != 0;
     if (state.Fz && rolls && contact.setup().friction && dice.chance(0.1))
         state.Fx = dice.uniform(-0.4, 0.4) * *state.Fz;

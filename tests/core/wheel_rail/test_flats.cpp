@@ -46,10 +46,10 @@ double of_flat(double angle, double depth) {
     return std::abs(angle) < 1 ? std::min(0.0, (R - depth) / std::cos(angle) - R) : 0;
 }
 
-double touch(const WheelRailSetup& setup, double pitch) {
+double first_contact_height(const WheelRailSetup& setup, double pitch) {
     WheelRailState state;
     state.position.pitch = pitch;
-    return WheelRailContact(setup).touch(state).value();
+    return WheelRailContact(setup).first_contact_height(state).value();
 }
 
 }  // namespace
@@ -82,10 +82,10 @@ TEST_CASE("The axle over a flat goes down by what its edge leaves") {
         const double pitch = share * edge, left = std::max(0.0, edge - std::abs(pitch));
         INFO("pitch " << pitch);
         // The edges are rounded between two slices, by a fifth of what the radius does there.
-        CHECK_THAT(touch(setup, pitch), WithinAbs(R * (1 - std::cos(left)), 0.014 * depth));
-        CHECK_THAT(touch(setup, pitch + 2 * pi), WithinAbs(touch(setup, pitch), 1e-9));
+        CHECK_THAT(first_contact_height(setup, pitch), WithinAbs(R * (1 - std::cos(left)), 0.014 * depth));
+        CHECK_THAT(first_contact_height(setup, pitch + 2 * pi), WithinAbs(first_contact_height(setup, pitch), 1e-9));
     }
-    CHECK_THAT(touch(setup, pi), WithinAbs(0, 1e-9));
+    CHECK_THAT(first_contact_height(setup, pi), WithinAbs(0, 1e-9));
 }
 
 TEST_CASE("On its flat a wheel presses over most of its length, and beside it as round") {
@@ -154,7 +154,7 @@ TEST_CASE("A wheel whose middle is beside its axle rolls up and down, and touche
         },
         pi / 90, pi);
     for (const double pitch : {0.0, 0.7, -2.0, 3.0, 40.0}) {
-        CHECK_THAT(touch(setup, pitch), WithinAbs(-aside * std::cos(pitch), 1e-3));
+        CHECK_THAT(first_contact_height(setup, pitch), WithinAbs(-aside * std::cos(pitch), 1e-3));
         WheelRailState state;
         state.position.pitch = pitch;
         state.Fz = 60000;

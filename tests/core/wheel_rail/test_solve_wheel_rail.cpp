@@ -72,9 +72,9 @@ TEST_CASE("The height that a force brings brings that force") {
 TEST_CASE("A wheel that is lifted has no contact, and says how far it is away") {
     WheelRailState state;
     const WheelRailContact contact(WheelRailSetup{});
-    const std::optional<double> touch = contact.touch(state);
-    REQUIRE(touch);
-    state.position.z = *touch - 0.5;
+    const std::optional<double> height = contact.first_contact_height(state);
+    REQUIRE(height);
+    state.position.z = *height - 0.5;
     Observer observer;
     const WheelRailSolution solution = contact.solve(state, observer);
     CHECK_FALSE(solution.in_contact());

@@ -5,7 +5,7 @@
 
 #include "engine/jobs/worker_pool.hpp"
 
-using contactd::engine::Turn;
+using contactd::engine::QueueTicket;
 using contactd::engine::WorkerPool;
 using contactd::proto::Priority;
 
@@ -84,9 +84,9 @@ class Stalled {
         });
         begun_.get_future().wait();
     }
-    void post(const std::string& name, Turn turn) {
+    void post(const std::string& name, QueueTicket ticket) {
         ++expected_;
-        pool.post(std::move(turn), [this, name] { order_.push_back(name); });
+        pool.post(std::move(ticket), [this, name] { order_.push_back(name); });
     }
     std::vector<std::string> order() {
         std::promise<void> done;

@@ -25,8 +25,8 @@ StepInput shifted(double x) {
     return input;
 }
 
-ContactSteps::Statement saying(const StepInput& input) {
-    return [&input](const std::optional<Motion>& last, ContactProblem& problem) { lay_over(input, last, problem); };
+ContactSteps::Overlay saying(const StepInput& input) {
+    return [&input](const std::optional<Motion>& last, ContactProblem& problem) { overlay(input, last, problem); };
 }
 
 /// Engine, steps, and where they are.
@@ -98,7 +98,7 @@ TEST_CASE("The creepage found for a prescribed force is the estimate of the next
     CHECK(xi != 0);
 
     ContactProblem problem = simulation.steps->opened;
-    lay_over({}, simulation.state.motion, problem);
+    overlay({}, simulation.state.motion, problem);
     CHECK(std::get<Rolling>(problem.motion).xi == xi);
 }
 

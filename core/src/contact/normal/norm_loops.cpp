@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 // `omp simd` lets sums be taken in several parts.
 namespace contactd {
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 NormViolations advance(const NormState& state, double alpha, const double* __restrict v, const double* __restrict q,
                        double approach, double rounding) {
     const double* const __restrict in = state.in, * const __restrict h = state.h;
@@ -32,7 +32,7 @@ NormViolations advance(const NormState& state, double alpha, const double* __res
     return {defect, reference, suction, overlap};
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double mean_distance(const NormState& state) {
     const double *const in = state.in, *const h = state.h, *const u = state.u;
     double sum = 0, count = 0;
@@ -44,7 +44,7 @@ double mean_distance(const NormState& state) {
     return sum / count;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double potential(const NormState& state) {
     const double *const p = state.p, *const u = state.u, *const h = state.h;
     double sum = 0;
@@ -53,14 +53,14 @@ double potential(const NormState& state) {
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void turn_direction(std::size_t n, const double* __restrict in, const double* __restrict z, double beta,
                     double* __restrict v) {
 #pragma omp simd
     for (std::size_t i = 0; i < n; ++i) v[i] = in[i] * z[i] + beta * v[i];
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double triple_product(std::size_t n, const double* a, const double* b, const double* c) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -68,7 +68,7 @@ double triple_product(std::size_t n, const double* a, const double* b, const dou
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 NormSlope slope_along(const NormState& state, const double* v, const double* q) {
     const double *const in = state.in, *const r = state.r;
     double curvature = 0, slope = 0, rise = 0, count = 0;

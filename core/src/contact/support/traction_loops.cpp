@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 // `omp simd` needs no OpenMP at run time: it says that arrays do not overlap, and lets sums be taken in several parts.
 namespace contactd {
 
 // Sums of four at a time are made four side by side, for each addition waits for the one before it.
-CONTACTD_WIDE
+CONTACTD_SIMD
 double dot_product(std::size_t m, const double* __restrict a, const double* __restrict b) {
     Four sums[4] = {};
     std::size_t e = 0;
@@ -21,7 +21,7 @@ double dot_product(std::size_t m, const double* __restrict a, const double* __re
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 TwoProducts dot_products(std::size_t m, const double* __restrict a, const double* __restrict b,
                          const double* __restrict c) {
     Four with_b[2] = {}, with_c[2] = {};
@@ -42,7 +42,7 @@ TwoProducts dot_products(std::size_t m, const double* __restrict a, const double
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void add_four(std::size_t m, const FourArrays& arrays, double* __restrict to) {
     // Not as structured bindings, which clang does not take into an OpenMP loop.
     const double p = arrays.factors[0], q = arrays.factors[1], r = arrays.factors[2], s = arrays.factors[3];
@@ -51,12 +51,12 @@ void add_four(std::size_t m, const FourArrays& arrays, double* __restrict to) {
     for (std::size_t e = 0; e < m; ++e) to[e] += (p * a[e] + q * b[e]) + (r * c[e] + s * d[e]);
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply(std::size_t m, const double* __restrict factor, const double* __restrict a, double* __restrict out) {
     for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e];
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void multiply_two(std::size_t m, const double* __restrict factor, const double* __restrict a,
                   const double* __restrict other, const double* b, double* out) {
     // out and b may be the same
@@ -64,19 +64,19 @@ void multiply_two(std::size_t m, const double* __restrict factor, const double* 
     for (std::size_t e = 0; e < m; ++e) out[e] = factor[e] * a[e] + other[e] * b[e];
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void add_product(std::size_t m, const double* __restrict factor, const double* __restrict a, double* __restrict to) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) to[e] += factor[e] * a[e];
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void take_where(std::size_t m, const char* __restrict chosen, const double* __restrict a, double* __restrict to) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) to[e] = chosen[e] != 0 ? a[e] : to[e];
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void project_out(std::size_t m, Vectors n, MutableVectors a) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) {
@@ -86,7 +86,7 @@ void project_out(std::size_t m, Vectors n, MutableVectors a) {
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const double* inverse_g, MutableVectors n,
                    double* tangent_stiffness, MutableVectors r) {
 #pragma omp simd
@@ -101,7 +101,7 @@ void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void jacobian_times(std::size_t m, Vectors n, const double* tangent_stiffness, Vectors step, Vectors response,
                     MutableVectors image) {
 #pragma omp simd
@@ -114,7 +114,7 @@ void jacobian_times(std::size_t m, Vectors n, const double* tangent_stiffness, V
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 StepParts step_parts(std::size_t m, Vectors n, Vectors step) {
     double all = 0, against = 0;
 #pragma omp simd reduction(+ : all, against)
@@ -126,7 +126,7 @@ StepParts step_parts(std::size_t m, Vectors n, Vectors step) {
     return {all - against, against};
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 Sums free_sums(std::size_t m, Vectors n, Vectors step) {
     double sum_x = 0, sum_y = 0;
 #pragma omp simd reduction(+ : sum_x, sum_y)
@@ -138,7 +138,7 @@ Sums free_sums(std::size_t m, Vectors n, Vectors step) {
     return {sum_x, sum_y};
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 Sums sums(std::size_t m, Vectors a) {
     double x = 0, y = 0;
 #pragma omp simd reduction(+ : x, y)
@@ -149,7 +149,7 @@ Sums sums(std::size_t m, Vectors a) {
     return {x, y};
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double squares_with(std::size_t m, Vectors w, double x, double y) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -157,7 +157,7 @@ double squares_with(std::size_t m, Vectors w, double x, double y) {
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double pushes(std::size_t m, Vectors n, Vectors s) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -168,7 +168,7 @@ double pushes(std::size_t m, Vectors n, Vectors s) {
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void move_tractions(std::size_t m, Vectors step, const double* g, double on_bound, MutableVectors p, char* slips) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) {
@@ -182,7 +182,7 @@ void move_tractions(std::size_t m, Vectors step, const double* g, double on_boun
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double combine(std::size_t m, const double* scale, const double* diagonal, Vectors r, Vectors n, MutableVectors z) {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -196,7 +196,7 @@ double combine(std::size_t m, const double* scale, const double* diagonal, Vecto
     return sum;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 double next_direction(std::size_t m, Vectors z, double beta, Vectors n, Vectors r, MutableVectors v) {
     double slope = 0;
 #pragma omp simd reduction(+ : slope)
@@ -210,7 +210,7 @@ double next_direction(std::size_t m, Vectors z, double beta, Vectors n, Vectors 
     return slope;
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const char* slips, const double* g,
                      MutableVectors p, MutableVectors s) {
     double change = 0, scaling = 0;
@@ -231,13 +231,13 @@ MoveParts move_along(std::size_t m, double alpha, Vectors v, Vectors q, const ch
     return {change, scaling};
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void shifted_reciprocal(std::size_t m, const double* a, const double* added, const double* numerator,
                         double* __restrict out) {
     for (std::size_t e = 0; e < m; ++e) out[e] = numerator[e] / (added[e] + a[e]);
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, const double* __restrict stiffness,
                   double* __restrict first, double* __restrict second, double* __restrict local) {
     const double to_unit = 1 / unit, self = passages.local_diagonal;
@@ -252,7 +252,7 @@ void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, con
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void end_slip(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips) {
 #pragma omp simd
     for (std::size_t e = 0; e < m; ++e) {
@@ -261,7 +261,7 @@ void end_slip(std::size_t m, Vectors p, Vectors s, double push, const double* g,
     }
 }
 
-CONTACTD_WIDE
+CONTACTD_SIMD
 void take_differences(std::size_t m, Vectors p, Vectors s, Vectors before_p, Vectors before_s, double push,
                       const double* g, char* slips, MutableVectors change, MutableVectors response) {
 #pragma omp simd

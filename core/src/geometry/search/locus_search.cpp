@@ -86,8 +86,8 @@ EquivalentEllipse LocusSearch::ellipse(double z, const RegionGroup& group) const
     return ellipse;
 }
 
-OverlapDoubts LocusSearch::doubts(double z, const RegionGroup& group) const {
-    OverlapDoubts doubts;
+QualityFlags LocusSearch::quality_flags(double z, const RegionGroup& group) const {
+    QualityFlags flags;
     const double cosine = std::abs(std::cos(group.reference.angle));
     const std::vector<LocusRow>& rows = locus_.rows();
     const std::span<const LocusRow> within = locus_.rows_within(group.y);
@@ -101,17 +101,17 @@ OverlapDoubts LocusSearch::doubts(double z, const RegionGroup& group) const {
         if (depth * cosine > surely_pressed)
             rise = {std::min(rise.from, rows[i].rise), std::max(rise.to, rows[i].rise)};
         if (i == 0 || i + 1 == rows.size() || !std::isfinite(rows[i - 1].gap) || !std::isfinite(rows[i + 1].gap))
-            doubts.at_end = true;
+            flags.at_end = true;
         if (depth < deepest || !rail_.is_sliced()) continue;
         deepest = depth;
         const double half = std::sqrt(depth / locus_.curvature());
         const auto height = [&](double x) { return rail_.height(x, rows[i].y, rows[i].rail_s); };
         const double bulge = height(rows[i].x + half) + height(rows[i].x - half) - 2 * height(rows[i].x);
-        doubts.curvature = std::abs(bulge) / (2 * depth);
+        flags.curvature = std::abs(bulge) / (2 * depth);
     }
     for (const double end : {rise.from, rise.to})
-        doubts.bend = std::max(doubts.bend, std::abs(std::atan(end) - group.reference.angle));
-    return doubts;
+        flags.bend = std::max(flags.bend, std::abs(std::atan(end) - group.reference.angle));
+    return flags;
 }
 
 }  // namespace contactd::geometry

@@ -15,7 +15,7 @@ class LocusSearch : public OverlapSearch {
     double least_gap() const override { return locus_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;
     EquivalentEllipse ellipse(double z, const RegionGroup& group) const override;
-    OverlapDoubts doubts(double z, const RegionGroup& group) const override;
+    QualityFlags quality_flags(double z, const RegionGroup& group) const override;
 
    private:
     OverlapRegion region_of(std::size_t begin, std::size_t end, double z) const;

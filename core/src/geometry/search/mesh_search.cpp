@@ -88,18 +88,18 @@ EquivalentEllipse MeshSearch::ellipse(double z, const RegionGroup& group) const 
     return ellipse;
 }
 
-OverlapDoubts MeshSearch::doubts(double z, const RegionGroup& group) const {
-    OverlapDoubts doubts;
+QualityFlags MeshSearch::quality_flags(double z, const RegionGroup& group) const {
+    QualityFlags flags;
     const double cosine = std::abs(std::cos(group.reference.angle));
     const std::size_t last_column = mesh_.columns() - 1, last_row = mesh_.rows().size() - 1;
     for_each(z, group, [&](const Node& node, double depth) {
         if (depth * cosine > surely_pressed)
-            doubts.bend = std::max(doubts.bend, std::abs(mesh_.rows()[node.row].angle - group.reference.angle));
+            flags.bend = std::max(flags.bend, std::abs(mesh_.rows()[node.row].angle - group.reference.angle));
         const bool at_border = node.column == 0 || node.column == last_column || node.row == 0 || node.row == last_row;
-        doubts.at_end = doubts.at_end || at_border || !std::isfinite(mesh_.gap({node.column, node.row - 1})) ||
-                        !std::isfinite(mesh_.gap({node.column, node.row + 1}));
+        flags.at_end = flags.at_end || at_border || !std::isfinite(mesh_.gap({node.column, node.row - 1})) ||
+                       !std::isfinite(mesh_.gap({node.column, node.row + 1}));
     });
-    return doubts;
+    return flags;
 }
 
 }  // namespace contactd::geometry

@@ -16,7 +16,7 @@ class MeshSearch : public OverlapSearch {
     double least_gap() const override { return mesh_.least_gap(); }
     std::vector<OverlapRegion> regions(double z) override;
     EquivalentEllipse ellipse(double z, const RegionGroup& group) const override;
-    OverlapDoubts doubts(double z, const RegionGroup& group) const override;
+    QualityFlags quality_flags(double z, const RegionGroup& group) const override;
 
    private:
     OverlapRegion region_of(const std::vector<GapMesh::Node>& nodes, double z) const;

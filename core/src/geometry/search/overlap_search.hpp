@@ -21,7 +21,7 @@ struct EquivalentEllipse {
 inline constexpr double most_slender_ellipse = 16;  ///< ratio of semi-axes: simplified models know contacts of up to 32
 
 /// What speaks against a planar contact.
-struct OverlapDoubts {
+struct QualityFlags {
     double bend = 0;  ///< largest angle of the rail to the plane (rad) where the surfaces are pressed together for sure
     double curvature = 0;  ///< of the rail along the track, that the search left out, over the wheel's
     bool at_end = false;   ///< the overlap reaches the end of a profile
@@ -37,7 +37,7 @@ class OverlapSearch {
     virtual std::vector<OverlapRegion> regions(double z) = 0;
     /// Of the same volume and the same second moments as what overlaps within the group's extents.
     virtual EquivalentEllipse ellipse(double z, const RegionGroup& group) const = 0;
-    virtual OverlapDoubts doubts(double z, const RegionGroup& group) const = 0;
+    virtual QualityFlags quality_flags(double z, const RegionGroup& group) const = 0;
 };
 
 }  // namespace contactd::geometry

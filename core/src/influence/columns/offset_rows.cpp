@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contactd/finite.hpp"
-#include "types/wide.hpp"
+#include "types/simd.hpp"
 
 namespace contactd {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::size_t rows_at_once = 4, offsets_at_once = 8;
 }  // namespace
 
 /// `nx` is a multiple of offsets_at_once. Vectors are named, since compilers would make them of functions, not offsets.
-CONTACTD_WIDE
+CONTACTD_SIMD
 static void add_up_block(std::size_t count, std::size_t nx, const double* __restrict shares,
                          const double* __restrict functions, double* __restrict sums) {
     for (std::size_t k = 0; k < nx; k += offsets_at_once) {

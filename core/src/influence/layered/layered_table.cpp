@@ -23,7 +23,7 @@ std::vector<SurfaceCoefficients> coefficients(const Layers& body, LoadShape load
     if (load_shape == LoadShape::constant)
         compute(ConstantLoad(body, lines.least * shift, lines.largest));
     else
-        compute(TentLoad(body, lines.least * shift, lines.largest));
+        compute(BilinearLoad(body, lines.least * shift, lines.largest));
     return result;
 }
 

@@ -30,15 +30,15 @@ class ConstantLoad {
     EdgeRule rule_;
 };
 
-/// Bilinear tractions: a tent is bilinear on each of the four cells between element centres, so that moments of the
-/// kernels over cells are enough; those again are integrals along edges. With D, F and Phi as above, Psi' = -E, and Q,
-/// R the radial fields whose divergences are Psi and Phi:
+/// Bilinear tractions: a hat function is bilinear on each of the four cells between element centres, so that moments of
+/// the kernels over cells are enough; those again are integrals along edges. With D, F and Phi as above, Psi' = -E, and
+/// Q, R the radial fields whose divergences are Psi and Phi:
 ///   the integral of x div (D e_rho) is that of rho D along edges x = constant,
-///   xx has -(second difference of Psi along x)/dx, under the tent along y,
-///   xy = -(differences of the integrals of Psi over cells)/(dx dy),  xz = slope of the tent times Phi.
-class TentLoad {
+///   xx has -(second difference of Psi along x)/dx, under the hat function along y,
+///   xy = -(differences of the integrals of Psi over cells)/(dx dy),  xz = slope of the hat function times Phi.
+class BilinearLoad {
    public:
-    TentLoad(const Layers& body, double least, double largest);
+    BilinearLoad(const Layers& body, double least, double largest);
     std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:

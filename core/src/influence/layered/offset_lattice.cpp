@@ -7,9 +7,10 @@
 namespace contactd {
 namespace {
 
-std::vector<double> lines(double first, double size, int offsets, bool tent) {
+std::vector<double> lines(double first, double size, int offsets, bool is_bilinear) {
     std::vector<double> result;
-    for (int i = 0; i < offsets + (tent ? 2 : 1); ++i) result.push_back(first + (i - (tent ? 1 : 0.5)) * size);
+    for (int i = 0; i < offsets + (is_bilinear ? 2 : 1); ++i)
+        result.push_back(first + (i - (is_bilinear ? 1 : 0.5)) * size);
     return result;
 }
 

@@ -26,7 +26,7 @@ struct SurfaceCoefficients {
 };
 
 /// Lines x = constant and y = constant between elements seen from the points: around constant loads half an element
-/// before and behind, around tents a whole one, and those through their apices.
+/// before and behind, around hat functions a whole one, and those through their apices.
 struct EdgeLines {
     std::vector<double> x, y;
 

@@ -1,6 +1,7 @@
-// The tent is 1/h times the box convolved with the box, so an integral over it along one axis is 1/h times the second
-// central difference, step h, of the kernel's second antiderivative. Along each axis either that difference is taken,
-// or, where the kernel is smooth over the tent and the difference would lose digits, Gauss's rule for its weight.
+// The hat function is 1/h times the box convolved with the box, so an integral over it along one axis is 1/h times the
+// second central difference, step h, of the kernel's second antiderivative. Along each axis either that difference is
+// taken, or, where the kernel is smooth over the hat function and the difference would lose digits, Gauss's rule for
+// its weight.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -79,7 +80,8 @@ KernelIntegrals by_both(const Rule& rule, double x, double y, double dx, double 
     return sum;
 }
 
-// Means, weighted with the tent around y, of the functions of Y that twofold_over_tent() must not sum at Gauss points.
+// Means, weighted with the hat function around y, of the functions of Y that twofold_over_hat() must not sum at Gauss
+// points.
 struct NonSmoothMeans {
     double log = 0;    // ln|Y|
     double y_log = 0;  // Y ln|Y|
@@ -100,10 +102,10 @@ NonSmoothMeans non_smooth_means(double y, double dy) {
     return mean;
 }
 
-// Means, weighted with the tent around y, of the kernels' second antiderivatives in x, for a corner where
+// Means, weighted with the hat function around y, of the kernels' second antiderivatives in x, for a corner where
 // smooth_enough. Other corners go by fourfold_antiderivatives(), so terms linear in x count: 5/6 and |Y| are those that
 // it implies.
-KernelIntegrals twofold_over_tent(double x, double y, double dy, const NonSmoothMeans& rest) {
+KernelIntegrals twofold_over_hat(double x, double y, double dy, const NonSmoothMeans& rest) {
     const double a = std::abs(x), sign = x < 0 ? -1 : 1, quarter_turn = std::numbers::pi / 2;
     KernelIntegrals mean{-a * rest.log, 0, sign * rest.y_log, sign * quarter_turn * rest.abs,
                          a * quarter_turn * rest.sign};
@@ -124,7 +126,7 @@ KernelIntegrals by_differences(double x, double y, double dx, double dy) {
     for (const auto& along_x : second_difference) {
         const double X = x + along_x.offset * dx;
         if (smoothness(y, X, dy) > smooth_enough) {
-            add(sum, along_x.weight * dy / dx, twofold_over_tent(X, y, dy, rest));
+            add(sum, along_x.weight * dy / dx, twofold_over_hat(X, y, dy, rest));
             continue;
         }
         for (const auto& along_y : second_difference)
@@ -155,7 +157,7 @@ KernelIntegrals unit_force(double x, double y, double dx, double dy) {
 
 }  // namespace
 
-KernelIntegrals tent_load_integrals(double x, double y, double dx, double dy) {
+KernelIntegrals bilinear_load_integrals(double x, double y, double dx, double dy) {
     return by_symmetry(unit_force, x, y, dx, dy);
 }
 

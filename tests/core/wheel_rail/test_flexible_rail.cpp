@@ -1,4 +1,4 @@
-// Rails that give way.
+// Massless flexible rails.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -21,7 +21,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 /// S1002 on 60E1, elements of half a millimetre.
-WheelRailSetup on_springs(std::optional<double> y, std::optional<double> z) {
+WheelRailSetup on_flexible_rail(std::optional<double> y, std::optional<double> z) {
     WheelRailSetup setup;
     setup.dx = setup.dy = 0.5;
     setup.track.springs = {y, z};
@@ -37,10 +37,10 @@ WheelRailState under_force(double y) {
     return state;
 }
 
-/// At the height at which it presses so on a rail that is held.
+/// The wheel is at the height at which it presses so on a fixed rail.
 WheelRailState at_height(double y) {
     WheelRailState state = under_force(y);
-    WheelRailSetup setup = on_springs({}, {});
+    WheelRailSetup setup = on_flexible_rail({}, {});
     setup.track.springs.reset();
     state.position.z = solve(setup, state).z;
     state.Fz.reset();
@@ -69,8 +69,9 @@ void check_balance(const WheelRailSetup& setup, const WheelRailState& state, con
 
 }  // namespace
 
-TEST_CASE("The forces on a rail on springs are in balance") {
-    WheelRailSetup setup = on_springs(GENERATE(std::optional<double>{}, 3e3, 2e4), GENERATE(std::optional(3e4), 5e5));
+TEST_CASE("The forces on a flexible rail are in balance") {
+    WheelRailSetup setup =
+        on_flexible_rail(GENERATE(std::optional<double>{}, 3e3, 2e4), GENERATE(std::optional(3e4), 5e5));
     setup.model = GENERATE(Model::full, Model::fastsim);
     const double y = GENERATE(0.0, 7.5);
     WheelRailState state = under_force(y);
@@ -83,27 +84,27 @@ TEST_CASE("The forces on a rail on springs are in balance") {
     check_balance(setup, state, solve(setup, state));
 }
 
-TEST_CASE("A rail on springs is one that lies where it has given way to") {
-    const WheelRailSetup setup = on_springs(5e3, 5e4);
+TEST_CASE("A flexible rail is one that lies where it has deflected to") {
+    const WheelRailSetup setup = on_flexible_rail(5e3, 5e4);
     const WheelRailState state = GENERATE(0, 1) == 0 ? under_force(7.2) : at_height(7.2);
-    const WheelRailSolution given_way = solve(setup, state);
-    check_balance(setup, state, given_way);
-    CHECK(std::abs(given_way.rail_shift->y) > 0.1);
+    const WheelRailSolution deflected = solve(setup, state);
+    check_balance(setup, state, deflected);
+    CHECK(std::abs(deflected.rail_shift->y) > 0.1);
     WheelRailSetup rigid = setup;
     rigid.track.springs.reset();
     WheelRailState there = state;
-    there.rail.y += given_way.rail_shift->y;
-    there.rail.z += given_way.rail_shift->z;
-    const WheelRailSolution held = solve(rigid, there);
-    CHECK_THAT(given_way.z, WithinAbs(held.z, 1e-6));
-    check_same_forces(given_way.forces.track, held.forces.track, 1e-5);
-    REQUIRE(held.patches.size() == given_way.patches.size());
-    CHECK_THAT(given_way.patches[0].place.reference.y, WithinAbs(held.patches[0].place.reference.y, 1e-3));
-    CHECK_THAT(given_way.forces.track.Mx, WithinRel(held.forces.track.Mx, 1e-5));
+    there.rail.y += deflected.rail_shift->y;
+    there.rail.z += deflected.rail_shift->z;
+    const WheelRailSolution fixed = solve(rigid, there);
+    CHECK_THAT(deflected.z, WithinAbs(fixed.z, 1e-6));
+    check_same_forces(deflected.forces.track, fixed.forces.track, 1e-5);
+    REQUIRE(fixed.patches.size() == deflected.patches.size());
+    CHECK_THAT(deflected.patches[0].place.reference.y, WithinAbs(fixed.patches[0].place.reference.y, 1e-3));
+    CHECK_THAT(deflected.forces.track.Mx, WithinRel(fixed.forces.track.Mx, 1e-5));
 }
 
 TEST_CASE("Stiff springs hold a rail") {
-    WheelRailSetup setup = on_springs(1e10, 1e10);
+    WheelRailSetup setup = on_flexible_rail(1e10, 1e10);
     const double y = GENERATE(0.0, 7.5);
     const WheelRailState state = GENERATE(0, 1) == 0 ? under_force(y) : at_height(y);
     const WheelRailSolution stiff = solve(setup, state);
@@ -116,7 +117,7 @@ TEST_CASE("Stiff springs hold a rail") {
     CHECK_FALSE(rigid.rail_search);
 }
 
-TEST_CASE("A contact and a spring give way one after the other") {
+TEST_CASE("A contact and a spring deflect in series") {
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.model = Model::hertz;
     const double stiffness = GENERATE(1e4, 1e6), load = GENERATE(0.0, 3000.0), Fn = 60000;
@@ -135,8 +136,8 @@ TEST_CASE("A contact and a spring give way one after the other") {
     CHECK_THAT(solution.derivatives->position.z.Fz, WithinRel(stiffness * of_contact / (stiffness + of_contact), 0.01));
 }
 
-TEST_CASE("Forces on a rail that gives way follow position and motion as their derivatives say") {
-    WheelRailSetup setup = on_springs(GENERATE(std::optional(2e4), std::optional<double>{}), 1e5);
+TEST_CASE("Forces on a flexible rail follow position and motion as their derivatives say") {
+    WheelRailSetup setup = on_flexible_rail(GENERATE(std::optional(2e4), std::optional<double>{}), 1e5);
     setup.dx = setup.dy = 0.4;
     WheelRailState state = at_height(GENERATE(0.0, 7.5));
     state.derivatives = true;
@@ -161,7 +162,7 @@ TEST_CASE("Forces on a rail that gives way follow position and motion as their d
 }
 
 TEST_CASE("Without a wheel on it a rail lies where the other forces have it") {
-    const WheelRailSetup setup = on_springs(1e4, 2e4);
+    const WheelRailSetup setup = on_flexible_rail(1e4, 2e4);
     WheelRailState state;
     state.position.z = -3;
     state.rail.Fy = 500;
@@ -177,8 +178,8 @@ TEST_CASE("Without a wheel on it a rail lies where the other forces have it") {
     CHECK_FALSE(solve(setup, state).in_contact());
 }
 
-TEST_CASE("A left rail gives way as a right one in a mirror") {
-    WheelRailSetup setup = on_springs(2e4, 1e5);
+TEST_CASE("A left rail deflects as a right one in a mirror") {
+    WheelRailSetup setup = on_flexible_rail(2e4, 1e5);
     WheelRailState state = under_force(7.4);
     state.rail.Fy = 800;
     const WheelRailSolution right = solve(setup, state);
@@ -189,7 +190,7 @@ TEST_CASE("A left rail gives way as a right one in a mirror") {
 }
 
 TEST_CASE("A step of a wheel starts where its rail was, and ends where it is without one") {
-    const WheelRailSetup setup = on_springs(2e4, 1e5);
+    const WheelRailSetup setup = on_flexible_rail(2e4, 1e5);
     const WheelRailContact contact(setup);
     WheelRailEstimates estimates;
     Observer observer;
@@ -201,8 +202,8 @@ TEST_CASE("A step of a wheel starts where its rail was, and ends where it is wit
     check_same_forces(again.forces.track, alone.forces.track, 1e-5);
 }
 
-TEST_CASE("A wheelset rolls where the rails below it give way unlike") {
-    WheelRailSetup right = on_springs({}, 2e4), left = right;
+TEST_CASE("A wheelset rolls where the rails below it deflect unlike") {
+    WheelRailSetup right = on_flexible_rail({}, 2e4), left = right;
     left.side = Side::left;
     WheelsetState state;
     state.Fz_left = 40000;
@@ -217,14 +218,14 @@ TEST_CASE("A wheelset rolls where the rails below it give way unlike") {
     state.right_rail.z = solution.right.rail_shift->z;
     left.track.springs.reset();
     right.track.springs.reset();
-    const WheelsetSolution held = solve_wheelset(WheelRailContact(left), WheelRailContact(right), state, observer);
-    CHECK_THAT(solution.roll, WithinAbs(held.roll, 1e-6));
-    CHECK_THAT(solution.z, WithinAbs(held.z, 1e-5));
+    const WheelsetSolution fixed = solve_wheelset(WheelRailContact(left), WheelRailContact(right), state, observer);
+    CHECK_THAT(solution.roll, WithinAbs(fixed.roll, 1e-6));
+    CHECK_THAT(solution.z, WithinAbs(fixed.z, 1e-5));
 }
 
-TEST_CASE("A rail that gives way by more than rails do is told") {
+TEST_CASE("A warning tells of a rail that deflects by more than rails do") {
     const auto told = [](double z) {
-        const WheelRailSolution solution = solve(on_springs({}, z), under_force(0));
+        const WheelRailSolution solution = solve(on_flexible_rail({}, z), under_force(0));
         REQUIRE(solution.converged());
         for (const std::string& warning : solution.warnings)
             if (warning.starts_with("The rail gives way by 800 mm") && warning.ends_with("are in N/mm.")) return true;
@@ -240,13 +241,13 @@ TEST_CASE("Mistakes in springs and loads are refused by name") {
         CHECK_THROWS_AS(solve_wheel_rail(setup, state, observer), InvalidArgument);
         CHECK_THROWS_WITH(solve_wheel_rail(setup, state, observer), ContainsSubstring(sentence));
     };
-    refused(on_springs({}, {}), {}, "track.springs has neither y nor z");
-    refused(on_springs(-1, {}), {}, "track.springs.y is -1");
-    refused(on_springs({}, NAN), {}, "track.springs.z is nan");
-    refused(on_springs({}, INFINITY), {}, "track.springs.z is inf; it must be positive and at most");
+    refused(on_flexible_rail({}, {}), {}, "track.springs has neither y nor z");
+    refused(on_flexible_rail(-1, {}), {}, "track.springs.y is -1");
+    refused(on_flexible_rail({}, NAN), {}, "track.springs.z is nan");
+    refused(on_flexible_rail({}, INFINITY), {}, "track.springs.z is inf; it must be positive and at most");
     WheelRailState state;
     state.rail.Fy = 100;
-    refused(on_springs({}, 1e5), state, "state.rail.Fy is 100, and the rail is rigid there");
+    refused(on_flexible_rail({}, 1e5), state, "state.rail.Fy is 100, and the rail is rigid there");
     refused({}, state, "state.rail.Fy is 100");
     WheelsetState both;
     both.Fz_left = both.Fz_right = 1e4;
@@ -257,5 +258,5 @@ TEST_CASE("Mistakes in springs and loads are refused by name") {
     CHECK_THROWS_WITH(solve_wheelset(WheelRailContact(left), WheelRailContact(WheelRailSetup{}), both, observer),
                       ContainsSubstring("left_rail.Fz is 5, and the rail is rigid there"));
     state.rail.Fy = NAN;
-    refused(on_springs(1e5, 1e5), state, "state.rail.Fy is nan");
+    refused(on_flexible_rail(1e5, 1e5), state, "state.rail.Fy is nan");
 }

@@ -31,23 +31,23 @@ struct CellMoments {
 }  // namespace
 
 /// Along an edge, with n the axis across it and s the one along it. "first" are moments with s.
-struct TentLoad::EdgeSums {
+struct BilinearLoad::EdgeSums {
     double D = 0, F = 0, Q = 0, R = 0;        ///< times n/rho
     double rho_D = 0, rho_F = 0, rho_R = 0;   ///< times rho
     double first_rho_D = 0, first_rho_F = 0;  ///< times s rho
     double Psi_rising = 0, Psi_falling = 0;   ///< times weights from 0 to 1, and from 1 to 0
 };
 
-struct TentLoad::Cell {
+struct BilinearLoad::Cell {
     CellMoments c, d;  ///< of the kernels of zz, and of both xx and yy
     double Psi = 0;    ///< integral
     double Phi = 0, Phi_x = 0, Phi_y = 0;
 };
 
-TentLoad::TentLoad(const Layers& body, double least, double largest)
+BilinearLoad::BilinearLoad(const Layers& body, double least, double largest)
     : least_(least), radial_(body, functions, least, largest), rule_(least) {}
 
-TentLoad::EdgeSums TentLoad::sums(double across, double from, double to) const {
+BilinearLoad::EdgeSums BilinearLoad::sums(double across, double from, double to) const {
     EdgeSums edge;
     rule_.along(across, from, to, [&](double t, double rho, double weight) {
         const auto [D, F, Psi, Q, R] = radial_.at(rho);
@@ -67,19 +67,19 @@ TentLoad::EdgeSums TentLoad::sums(double across, double from, double to) const {
     return edge;
 }
 
-TentLoad::Edges TentLoad::row_line(const EdgeLines& lines, std::size_t j) const {
+BilinearLoad::Edges BilinearLoad::row_line(const EdgeLines& lines, std::size_t j) const {
     Edges edges;
     for (std::size_t i = 0; i + 1 < lines.x.size(); ++i) edges.push_back(sums(lines.y[j], lines.x[i], lines.x[i + 1]));
     return edges;
 }
 
-TentLoad::Edges TentLoad::row_edges(const EdgeLines& lines, std::size_t j) const {
+BilinearLoad::Edges BilinearLoad::row_edges(const EdgeLines& lines, std::size_t j) const {
     Edges edges;
     for (const double x : lines.x) edges.push_back(sums(x, lines.y[j], lines.y[j + 1]));
     return edges;
 }
 
-TentLoad::Cells TentLoad::row_cells(const Edges& below, const Edges& between, const Edges& above) {
+BilinearLoad::Cells BilinearLoad::row_cells(const Edges& below, const Edges& between, const Edges& above) {
     Cells cells(below.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const EdgeSums &left = between[i], &right = between[i + 1], &low = below[i], &high = above[i];
@@ -97,7 +97,7 @@ TentLoad::Cells TentLoad::row_cells(const Edges& below, const Edges& between, co
     return cells;
 }
 
-std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets, const Observer& observer) const {
+std::vector<SurfaceCoefficients> BilinearLoad::at(const OffsetLattice& offsets, const Observer& observer) const {
     const EdgeLines lines(offsets, LoadShape::bilinear);
     const double dx = offsets.dx, dy = offsets.dy;
     std::vector<SurfaceCoefficients> result(offsets.index(0, offsets.ny));
@@ -130,7 +130,7 @@ std::vector<SurfaceCoefficients> TentLoad::at(const OffsetLattice& offsets, cons
                     sum.xz += slope_x * hat_y / dy;
                     sum.yz += slope_y * hat_x / dx;
                 }
-            for (const std::size_t line : {0, 1, 2}) {  // second differences of Psi under the tent
+            for (const std::size_t line : {0, 1, 2}) {  // second differences of Psi under the hat function
                 const double factor = line == 1 ? 2 : -1;
                 sum.xx += factor / dx * (along_y[0][i + line].Psi_rising + along_y[1][i + line].Psi_falling);
                 sum.yy += factor / dy * (along_x[line][i].Psi_rising + along_x[line][i + 1].Psi_falling);

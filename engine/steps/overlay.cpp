@@ -13,7 +13,7 @@ void take_estimates(const Motion& last, Motion& motion) {
     if (before->force.Fy && rolling->force.Fy) rolling->eta = before->eta;
 }
 
-void lay_load(const StepInput& input, ContactProblem& problem) {
+void overlay_load(const StepInput& input, ContactProblem& problem) {
     if (input.approach && input.Fn)
         throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
     if (input.approach || input.Fn) {
@@ -24,7 +24,7 @@ void lay_load(const StepInput& input, ContactProblem& problem) {
     }
 }
 
-void lay_friction(const StepInput& input, ContactProblem& problem) {
+void overlay_friction(const StepInput& input, ContactProblem& problem) {
     if (!input.friction && !input.motion && input.rigid_slip.empty()) return;
     if (!problem.friction && !input.friction)
         throw InvalidArgument("friction.mu",
@@ -40,13 +40,13 @@ void lay_friction(const StepInput& input, ContactProblem& problem) {
 
 }  // namespace
 
-void lay_over(const StepInput& input, const std::optional<Motion>& last, ContactProblem& problem) {
-    lay_load(input, problem);
+void overlay(const StepInput& input, const std::optional<Motion>& last, ContactProblem& problem) {
+    overlay_load(input, problem);
     if (input.gap)
         problem.gap = input.gap;
     else if (!problem.gap)
         throw InvalidArgument("gap", "is missing; the opening named none, so every step must");
-    lay_friction(input, problem);
+    overlay_friction(input, problem);
     if (input.derivatives) problem.derivatives = *input.derivatives;
     if (last && problem.friction && !input.motion) take_estimates(*last, problem.motion);
 }

@@ -1,4 +1,4 @@
-// Coefficients of the tent of bilinear tractions (paper, Remark 1).
+// Coefficients of the hat function of bilinear tractions (paper, Remark 1).
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -18,7 +18,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// The kernel times the tent, in the four rectangles on which the tent is a polynomial.
+// The kernel times the hat function, in the four rectangles on which the hat function is a polynomial.
 double by_quadrature(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material,
                      double tolerance) {
     const auto f = [&](double X, double Y) {
@@ -33,24 +33,24 @@ double by_quadrature(Axis i, Axis j, double x, double y, double dx, double dy, c
 
 // The largest component anywhere, to which absolute errors are compared.
 double largest_entry(double dx, double dy, const Material& material) {
-    return std::max({half_space_tent_coefficient(Axis::x, Axis::x, 0, 0, dx, dy, material),
-                     half_space_tent_coefficient(Axis::y, Axis::y, 0, 0, dx, dy, material),
-                     half_space_tent_coefficient(Axis::z, Axis::z, 0, 0, dx, dy, material)});
+    return std::max({half_space_bilinear_coefficient(Axis::x, Axis::x, 0, 0, dx, dy, material),
+                     half_space_bilinear_coefficient(Axis::y, Axis::y, 0, 0, dx, dy, material),
+                     half_space_bilinear_coefficient(Axis::z, Axis::z, 0, 0, dx, dy, material)});
 }
 
-// A tent is the sum of nine of half its size.
-double from_half_tents(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material) {
+// A hat function is the sum of nine of half its size.
+double from_half_hats(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material) {
     double sum = 0;
     for (const int k : {-1, 0, 1})
         for (const int l : {-1, 0, 1})
             sum += (k == 0 ? 1 : 0.5) * (l == 0 ? 1 : 0.5) *
-                   half_space_tent_coefficient(i, j, x - 0.5 * k * dx, y - 0.5 * l * dy, dx / 2, dy / 2, material);
+                   half_space_bilinear_coefficient(i, j, x - 0.5 * k * dx, y - 0.5 * l * dy, dx / 2, dy / 2, material);
     return sum;
 }
 
 }  // namespace
 
-TEST_CASE("the tent agrees with quadrature for all components", "[half_space]") {
+TEST_CASE("the hat function agrees with quadrature for all components", "[half_space]") {
     const double aspect = GENERATE(0.1, 0.25, 1.0, 3.0, 10.0);
     const double nu = GENERATE(0.0, 0.28, 0.5);
     const Material material{200, nu};
@@ -72,12 +72,12 @@ TEST_CASE("the tent agrees with quadrature for all components", "[half_space]") 
             for (const Axis j : axes) {
                 CAPTURE(aspect, nu, k, l, int(i), int(j));
                 const double expected = by_quadrature(i, j, k * dx, l * dy, dx, dy, material, 1e-10 * largest);
-                CHECK_THAT(half_space_tent_coefficient(i, j, k * dx, l * dy, dx, dy, material),
+                CHECK_THAT(half_space_bilinear_coefficient(i, j, k * dx, l * dy, dx, dy, material),
                            WithinAbs(expected, 1e-9 * largest));
             }
 }
 
-TEST_CASE("the tent keeps its relative accuracy far away", "[half_space]") {
+TEST_CASE("the hat function keeps its relative accuracy far away", "[half_space]") {
     const double aspect = GENERATE(0.1, 1.0, 10.0);
     const Material material{82000, 0.28};
     const double dx = 0.8, dy = dx / aspect;
@@ -87,13 +87,13 @@ TEST_CASE("the tent keeps its relative accuracy far away", "[half_space]") {
                 CAPTURE(aspect, k, l, int(i), int(j));
                 const double size = dx * dy / material.G / std::hypot(k * dx, l * dy);
                 const double expected = by_quadrature(i, j, k * dx, l * dy, dx, dy, material, 1e-13 * size);
-                CHECK_THAT(half_space_tent_coefficient(i, j, k * dx, l * dy, dx, dy, material),
+                CHECK_THAT(half_space_bilinear_coefficient(i, j, k * dx, l * dy, dx, dy, material),
                            WithinRel(expected, 1e-10));
             }
 }
 
-// The half tents are evaluated elsewhere and by other formulas than the whole.
-TEST_CASE("the tent is the sum of its half tents to rounding", "[half_space]") {
+// The half hat functions are evaluated elsewhere and by other formulas than the whole.
+TEST_CASE("the hat function is the sum of its half hat functions to rounding", "[half_space]") {
     const double aspect = GENERATE(1e-3, 0.01, 0.1, 0.7, 1.0, 5.0, 10.0, 100.0, 1e3);
     const Material material{1, 0.3};
     const double dy = 0.4, dx = dy * aspect;
@@ -101,17 +101,17 @@ TEST_CASE("the tent is the sum of its half tents to rounding", "[half_space]") {
     for (double k = -6; k <= 6; k += 0.37)
         for (double l = -6; l <= 6; l += 0.43) {
             const double x = k * dx, y = l * dy;
-            const double local = half_space_tent_coefficient(Axis::x, Axis::x, x, y, dx, dy, material);
+            const double local = half_space_bilinear_coefficient(Axis::x, Axis::x, x, y, dx, dy, material);
             for (const Axis i : axes)
                 for (const Axis j : axes)
-                    worst = std::max(worst, std::abs(half_space_tent_coefficient(i, j, x, y, dx, dy, material) -
-                                                     from_half_tents(i, j, x, y, dx, dy, material)) /
+                    worst = std::max(worst, std::abs(half_space_bilinear_coefficient(i, j, x, y, dx, dy, material) -
+                                                     from_half_hats(i, j, x, y, dx, dy, material)) /
                                                 local);
         }
     CHECK(worst < 2e-13);
 }
 
-TEST_CASE("the tent is the constant load averaged over an element", "[half_space]") {
+TEST_CASE("the hat function is the constant load averaged over an element", "[half_space]") {
     const Material material{200, 0.42};
     const double dx = 0.3, dy = 0.2;
     const double largest = largest_entry(dx, dy, material);
@@ -124,14 +124,14 @@ TEST_CASE("the tent is the constant load averaged over an element", "[half_space
                 };
                 const double mean =
                     adaptive(constant, (k - 0.5) * dx, (k + 0.5) * dx, (l - 0.5) * dy, (l + 0.5) * dy, 1e-6 * largest);
-                CHECK_THAT(half_space_tent_coefficient(i, j, k * dx, l * dy, dx, dy, material),
+                CHECK_THAT(half_space_bilinear_coefficient(i, j, k * dx, l * dy, dx, dy, material),
                            WithinAbs(mean, 1e-5 * largest));
             }
 }
 
-// Tents on a grid add up to 1, with a slope of one element around: the constant load on all elements, averaged over
-// one.
-TEST_CASE("tents side by side sum to a constant load", "[half_space]") {
+// Hat functions on a grid add up to 1, with a slope of one element around: the constant load on all elements, averaged
+// over one.
+TEST_CASE("hat functions side by side sum to a constant load", "[half_space]") {
     const Material material{200, 0.3};
     const double dx = 0.1, dy = 0.25;
     const int nx = 12, ny = 7;  // to each side of the middle
@@ -142,7 +142,7 @@ TEST_CASE("tents side by side sum to a constant load", "[half_space]") {
             double sum = 0;
             for (int k = -nx; k <= nx; ++k)
                 for (int l = -ny; l <= ny; ++l)
-                    sum += half_space_tent_coefficient(i, j, offset - k * dx, -l * dy, dx, dy, material);
+                    sum += half_space_bilinear_coefficient(i, j, offset - k * dx, -l * dy, dx, dy, material);
             const auto large = [&](double x, double y) {
                 return half_space_coefficient(i, j, x, y, (2 * nx + 1) * dx, (2 * ny + 1) * dy, material) / (dx * dy);
             };
@@ -152,26 +152,26 @@ TEST_CASE("tents side by side sum to a constant load", "[half_space]") {
         }
 }
 
-TEST_CASE("far away the tent is a force of dx dy", "[half_space]") {
+TEST_CASE("far away the hat function is a force of dx dy", "[half_space]") {
     const double aspect = GENERATE(0.1, 1.0, 10.0);
     const Material material{200, 0.3};
     const double dx = 0.5, dy = dx / aspect, x = 3e5 * dx, y = -4e5 * dx;
     for (const Axis i : axes)
         for (const Axis j : axes) {
             CAPTURE(aspect, int(i), int(j));
-            CHECK_THAT(half_space_tent_coefficient(i, j, x, y, dx, dy, material),
+            CHECK_THAT(half_space_bilinear_coefficient(i, j, x, y, dx, dy, material),
                        WithinRel(dx * dy * kernel(i, j, x, y, material.nu) / material.G, 1e-9));
         }
 }
 
-TEST_CASE("the tent has the exact parity of each component", "[half_space]") {
+TEST_CASE("the hat function has the exact parity of each component", "[half_space]") {
     const Material material{1, 0.3};
     const double distance = GENERATE(0.0, 0.3, 1.0, 2.0, 5.0, 40.0, 1000.0);
     for (const Axis i : axes)
         for (const Axis j : axes) {
             const auto [along_x, along_y] = parity(i, j);
             const auto A = [&](double x, double y) {
-                return half_space_tent_coefficient(i, j, x, y, 1, 0.7, material);
+                return half_space_bilinear_coefficient(i, j, x, y, 1, 0.7, material);
             };
             CHECK(A(-distance, 2) == along_x * A(distance, 2));
             CHECK(A(3, -distance) == along_y * A(3, distance));
@@ -180,11 +180,11 @@ TEST_CASE("the tent has the exact parity of each component", "[half_space]") {
         }
 }
 
-TEST_CASE("a table of bilinear loads holds the tent at the element centres", "[half_space]") {
+TEST_CASE("a table of bilinear loads holds the hat function at the element centres", "[half_space]") {
     const IcSpec spec = analytic({200, 0.42}, 0.06, 0.05, 7, 4, LoadShape::bilinear);
     const IcTable table = half_space_table(spec);
     for (const Axis i : axes)
         for (const Axis j : axes)
             CHECK(table(i, j, 6, 3) ==
-                  half_space_tent_coefficient(i, j, 6 * spec.dx, 3 * spec.dy, spec.dx, spec.dy, spec.material));
+                  half_space_bilinear_coefficient(i, j, 6 * spec.dx, 3 * spec.dy, spec.dx, spec.dy, spec.material));
 }

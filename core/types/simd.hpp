@@ -1,4 +1,4 @@
-// Loops over arrays in the widest registers that the processor has.
+// SIMD: loops over arrays in the widest registers that the processor has.
 #pragma once
 
 /// Functions marked with it are compiled twice, the second time for processors with AVX2 and FMA, and the fitting one
@@ -6,9 +6,9 @@
 /// made.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
-#define CONTACTD_WIDE [[gnu::target_clones("arch=x86-64-v3", "default")]]
+#define CONTACTD_SIMD [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #else
-#define CONTACTD_WIDE
+#define CONTACTD_SIMD
 #endif
 
 /// What such functions call must become part of them, or it would be compiled once.
