@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "contact_cases.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/contact_influence.hpp"
 #include "contactd/rotated_prism.hpp"
+#include "contactd/strip_frames.hpp"
 
 namespace {
 
@@ -41,10 +41,10 @@ struct Rolled {
         ics.body = BodyShape::prism;
         ics.section = Section{RailSection{.from = -0.5 * grid.ny * grid.dy}};
         problem.bodies.lower.ics = ics;
-        problem.columns = ContactColumns{.frames = column_frames(*ics.section, grid.ny, grid.dy)};
+        problem.columns = ContactColumns{.frames = strip_frames(*ics.section, grid.ny, grid.dy)};
         Grid longer = grid;
         ++longer.nx;  // a step ahead
-        columns = make_influence(problem, BodyTable(ColumnTable()),
+        columns = make_influence(problem, BodyTable(StripTable()),
                                  BodyTable(rotated_prism(*ics.section, longer, steel, LoadShape::constant)));
 
         const Values distance = sampled(radii_of_force({6, 4}, (1 - steel.nu) / steel.G / 2, Fn), grid);

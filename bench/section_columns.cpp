@@ -35,14 +35,14 @@ int run(const Options& options) {
     const Section section = section_of(options.at("--shape"), number("--radius"));
     const SectionOutline outline = outline_of(geometry::SectionGeometry(section, columns, 1, "section"));
     MeshDensity density;
-    density.edges_a_column = static_cast<int>(number("--edges"));
+    density.edges_a_strip = static_cast<int>(number("--edges"));
     const DividedOutline divided = divide(outline, density);
     const SectionMesh mesh = make_section_mesh(outline, divided, triangulate(divided, density), order);
     SectionModel model(outline, mesh, order, nu);
     const std::vector<double> values = model.at(0).values;
     std::printf("{\"unknowns\": %lld, \"angles\": [", model.unknowns());
     const char* comma = "";
-    for (const ColumnFrame& frame : column_frames(outline)) {
+    for (const StripFrame& frame : strip_frames(outline)) {
         std::printf("%s%.12g", comma, frame.angle);
         comma = ", ";
     }

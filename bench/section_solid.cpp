@@ -35,7 +35,7 @@ double processor_seconds() {
 }
 
 /// Over zz of the half-space under an element.
-double largest_difference(const ColumnTable& one, const ColumnTable& other) {
+double largest_difference(const StripTable& one, const StripTable& other) {
     double largest = 0;
     for (std::size_t i = 0; i < one.values.size(); ++i)
         largest = std::max(largest, std::abs(one.values[i] - other.values[i]));
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     const auto whole = [&](const char* name) { return static_cast<int>(options.at(name)); };
     SolidSpec spec{.order = whole("--order"), .nx = whole("--offsets")};
     if (whole("--factor") != 0) spec.solver = Solver::direct;  // else BoomerAMG and conjugate gradients
-    spec.density.edges_a_column = whole("--edges");
+    spec.density.edges_a_strip = whole("--edges");
     spec.density.growth = options.at("--growth") - 1;
     spec.density.corner_share = 0.1;
     spec.slices = {options.at("--growth"), options.at("--length")};
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     const SolidTable solid = build_solid_table(MPI_COMM_SELF, edge_block(columns), nu, spec, observer);
     const double solid_seconds = processor_seconds() - start;
     const SpectrumBuild exact = transform(columns, reference_accuracy).build;
-    const ColumnTable table = column_table(exact.spectrum, 1, spec.nx);
+    const StripTable table = strip_table(exact.spectrum, 1, spec.nx);
     const Transform of_many = transform(many, accuracy);
     std::printf(
         "{\"found\": %.4e, \"stated\": %.4e, \"elements\": %lld, \"dofs\": %lld, \"loads\": %d, "

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "contactd/closed_form_record.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/ic_family.hpp"
 #include "contactd/solve_contact.hpp"
 #include "contactd/status.hpp"
+#include "contactd/strip_frames.hpp"
 #include "engine/ics/problem_tables.hpp"
 
 namespace contactd::engine {
@@ -89,8 +89,8 @@ Engine::Engine(EngineSettings settings)
     : settings_(std::move(settings)),
       influences_(settings_.influence_budget_bytes),
       closed_forms_(settings_.tables.memory_budget_bytes),
-      wheels_on_rails_([this](const ContactProblem& problem, const PatchColumns& columns, Observer& observer) {
-          return patch_influence(problem, columns, observer);
+      wheels_on_rails_([this](const ContactProblem& problem, const PatchStrips& strips, Observer& observer) {
+          return patch_influence(problem, strips, observer);
       }) {}
 
 Engine::~Engine() = default;
@@ -139,7 +139,7 @@ IcAnswers Engine::fetch(const ContactSetup& setup, Observer& observer) {
 IcReply Engine::table(const IcSpec& spec, Observer& observer) {
     validate(spec);
     // Tells of a bad section in the lengths of the request, before anything is built.
-    std::vector<ColumnFrame> frames = column_frames(spec);
+    std::vector<StripFrame> frames = strip_frames(spec);
     const IcAnswer answer = fetch(spec, observer);
     return {
         answer.key,       answer.origin, spec, table_for(*answer.record, spec, 1, observer), answer.record->evidence,

@@ -81,8 +81,8 @@ class Engine {
     void count(const ContactSolution& solution);
     void count(const WheelRailSolution& solution);
     PreparedContacts::Contact wheel_on_rail(const WheelRailSetup& setup, const Observer& observer);
-    ContactInfluence sections_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
-    ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns, Observer& observer);
+    ContactInfluence sections_influence(const ContactProblem& problem, const PatchStrips& strips, Observer& observer);
+    ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrips& strips, Observer& observer);
 
     const EngineSettings settings_;
     EngineCounters counters_;

@@ -2,10 +2,10 @@
 #include <string>
 
 #include "contactd/below.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/patch_influence.hpp"
 #include "contactd/proto/status.hpp"
+#include "contactd/strip_frames.hpp"
 #include "engine/engine.hpp"
 #include "engine/ics/problem_tables.hpp"
 
@@ -19,9 +19,9 @@ int rounded_up(int count) {
 }
 
 /// Of half-spaces that turn from row to row: positions of a wheel that only its x tells apart have the same rows.
-std::string rotated_key(const ContactProblem& problem, const PatchColumns& columns) {
+std::string rotated_key(const ContactProblem& problem, const PatchStrips& strips) {
     std::string key = influence_key(problem, "rotated", "");
-    for (const ColumnFrame& frame : columns.frames)
+    for (const StripFrame& frame : strips.frames)
         for (const double value : {frame.y, frame.z, frame.angle})
             key.append(reinterpret_cast<const char*>(&value), sizeof value);
     return key;
@@ -64,7 +64,7 @@ void check_half_spaces(const Bodies& bodies) {
 void check_section(const IcSpec& spec, const std::string& name) {
     try {
         validate(spec);
-        column_frames(spec);
+        strip_frames(spec);
     } catch (const InvalidArgument& error) {
         throw InvalidArgument("conformal",
                               "is fem, and the " + name + " has no coefficients by its cross-section: " + error.what());
@@ -100,35 +100,34 @@ auto below_setups(bool left_has_own, const Solve& solve) {
 }  // namespace
 
 /// The tables are those of contact.solve: from memory, from the store, or built now while the thread waits.
-ContactInfluence Engine::sections_influence(const ContactProblem& problem, const PatchColumns& columns,
+ContactInfluence Engine::sections_influence(const ContactProblem& problem, const PatchStrips& strips,
                                             Observer& observer) {
-    const auto table_of = [&](const std::optional<BodyColumns>& body, const char* name) {
+    const auto table_of = [&](const std::optional<BodyStrips>& body, const char* name) {
         if (!body) return IcAnswer{};
         check_section(body->spec, name);
         return fetch(body->spec, observer);
     };
-    const auto key_of = [](const IcAnswer& answer, const std::optional<BodyColumns>& body) {
+    const auto key_of = [](const IcAnswer& answer, const std::optional<BodyStrips>& body) {
         return body ? answer.cache_key() + " from " + std::to_string(body->first) : answer.cache_key();
     };
-    const IcAnswer rail = table_of(columns.rail, "rail"), wheel = table_of(columns.wheel, "wheel");
-    const std::string key = influence_key(problem, key_of(rail, columns.rail), key_of(wheel, columns.wheel));
+    const IcAnswer rail = table_of(strips.rail, "rail"), wheel = table_of(strips.wheel, "wheel");
+    const std::string key = influence_key(problem, key_of(rail, strips.rail), key_of(wheel, strips.wheel));
     const auto make = [&] {
         ContactInfluence influence =
-            contactd::patch_influence(problem, columns, rail.record.get(), wheel.record.get(), observer);
+            contactd::patch_influence(problem, strips, rail.record.get(), wheel.record.get(), observer);
         influence.warnings = table_warnings({wheel, rail});
         return influence;
     };
     return with_warnings(influences_.of(key, make));
 }
 
-ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchColumns& columns,
-                                         Observer& observer) {
+ContactInfluence Engine::patch_influence(const ContactProblem& problem, const PatchStrips& strips, Observer& observer) {
     check_patch(problem.grid, settings_.most_patch_elements);
-    if (!columns.flat()) check_rows(problem.grid, settings_.most_patch_bytes);
-    if (columns.of_sections()) return sections_influence(problem, columns, observer);
-    if (!columns.flat())
-        return with_warnings(influences_.of(rotated_key(problem, columns), [&] {
-            return contactd::patch_influence(problem, columns, nullptr, nullptr, observer);
+    if (!strips.flat()) check_rows(problem.grid, settings_.most_patch_bytes);
+    if (strips.of_sections()) return sections_influence(problem, strips, observer);
+    if (!strips.flat())
+        return with_warnings(influences_.of(rotated_key(problem, strips), [&] {
+            return contactd::patch_influence(problem, strips, nullptr, nullptr, observer);
         }));
     ContactSetup larger = problem;
     larger.grid.nx = rounded_up(problem.grid.nx);

@@ -17,7 +17,7 @@ std::string frame(std::size_t at) {
 // A chord is never longer than its arc, and shorter by little where columns are fit to resolve a contact.
 void check_distance(const ContactColumns& columns, std::size_t at, double dy) {
     constexpr double longest = 1 + 1e-6, shortest = 0.6;
-    const ColumnFrame &here = columns.frames[at], &before = columns.frames[at - 1];
+    const StripFrame &here = columns.frames[at], &before = columns.frames[at - 1];
     const double distance = std::hypot(here.y - before.y, here.z - before.z);
     if (distance >= shortest * dy && distance <= longest * dy) return;
     throw InvalidArgument(frame(at),

@@ -93,9 +93,9 @@ void validate_prism(const IcSpec& spec) {
     if (spec.section->free)
         throw InvalidArgument("ics.section.free",
                               "is true; what nothing holds has no displacements: hold a part of it");
-    if (spec.ny > most_columns)
+    if (spec.ny > most_strips)
         throw InvalidArgument("grid.ny", "is " + std::to_string(spec.ny) + "; a prism has at most " +
-                                             std::to_string(most_columns) + " columns");
+                                             std::to_string(most_strips) + " columns");
     // By finite elements the record serves any nx; what a request makes of it is for body_table to limit.
     if (spec.source == IcSource::analytic &&
         static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >

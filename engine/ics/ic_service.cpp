@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "contactd/closed_form_record.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_family.hpp"
+#include "contactd/strip_frames.hpp"
 #include "description.hpp"
 #include "request_in_flight.hpp"
 
@@ -68,7 +68,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         return answer(caller, key, std::move(record), "closed_form");
     }
     if (answer_imported(spec, key, caller)) return;
-    (void)column_frames(spec);  // tells of a bad section in the lengths of the request; what is built has columns of 1
+    (void)strip_frames(spec);  // tells of a bad section in the lengths of the request; what is built has strips of 1
     bool opened = false;
     const RequestPtr request = join_or_open(spec, key, caller, opened);
     if (opened) look_up(request);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "backend.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/status.hpp"
+#include "contactd/strip_frames.hpp"
 #include "engine/engine.hpp"
 #include "engine/environment.hpp"
 #include "engine/ics/problem_tables.hpp"
@@ -172,11 +172,11 @@ class LocalBackend final : public Backend {
         auto steps = observed(control, timeout, [&](LocalObserver& observer) { return engine_->open(spec, observer); });
         return std::make_unique<LocalContact>(engine_, std::move(steps), settings.timeout);
     }
-    std::vector<ColumnFrame> frames(const Section& section, int columns, double ds, const Settings&,
-                                    const Control&) const override {
+    std::vector<StripFrame> frames(const Section& section, int columns, double ds, const Settings&,
+                                   const Control&) const override {
         const IcSpec spec = spec_of_frames(section, columns, ds);
         validate(spec);
-        return column_frames(spec);
+        return strip_frames(spec);
     }
     std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const override {
         return std::make_unique<LocalWheel>(engine_, settings.timeout);

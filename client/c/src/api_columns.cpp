@@ -5,8 +5,8 @@
 #include "edge.hpp"
 
 using namespace contactd::c;
-using contactd::ColumnFrame;
 using contactd::InvalidArgument;
+using contactd::StripFrame;
 
 namespace {
 
@@ -43,7 +43,7 @@ std::int32_t contactd_get_frames(contactd_contact* contact, std::int32_t body, d
         if (length != grid.ny)
             throw InvalidArgument("length", "is " + std::to_string(length) + "; the grid has " +
                                                 std::to_string(grid.ny) + " rows, which are the columns");
-        const std::vector<ColumnFrame> frames = asked.frames(section);
+        const std::vector<StripFrame> frames = asked.frames(section);
         for (std::size_t i = 0; i < frames.size(); ++i) {
             y[i] = frames[i].y;
             z[i] = frames[i].z;

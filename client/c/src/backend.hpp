@@ -80,9 +80,9 @@ class Backend {
     /// Returns when the tables lie ready. `spec` has passed validate_opening.
     virtual std::unique_ptr<OpenContact> open(const SessionSpec& spec, const Settings& settings,
                                               const Control& control) const = 0;
-    /// Of so many columns of a section, each `ds` wide; refused as column_frames does, below "ics.section".
-    virtual std::vector<ColumnFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
-                                            const Control& control) const = 0;
+    /// Of so many columns of a section, each `ds` wide; refused as strip_frames does, below "ics.section".
+    virtual std::vector<StripFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
+                                           const Control& control) const = 0;
     /// Sends nothing yet.
     virtual std::unique_ptr<OpenWheel> open_wheel(const Settings& settings) const = 0;
     /// Throws when no contact can be solved there now.

@@ -117,7 +117,7 @@ const IcUses& Contact::ics() const {
     return open_->ics();
 }
 
-std::vector<ColumnFrame> Contact::frames(const Section& section) {
+std::vector<StripFrame> Contact::frames(const Section& section) {
     const Grid& grid = said.problem.grid;
     return controlled(
         [&](Control& control) { return backend_->frames(section, grid.ny, grid.dy, settings_, control); });

@@ -44,7 +44,7 @@ class Contact : public Called {
     const Result& result() const;
     const IcUses& ics() const;
     /// Where the columns of a section lie that are the rows of the grid.
-    std::vector<ColumnFrame> frames(const Section& section);
+    std::vector<StripFrame> frames(const Section& section);
     /// Of the last step, 0 before the first.
     std::int32_t step_number() const;
 

@@ -119,8 +119,8 @@ class RemoteBackend final : public Backend {
         return std::make_unique<RemoteContact>(endpoint_, spec, settings, control);
     }
 
-    std::vector<ColumnFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
-                                    const Control& control) const override {
+    std::vector<StripFrame> frames(const Section& section, int columns, double ds, const Settings& settings,
+                                   const Control& control) const override {
         const IcSpec spec = spec_of_frames(section, columns, ds);
         return client::Client(endpoint_, options_of(settings)).get_ic(spec, options_of(control)).frames;
     }

@@ -18,12 +18,11 @@ std::vector<std::string> warnings_of(const IcSpec& spec, const SpectrumErrors& e
     std::vector<std::string> result;
     if (errors.total() > spec.accuracy) {
         std::array<char, 300> text{};
-        std::snprintf(
-            text.data(), text.size(),
-            "The stated error, %.2g, exceeds the accuracy asked for, %g: %.2g of it is half of what "
-            "coefficients are not reciprocal by, as of columns beside an edge. Narrower columns, or some that "
-            "keep away from the edge, have less of it.",
-            errors.total(), spec.accuracy, errors.reciprocity / 2);
+        std::snprintf(text.data(), text.size(),
+                      "The stated error, %.2g, exceeds the accuracy asked for, %g: %.2g of it is half of what "
+                      "coefficients are not reciprocal by, as of strips beside an edge. Narrower strips, or some that "
+                      "keep away from the edge, have less of it.",
+                      errors.total(), spec.accuracy, errors.reciprocity / 2);
         result.emplace_back(text.data());
     }
     if (const auto* rail = std::get_if<RailSection>(&spec.section->shape);

@@ -13,7 +13,7 @@ IcSpec spec_of(const SectionOutline& outline, double nu, const SolidSpec& solid)
     spec.material = {1, nu};
     spec.dx = spec.dy = 1;
     spec.nx = solid.nx;
-    spec.ny = outline.columns;
+    spec.ny = outline.strips;
     spec.fem.mesh = MeshKind::prism;
     spec.fem.order = solid.order;
     spec.fem.far_boundary = FarBoundary::clamped;
@@ -21,12 +21,12 @@ IcSpec spec_of(const SectionOutline& outline, double nu, const SolidSpec& solid)
     return spec;
 }
 
-/// The table of offsets from a column: rows are columns, since the mesh begins with the first of them.
-void add_column(const IcTable& rows, int column, ColumnTable& table) {
+/// The table of offsets from a strip: rows are strips, since the mesh begins with the first of them.
+void add_strip(const IcTable& rows, int strip, StripTable& table) {
     for (const Axis i : {Axis::x, Axis::y, Axis::z})
         for (const Axis j : {Axis::x, Axis::y, Axis::z})
             for (int I = 0; I < rows.ny; ++I)
-                for (int k = 0; k < rows.nx; ++k) table(i, j, I, column, k) = rows(i, j, k, I);
+                for (int k = 0; k < rows.nx; ++k) table(i, j, I, strip, k) = rows(i, j, k, I);
 }
 
 }  // namespace
@@ -37,15 +37,15 @@ SolidTable build_solid_table(MPI_Comm comm, const SectionOutline& outline, doubl
     const Triangulation triangulation = triangulate(divided, solid.density);
     CollectiveObserver collective(comm, observer);
     SolidTable result;
-    result.table = ColumnTable(solid.nx, outline.columns);
-    for (int column = 0; column < outline.columns; ++column) {
+    result.table = StripTable(solid.nx, outline.strips);
+    for (int strip = 0; strip < outline.strips; ++strip) {
         ElasticityProblem problem(comm, spec_of(outline, nu, solid),
-                                  make_solid_mesh(outline, divided, triangulation, column, solid.slices));
-        const double share = 1.0 / outline.columns;
-        const IcRecord record = solve_and_sample(
-            problem, [](ElasticityProblem& of, Axis load) { return of.load_case(load); },
-            {&collective, column * share, share});
-        add_column(record.table(), column, result.table);
+                                  make_solid_mesh(outline, divided, triangulation, strip, solid.slices));
+        const double share = 1.0 / outline.strips;
+        const IcRecord record =
+            solve_and_sample(problem, [](ElasticityProblem& of, Axis load) { return of.load_case(load); },
+                             {&collective, strip * share, share});
+        add_strip(record.table(), strip, result.table);
         const IcEvidence& evidence = record.evidence;
         result.elements = evidence.elements;
         result.dofs = evidence.dofs;
@@ -63,8 +63,7 @@ SolidTable build_solid_table(MPI_Comm comm, const SectionOutline& outline, doubl
 
 long long solid_dofs(const SectionOutline& outline, const SolidSpec& solid) {
     const DividedOutline divided = divide(outline, solid.density);
-    BlockMesh block =
-        make_solid_mesh(outline, divided, triangulate(divided, solid.density), 0, solid.slices);
+    BlockMesh block = make_solid_mesh(outline, divided, triangulate(divided, solid.density), 0, solid.slices);
     const mfem::H1_FECollection collection(solid.order, 3);
     return mfem::FiniteElementSpace(&block.mesh, &collection, 3).GetTrueVSize();
 }

@@ -1,30 +1,30 @@
 // The three-dimensional way to a prism's coefficients, which the transform along x is checked against.
 #pragma once
 
-#include "contactd/column_table.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/strip_table.hpp"
 #include "section/solid_mesh.hpp"
 
 namespace contactd::fem {
 
 struct SolidSpec {
     Solver solver = Solver::amg_pcg;
-    int order = 2;        ///< of the elements
+    int order = 2;          ///< of the elements
     MeshDensity density{};  ///< of the section's mesh
     Slices slices{};
-    int nx = 1;  ///< offsets 0..nx-1 of a column's width along x
+    int nx = 1;  ///< offsets 0..nx-1 of a strip's width along x
 };
 
 struct SolidTable {
-    ColumnTable table;  ///< for G = 1 and ds = 1, on elements as long as wide, symmetric as the transform's is
+    StripTable table;  ///< for G = 1 and ds = 1, on elements as long as wide, symmetric as the transform's is
     long long elements = 0, dofs = 0;
-    int loads = 0, iterations = 0;                 ///< of conjugate gradients, all loads together
+    int loads = 0, iterations = 0;                                      ///< of conjugate gradients, all loads together
     double assembly_seconds = 0, setup_seconds = 0, solve_seconds = 0;  ///< of all loads together
 };
 
-/// Collective. Each column in turn carries a unit traction along each axis on a mesh of the paper's kind (Mesh2). The
+/// Collective. Each strip in turn carries a unit traction along each axis on a mesh of the paper's kind (Mesh2). The
 /// paper's solver is BoomerAMG with conjugate gradients; elements of order three are quicker with a factor. For a few
-/// columns: eighty of them would take hours. Throws as make_solid_mesh() does, and NotConverged.
+/// strips: eighty of them would take hours. Throws as make_solid_mesh() does, and NotConverged.
 SolidTable build_solid_table(MPI_Comm comm, const SectionOutline& outline, double nu, const SolidSpec& solid,
                              Observer& observer);
 

@@ -19,11 +19,11 @@ double distance(const PlanePoint& a, const PlanePoint& b) {
     return std::hypot(a.y - b.y, a.z - b.z);
 }
 
-/// Between two of these the outline is smooth, wholly a column or not, wholly clamped or not.
+/// Between two of these the outline is smooth, wholly a strip or not, wholly clamped or not.
 struct Stretch {
     std::size_t loop, piece;
     double from, to;
-    int column;
+    int strip;
 };
 
 struct Fine {
@@ -34,10 +34,10 @@ struct Fine {
 std::vector<Stretch> stretches(const SectionOutline& outline) {
     std::vector<Stretch> result;
     const double length = length_of(outline.loops[outline.carrier]);
-    // Ends of columns along their loop, in [0, length).
+    // Ends of strips along their loop, in [0, length).
     std::vector<double> ends;
-    for (int i = 0; i <= outline.columns; ++i) {
-        const double s = outline.first_column + i;
+    for (int i = 0; i <= outline.strips; ++i) {
+        const double s = outline.first_strip + i;
         ends.push_back(s - length * std::floor(s / length));
     }
     double begin = 0;
@@ -53,11 +53,11 @@ std::vector<Stretch> stretches(const SectionOutline& outline) {
             std::ranges::sort(cuts);
             for (std::size_t cut = 0; cut + 1 < cuts.size(); ++cut) {
                 if (cut > 0 && cuts[cut + 1] - cuts[cut] < rounding) continue;
-                double at = begin + (cuts[cut] + cuts[cut + 1]) / 2 - outline.first_column;
+                double at = begin + (cuts[cut] + cuts[cut + 1]) / 2 - outline.first_strip;
                 at -= length * std::floor(at / length);
-                const bool on_columns = loop == outline.carrier && at < outline.columns;
+                const bool on_strips = loop == outline.carrier && at < outline.strips;
                 result.push_back(
-                    {loop, piece, cuts[cut], cuts[cut + 1], on_columns ? static_cast<int>(std::floor(at)) : -1});
+                    {loop, piece, cuts[cut], cuts[cut + 1], on_strips ? static_cast<int>(std::floor(at)) : -1});
             }
             begin += piece_length;
         }
@@ -91,13 +91,12 @@ class Division {
     Division(const SectionOutline& outline, const MeshDensity& density)
         : outline_(outline), density_(density), stretches_(stretches(outline)) {
         sample();
-        for (int i = 0; i <= 2 * outline.columns; ++i)
-            columns_.push_back(
-                point_at(outline, position_at(outline, outline.carrier, outline.first_column + 0.5 * i)));
-        for (const PlanePoint& at : columns_) fine_.push_back({at, 1.0 / density.edges_a_column, density.growth});
+        for (int i = 0; i <= 2 * outline.strips; ++i)
+            strips_.push_back(point_at(outline, position_at(outline, outline.carrier, outline.first_strip + 0.5 * i)));
+        for (const PlanePoint& at : strips_) fine_.push_back({at, 1.0 / density.edges_a_strip, density.growth});
         const double growth = std::min(density.growth, 0.35);
         for (const PlanePoint& corner : singular_corners(outline))
-            fine_.push_back({corner, std::max(density.corner_share * from_columns(corner), 1e-3), growth});
+            fine_.push_back({corner, std::max(density.corner_share * from_strips(corner), 1e-3), growth});
     }
 
     DividedOutline divide() const {
@@ -115,8 +114,8 @@ class Division {
             for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
                 const int vertex = static_cast<int>(result.vertices.size());
                 result.vertices.push_back(piece.point(cuts[i]));
-                result.edges.push_back({stretch.loop, stretch.piece, cuts[i], cuts[i + 1], stretch.column,
-                                        piece.clamped, vertex, vertex + 1});
+                result.edges.push_back({stretch.loop, stretch.piece, cuts[i], cuts[i + 1], stretch.strip, piece.clamped,
+                                        vertex, vertex + 1});
             }
         }
         close(result);
@@ -132,7 +131,7 @@ class Division {
     /// Points along the outline, for its extent and the thickness of the body.
     void sample() {
         for (const Stretch& stretch : stretches_) {
-            if (stretch.column >= 0) continue;
+            if (stretch.strip >= 0) continue;
             constexpr int count = 40;
             const OutlinePiece& piece = outline_.loops[stretch.loop][stretch.piece];
             for (int i = 0; i < count; ++i) {
@@ -141,11 +140,11 @@ class Division {
                 walls_.push_back({piece.point(a), piece.point(b)});
             }
         }
-        if (outline_.columns > 0)
-            for (int i = 0; i < outline_.columns; ++i)
+        if (outline_.strips > 0)
+            for (int i = 0; i < outline_.strips; ++i)
                 walls_.push_back(
-                    {point_at(outline_, position_at(outline_, outline_.carrier, outline_.first_column + i)),
-                     point_at(outline_, position_at(outline_, outline_.carrier, outline_.first_column + i + 1))});
+                    {point_at(outline_, position_at(outline_, outline_.carrier, outline_.first_strip + i)),
+                     point_at(outline_, position_at(outline_, outline_.carrier, outline_.first_strip + i + 1))});
         PlanePoint low = walls_.front()[0], high = low;
         for (const auto& wall : walls_) {
             low = {std::min(low.y, wall[0].y), std::min(low.z, wall[0].z)};
@@ -154,9 +153,9 @@ class Division {
         extent_ = std::max(high.y - low.y, high.z - low.z);
     }
 
-    double from_columns(const PlanePoint& at) const {
+    double from_strips(const PlanePoint& at) const {
         double least = extent_;
-        for (const PlanePoint& column : columns_) least = std::min(least, distance(at, column));
+        for (const PlanePoint& strip : strips_) least = std::min(least, distance(at, strip));
         return least;
     }
 
@@ -181,9 +180,9 @@ class Division {
         const PlanePoint at = piece.point(s);
         double size = extent_ / density_.edges_a_body;
         for (const Fine& fine : fine_) size = std::min(size, fine.size + fine.growth * distance(at, fine.at));
-        // Where a layer is thin beside its distance from the columns little happens.
+        // Where a layer is thin beside its distance from the strips little happens.
         constexpr double slow_growth = 0.1;
-        if (const double wall = std::max(thickness(at, piece.normal(s)), slow_growth * from_columns(at)); wall < size)
+        if (const double wall = std::max(thickness(at, piece.normal(s)), slow_growth * from_strips(at)); wall < size)
             size = wall;
         return std::max(1 / size, turn_rate(piece, s) / largest_turn);
     }
@@ -192,12 +191,12 @@ class Division {
         const OutlinePiece& piece = outline_.loops[stretch.loop][stretch.piece];
         const double length = stretch.to - stretch.from;
         std::vector<double> cuts;
-        if (stretch.column >= 0) {
+        if (stretch.strip >= 0) {
             const double by_turn = length * turn_rate(piece, stretch.from + length / 2) / largest_turn;
             const int count = std::max(
-                1, count_of(std::max(0.0, std::ceil(std::max(length * density_.edges_a_column, by_turn) - 1e-6)),
-                            {"ics.section", "turns too much within a column", "edges of elements",
-                             "take narrower columns"}));
+                1, count_of(
+                       std::max(0.0, std::ceil(std::max(length * density_.edges_a_strip, by_turn) - 1e-6)),
+                       {"ics.section", "turns too much within a strip", "edges of elements", "take narrower strips"}));
             for (int i = 0; i <= count; ++i) cuts.push_back(stretch.from + length * i / count);
             return cuts;
         }
@@ -211,8 +210,8 @@ class Division {
             sum.push_back(sum.back() +
                           edges_a_length(piece, (place(step) + place(step + 1)) / 2) * (place(step + 1) - place(step)));
         const int count = std::max(1, count_of(std::max(0.0, std::ceil(sum.back() - 1e-6)),
-                                               {"ics.section", "has an outline that is thin or long for its columns",
-                                                "edges of elements", "take wider columns, or a thicker section"}));
+                                               {"ics.section", "has an outline that is thin or long for its strips",
+                                                "edges of elements", "take wider strips, or a thicker section"}));
         int step = 0;
         for (int i = 0; i < count; ++i) {
             const double wanted = sum.back() * i / count;
@@ -228,7 +227,7 @@ class Division {
     const MeshDensity& density_;
     std::vector<Stretch> stretches_;
     std::vector<std::array<PlanePoint, 2>> walls_;
-    std::vector<PlanePoint> columns_;
+    std::vector<PlanePoint> strips_;
     std::vector<Fine> fine_;
     double extent_ = 0;
 };

@@ -9,10 +9,10 @@ namespace contactd::fem {
 
 /// How fine a mesh is.
 struct MeshDensity {
-    int edges_a_column = 4;
+    int edges_a_strip = 4;
     double growth = 0.45;        ///< of the size of elements with the distance from what is fine
     double edges_a_body = 10;    ///< of the largest extent
-    double corner_share = 1e-3;  ///< size at a singular corner, over its distance from the columns
+    double corner_share = 1e-3;  ///< size at a singular corner, over its distance from the strips
 };
 
 /// From `from` to `to` (arc length along a piece), between the vertices `first` and `first + 1`, the last of a loop
@@ -20,7 +20,7 @@ struct MeshDensity {
 struct BoundaryEdge {
     std::size_t loop, piece;
     double from, to;
-    int column;  ///< that it belongs to, or -1
+    int strip;  ///< that it belongs to, or -1
     bool clamped;
     int first, second;  ///< vertices, numbered from loop to loop with the body on the right
 };
@@ -32,7 +32,7 @@ struct DividedOutline {
     double extent = 0;            ///< of the body
 };
 
-/// Columns are divided evenly, everything else grows with the distance from them, and from corners where stresses are
+/// Strips are divided evenly, everything else grows with the distance from them, and from corners where stresses are
 /// singular: re-entrant ones, and the ends of what is clamped. No edge turns by more than a sixth of a right angle, or
 /// is much longer than the body is thick there.
 DividedOutline divide(const SectionOutline& outline, const MeshDensity& density);

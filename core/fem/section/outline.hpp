@@ -1,5 +1,5 @@
-// What the mesh of a cross-section is made from: closed curves of smooth pieces, by arc length, and the columns on one
-// of them. Lengths are over the width ds of a column, so that sections of one shape have one mesh.
+// What the mesh of a cross-section is made from: closed curves of smooth pieces, by arc length, and the strips on one
+// of them. Lengths are over the width ds of a strip, so that sections of one shape have one mesh.
 #pragma once
 
 #include <functional>
@@ -23,9 +23,9 @@ using OutlineLoop = std::vector<OutlinePiece>;
 
 struct SectionOutline {
     std::vector<OutlineLoop> loops;  ///< the outer one first
-    std::size_t carrier = 0;         ///< the loop that carries the columns
-    double first_column = 0;         ///< where the first one begins, in arc length along it
-    int columns = 0;                 ///< of arc length one each, side by side
+    std::size_t carrier = 0;         ///< the loop that carries the strips
+    double first_strip = 0;          ///< where the first one begins, in arc length along it
+    int strips = 0;                  ///< of arc length one each, side by side
 };
 
 /// Where a point of a loop lies: a piece, and the arc length along it.

@@ -7,8 +7,8 @@ namespace contactd::fem {
 
 SectionModel::SectionModel(const SectionOutline& outline, const SectionMesh& mesh, int order, double nu)
     : matrices_(mesh, order, nu),
-      loads_(column_loads(outline, mesh, matrices_)),
-      observations_(column_observations(outline, mesh, matrices_)),
+      loads_(strip_loads(outline, mesh, matrices_)),
+      observations_(strip_observations(outline, mesh, matrices_)),
       factor_(matrices_.pattern()) {}
 
 WaveResponse SectionModel::at(double xi) {

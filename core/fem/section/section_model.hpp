@@ -1,15 +1,15 @@
-// A section by finite elements: what a wavenumber's loads on its columns do to its columns.
+// A section by finite elements: what loads on its strips do to its strips at a wavenumber.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "column_vectors.hpp"
+#include "strip_vectors.hpp"
 #include "wave_factor.hpp"
 
 namespace contactd::fem {
 
-/// One wavenumber's part of a ColumnSpectrum, symmetric.
+/// One wavenumber's part of a StripSpectrum, symmetric.
 struct WaveResponse {
     std::vector<double> values;     ///< a >= b at a (a + 1)/2 + b
     double reciprocity_defect = 0;  ///< largest |A - A'| before it was made symmetric

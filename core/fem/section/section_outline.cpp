@@ -29,8 +29,8 @@ SectionOutline outline_of(const geometry::SectionGeometry& section) {
         for (const geometry::OutlinePiece& piece : curve.pieces()) loop.push_back(piece_of(piece));
     }
     outline.carrier = section.carrier_index();
-    outline.first_column = section.begin_of(0);
-    outline.columns = section.columns();
+    outline.first_strip = section.begin_of(0);
+    outline.strips = section.strips();
     return outline;
 }
 

@@ -28,19 +28,19 @@ std::vector<double> slice_lines(const Slices& slices, double finest) {
     return lines;
 }
 
-/// Where columns lie along y, and how the mesh has it.
+/// Where strips lie along y, and how the mesh has it.
 class Places {
    public:
     Places(const SectionOutline& outline, const DividedOutline& divided) {
-        const auto middle = [&](int column) {
-            return position_at(outline, outline.carrier, outline.first_column + column + 0.5);
+        const auto middle = [&](int strip) {
+            return position_at(outline, outline.carrier, outline.first_strip + strip + 0.5);
         };
-        const PlanePoint first = point_at(outline, middle(0)), last = point_at(outline, middle(outline.columns - 1));
+        const PlanePoint first = point_at(outline, middle(0)), last = point_at(outline, middle(outline.strips - 1));
         const double along = last.y - first.y;
-        if (std::abs(along - (outline.columns - 1)) > rounding * outline.columns ||
+        if (std::abs(along - (outline.strips - 1)) > rounding * outline.strips ||
             std::abs(last.z - first.z) > rounding * divided.extent || normal_at(outline, middle(0)).z < 1 - rounding)
             throw InvalidArgument("ics.section",
-                                  "has columns that do not lie on a level line, which three dimensions are meshed for");
+                                  "has strips that do not lie on a level line, which three dimensions are meshed for");
         first_ = first.y;
     }
     double mirrored(double y) const { return first_ - y; }
@@ -52,8 +52,8 @@ class Places {
 /// Gives faces their part, by the edges of the section that they stand on.
 class Marker {
    public:
-    Marker(const DividedOutline& divided, int column, double length, int layer)
-        : divided_(divided), column_(column), length_(length), layer_(layer) {
+    Marker(const DividedOutline& divided, int strip, double length, int layer)
+        : divided_(divided), strip_(strip), length_(length), layer_(layer) {
         for (std::size_t i = 0; i < divided.edges.size(); ++i) {
             const auto [low, high] = std::minmax(divided.edges[i].first, divided.edges[i].second);
             edge_of_[{low, high}] = i;
@@ -83,12 +83,12 @@ class Marker {
         const BoundaryEdge& edge = divided_.edges[edge_of_.at({low, high})];
         if (edge.clamped) return BoundaryPart::far;
         constexpr double half_load = 0.5;
-        return edge.column == column_ && farthest <= half_load * (1 + rounding) ? BoundaryPart::loaded
-                                                                                : BoundaryPart::free;
+        return edge.strip == strip_ && farthest <= half_load * (1 + rounding) ? BoundaryPart::loaded
+                                                                              : BoundaryPart::free;
     }
 
     const DividedOutline& divided_;
-    int column_;
+    int strip_;
     double length_;
     int layer_;  ///< vertices of a section
     std::map<std::array<int, 2>, std::size_t> edge_of_;
@@ -112,13 +112,13 @@ mfem::Mesh extrude(const Triangulation& section, const Places& places, const std
 }  // namespace
 
 BlockMesh make_solid_mesh(const SectionOutline& outline, const DividedOutline& divided,
-                          const Triangulation& triangulation, int column, const Slices& slices) {
+                          const Triangulation& triangulation, int strip, const Slices& slices) {
     const Places places(outline, divided);
     const std::vector<EdgeElement> elements = elements_of_edges(divided, triangulation);
     double finest = 1;
     std::vector<std::size_t> carriers;
     for (std::size_t i = 0; i < divided.edges.size(); ++i) {
-        if (divided.edges[i].column < 0) continue;
+        if (divided.edges[i].strip < 0) continue;
         carriers.push_back(i);
         finest = std::min(finest, divided.edges[i].to - divided.edges[i].from);
     }
@@ -126,19 +126,19 @@ BlockMesh make_solid_mesh(const SectionOutline& outline, const DividedOutline& d
 
     BlockMesh result;
     result.mesh = extrude(triangulation, places, lines);
-    Marker(divided, column, lines.back(), static_cast<int>(triangulation.vertices.size())).mark(result.mesh);
+    Marker(divided, strip, lines.back(), static_cast<int>(triangulation.vertices.size())).mark(result.mesh);
     // Neither refinement nor a correction of orientations may reorder the elements: locate() counts on it.
     result.mesh.Finalize(false, false);
 
     std::vector<double> ends{-places.mirrored(divided.vertices[divided.edges[carriers.front()].first].y)};
-    std::vector<EdgeElement> on_columns;
+    std::vector<EdgeElement> on_strips;
     for (const std::size_t i : carriers) {
         ends.push_back(-places.mirrored(divided.vertices[divided.edges[i].second].y));
-        on_columns.push_back(elements[i]);
+        on_strips.push_back(elements[i]);
     }
     result.locate = [=, triangles = static_cast<int>(triangulation.triangles.size())](double X, double Y) {
         const Interval slice = find_interval(lines, X), edge = find_interval(ends, Y);
-        const EdgeElement& at = on_columns[static_cast<std::size_t>(edge.number)];
+        const EdgeElement& at = on_strips[static_cast<std::size_t>(edge.number)];
         ElementPoint point{slice.number * triangles + at.element, at.at(edge.local)};
         point.point.z = slice.local;
         return point;

@@ -7,17 +7,17 @@
 
 namespace contactd::fem {
 
-/// Slices along x: as thick under the load as edges on columns are long, growing behind it.
+/// Slices along x: as thick under the load as edges on strips are long, growing behind it.
 struct Slices {
     double growth = 1.4;  ///< of each slice to the next one
     double length = 0;    ///< from the middle of the load to where the body ends, and is clamped; over ds
 };
 
 /// The half x <= 0 of a body whose section, of straight lines, is `divided` into `triangulation`, with a load one long
-/// on `column`. As a BlockMesh has it, the body is seen from +x and +y: the middle of column I is its surface point
-/// (0, -I), so that y runs against the section's. Lengths over ds. Throws InvalidArgument ("ics.section") where columns
+/// on `strip`. As a BlockMesh has it, the body is seen from +x and +y: the middle of strip I is its surface point
+/// (0, -I), so that y runs against the section's. Lengths over ds. Throws InvalidArgument ("ics.section") where strips
 /// do not lie side by side on a level line.
 BlockMesh make_solid_mesh(const SectionOutline& outline, const DividedOutline& divided,
-                          const Triangulation& triangulation, int column, const Slices& slices);
+                          const Triangulation& triangulation, int strip, const Slices& slices);
 
 }  // namespace contactd::fem

@@ -10,8 +10,8 @@
 
 #include "contactd/error.hpp"
 #include "contactd/prism_elements.hpp"
-#include "influence/columns/spectrum_errors.hpp"
-#include "influence/columns/wavenumber_rule.hpp"
+#include "influence/strips/spectrum_errors.hpp"
+#include "influence/strips/wavenumber_rule.hpp"
 
 namespace contactd::fem {
 namespace {
@@ -112,10 +112,10 @@ class Builder {
         result_.mesh_seconds = meshed - start;
         result_.setup_seconds = MPI_Wtime() - meshed;
         const double solving = MPI_Wtime();
-        ColumnSpectrum& spectrum = result_.spectrum;
-        spectrum.columns = outline_.columns;
+        StripSpectrum& spectrum = result_.spectrum;
+        spectrum.strips = outline_.strips;
         spectrum.nu = nu_;
-        spectrum.frames = column_frames(outline_);
+        spectrum.frames = strip_frames(outline_);
         // A length of the body, beyond which little changes with the wavenumber.
         constexpr double share_of_body = 0.4;
         spectrum.xi0 = share_of_body / divided.extent;
@@ -136,7 +136,7 @@ class Builder {
 
     void refine_mesh() {
         ++refinements_;
-        ++density_.edges_a_column;
+        ++density_.edges_a_strip;
         density_.corner_share /= 10;
     }
 
@@ -218,7 +218,7 @@ class Builder {
         }
     }
 
-    /// What has to be within the accuracy. Columns beside an edge are not reciprocal whatever the mesh: a warning where
+    /// What has to be within the accuracy. Strips beside an edge are not reciprocal whatever the mesh: a warning where
     /// that alone misses the accuracy, but for those who ask for the finest.
     double missed() const { return accuracy_ < finest_level ? result_.errors.total() : result_.errors.numerical(); }
 
@@ -229,16 +229,16 @@ class Builder {
         std::snprintf(text.data(), text.size(),
                       "The accuracy of %g is not reached: coefficients may be off by %.2g, of which %.2g are the "
                       "mesh's of order %d, %.2g those of %zu wavenumbers, and %.2g half of what coefficients beside "
-                      "edges and of wide columns are not reciprocal by. Ask for a coarser accuracy, or for narrower "
-                      "columns that keep away from an edge.",
+                      "edges and of wide strips are not reciprocal by. Ask for a coarser accuracy, or for narrower "
+                      "strips that keep away from an edge.",
                       accuracy_, errors.total(), errors.mesh, result_.order, errors.wavenumbers + errors.end,
                       result_.spectrum.nodes.size(), errors.reciprocity / 2);
         throw NotConverged(text.data());
     }
 
-    /// Further wavenumbers where what lies beyond the last one matters: columns at an edge.
+    /// Further wavenumbers where what lies beyond the last one matters: strips at an edge.
     void extend(SectionModel& model) {
-        ColumnSpectrum& spectrum = result_.spectrum;
+        StripSpectrum& spectrum = result_.spectrum;
         for (;;) {
             std::ranges::transform(lengths, end_error_.begin(),
                                    [&](double dx) { return beyond_the_end(spectrum, dx); });
@@ -265,7 +265,7 @@ class Builder {
     }
 
     void refine_wavenumbers(SectionModel& model) {
-        ColumnSpectrum& spectrum = result_.spectrum;
+        StripSpectrum& spectrum = result_.spectrum;
         const std::size_t size = spectrum.component_size();
         while (!is_small(wavenumber_error_, wavenumber_share) && 2 * spectrum.nodes.size() - 1 <= most_nodes) {
             const double step = std::asinh(spectrum.nodes[1] / spectrum.xi0) / 2;
@@ -286,7 +286,7 @@ class Builder {
 
     /// Of elements of the next higher order at a few wavenumbers.
     void estimate_mesh_error(const SectionMesh& mesh) {
-        const ColumnSpectrum& spectrum = result_.spectrum;
+        const StripSpectrum& spectrum = result_.spectrum;
         const std::size_t last = spectrum.nodes.size() - 1, size = spectrum.component_size();
         const std::array<std::size_t, 4> looked_at{0, last / 2, 3 * last / 4, last};
         std::vector<double> wavenumbers;
@@ -348,13 +348,13 @@ SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, doubl
     return Builder(comm, outline, nu, accuracy, observer, max_memory_bytes).build();
 }
 
-std::vector<ColumnFrame> column_frames(const SectionOutline& outline) {
-    std::vector<ColumnFrame> frames;
-    for (int column = 0; column < outline.columns; ++column) {
-        const OutlinePosition middle = position_at(outline, outline.carrier, outline.first_column + column + 0.5);
+std::vector<StripFrame> strip_frames(const SectionOutline& outline) {
+    std::vector<StripFrame> frames;
+    for (int strip = 0; strip < outline.strips; ++strip) {
+        const OutlinePosition middle = position_at(outline, outline.carrier, outline.first_strip + strip + 0.5);
         const PlanePoint at = point_at(outline, middle), normal = normal_at(outline, middle);
         double angle = std::atan2(normal.y, normal.z);
-        if (column > 0) angle += 2 * pi * std::round((frames.back().angle - angle) / (2 * pi));
+        if (strip > 0) angle += 2 * pi * std::round((frames.back().angle - angle) / (2 * pi));
         frames.push_back({at.y, at.z, angle});
     }
     return frames;

@@ -9,7 +9,7 @@
 
 #include "boundary_edges.hpp"
 #include "collective_observer.hpp"
-#include "contactd/column_spectrum.hpp"
+#include "contactd/strip_spectrum.hpp"
 #include "section_model.hpp"
 #include "spectrum_level.hpp"
 
@@ -27,7 +27,7 @@ struct SpectrumErrors {
 };
 
 struct SpectrumBuild {
-    ColumnSpectrum spectrum;
+    StripSpectrum spectrum;
     SpectrumErrors errors;
     int order = 0;
     long long triangles = 0, unknowns = 0;
@@ -42,7 +42,7 @@ struct SpectrumBuild {
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes = 0);
 
-/// Of the columns, lengths over ds; angles run on continuously.
-std::vector<ColumnFrame> column_frames(const SectionOutline& outline);
+/// Of the strips, lengths over ds; angles run on continuously.
+std::vector<StripFrame> strip_frames(const SectionOutline& outline);
 
 }  // namespace contactd::fem

@@ -45,7 +45,7 @@ SpectrumLevel first_level(double accuracy, double nu) {
 MeshDensity density_for(double accuracy, double nu) {
     const SpectrumLevel level = first_level(accuracy, nu);
     MeshDensity density;
-    density.edges_a_column = level.edges_a_column;
+    density.edges_a_strip = level.edges_a_strip;
     density.corner_share = level.corner_share;
     return density;
 }
@@ -62,7 +62,7 @@ SpectrumSize predicted_spectrum(const SectionOutline& outline, double nu, double
     // Measured: two models, of this order and of the next one. Rows get longer with the order.
     constexpr double per_unknown = 1.2e3, shortest_row = 2.7;
     size.model_bytes = per_unknown * (p + shortest_row) * size.unknowns;
-    const double n = 3.0 * outline.columns, copies = 4;  // found, kept, written, and sent to other processes
+    const double n = 3.0 * outline.strips, copies = 4;  // found, kept, written, and sent to other processes
     size.spectrum_bytes = copies * sizeof(double) * level.nodes * n * (n + 1) / 2;
     return size;
 }

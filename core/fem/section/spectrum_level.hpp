@@ -7,7 +7,7 @@ namespace contactd::fem {
 
 /// Found good by measurement on rails, edges, grooves and layers (docs/sections.md).
 struct SpectrumLevel {
-    int order, edges_a_column, nodes;
+    int order, edges_a_strip, nodes;
     double corner_share;
 };
 

@@ -75,7 +75,7 @@ void require_simple(const DividedOutline& outline) {
                 std::array<char, 200> text{};
                 std::snprintf(text.data(), text.size(),
                               "comes closer to itself than its elements are long at (y, z) = (%.6g, %.6g) dy; keep its "
-                              "parts further apart there, or take narrower columns",
+                              "parts further apart there, or take narrower strips",
                               one->a.y, one->a.z);
                 throw InvalidArgument("ics.section", text.data());
             }
@@ -92,7 +92,7 @@ Triangulation triangulate(const DividedOutline& outline, const MeshDensity& dens
     if (!fill(outline, [&](const PlanePoint& at) { return size(at); }, result, problem))
         throw InvalidArgument("ics.section", "could not be divided into triangles: " + problem +
                                                  "; where parts of an outline come close to each other, keep them "
-                                                 "further apart, or take narrower columns");
+                                                 "further apart, or take narrower strips");
     if (result.triangles.empty()) throw InvalidArgument("ics.section", "could not be divided into triangles");
     return result;
 }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "column_vectors.hpp"
+#include "strip_vectors.hpp"
 
 namespace contactd::fem {
 

@@ -115,7 +115,7 @@ bool fits(IcSpec spec, double most, const auto& change) {
 /// What to ask for instead.
 std::string advice(const IcSpec& spec, const BuildSize& size, double most) {
     char text[200];
-    if (spec.section) return "take a coarser accuracy, or fewer columns";
+    if (spec.section) return "take a coarser accuracy, or fewer strips";
     if (table_bytes(spec) > size.bytes / 2) return "take a grid of fewer elements";
     if (spec.accuracy > 0) return "take a coarser accuracy";
     if (spec.fem.mesh == MeshKind::adaptive) {

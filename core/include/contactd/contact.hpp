@@ -58,8 +58,8 @@ struct Counts {
     int border = 0;  ///< of those in contact, at the border of the potential contact area
 };
 
-/// In total, on the upper body. On curved columns: of pressures what is along the direction of approach, of tangential
-/// tractions what is along x and across both, and their moment about that direction at the columns' origin.
+/// In total, on the upper body. On curved strips: of pressures what is along the direction of approach, of tangential
+/// tractions what is along x and across both, and their moment about that direction at the strips' origin.
 struct Forces {
     double Fn = 0;          ///< normal (N), > 0 in compression
     double Fx = 0, Fy = 0;  ///< tangential (N)
@@ -83,7 +83,7 @@ struct ContactEvidence {
 struct ContactSolution {
     double approach = 0;  ///< (mm), prescribed or found
     Forces forces;
-    std::optional<Resultant> resultant;  ///< on curved columns: of all tractions together
+    std::optional<Resultant> resultant;  ///< on curved strips: of all tractions together
     double pmax = 0;                     ///< largest pressure (N/mm^2)
     Areas area;
     Counts elements;

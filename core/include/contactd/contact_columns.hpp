@@ -1,4 +1,4 @@
-// Contact on a surface that is curved along y: where its columns of elements lie, and what is one direction for all.
+// Contact on a surface that is curved along y: where its strips of elements lie, and what is one direction for all.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace contactd {
 
-/// Rows of the grid are columns of the lower body's surface, numbered along its tangent s: dy is their arc length, and
-/// y of the grid a distance along the surface. x, y and z of an element are the axes of its column's frame; gaps,
-/// pressures and tractions are along these. The upper body's columns lie opposite.
+/// Rows of the grid are strips of the lower body's surface, numbered along its tangent s: dy is their arc length, and
+/// y of the grid a distance along the surface. x, y and z of an element are the axes of its strip's frame; gaps,
+/// pressures and tractions are along these. The upper body's strips lie opposite.
 struct ContactColumns {
-    std::vector<ColumnFrame> frames{};  ///< shape [ny]
+    std::vector<StripFrame> frames{};  ///< shape [ny]
     /// From the lower body to the upper one, the direction that the upper one comes from: its angle from +z (rad) as
-    /// of frames. An approach delta closes the gap of a column by delta cos(angle - direction), and the normal force is
-    /// along it. Every column faces it: the cosine is at least least_facing.
+    /// of frames. An approach delta closes the gap of a strip by delta cos(angle - direction), and the normal force is
+    /// along it. Every strip faces it: the cosine is at least least_facing.
     double direction = 0;
     /// On the axis of spin and rotation, which is along the direction; moments are about it. x = 0 of the grid.
     SectionPoint origin{};
@@ -24,7 +24,7 @@ struct ContactColumns {
 
 inline constexpr double least_facing = 0.01;
 
-/// Of all tractions on the upper body: force (N), and moment about the origin of the columns (N mm), in the axes of the
+/// Of all tractions on the upper body: force (N), and moment about the origin of the strips (N mm), in the axes of the
 /// section.
 struct Resultant {
     double Fx = 0, Fy = 0, Fz = 0;

@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "contactd/column_spectrum.hpp"
-#include "contactd/column_table.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/strip_spectrum.hpp"
+#include "contactd/strip_table.hpp"
 
 namespace contactd {
 
@@ -21,7 +21,7 @@ struct IcFamily {
 };
 
 /// For G = 1 and dx = 1; a prism's spectrum for ds = 1, and any dx.
-using IcTables = std::variant<IcTable, IcFamily, ColumnTable, ColumnSpectrum>;
+using IcTables = std::variant<IcTable, IcFamily, StripTable, StripSpectrum>;
 
 struct IcRecord {
     IcSpec spec{};  ///< dimensionless, its extent that of the tables
@@ -47,7 +47,7 @@ std::size_t bytes_of(const IcTables& tables);
 
 /// What operators are made of: the coefficients of one body in mm^3/N, on the grid of a problem. Of kinds, too; bodies
 /// of unlike kinds meet in make_influence.
-using BodyTable = std::variant<IcTable, ColumnTable>;
+using BodyTable = std::variant<IcTable, StripTable>;
 
 /// What `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument when the
 /// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other

@@ -16,7 +16,7 @@ struct IcReply {
     IcSpec spec;         ///< as requested, defaults filled in
     IcTable table;       ///< in mm^3/N, cropped to the request; ny is table_rows() of the spec
     IcEvidence evidence;
-    std::vector<ColumnFrame> frames{};  ///< of the columns of a prism
+    std::vector<StripFrame> frames{};  ///< of the strips of a prism
 };
 
 /// Where the coefficients of one body came from.

@@ -112,8 +112,8 @@ struct Ics {
     /// Of source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
     std::optional<LineContactSpec> line_contact;
     std::optional<Layers> layered;  ///< of body layered, and of none other
-    /// Of body prism, and of none other. Its columns are the rows of a grid, dy wide along the outline; source analytic
-    /// is the half-space, turned from column to column (Blanco-Lorenzo et al., 2016).
+    /// Of body prism, and of none other. Its strips are the rows of a grid, dy wide along the outline; source analytic
+    /// is the half-space, turned from strip to strip (Blanco-Lorenzo et al., 2016).
     std::optional<Section> section;
     bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
     FemSpec fem;          ///< of no meaning when source is analytic
@@ -166,7 +166,7 @@ struct IcSpec : Ics {
 };
 
 /// Rows of a table as ic.get and IcReply have it: offsets along y; of a prism, whose coefficients are those between
-/// columns, I ny + J for the observed column I and the loaded one J.
+/// strips, I ny + J for the observed strip I and the loaded one J.
 inline int table_rows(const IcSpec& spec) {
     return spec.section ? spec.ny * spec.ny : spec.ny;
 }

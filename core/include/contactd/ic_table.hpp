@@ -71,7 +71,7 @@ struct BuildSeconds {
 };
 
 /// How the transform of a prism's coefficients was computed, and its errors over zz of the half-space under an element
-/// as long as a column is wide.
+/// as long as a strip is wide.
 struct SectionEvidence {
     int order = 0;        ///< of the elements
     int wavenumbers = 0;  ///< that it was computed at

@@ -4,13 +4,13 @@
 #include "contactd/contact_influence.hpp"
 #include "contactd/ic_record.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/patch_columns.hpp"
+#include "contactd/patch_strips.hpp"
 
 namespace contactd {
 
-/// On columns that are not flat: of the tables of those sections that there are, or of half-spaces in closed form that
+/// On strips that are not flat: of the tables of those sections that there are, or of half-spaces in closed form that
 /// turn from row to row. Throws InvalidArgument ("dy") for tables of too many numbers, and Cancelled.
-ContactInfluence patch_influence(const ContactProblem& problem, const PatchColumns& columns,
+ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrips& strips,
                                  const IcRecord* rail = nullptr, const IcRecord* wheel = nullptr,
                                  const Observer& observer = {});
 

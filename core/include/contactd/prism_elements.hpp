@@ -3,7 +3,7 @@
 
 namespace contactd {
 
-/// dx over the width of a column from which on errors are stated. Shorter elements feel waves that columns and meshes
+/// dx over the width of a strip from which on errors are stated. Shorter elements feel waves that strips and meshes
 /// of their size do not resolve.
 inline constexpr double shortest_prism_element = 0.5;
 

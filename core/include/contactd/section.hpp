@@ -17,15 +17,15 @@ struct SectionPoint {
     bool operator==(const SectionPoint&) const = default;
 };
 
-/// Where a column of elements lies on the surface: the midpoint of its arc (mm), and its axes. The outward normal is
+/// Where a strip of elements lies on the surface: the midpoint of its arc (mm), and its axes. The outward normal is
 /// n = (sin angle, cos angle) in (y, z), the tangent s = (cos angle, -sin angle); x, s, n are right-handed. The angle
-/// (rad) is 0 on a flat top, positive where the normal leans towards +y, and runs on continuously from column to
-/// column: it grows along s where the body is convex.
-struct ColumnFrame {
+/// (rad) is 0 on a flat top, positive where the normal leans towards +y, and runs on continuously from strip to
+/// strip: it grows along s where the body is convex.
+struct StripFrame {
     double y = 0, z = 0;
     double angle = 0;
 
-    bool operator==(const ColumnFrame&) const = default;
+    bool operator==(const StripFrame&) const = default;
 };
 
 /// Parts of an outline, each from where the one before ended.
@@ -69,7 +69,7 @@ struct Outline {
 struct OutlineSection {
     Outline outside{};
     std::vector<Outline> holes{};
-    /// The first column begins at the distance `from` along the curve (mm) from the beginning of the part `part` of
+    /// The first strip begins at the distance `from` along the curve (mm) from the beginning of the part `part` of
     /// `outside`, or of a hole: carrier 0 is the outside, carrier i is holes[i - 1].
     std::size_t carrier = 0, part = 0;
     double from = 0;
@@ -86,7 +86,7 @@ inline constexpr auto enum_words<RailSupport> = std::to_array<std::string_view>(
 struct RailSection {
     double inclination = 0;  ///< a slope, e.g. 1/40; positive: its top leans towards y < 0, where its gauge side is
     RailSupport support = RailSupport::cut;
-    double from = 0;  ///< where the first column begins, along the outline from the top, positive towards +y (mm)
+    double from = 0;  ///< where the first strip begins, along the outline from the top, positive towards +y (mm)
 
     bool operator==(const RailSection&) const = default;
 };
@@ -95,7 +95,7 @@ struct RailSection {
 /// face. The outline, and s, run from the field side to the flange.
 struct WheelRimSection {
     double thickness = 60;  ///< of the rim, from the tape circle to its inner face (mm)
-    double from = 0;        ///< where the first column begins, from the tape circle, positive towards the flange (mm)
+    double from = 0;        ///< where the first strip begins, from the tape circle, positive towards the flange (mm)
 
     bool operator==(const WheelRimSection&) const = default;
 };
@@ -103,12 +103,12 @@ struct WheelRimSection {
 /// A block -width <= y <= 0, -height <= z <= 0, held at z = -height and y = -width. The edge is the origin.
 struct EdgeBlock {
     double width = 0, height = 0;  ///< mm
-    double edge_distance = 0;      ///< of the outer end of the last column from the edge (mm), >= 0
+    double edge_distance = 0;      ///< of the outer end of the last strip from the edge (mm), >= 0
 
     bool operator==(const EdgeBlock&) const = default;
 };
 
-/// A circular groove in the top of a block |y| <= width/2, -height <= z <= 0, held at z = -height. Columns lie about
+/// A circular groove in the top of a block |y| <= width/2, -height <= z <= 0, held at z = -height. Strips lie about
 /// its bottom, which is at (0, -depth).
 struct Groove {
     double radius = 0, depth = 0;  ///< mm; depth = radius: half a circle about the origin
@@ -117,7 +117,7 @@ struct Groove {
     bool operator==(const Groove&) const = default;
 };
 
-/// A slab |y| <= radius that ends above in half a circle about the origin. Held at z = -length; columns about the top.
+/// A slab |y| <= radius that ends above in half a circle about the origin. Held at z = -length; strips about the top.
 struct RoundEnd {
     double radius = 0;  ///< mm
     double length = 0;  ///< from the centre of the half circle to where it is held (mm)
@@ -125,7 +125,7 @@ struct RoundEnd {
     bool operator==(const RoundEnd&) const = default;
 };
 
-/// A disc about the origin, held along a round core. Columns about the top.
+/// A disc about the origin, held along a round core. Strips about the top.
 struct Disc {
     double radius = 0;  ///< mm
     double core = 0;    ///< radius of the core (mm); 0: none, then nothing is held
@@ -133,7 +133,7 @@ struct Disc {
     bool operator==(const Disc&) const = default;
 };
 
-/// A round hole about the origin in a round plate, held along its outer edge. Columns about the bottom of the hole.
+/// A round hole about the origin in a round plate, held along its outer edge. Strips about the bottom of the hole.
 struct PlateHole {
     double radius = 0;        ///< of the hole (mm)
     double plate_radius = 0;  ///< mm
@@ -141,8 +141,8 @@ struct PlateHole {
     bool operator==(const PlateHole&) const = default;
 };
 
-/// A flat layer |y| <= width/2, -thickness <= z <= 0, held at the bottom and at both sides. Columns about the middle of
-/// its top. With a thickness of 1e5 columns' widths it stands for a half-space.
+/// A flat layer |y| <= width/2, -thickness <= z <= 0, held at the bottom and at both sides. Strips about the middle of
+/// its top. With a thickness of 1e5 strips' widths it stands for a half-space.
 struct Slab {
     double thickness = 0, width = 0;  ///< mm
 
@@ -154,7 +154,7 @@ struct Slab {
 struct ProfileSection {
     ProfileSpec profile{};
     double depth = 0;  ///< of the cut below the profile's origin (of a wheel above it; mm)
-    double from = 0;   ///< where the first column begins, along the outline from where y = 0 (mm)
+    double from = 0;   ///< where the first strip begins, along the outline from where y = 0 (mm)
 
     bool operator==(const ProfileSection&) const = default;
 };
@@ -162,7 +162,7 @@ struct ProfileSection {
 using SectionShape = std::variant<OutlineSection, RailSection, WheelRimSection, EdgeBlock, Groove, RoundEnd, Disc,
                                   PlateHole, Slab, ProfileSection>;
 
-/// A shape, how large it is, and how it lies. How many columns there are and how wide they are is a matter of the grid:
+/// A shape, how large it is, and how it lies. How many strips there are and how wide they are is a matter of the grid:
 /// its ny and dy.
 struct Section {
     SectionShape shape{};
@@ -174,8 +174,8 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
-/// How much a section may have: columns, holes, parts of all outlines and points of all splines together.
-inline constexpr int most_columns = 1000;
+/// How much a section may have: strips, holes, parts of all outlines and points of all splines together.
+inline constexpr int most_strips = 1000;
 inline constexpr std::size_t most_holes = 100, most_outline_parts = 2000;
 
 /// Throws InvalidArgument below `field`, such as "ics.section.edge_block.width", for numbers that can not be used. What

@@ -7,7 +7,7 @@
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/patch_columns.hpp"
+#include "contactd/patch_strips.hpp"
 #include "contactd/wheel_rail_estimates.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_solution.hpp"
@@ -15,9 +15,9 @@
 
 namespace contactd {
 
-/// Who makes the operators of a problem, of which only set-up and motion are of any meaning, on the columns of its
+/// Who makes the operators of a problem, of which only set-up and motion are of any meaning, on the strips of its
 /// patch. Patches of one size ask again and again. The observer hears of tables that are built, and ends that.
-using InfluenceSource = std::function<ContactInfluence(const ContactProblem&, const PatchColumns&, Observer&)>;
+using InfluenceSource = std::function<ContactInfluence(const ContactProblem&, const PatchStrips&, Observer&)>;
 
 /// One wheel on its rail: keeps the curves of the profiles and, where it makes them itself, the operators of the grids
 /// that occurred last. Safe to use from several threads at once; answers depend on the state alone.

@@ -5,15 +5,15 @@
 #include <utility>
 #include <variant>
 
-#include "column_influence.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/layered/shifted_layers.hpp"
-#include "operators/column_parts.hpp"
 #include "operators/convolution.hpp"
 #include "operators/shifted_operator.hpp"
+#include "operators/strip_parts.hpp"
 #include "operators/sum_operator.hpp"
 #include "operators/sum_step.hpp"
-#include "prism_columns.hpp"
+#include "prism_strips.hpp"
+#include "strip_influence.hpp"
 
 namespace contactd {
 namespace {
@@ -79,11 +79,11 @@ ContactInfluence influence_of(const ContactProblem& problem, IcTable pair, std::
     return influence;
 }
 
-ContactInfluence influence_of(const ContactProblem& problem, ColumnTable upper, ColumnTable lower,
+ContactInfluence influence_of(const ContactProblem& problem, StripTable upper, StripTable lower,
                               const Observer& observer) {
-    if (problem.bodies.upper.material.is_rigid()) return column_influence(problem, std::move(lower), observer);
-    if (problem.bodies.lower.material.is_rigid()) lower = ColumnTable(upper.nx, upper.columns);
-    return column_influence(problem, pair_of(upper, std::move(lower)), observer);
+    if (problem.bodies.upper.material.is_rigid()) return strip_influence(problem, std::move(lower), observer);
+    if (problem.bodies.lower.material.is_rigid()) lower = StripTable(upper.nx, upper.strips);
+    return strip_influence(problem, pair_of(upper, std::move(lower)), observer);
 }
 
 ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, const IcTable& lower,
@@ -105,13 +105,13 @@ ContactInfluence influence_alone(const ContactProblem& problem, const Body& body
     return make_influence(alone, std::move(table), observer);
 }
 
-/// The upper body is reflected in the plane of contact, and its columns are numbered as the lower's.
-ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, ColumnTable table, bool is_upper,
+/// The upper body is reflected in the plane of contact, and its strips are numbered as the lower's.
+ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, StripTable table, bool is_upper,
                                  const Observer& observer) {
     if (body.material.is_rigid()) return {};
     ContactProblem alone = problem;
     alone.bodies = {{Material::rigid()}, body};
-    return column_influence(alone, is_upper ? mirrored(table) : std::move(table), observer);
+    return strip_influence(alone, is_upper ? mirrored(table) : std::move(table), observer);
 }
 
 bool is_closed_half_space(const Body& body) {
@@ -120,32 +120,32 @@ bool is_closed_half_space(const Body& body) {
            ics->load_shape == LoadShape::constant && !ics->line_contact;
 }
 
-/// A half-space as the columns that a prism's table has: one product with both costs a third of two.
-ColumnTable half_space_columns(const ContactProblem& problem, const Body& body, const ColumnTable& beside,
-                               const Observer& observer) {
+/// A half-space as the strips that a prism's table has: one product with both costs a third of two.
+StripTable half_space_strips(const ContactProblem& problem, const Body& body, const StripTable& beside,
+                             const Observer& observer) {
     IcSpec spec;
     spec.material = body.material;
     spec.dx = problem.grid.dx;
     spec.dy = problem.grid.dy;
     spec.nx = beside.nx;
-    spec.ny = beside.columns;
-    return column_table_of(half_space_table(spec, observer));
+    spec.ny = beside.strips;
+    return strip_table_of(half_space_table(spec, observer));
 }
 
-/// Bodies of which only one has columns.
+/// Bodies of which only one has strips.
 template <class Upper, class Lower>
 ContactInfluence influence_of_two_kinds(const ContactProblem& problem, Upper upper, Lower lower,
                                         const Observer& observer) {
     const auto& [above, below, pair] = problem.bodies;
-    if constexpr (std::is_same_v<Upper, ColumnTable>) {
+    if constexpr (std::is_same_v<Upper, StripTable>) {
         if (!above.material.is_rigid() && is_closed_half_space(below) && !below.material.is_rigid()) {
-            ColumnTable columns = half_space_columns(problem, below, upper, observer);
-            return influence_of(problem, std::move(upper), std::move(columns), observer);
+            StripTable strips = half_space_strips(problem, below, upper, observer);
+            return influence_of(problem, std::move(upper), std::move(strips), observer);
         }
     } else {
         if (!below.material.is_rigid() && is_closed_half_space(above) && !above.material.is_rigid()) {
-            ColumnTable columns = half_space_columns(problem, above, lower, observer);
-            return influence_of(problem, std::move(columns), std::move(lower), observer);
+            StripTable strips = half_space_strips(problem, above, lower, observer);
+            return influence_of(problem, std::move(strips), std::move(lower), observer);
         }
     }
     return sum_of(influence_alone(problem, above, std::move(upper), true, observer),
@@ -163,9 +163,9 @@ std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
         grid.size() * (ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element);
     if (!bodies.any_prism()) return flat;
     // A step that is not of whole elements has two tables of its own; one of an element reads one offset more.
-    const std::size_t columns = 3 * ColumnParts::bytes_of(grid.nx + 1, grid.ny);
-    const auto has_columns = [](const Body& body) { return body.section() != nullptr || body.material.is_rigid(); };
-    return columns + (has_columns(bodies.upper) && has_columns(bodies.lower) ? flat : 2 * flat);
+    const std::size_t strips = 3 * StripParts::bytes_of(grid.nx + 1, grid.ny);
+    const auto has_strips = [](const Body& body) { return body.section() != nullptr || body.material.is_rigid(); };
+    return strips + (has_strips(bodies.upper) && has_strips(bodies.lower) ? flat : 2 * flat);
 }
 
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, const Observer& observer) {
@@ -179,7 +179,7 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, con
 
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
                                 const Observer& observer) {
-    check_columns_of_prisms(problem);
+    check_strips_of_prisms(problem);
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
             if constexpr (std::is_same_v<Upper, Lower>)

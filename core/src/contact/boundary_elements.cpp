@@ -12,7 +12,7 @@
 #include "contact/normal/normal_solver.hpp"
 #include "contact/support/solver_support.hpp"
 #include "contact/tangential/friction_law.hpp"
-#include "curved_columns.hpp"
+#include "curved_strips.hpp"
 #include "hertz_start.hpp"
 #include "outer_tolerances.hpp"
 #include "tangential_step.hpp"
@@ -261,7 +261,7 @@ class BoundaryElements {
     const Values distance_;
     std::optional<TangentialStep> step_;
     Tractions now_;
-    const std::unique_ptr<const ApproachOperator> along_approach_;  // of curved columns only
+    const std::unique_ptr<const ApproachOperator> along_approach_;  // of curved strips only
     NormalSolver normal_;
     bool has_pressures_ = false;  // of an earlier solve, nearer than those of a closed form
     Values static_mu_;            // per element

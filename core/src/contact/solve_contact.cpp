@@ -10,9 +10,9 @@
 #include "closed_forms/simplified_models.hpp"
 #include "contact/normal/normal.hpp"
 #include "contact/rolling/rolling.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
-#include "curved_columns.hpp"
+#include "contactd/strip_frames.hpp"
+#include "curved_strips.hpp"
 #include "discretisation.hpp"
 #include "layer_resolution.hpp"
 #include "types/number_text.hpp"
@@ -21,17 +21,17 @@ namespace contactd {
 namespace {
 
 /// Of prisms by finite elements: the half-space of an analytic one does go on behind an edge.
-ColumnEnds ends_of(const Body& body, const Grid& grid, const char* name) {
+StripEnds ends_of(const Body& body, const Grid& grid, const char* name) {
     if (body.section() == nullptr || body.computed()->source == IcSource::analytic) return {};
-    return column_ends(*body.section(), grid.ny, grid.dy, name);
+    return strip_ends(*body.section(), grid.ny, grid.dy, name);
 }
 
 BorderRows border_rows(const ContactProblem& problem) {
     if (is_line_contact(problem)) return {false, false};
     if (!problem.bodies.any_prism()) return {};
-    const ColumnEnds below = ends_of(problem.bodies.lower, problem.grid, "bodies.lower.ics.section"),
-                     above = ends_of(problem.bodies.upper, problem.grid, "bodies.upper.ics.section");
-    // The upper body's columns run the other way.
+    const StripEnds below = ends_of(problem.bodies.lower, problem.grid, "bodies.lower.ics.section"),
+                    above = ends_of(problem.bodies.upper, problem.grid, "bodies.upper.ics.section");
+    // The upper body's strips run the other way.
     return {!below.first && !above.last, !below.last && !above.first};
 }
 

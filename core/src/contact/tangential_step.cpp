@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "contact/tangential/slip.hpp"
-#include "curved_columns.hpp"
+#include "curved_strips.hpp"
 #include "steady_rolling.hpp"
 
 namespace contactd {

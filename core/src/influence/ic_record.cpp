@@ -20,13 +20,13 @@ IcExtent extent(const IcFamily& family) {
     return extent(family.tables.front());
 }
 
-IcExtent extent(const ColumnTable& table) {
-    return {table.nx, table.columns};
+IcExtent extent(const StripTable& table) {
+    return {table.nx, table.strips};
 }
 
 /// As many offsets as any grid has.
-IcExtent extent(const ColumnSpectrum& spectrum) {
-    return {static_cast<int>(max_grid_elements) / spectrum.columns, spectrum.columns};
+IcExtent extent(const StripSpectrum& spectrum) {
+    return {static_cast<int>(max_grid_elements) / spectrum.strips, spectrum.strips};
 }
 
 std::size_t values_of(const IcTable& table) {
@@ -39,11 +39,11 @@ std::size_t values_of(const IcFamily& family) {
     return values;
 }
 
-std::size_t values_of(const ColumnTable& table) {
+std::size_t values_of(const StripTable& table) {
     return table.values.size();
 }
 
-std::size_t values_of(const ColumnSpectrum& spectrum) {
+std::size_t values_of(const StripSpectrum& spectrum) {
     return spectrum.values.size();
 }
 
@@ -66,21 +66,21 @@ IcTable part_of(const IcFamily& family, const IcRecord& record, const IcSpec& re
     return cropped(interpolated(family.tables, request.material.nu), request.nx, request.ny, factor);
 }
 
-void require_columns(int columns, const IcSpec& request) {
-    if (columns != request.ny)
+void require_strips(int strips, const IcSpec& request) {
+    if (strips != request.ny)
         throw InvalidArgument("grid.ny", "is " + std::to_string(request.ny) + "; the table of the prism has " +
-                                             std::to_string(columns) + " columns");
+                                             std::to_string(strips) + " strips");
 }
 
-ColumnTable part_of(const ColumnTable& table, const IcRecord&, const IcSpec& request, double factor, int,
-                    const Observer&) {
-    require_columns(table.columns, request);
+StripTable part_of(const StripTable& table, const IcRecord&, const IcSpec& request, double factor, int,
+                   const Observer&) {
+    require_strips(table.strips, request);
     return cropped(table, 0, request.ny, request.nx, factor);
 }
 
-ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads,
-                    const Observer& observer) {
-    require_columns(spectrum.columns, request);
+StripTable part_of(const StripSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads,
+                   const Observer& observer) {
+    require_strips(spectrum.strips, request);
     constexpr std::size_t most_values = 50'000'000;  // of each of nine components: 3.6 GB
     if (static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) >
         most_values / static_cast<std::size_t>(request.ny))
@@ -91,8 +91,8 @@ ColumnTable part_of(const ColumnSpectrum& spectrum, const IcRecord&, const IcSpe
     const std::size_t values = 9 * static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) *
                                static_cast<std::size_t>(request.ny);
     threads = static_cast<int>(std::clamp<std::size_t>(values / worth_a_thread, 1, std::max(threads, 1)));
-    return column_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G, threads,
-                        observer);
+    return strip_table(spectrum, request.dx / request.dy, request.nx, 0, request.dy / request.material.G, threads,
+                       observer);
 }
 
 }  // namespace
@@ -123,14 +123,14 @@ BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads,
 
 IcTable table_for(const IcRecord& record, const IcSpec& request, int threads, const Observer& observer) {
     BodyTable found = body_table(record, request, threads, observer);
-    const bool is_known = std::holds_alternative<ColumnSpectrum>(record.tables);  // to be finite, by column_table
+    const bool is_known = std::holds_alternative<StripSpectrum>(record.tables);  // to be finite, by strip_table
     if (!is_known && !std::visit([](const auto& table) { return all_finite(table.values); }, found))
         throw NotFinite("Coefficients of the table are beyond a double's range.");
-    if (auto* columns = std::get_if<ColumnTable>(&found)) {
-        IcTable table;  // the same numbers in the same order, a pair of columns being a row
-        table.nx = columns->nx;
-        table.ny = columns->columns * columns->columns;
-        table.values = std::move(columns->values);
+    if (auto* strips = std::get_if<StripTable>(&found)) {
+        IcTable table;  // the same numbers in the same order, a pair of strips being a row
+        table.nx = strips->nx;
+        table.ny = strips->strips * strips->strips;
+        table.values = std::move(strips->values);
         return table;
     }
     return std::get<IcTable>(std::move(found));

@@ -1,9 +1,9 @@
 // The groups of an IC file.
 #pragma once
 
-#include "contactd/column_spectrum.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
+#include "contactd/strip_spectrum.hpp"
 #include "file_values.hpp"
 
 namespace contactd {
@@ -22,8 +22,8 @@ void write_fem(const WritablePlace& at, const FemSpec& fem);
 FemSpec read_fem(const Place& at);
 
 /// The transform of a prism's coefficients. Reading throws DamagedTable when the parts do not fit each other.
-void write_spectrum(const WritablePlace& at, const ColumnSpectrum& spectrum);
-ColumnSpectrum read_spectrum(const Place& at, double nu);
+void write_spectrum(const WritablePlace& at, const StripSpectrum& spectrum);
+StripSpectrum read_spectrum(const Place& at, double nu);
 
 void write_evidence(const WritablePlace& at, const IcEvidence& evidence);
 IcEvidence read_evidence(const Place& at);

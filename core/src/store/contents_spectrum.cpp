@@ -18,7 +18,7 @@ UnsetArray unset(const std::vector<double>& values) {
 
 }  // namespace
 
-void write_spectrum(const WritablePlace& at, const ColumnSpectrum& spectrum) {
+void write_spectrum(const WritablePlace& at, const StripSpectrum& spectrum) {
     at.contents.datasets[at.prefix + transform_name] = {{spectrum.nodes.size(), spectrum.component_size()},
                                                         unset(spectrum.values)};
     const WritablePlace transform = at.below(transform_name);
@@ -30,22 +30,22 @@ void write_spectrum(const WritablePlace& at, const ColumnSpectrum& spectrum) {
     put(transform, "wavenumbers", spectrum.nodes);
     put(transform, "xi0", spectrum.xi0);
     std::vector<double> frames;
-    for (const ColumnFrame& frame : spectrum.frames) frames.insert(frames.end(), {frame.y, frame.z, frame.angle});
+    for (const StripFrame& frame : spectrum.frames) frames.insert(frames.end(), {frame.y, frame.z, frame.angle});
     at.contents.datasets[at.prefix + frames_name] = {{spectrum.frames.size(), 3}, unset(frames)};
     const WritablePlace places = at.below(frames_name);
     put(places, "axes", "column; y and z of its middle, angle of its normal from +z towards +y");
     put(places, "units", "y and z over ds, the width of a column; angle in rad");
 }
 
-ColumnSpectrum read_spectrum(const Place& at, double nu) {
+StripSpectrum read_spectrum(const Place& at, double nu) {
     const FileContents::Array& transform = array(at, transform_name, 2);
     const FileContents::Array& frames = array(at, frames_name, 2);
-    const std::size_t columns = frames.shape[0];
-    if (columns < 1 || columns > most_columns || frames.shape[1] != 3)
+    const std::size_t strips = frames.shape[0];
+    if (strips < 1 || strips > most_strips || frames.shape[1] != 3)
         throw DamagedTable("frames of the file has a shape that no section has.");
     const Place of_transform = at.below(transform_name);
-    ColumnSpectrum spectrum;
-    spectrum.columns = static_cast<int>(columns);
+    StripSpectrum spectrum;
+    spectrum.strips = static_cast<int>(strips);
     spectrum.nu = nu;
     spectrum.xi0 = number(of_transform, "xi0");
     spectrum.nodes = numbers(of_transform, "wavenumbers");
@@ -57,9 +57,9 @@ ColumnSpectrum read_spectrum(const Place& at, double nu) {
                       std::ranges::all_of(transform.values, [](double value) { return std::isfinite(value); });
     if (!fits) throw DamagedTable("The transform of the file is not that of a section.");
     spectrum.values.assign(transform.values.begin(), transform.values.end());
-    for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t strip = 0; strip < strips; ++strip)
         spectrum.frames.push_back(
-            {frames.values[3 * column], frames.values[3 * column + 1], frames.values[3 * column + 2]});
+            {frames.values[3 * strip], frames.values[3 * strip + 1], frames.values[3 * strip + 2]});
     return spectrum;
 }
 

@@ -30,11 +30,11 @@ void write_table(const WritablePlace& file, const IcTable& table, bool has_dimen
     put(dataset, "units", has_dimensions ? units_with_dimensions : units);
 }
 
-/// What a prism's transform says of the columns and offsets of a request: others read it, contactd the transform.
-void write_columns(const WritablePlace& file, const IcRecord& record) {
-    auto table = std::get<ColumnTable>(body_table(record, record.spec));
-    const auto nx = static_cast<std::size_t>(table.nx), columns = static_cast<std::size_t>(table.columns);
-    file.contents.datasets[table_name] = {{3, 3, columns, columns, nx}, std::move(table.values)};
+/// What a prism's transform says of the strips and offsets of a request: others read it, contactd the transform.
+void write_strips(const WritablePlace& file, const IcRecord& record) {
+    auto table = std::get<StripTable>(body_table(record, record.spec));
+    const auto nx = static_cast<std::size_t>(table.nx), strips = static_cast<std::size_t>(table.strips);
+    file.contents.datasets[table_name] = {{3, 3, strips, strips, nx}, std::move(table.values)};
     const WritablePlace dataset = file.below(table_name);
     put(dataset, "axes",
         "displacement (x, along the outline, outward), load (the same), observed column, loaded column, offset along "
@@ -99,10 +99,10 @@ FileContents contents_of(const IcRecord& record) {
     put(file, format_name, static_cast<long long>(format_version));
     write_spec(file.below("spec"), record.spec);
     write_evidence(file.below("evidence"), record.evidence);
-    if (const auto* spectrum = std::get_if<ColumnSpectrum>(&record.tables)) {
+    if (const auto* spectrum = std::get_if<StripSpectrum>(&record.tables)) {
         write_spectrum(file, *spectrum);
-        if (!is_dimensionless(record.spec)) write_columns(file, record);
-    } else if (std::holds_alternative<ColumnTable>(record.tables)) {
+        if (!is_dimensionless(record.spec)) write_strips(file, record);
+    } else if (std::holds_alternative<StripTable>(record.tables)) {
         throw StoreError("Tables of prisms that are made of half-spaces are not kept in files: making one is quicker.");
     } else {
         write_table(file, record.table(), !is_dimensionless(record.spec));

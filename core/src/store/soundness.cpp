@@ -124,10 +124,10 @@ void require_work(const IcTable& table, const Observer& observer) {
     }
 }
 
-constexpr int window = 64;  // columns that are looked at together
+constexpr int window = 64;  // strips that are looked at together
 
-/// Columns first, first + stride, ...
-bool is_sound(const ColumnSpectrum& spectrum, std::size_t node, int first, int stride, int count, double slack) {
+/// Strips first, first + stride, ...
+bool is_sound(const StripSpectrum& spectrum, std::size_t node, int first, int stride, int count, double slack) {
     Matrix matrix(3 * count, 3 * count);
     const auto entry = [&](int n) { return 3 * (first + stride * (n / 3)) + n % 3; };
     for (int a = 0; a < 3 * count; ++a)
@@ -149,18 +149,18 @@ void require_sound(const IcTable& table, const IcSpec& spec, const IcEvidence& s
     require_work(table, observer);
 }
 
-void require_sound(const ColumnSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer) {
+void require_sound(const StripSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer) {
     if (!stated.section) refuse("come without the errors that every transform of a section states");
     constexpr double most_slack = 0.05;
     const double slack = std::clamp(stated.section->error, rounding, most_slack);
     for (std::size_t node = is_free ? 1 : 0; node < spectrum.nodes.size(); ++node) {
         observer.throw_if_cancelled();
-        for (int stride = 1; stride <= spectrum.columns; stride *= 2)
-            for (int first = 0; first < spectrum.columns; first += stride * window / 2) {
-                const int count = std::min(window, (spectrum.columns - 1 - first) / stride + 1);
+        for (int stride = 1; stride <= spectrum.strips; stride *= 2)
+            for (int first = 0; first < spectrum.strips; first += stride * window / 2) {
+                const int count = std::min(window, (spectrum.strips - 1 - first) / stride + 1);
                 if (!is_sound(spectrum, node, first, stride, count, slack))
                     refuse(
-                        "hold a transform under which a traction on columns would take work out of the body, at the "
+                        "hold a transform under which a traction on strips would take work out of the body, at the "
                         "wavenumber " +
                         std::to_string(node) + ": it must be positive definite");
             }

@@ -1,10 +1,10 @@
 // What the coefficients of every elastic body are, whoever computed them: held against tables of strangers.
 #pragma once
 
-#include "contactd/column_spectrum.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/observer.hpp"
+#include "contactd/strip_spectrum.hpp"
 
 namespace contactd {
 
@@ -14,8 +14,8 @@ namespace contactd {
 /// are in one unit; `stated` is the evidence of the table.
 void require_sound(const IcTable& table, const IcSpec& spec, const IcEvidence& stated, const Observer& observer);
 
-/// Throws the same for the transform of a prism: at no wavenumber may a traction on some of its columns take work out
+/// Throws the same for the transform of a prism: at no wavenumber may a traction on some of its strips take work out
 /// of the body, by more than the stated error.
-void require_sound(const ColumnSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer);
+void require_sound(const StripSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer);
 
 }  // namespace contactd

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/given_ics.hpp"
 #include "contactd/ic_family.hpp"
+#include "contactd/strip_frames.hpp"
 #include "soundness.hpp"
 
 namespace contactd {
@@ -34,22 +34,22 @@ void require_solvable(IcTable& table, const IcSpec& spec) {
     table = std::move(given.table);
 }
 
-void require_frames(const ColumnSpectrum& spectrum, const IcSpec& spec) {
-    for (int a = 0; a < 3 * spectrum.columns; ++a)
+void require_frames(const StripSpectrum& spectrum, const IcSpec& spec) {
+    for (int a = 0; a < 3 * spectrum.strips; ++a)
         for (std::size_t node = 0; node < spectrum.nodes.size(); ++node)
             if (!(spectrum.values[spectrum.index(node, a, a)] > 0))
-                refuse("hold a transform under which a column yields against its load, at the wavenumber " +
-                       std::to_string(node) + " and the column " + std::to_string(a / 3));
-    std::vector<ColumnFrame> frames;
-    check_as_file([&] { frames = column_frames(*spec.section, spectrum.columns, spec.dy); });
-    constexpr double rounding = 1e-6;  // over the width of a column, and in rad
-    const auto equal = [&](const ColumnFrame& one, const ColumnFrame& other) {
+                refuse("hold a transform under which a strip yields against its load, at the wavenumber " +
+                       std::to_string(node) + " and the strip " + std::to_string(a / 3));
+    std::vector<StripFrame> frames;
+    check_as_file([&] { frames = strip_frames(*spec.section, spectrum.strips, spec.dy); });
+    constexpr double rounding = 1e-6;  // over the width of a strip, and in rad
+    const auto equal = [&](const StripFrame& one, const StripFrame& other) {
         return std::abs(one.y - other.y / spec.dy) < rounding * (1 + std::abs(one.y)) &&
                std::abs(one.z - other.z / spec.dy) < rounding * (1 + std::abs(one.z)) &&
                std::abs(one.angle - other.angle) < rounding;
     };
     if (!std::ranges::equal(spectrum.frames, frames, equal))
-        refuse("hold frames of columns that are not those of its section");
+        refuse("hold frames of strips that are not those of its section");
 }
 
 /// Tables lie at these Poisson's ratios and no others, or none in between can be told.
@@ -72,7 +72,7 @@ IcRecord stored_record(IcRecord record, const Observer& observer) {
     if (spec.any_nu && (spec.material.G != 1 || spec.dx != 1))
         refuse("hold a family of tables with dimensions; families are kept for G = 1 and dx = 1 only");
     const double factor = spec.material.G / spec.dx;
-    if (auto* spectrum = std::get_if<ColumnSpectrum>(&record.tables)) {
+    if (auto* spectrum = std::get_if<StripSpectrum>(&record.tables)) {
         require_frames(*spectrum, spec);
         require_sound(*spectrum, record.evidence, spec.section->free, observer);
     } else if (auto* family = std::get_if<IcFamily>(&record.tables)) {

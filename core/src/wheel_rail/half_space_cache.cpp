@@ -34,12 +34,12 @@ HalfSpaceCache::HalfSpaceCache(Bodies bodies) : bodies_(std::move(bodies)) {
                               "are no half-spaces in closed form; for others give a source of their operators");
 }
 
-ContactInfluence HalfSpaceCache::of(const ContactProblem& problem, const PatchColumns& columns,
+ContactInfluence HalfSpaceCache::of(const ContactProblem& problem, const PatchStrips& strips,
                                     const Observer& observer) {
-    if (columns.of_sections())
+    if (strips.of_sections())
         throw InvalidArgument("conformal",
                               "is fem, whose tables take finite elements; give a source of operators that has them");
-    if (!columns.flat()) return patch_influence(problem, columns, nullptr, nullptr, observer);
+    if (!strips.flat()) return patch_influence(problem, strips, nullptr, nullptr, observer);
     const Grid& grid = problem.grid;
     const auto [step_x, step_y] = step_of(problem);
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, step_x, step_y};

@@ -9,7 +9,7 @@
 #include "contactd/contact_influence.hpp"
 #include "contactd/ic_table.hpp"
 #include "contactd/observer.hpp"
-#include "contactd/patch_columns.hpp"
+#include "contactd/patch_strips.hpp"
 
 namespace contactd {
 
@@ -20,9 +20,9 @@ class HalfSpaceCache {
     /// Throws InvalidArgument ("bodies") unless all bodies are half-spaces in closed form, or rigid.
     explicit HalfSpaceCache(Bodies bodies);
 
-    /// Columns that are not flat are not cached: they are others at the next position. Throws InvalidArgument
-    /// ("conformal") for columns of sections, and Cancelled.
-    ContactInfluence of(const ContactProblem& problem, const PatchColumns& columns = {}, const Observer& observer = {});
+    /// Strips that are not flat are not cached: they are others at the next position. Throws InvalidArgument
+    /// ("conformal") for strips of sections, and Cancelled.
+    ContactInfluence of(const ContactProblem& problem, const PatchStrips& strips = {}, const Observer& observer = {});
 
    private:
     using Key = std::tuple<int, int, double, double, double, double>;  // numbers and sizes of elements, the step

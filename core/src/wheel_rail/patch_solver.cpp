@@ -209,11 +209,11 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::Candidate
     return problem;
 }
 
-ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchColumns& columns,
+ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
     try {
         if (problem.model != Model::full) return solve_contact(problem, {}, observer);
-        const ContactInfluence influence = influences(problem, columns, observer);
+        const ContactInfluence influence = influences(problem, strips, observer);
         if (place.regions.size() > 1) blend(problem, place, rules, influence, observer);
         return solve_contact(problem, influence, observer);
     } catch (const InvalidArgument& error) {

@@ -12,9 +12,9 @@ namespace contactd {
 ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
                           const geometry::RailSurface& rail, const WheelRailFriction* friction);
 
-/// Solves it, on the columns of its patch. Regions that feel a share of each other only are solved in outer iterations:
+/// Solves it, on the strips of its patch. Regions that feel a share of each other only are solved in outer iterations:
 /// what they do not feel of the displacements of the others is taken out of the gap.
-ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchColumns& columns,
+ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 
 }  // namespace contactd

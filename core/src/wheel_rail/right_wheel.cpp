@@ -15,7 +15,7 @@
 #include "wheel_rail/plausibility.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/rising_search.hpp"
-#include "wheel_rail/section_columns.hpp"
+#include "wheel_rail/section_strips.hpp"
 #include "wheel_rail/warnings.hpp"
 
 namespace contactd {
@@ -179,7 +179,7 @@ ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
 }
 
 ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found, Observer& observer) const {
-    return solve_place(std::move(problem), found.place, columns_of(setup_, profiles_, found), setup_.patches,
+    return solve_place(std::move(problem), found.place, strips_of(setup_, profiles_, found), setup_.patches,
                        influences_, observer);
 }
 

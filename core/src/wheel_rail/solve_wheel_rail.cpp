@@ -19,8 +19,8 @@ namespace {
 InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) {
     if (source || setup.model != Model::full) return source;
     return [cache = std::make_shared<HalfSpaceCache>(setup.bodies)](const ContactProblem& problem,
-                                                                    const PatchColumns& columns, Observer& observer) {
-        return cache->of(problem, columns, observer);
+                                                                    const PatchStrips& strips, Observer& observer) {
+        return cache->of(problem, strips, observer);
     };
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t numbers_of_frame = 3;  // y, z, angle
 
 json encode_columns(const ContactColumns& columns, ArrayWriter& arrays) {
     std::vector<double> frames;
-    for (const ColumnFrame& frame : columns.frames) frames.insert(frames.end(), {frame.y, frame.z, frame.angle});
+    for (const StripFrame& frame : columns.frames) frames.insert(frames.end(), {frame.y, frame.z, frame.angle});
     return object({{"frames", arrays.write(std::span<const double>(frames), {columns.frames.size(), numbers_of_frame})},
                    {"direction", finite_field(columns.direction, "columns.direction")},
                    {"origin", json::array({finite_field(columns.origin.y, "columns.origin"),

@@ -62,15 +62,15 @@ std::vector<std::size_t> table_shape(const IcSpec& spec) {
 
 }  // namespace
 
-json encode_frames(const std::vector<ColumnFrame>& columns, ArrayWriter& arrays) {
+json encode_frames(const std::vector<StripFrame>& columns, ArrayWriter& arrays) {
     std::vector<double> values;
-    for (const ColumnFrame& frame : columns) values.insert(values.end(), {frame.y, frame.z, frame.angle});
+    for (const StripFrame& frame : columns) values.insert(values.end(), {frame.y, frame.z, frame.angle});
     return arrays.write(std::span<const double>(values), {columns.size(), 3});
 }
 
-std::vector<ColumnFrame> decode_frames(const json& source, const Frames& frames, int columns) {
+std::vector<StripFrame> decode_frames(const json& source, const Frames& frames, int columns) {
     const std::vector<double> values = read_array(source, frames, {static_cast<std::size_t>(columns), 3}, "frames");
-    std::vector<ColumnFrame> result;
+    std::vector<StripFrame> result;
     for (std::size_t at = 0; at + 2 < values.size(); at += 3)
         result.push_back({values[at], values[at + 1], values[at + 2]});
     return result;

@@ -73,8 +73,8 @@ nlohmann::json encode_ics(const Ics& ics);
 Ics decode_ics(const nlohmann::json& json);
 
 /// Columns of a prism as an array [columns, 3]: y, z (mm), angle (rad).
-nlohmann::json encode_frames(const std::vector<ColumnFrame>& columns, ArrayWriter& arrays);
-std::vector<ColumnFrame> decode_frames(const nlohmann::json& source, const Frames& frames, int columns);
+nlohmann::json encode_frames(const std::vector<StripFrame>& columns, ArrayWriter& arrays);
+std::vector<StripFrame> decode_frames(const nlohmann::json& source, const Frames& frames, int columns);
 
 /// The fields of a mesh and its solver.
 nlohmann::json encode_fem(const FemSpec& fem);

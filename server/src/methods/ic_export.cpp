@@ -4,11 +4,11 @@
 #include <memory>
 #include <utility>
 
-#include "contactd/column_frames.hpp"
 #include "contactd/ic_contents.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/import_codec.hpp"
+#include "contactd/strip_frames.hpp"
 #include "costs.hpp"
 #include "engine/ics/ic_pair.hpp"
 #include "jobs/job_reports.hpp"
@@ -78,7 +78,7 @@ void check_section(const IcExport& wanted, std::size_t most_bytes) {
     if (spec.source == IcSource::analytic)
         throw InvalidArgument("ics.source",
                               "is analytic; half-spaces that are turned are quicker made than read, take ic.get");
-    (void)column_frames(spec);  // tells of a bad section in the lengths of the request
+    (void)strip_frames(spec);  // tells of a bad section in the lengths of the request
     constexpr double bytes_per_value = 9 * sizeof(double);
     const double size = bytes_per_value * spec.nx * table_rows(spec);
     if (size > static_cast<double>(most_bytes))

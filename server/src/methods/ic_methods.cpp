@@ -2,11 +2,11 @@
 #include <utility>
 
 #include "all_methods.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/finite.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/import_codec.hpp"
+#include "contactd/strip_frames.hpp"
 #include "costs.hpp"
 #include "ic_export.hpp"
 #include "ic_import.hpp"
@@ -28,7 +28,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
     const proto::IcPart part = proto::decode_ic_part(call->request.params, table_rows(spec));
     if (call->request.arrays == proto::ArrayEncoding::frame) proto::check_size(part, spec.nx, parts.config.limits);
     // Tells of a bad section in the lengths of the request, before anything is built.
-    const std::vector<ColumnFrame> frames = column_frames(spec);
+    const std::vector<StripFrame> frames = strip_frames(spec);
     const auto tell = [call, spec, part, frames, threads = parts.config.workers](const engine::IcAnswer& answer) {
         guarded(call, [&] {
             proto::ArrayWriter arrays(call->request.arrays);

@@ -31,7 +31,7 @@ BodyTable table_of(const Body& body, const Grid& grid) {
 
 }  // namespace
 
-TEST_CASE("what operators are expected to take is what they say, or more", "[columns]") {
+TEST_CASE("what operators are expected to take is what they say, or more", "[strips]") {
     ContactProblem problem;
     problem.grid = Grid::centred(20, 15, 0.5, 0.4);
     problem.friction = FrictionLaw{{0.3}};
@@ -48,7 +48,7 @@ TEST_CASE("what operators are expected to take is what they say, or more", "[col
     CHECK(expected < 8 * taken);
 }
 
-TEST_CASE("a prism takes memory by its columns squared", "[columns]") {
+TEST_CASE("a prism takes memory by its strips squared", "[strips]") {
     const Bodies prisms{{Material::rigid()}, prism()}, flat{{Material::rigid()}, {steel}};
     const auto bytes = [&](int ny, const Bodies& bodies) {
         return influence_bytes(Grid::centred(100, ny, 0.5, 0.4), bodies);

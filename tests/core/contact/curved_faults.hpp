@@ -1,4 +1,4 @@
-// The equations of contacts on curved columns, checked from outside the solvers with dense sums.
+// The equations of contacts on curved strips, checked from outside the solvers with dense sums.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "contact_cases.hpp"
-#include "contactd/column_table.hpp"
+#include "contactd/strip_table.hpp"
 
 namespace contactd::test {
 
 /// u_i of all three components of tractions, element by element, `ahead` elements ahead of them.
-inline Values dense_displacement(const ColumnTable& table, Axis i, const SurfaceState& state, int nx, int ahead = 0) {
+inline Values dense_displacement(const StripTable& table, Axis i, const SurfaceState& state, int nx, int ahead = 0) {
     const std::size_t n = state.pressure.size();
     Values u(n);
     for (std::size_t to = 0; to < n; ++to)
@@ -41,7 +41,7 @@ inline SurfaceState state_of(const ContactSolution& solution) {
 
 /// What violates p >= 0, gap >= 0, one of them zero, and the force; empty when nothing does. `left_out`: what products
 /// may change a coefficient by (mm^3/N).
-inline std::string curved_normal_faults(const ContactProblem& problem, const ColumnTable& table,
+inline std::string curved_normal_faults(const ContactProblem& problem, const StripTable& table,
                                         const ContactSolution& solution, double accuracy, double left_out = 0) {
     const Grid& grid = problem.grid;
     const Values uz = dense_displacement(table, Axis::z, state_of(solution), grid.nx);
@@ -70,9 +70,9 @@ inline std::string curved_normal_faults(const ContactProblem& problem, const Col
 struct DenseSlip {
     Values x, y, rigid_x, rigid_y;
 };
-inline DenseSlip dense_slip(const ContactProblem& problem, const ColumnTable& table, const ContactSolution& solution) {
+inline DenseSlip dense_slip(const ContactProblem& problem, const StripTable& table, const ContactSolution& solution) {
     const Grid& grid = problem.grid;
-    const auto& columns = *problem.columns;
+    const auto& strips = *problem.columns;
     const auto* rolling = std::get_if<Rolling>(&*solution.motion);
     const auto* shift = std::get_if<Shift>(&*solution.motion);
     const double dq = rolling ? step_length(*rolling, grid) : 1;
@@ -94,11 +94,11 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const ColumnTable& ta
             slip.y[i] -= by[i];
         }
     }
-    // v + turn a x r, with a the direction of approach, along x and along each column's tangent.
-    const double ay = std::sin(columns.direction), az = std::cos(columns.direction);
+    // v + turn a x r, with a the direction of approach, along x and along each strip's tangent.
+    const double ay = std::sin(strips.direction), az = std::cos(strips.direction);
     for (int iy = 0; iy < grid.ny; ++iy) {
-        const ColumnFrame& frame = columns.frames[static_cast<std::size_t>(iy)];
-        const double ry = frame.y - columns.origin.y, rz = frame.z - columns.origin.z;
+        const StripFrame& frame = strips.frames[static_cast<std::size_t>(iy)];
+        const double ry = frame.y - strips.origin.y, rz = frame.z - strips.origin.z;
         const double sy = std::cos(frame.angle), sz = -std::sin(frame.angle);
         for (int ix = 0; ix < grid.nx; ++ix) {
             const double rx = grid.x(ix) + ahead;
@@ -115,7 +115,7 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const ColumnTable& ta
 
 /// What violates Coulomb's law in contact; empty when nothing does. `accuracy`: of slip, over the largest
 /// rigid slip. `left_out`: what products may change a coefficient by (mm^3/N).
-inline std::string curved_friction_faults(const ContactProblem& problem, const ColumnTable& table,
+inline std::string curved_friction_faults(const ContactProblem& problem, const StripTable& table,
                                           const ContactSolution& solution, double accuracy, double left_out = 0) {
     const DenseSlip slip = dense_slip(problem, table, solution);
     // Twice: slip is what two displacements differ by.

@@ -1,5 +1,5 @@
 // Operators of two bodies for the contact tests: of half-spaces, or of flat bodies with a cross-section where the
-// program runs with CONTACTD_TEST_BODIES=flat_columns. So every test of contact runs on either kind.
+// program runs with CONTACTD_TEST_BODIES=flat_strips. So every test of contact runs on either kind.
 #pragma once
 
 #include <cmath>
@@ -8,16 +8,16 @@
 #include <string_view>
 #include <utility>
 
-#include "bodies/column_influence.hpp"
+#include "bodies/strip_influence.hpp"
 #include "contactd/contact_influence.hpp"
-#include "operators/column_operator.hpp"
 #include "operators/convolution.hpp"
+#include "operators/strip_operator.hpp"
 
 namespace contactd::test {
 
-inline bool on_flat_columns() {
+inline bool on_flat_strips() {
     const char* bodies = std::getenv("CONTACTD_TEST_BODIES");
-    return bodies != nullptr && std::string_view(bodies) == "flat_columns";
+    return bodies != nullptr && std::string_view(bodies) == "flat_strips";
 }
 
 /// Of a pair's table, as an object whose kind is none of a test's business.
@@ -53,9 +53,9 @@ class PairOperator final : public InfluenceOperator {
 
     static std::shared_ptr<const InfluenceOperator> make(const IcTable& pair, int nx, int ny) {
         auto half_spaces = std::make_shared<const ConvolutionOperator>(pair, nx, ny);
-        if (!on_flat_columns()) return half_spaces;
-        const auto parts = std::make_shared<const ColumnParts>(column_table_of(cropped(pair, nx, ny)), nx);
-        return std::make_shared<const ColumnOperator>(parts, parts->extent(), std::move(half_spaces));
+        if (!on_flat_strips()) return half_spaces;
+        const auto parts = std::make_shared<const StripParts>(strip_table_of(cropped(pair, nx, ny)), nx);
+        return std::make_shared<const StripOperator>(parts, parts->extent(), std::move(half_spaces));
     }
 
    private:
@@ -66,12 +66,12 @@ class PairOperator final : public InfluenceOperator {
 /// nothing is known but they: these step as half-spaces do.
 inline ContactInfluence operators_of(const ContactProblem& problem, const IcTable& pair) {
     ContactInfluence influence = make_influence(problem, pair);
-    if (!on_flat_columns()) return influence;
+    if (!on_flat_strips()) return influence;
     const Grid& grid = problem.grid;
     const auto [x, y] = step_of(problem);
     const bool along_x = std::abs(y) <= 1e-9 * std::abs(x) && std::abs(x) <= grid.nx * grid.dx;
     const bool known = !problem.bodies.any_given() && !problem.bodies.any_layered();
-    if (along_x && known) return column_influence(problem, column_table_of(cropped(pair, pair.nx, grid.ny)));
+    if (along_x && known) return strip_influence(problem, strip_table_of(cropped(pair, pair.nx, grid.ny)));
     influence.current = PairOperator::make(pair, grid.nx, grid.ny);
     return influence;
 }

@@ -1,4 +1,4 @@
-// Contact on columns that are curved along y: what a plane's contact becomes there, and whether the equations hold.
+// Contact on strips that are curved along y: what a plane's contact becomes there, and whether the equations hold.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -51,7 +51,7 @@ void check_same(const ContactSolution& computed, const ContactSolution& expected
     CHECK_THAT(computed.forces.Mz, WithinAbs(expected.forces.Mz, 1e-6 * expected.forces.Fn));
 }
 
-/// Random columns, bodies, gap, load and motion. Arcs of up to 2.4 rad, convex or hollow.
+/// Random strips, bodies, gap, load and motion. Arcs of up to 2.4 rad, convex or hollow.
 ContactProblem random_contact(unsigned seed) {
     std::mt19937 generator(seed);
     const auto between = [&](double low, double high) {
@@ -62,13 +62,13 @@ ContactProblem random_contact(unsigned seed) {
     const int nx = 3 + one_of(10), ny = 2 + one_of(11);
     problem.grid = Grid::centred(nx, ny, between(0.3, 0.6), between(0.3, 0.6));
     const double half_arc = 0.5 * ny * problem.grid.dy, radius = half_arc / between(0.05, 1.2) * (one_of(2) ? 1 : -1);
-    ContactColumns columns;
-    columns.frames = arc_frames(ny, problem.grid.dy, radius, between(-1, 1), {between(-5, 5), between(-5, 5)});
-    columns.direction = columns.frames[static_cast<std::size_t>(one_of(ny))].angle;
-    for (const ColumnFrame& frame : columns.frames)  // not so far aside that one does not face it
-        columns.direction = std::clamp(columns.direction, frame.angle - 1.5, frame.angle + 1.5);
-    columns.origin = {between(-5, 5), between(-5, 5)};
-    problem.columns = columns;
+    ContactColumns strips;
+    strips.frames = arc_frames(ny, problem.grid.dy, radius, between(-1, 1), {between(-5, 5), between(-5, 5)});
+    strips.direction = strips.frames[static_cast<std::size_t>(one_of(ny))].angle;
+    for (const StripFrame& frame : strips.frames)  // not so far aside that one does not face it
+        strips.direction = std::clamp(strips.direction, frame.angle - 1.5, frame.angle + 1.5);
+    strips.origin = {between(-5, 5), between(-5, 5)};
+    problem.columns = strips;
     const Material steel{82000, 0.28}, other{between(1e4, 2e5), between(0, 0.49)};
     problem.bodies = {{one_of(3) == 0 ? Material::rigid() : steel}, {one_of(2) == 0 ? other : steel}};
     Values gap = sampled(Paraboloid{between(5, 50), between(5, 50)}, problem.grid);
@@ -110,7 +110,7 @@ std::string refused(const std::function<void(ContactProblem&)>& change) {
 
 }  // namespace
 
-TEST_CASE("on columns of a plane, whichever way it lies, contact is that of the plane", "[contact][curved]") {
+TEST_CASE("on strips of a plane, whichever way it lies, contact is that of the plane", "[contact][curved]") {
     const double angle = GENERATE(0.0, 0.7, -2.5);
     const int motion = GENERATE(0, 1, 2, 3);
     CAPTURE(angle, motion);
@@ -119,7 +119,7 @@ TEST_CASE("on columns of a plane, whichever way it lies, contact is that of the 
     const ContactSolution plane = solve_half_spaces(problem);
     const SectionPoint origin{3, -4};
     problem.columns = ContactColumns{flat_frames(problem.grid, angle, origin), angle, origin};
-    const ContactSolution solution = solve_columns(problem, column_table_of(pair_table(problem)));
+    const ContactSolution solution = solve_strips(problem, strip_table_of(pair_table(problem)));
     check_same(solution, plane);
     // The resultant is that of the plane's axes, turned.
     REQUIRE(solution.resultant);
@@ -138,7 +138,7 @@ TEST_CASE("an arc turned as a whole with its approach has the same contact", "[c
     const auto solved = [&](double turn) {
         const SectionPoint centre{2 * std::sin(turn), 2 * std::cos(turn)};
         problem.columns = ContactColumns{arc_frames(problem.grid.ny, problem.grid.dy, 5, turn), turn + 0.2, centre};
-        return solve_columns(problem, turned_pair(problem));
+        return solve_strips(problem, turned_pair(problem));
     };
     check_same(solved(1.1), solved(0));
 }
@@ -152,8 +152,8 @@ TEST_CASE("the mirror image of a curved contact is the contact of the mirror ima
     auto& rolling = std::get<Rolling>(image.motion);
     rolling.eta *= -1;
     rolling.phi *= -1;
-    const ContactSolution solution = solve_columns(problem, turned_pair(problem));
-    const ContactSolution mirrored = solve_columns(image, turned_pair(image));
+    const ContactSolution solution = solve_strips(problem, turned_pair(problem));
+    const ContactSolution mirrored = solve_strips(image, turned_pair(image));
     const Grid& grid = problem.grid;
     REQUIRE(solution.converged());
     for (int iy = 0; iy < grid.ny; ++iy)
@@ -173,7 +173,7 @@ TEST_CASE("the mirror image of a curved contact is the contact of the mirror ima
 TEST_CASE("without friction the resultant of a symmetric groove is along its approach", "[contact][curved]") {
     ContactProblem problem = ellipse();
     problem.columns = ContactColumns{arc_frames(13, problem.grid.dy, -3), 0, {0, 1}};
-    const ContactSolution solution = solve_columns(problem, turned_pair(problem));
+    const ContactSolution solution = solve_strips(problem, turned_pair(problem));
     const Resultant& all = *solution.resultant;
     CHECK_THAT(all.Fz, WithinRel(50, 1e-8));
     CHECK_THAT(all.Fy, WithinAbs(0, 1e-6));
@@ -186,12 +186,12 @@ TEST_CASE("pressures on a cylinder have no moment about its axis", "[contact][cu
     ContactProblem problem = ellipse();
     const SectionPoint axis{1, -2};
     problem.columns = ContactColumns{arc_frames(13, problem.grid.dy, 3, 0.3, axis), -0.2, axis};
-    const Resultant all = *solve_columns(problem, turned_pair(problem)).resultant;
+    const Resultant all = *solve_strips(problem, turned_pair(problem)).resultant;
     CHECK(std::abs(all.Fy) > 1);
     CHECK_THAT(all.Mx, WithinAbs(0, 1e-10));
     // About a point that lies 2 to the left and 1 below, it is that of the force.
     problem.columns->origin = {-1, -3};
-    CHECK_THAT(solve_columns(problem, turned_pair(problem)).resultant->Mx, WithinAbs(2 * all.Fz - 1 * all.Fy, 1e-9));
+    CHECK_THAT(solve_strips(problem, turned_pair(problem)).resultant->Mx, WithinAbs(2 * all.Fz - 1 * all.Fy, 1e-9));
 }
 
 TEST_CASE("turned half-spaces in a groove carry less pressure than plane ones with the same frames",
@@ -220,7 +220,7 @@ TEST_CASE("turned half-spaces in a groove carry less pressure than plane ones wi
         }
     problem.gap = gap;
     problem.Fn = 10000;
-    const double ratio = solve_columns(problem, turned_pair(problem)).pmax / solve_half_spaces(problem).pmax;
+    const double ratio = solve_strips(problem, turned_pair(problem)).pmax / solve_half_spaces(problem).pmax;
     CHECK_THAT(ratio, WithinAbs(turned / plane, 1e-3));
 }
 
@@ -228,15 +228,15 @@ TEST_CASE("random curved contacts obey their equations", "[contact][curved][rand
     for (unsigned seed = 0; seed < 120; ++seed) {
         CAPTURE(seed);
         const ContactProblem problem = random_contact(seed);
-        const ColumnTable table = turned_pair(problem);
-        const ContactSolution solution = solve_columns(problem, table);
+        const StripTable table = turned_pair(problem);
+        const ContactSolution solution = solve_strips(problem, table);
         REQUIRE(solution.converged());
         check_normal_contact(problem, table, solution, 1e-7);
         if (problem.friction) check_friction(problem, table, solution, 1e-5);
     }
 }
 
-TEST_CASE("curved columns that cannot be are refused", "[contact][curved]") {
+TEST_CASE("curved strips that cannot be are refused", "[contact][curved]") {
     CHECK(refused([](ContactProblem&) {}) == "");
     CHECK(refused([](ContactProblem& p) { p.columns->frames.pop_back(); }) == "columns.frames");
     CHECK(refused([](ContactProblem& p) { p.columns->frames[2].y = std::nan(""); }) == "columns.frames[2].y");

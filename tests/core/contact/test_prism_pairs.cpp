@@ -1,4 +1,4 @@
-// Prisms in contact: beside half-spaces, and where their columns end at an edge of the body.
+// Prisms in contact: beside half-spaces, and where their strips end at an edge of the body.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -6,8 +6,8 @@
 #include <string>
 
 #include "contact_cases.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/rotated_prism.hpp"
+#include "contactd/strip_frames.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -25,7 +25,7 @@ Body prism(const Material& material, const Section& section, IcSource source = I
     return {material, ics};
 }
 
-/// On columns that end at the edge of a block, whose table is that of half-spaces here.
+/// On strips that end at the edge of a block, whose table is that of half-spaces here.
 ContactProblem ball_at_edge(IcSource source, bool mirrored = false) {
     ContactProblem problem;
     problem.grid = {12, 20, 0.25, 0.25, -1.5, -4.5};
@@ -42,7 +42,7 @@ ContactSolution solve(const ContactProblem& problem) {
     const auto table = [&](const Body& body) {
         if (const Section* section = body.section())
             return BodyTable(rotated_prism(*section, longer, body.material, LoadShape::constant));
-        return BodyTable(ColumnTable());
+        return BodyTable(StripTable());
     };
     Observer observer;
     return solve_contact(problem, make_influence(problem, table(problem.bodies.upper), table(problem.bodies.lower)),
@@ -64,7 +64,7 @@ TEST_CASE("A contact that ends where the body does is not cut off by the grid", 
     REQUIRE(solution.pressure[static_cast<std::size_t>(problem.grid.nx * (problem.grid.ny - 1) + 6)] > 0);
     CHECK(solution.elements.border == 0);
     CHECK(!says_cut_off(solution));
-    SECTION("but a half-space goes on behind its columns") {
+    SECTION("but a half-space goes on behind its strips") {
         CHECK(says_cut_off(solve(ball_at_edge(IcSource::analytic))));
     }
     SECTION("and so does a block that begins before them") {
@@ -72,7 +72,7 @@ TEST_CASE("A contact that ends where the body does is not cut off by the grid", 
         inside.grid.y0 = -0.5;
         CHECK(says_cut_off(solve(inside)));
     }
-    SECTION("the upper body's columns run the other way") {
+    SECTION("the upper body's strips run the other way") {
         CHECK(says_cut_off(solve(ball_at_edge(IcSource::fem, true))));
         ContactProblem above = ball_at_edge(IcSource::fem, true);
         above.grid.y0 = -0.5;
@@ -87,26 +87,26 @@ TEST_CASE("A prism and a half-space have the products of both together", "[prism
     problem.grid = Grid::centred(14, 10, 0.4, 0.4);
     const Section section = prism_above ? Section{EdgeBlock{100, 50, 3}} : Section{RailSection{.from = 8}};
     problem.bodies = prism_above ? Bodies{prism(rubber, section), {steel}} : Bodies{{steel}, prism(rubber, section)};
-    if (!prism_above) problem.columns = ContactColumns{.frames = column_frames(section, 10, 0.4)};
+    if (!prism_above) problem.columns = ContactColumns{.frames = strip_frames(section, 10, 0.4)};
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = Rolling{.xi = 1e-3, .dq = dq};
     Grid longer = problem.grid;
     longer.nx += 2;
-    const ColumnTable columns = rotated_prism(section, longer, rubber, LoadShape::constant);
+    const StripTable strips = rotated_prism(section, longer, rubber, LoadShape::constant);
     const IcTable flat = body_table(problem.grid, steel);
     const auto influence = [&](const ContactProblem& of, const BodyTable& upper, const BodyTable& lower) {
         return make_influence(of, upper, lower);
     };
-    const ContactInfluence both = prism_above ? influence(problem, BodyTable(columns), BodyTable(flat))
-                                              : influence(problem, BodyTable(flat), BodyTable(columns));
+    const ContactInfluence both = prism_above ? influence(problem, BodyTable(strips), BodyTable(flat))
+                                              : influence(problem, BodyTable(flat), BodyTable(strips));
     // One body after the other, each on a rigid one.
     ContactProblem one = problem, other = problem;
     (prism_above ? one.bodies.lower : one.bodies.upper) = Body{Material::rigid()};
     (prism_above ? other.bodies.upper : other.bodies.lower) = Body{Material::rigid()};
     other.columns.reset();
     const BodyTable none{IcTable(problem.grid.nx, problem.grid.ny)};
-    const ContactInfluence of_prism = prism_above ? influence(one, BodyTable(columns), BodyTable(ColumnTable()))
-                                                  : influence(one, BodyTable(ColumnTable()), BodyTable(columns));
+    const ContactInfluence of_prism = prism_above ? influence(one, BodyTable(strips), BodyTable(StripTable()))
+                                                  : influence(one, BodyTable(StripTable()), BodyTable(strips));
     const ContactInfluence of_flat =
         prism_above ? influence(other, none, BodyTable(flat)) : influence(other, BodyTable(flat), none);
 
@@ -116,7 +116,7 @@ TEST_CASE("A prism and a half-space have the products of both together", "[prism
         p[i] = std::sin(1.0 + static_cast<double>(i));
         q[i] = std::cos(0.3 * static_cast<double>(i * i));
     }
-    const double scale = columns(Axis::z, Axis::z, 0, 0, 0);
+    const double scale = strips(Axis::z, Axis::z, 0, 0, 0);
     const auto compare = [&](const auto& apply) {
         apply(both, found_x, found_y);
         Values sum_x(n, 0), sum_y(n, 0);

@@ -67,7 +67,7 @@ namespace {
 struct MeasuredSection {
     SectionShape shape;
     double accuracy;
-    int columns;
+    int strips;
     double ds;
     double dofs;
     double megabytes;  ///< of 10^6 bytes, 0: not measured, largest resident memory of contactd-ic
@@ -80,7 +80,7 @@ IcSpec spec_of(const MeasuredSection& measured) {
     spec.body = BodyShape::prism;
     spec.source = IcSource::fem;
     spec.accuracy = measured.accuracy;
-    spec.ny = measured.columns;
+    spec.ny = measured.strips;
     spec.nx = 10;
     spec.dx = spec.dy = measured.ds;
     spec.section.emplace();
@@ -122,7 +122,7 @@ TEST_CASE("A section that needs far more memory than it may use is refused befor
         FAIL("It was built.");
     } catch (const OutOfMemory& error) {
         CHECK(error.field() == "ics.accuracy");
-        CHECK_THAT(error.what(), ContainsSubstring("builds.max_memory_bytes") && ContainsSubstring("fewer columns"));
+        CHECK_THAT(error.what(), ContainsSubstring("builds.max_memory_bytes") && ContainsSubstring("fewer strips"));
     }
 }
 

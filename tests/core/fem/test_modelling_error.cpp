@@ -130,17 +130,17 @@ TEST_CASE("a load beside the middle of a block does what finite elements of anot
     constexpr double L = 12, nu = 0.28;
     constexpr int ny = 5;
     SolidSpec solid{.solver = Solver::direct, .order = 3};
-    solid.density = {.edges_a_column = 2, .growth = 0.5, .edges_a_body = 6, .corner_share = 0.2};
+    solid.density = {.edges_a_strip = 2, .growth = 0.5, .edges_a_body = 6, .corner_share = 0.2};
     solid.slices = {.growth = 1.5, .length = L};
     Observer observer;
-    const ColumnTable table = build_solid_table(MPI_COMM_SELF, slab(L, L, ny), nu, solid, observer).table;
+    const StripTable table = build_solid_table(MPI_COMM_SELF, slab(L, L, ny), nu, solid, observer).table;
     const IcSpec spec = block_spec(1, ny, 1, nu, L);
     double largest = 0;
     for (const Axis i : axes)
         for (int I = 0; I < ny; ++I)
             for (int J = 0; J < ny; ++J) {
                 const int middle = ny / 2, l = I - J;
-                if (std::abs(l) > middle) continue;  // the middle column has no element as far away
+                if (std::abs(l) > middle) continue;  // the middle strip has no element as far away
                 largest = std::max(largest, std::abs(table(i, i, I, J, 0) / table(i, i, middle + l, middle, 0) - 1));
             }
     CHECK(largest <= stated(spec));

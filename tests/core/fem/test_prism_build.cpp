@@ -36,7 +36,7 @@ IcRecord build(const IcSpec& spec) {
 TEST_CASE("A prism's record meets the reference of a block with an edge, and says how it was made", "[prism]") {
     const IcSpec spec = edge_spec();
     const IcRecord record = build(spec);
-    const auto table = std::get<ColumnTable>(body_table(record, spec));
+    const auto table = std::get<StripTable>(body_table(record, spec));
     REQUIRE(record.evidence.section);
     const double bound = record.evidence.section->error + 1e-4;
     CHECK(record.evidence.section->error <= 1e-2);
@@ -49,10 +49,10 @@ TEST_CASE("A prism's record meets the reference of a block with an edge, and say
 TEST_CASE("Half-spaces that are turned differ from finite elements far from an edge by little", "[prism]") {
     IcSpec spec = edge_spec();
     spec.section = Section{EdgeBlock{1000, 1000, 200}};
-    const auto computed = std::get<ColumnTable>(body_table(build(spec), spec));
+    const auto computed = std::get<StripTable>(body_table(build(spec), spec));
     spec.source = IcSource::analytic;
     spec.accuracy = 0;
-    const auto turned = std::get<ColumnTable>(body_table(closed_form_record(spec), spec));
+    const auto turned = std::get<StripTable>(body_table(closed_form_record(spec), spec));
     REQUIRE(computed.values.size() == turned.values.size());
     double largest = 0;
     for (std::size_t i = 0; i < turned.values.size(); ++i)

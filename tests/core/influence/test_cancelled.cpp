@@ -9,9 +9,9 @@
 #include "contactd/solve_wheel_rail.hpp"
 #include "contactd/subsurface.hpp"
 #include "geometry/position.hpp"
-#include "influence/columns/wavenumber_rule.hpp"
 #include "influence/layered/shifted_layers.hpp"
 #include "influence/shifted_table.hpp"
+#include "influence/strips/wavenumber_rule.hpp"
 #include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;

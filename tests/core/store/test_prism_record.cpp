@@ -23,8 +23,8 @@ IcSpec prism_spec(double scale) {
 
 IcRecord prism_record() {
     IcRecord record{dimensionless(prism_spec(1)), {}, {}};
-    ColumnSpectrum spectrum{4, 0.28, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
-    for (int column = 0; column < 4; ++column) spectrum.frames.push_back({column - 5.5, 0, 0.01 * column});
+    StripSpectrum spectrum{4, 0.28, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
+    for (int strip = 0; strip < 4; ++strip) spectrum.frames.push_back({strip - 5.5, 0, 0.01 * strip});
     for (std::size_t n = 0; n < spectrum.nodes.size() * spectrum.component_size(); ++n)
         spectrum.values.push_back(std::cos(0.1 * static_cast<double>(n)));
     record.tables = spectrum;
@@ -64,20 +64,20 @@ TEST_CASE("A prism's record goes through a file as it is, and serves any number 
     const auto found = store.find(prism_spec(3));
     REQUIRE(found);
     CHECK(found->spec == record.spec);
-    CHECK(std::get<ColumnSpectrum>(found->tables) == std::get<ColumnSpectrum>(record.tables));
+    CHECK(std::get<StripSpectrum>(found->tables) == std::get<StripSpectrum>(record.tables));
     CHECK(found->evidence.section == record.evidence.section);
 }
 
-TEST_CASE("A prism's table has its units, and a row for each pair of columns") {
+TEST_CASE("A prism's table has its units, and a row for each pair of strips") {
     const IcRecord record = prism_record();
     const IcSpec spec = prism_spec(3);
-    const auto columns = std::get<ColumnTable>(body_table(record, spec));
-    const ColumnTable plain = column_table(std::get<ColumnSpectrum>(record.tables), 0.5, 30);
-    CHECK_THAT(columns(Axis::z, Axis::z, 1, 2, 3), WithinRel(plain(Axis::z, Axis::z, 1, 2, 3) * 1.5 / 82000, 1e-12));
+    const auto strips = std::get<StripTable>(body_table(record, spec));
+    const StripTable plain = strip_table(std::get<StripSpectrum>(record.tables), 0.5, 30);
+    CHECK_THAT(strips(Axis::z, Axis::z, 1, 2, 3), WithinRel(plain(Axis::z, Axis::z, 1, 2, 3) * 1.5 / 82000, 1e-12));
     const IcTable rows = table_for(record, spec);
     CHECK(rows.nx == 30);
     CHECK(rows.ny == table_rows(spec));
-    CHECK(rows(Axis::x, Axis::z, 3, 1 * 4 + 2) == columns(Axis::x, Axis::z, 1, 2, 3));
+    CHECK(rows(Axis::x, Axis::z, 3, 1 * 4 + 2) == strips(Axis::x, Axis::z, 1, 2, 3));
     IcSpec wider = spec;
     wider.ny = 5;
     CHECK_THROWS_AS(body_table(record, wider), InvalidArgument);

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <functional>
 
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_exchange.hpp"
 #include "contactd/ic_family.hpp"
 #include "contactd/stored_record.hpp"
+#include "contactd/strip_frames.hpp"
 #include "ic_records.hpp"
 
 using namespace contactd;
@@ -20,7 +20,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// As a daemon exports it: with dimensions, and what the builder has made for G = 1 and columns of width 1.
+/// As a daemon exports it: with dimensions, and what the builder has made for G = 1 and strips of width 1.
 IcRecord exported_prism() {
     IcSpec spec = fem_spec(3, 4);
     spec.body = BodyShape::prism;
@@ -30,8 +30,8 @@ IcRecord exported_prism() {
     spec.dy = 0.5;
     spec.section = Section{Groove{5, 5, 60, 40}};
     IcRecord record{spec, {}, {}};
-    ColumnSpectrum spectrum{4, spec.material.nu, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
-    spectrum.frames = column_frames(*dimensionless(spec).section, 4, 1);
+    StripSpectrum spectrum{4, spec.material.nu, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
+    spectrum.frames = strip_frames(*dimensionless(spec).section, 4, 1);
     spectrum.values.assign(spectrum.nodes.size() * spectrum.component_size(), 0);
     for (std::size_t node = 0; node < spectrum.nodes.size(); ++node)
         for (int a = 0; a < 12; ++a)
@@ -110,7 +110,7 @@ TEST_CASE("An exported prism comes back as the record that was built, with its k
     const IcRecord back = stored(through_a_file(exported));
     CHECK(ic_key(back.spec) == ic_key(exported.spec));
     CHECK(back.spec == dimensionless(exported.spec));
-    CHECK(std::get<ColumnSpectrum>(back.tables) == std::get<ColumnSpectrum>(exported.tables));
+    CHECK(std::get<StripSpectrum>(back.tables) == std::get<StripSpectrum>(exported.tables));
     CHECK(back.evidence.section == exported.evidence.section);
     IcSpec longer = exported.spec;
     longer.nx = 9;
@@ -138,11 +138,11 @@ TEST_CASE("An exported table comes back dimensionless", "[exchange]") {
 TEST_CASE("A store's own record comes back as it is", "[exchange]") {
     IcRecord prism = exported_prism();
     prism.spec = dimensionless(prism.spec);
-    CHECK(std::get<ColumnSpectrum>(stored(through_a_file(prism)).tables) == std::get<ColumnSpectrum>(prism.tables));
+    CHECK(std::get<StripSpectrum>(stored(through_a_file(prism)).tables) == std::get<StripSpectrum>(prism.tables));
 }
 
 TEST_CASE("What no builder makes is refused with a sentence", "[exchange]") {
-    const auto spectrum = [](IcRecord& record) -> ColumnSpectrum& { return std::get<ColumnSpectrum>(record.tables); };
+    const auto spectrum = [](IcRecord& record) -> StripSpectrum& { return std::get<StripSpectrum>(record.tables); };
     CHECK_THAT(refusal_of(exported_half_space(), [](IcRecord& record) { record.spec.source = IcSource::analytic; }),
                ContainsSubstring("analytic"));
     CHECK_THAT(refusal_of(exported_half_space(), [](IcRecord& record) { record.spec.material.nu = 0.7; }),
@@ -227,7 +227,7 @@ TEST_CASE("Coefficients under which a traction takes work out of the body are re
     CHECK_THAT(refusal_of(exported_block(), alternating), ContainsSubstring("take work out of the body"));
     CHECK_THAT(refusal_of(exported_prism(),
                           [](IcRecord& record) {
-                              auto& spectrum = std::get<ColumnSpectrum>(record.tables);
+                              auto& spectrum = std::get<StripSpectrum>(record.tables);
                               spectrum.values[spectrum.index(3, 7, 4)] = 4;
                           }),
                ContainsSubstring("take work out of the body"));

@@ -53,7 +53,7 @@ TEST_CASE("Bodies that are no half-spaces in closed form need a source, and a so
     setup = cylinder_on_arc(300);
     setup.dx = setup.dy = 1;
     int asked = 0;
-    const WheelRailContact contact(setup, [&](const ContactProblem& problem, const PatchColumns&, Observer&) {
+    const WheelRailContact contact(setup, [&](const ContactProblem& problem, const PatchStrips&, Observer&) {
         ++asked;
         return make_influence(problem, pair_table(problem));
     });

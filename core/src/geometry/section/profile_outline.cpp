@@ -62,7 +62,7 @@ void check_from(const Surface& surface, double from, const std::string& field) {
     if (from >= -surface.before && from < surface.behind) return;
     throw InvalidArgument(field, "is " + number_text(from) + "; from the point with y = 0 the profile reaches from " +
                                      short_text(-surface.before) + " to " + short_text(surface.behind) +
-                                     " mm along its curve, and columns must begin on it");
+                                     " mm along its curve, and strips must begin on it");
 }
 
 // Upright sides from the ends of the surface to a level cut.

@@ -7,7 +7,7 @@
 
 namespace contactd::geometry {
 
-/// The outline of a section with its size and turn, its columns together `width` wide along the outline (mm). Throws
+/// The outline of a section with its size and turn, its strips together `width` wide along the outline (mm). Throws
 /// InvalidArgument below `field` when a profile does not fit its section.
 OutlineSection outline_of(const Section& section, double width, const std::string& field);
 

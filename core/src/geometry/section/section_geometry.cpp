@@ -12,16 +12,16 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a column: ends may miss a corner by as much
-constexpr int looks = 8;           // at the curvature of a column
+constexpr double rounding = 1e-9;  // of a strip: ends may miss a corner by as much
+constexpr int looks = 8;           // at the curvature of a strip
 
-void check_numbers(int columns, double ds, const std::string& field) {
-    if (columns < 1 || columns > most_columns)
-        throw InvalidArgument(field, "has " + std::to_string(columns) + " columns; from 1 to " +
-                                         std::to_string(most_columns) + " are taken");
+void check_numbers(int strips, double ds, const std::string& field) {
+    if (strips < 1 || strips > most_strips)
+        throw InvalidArgument(field, "has " + std::to_string(strips) + " strips; from 1 to " +
+                                         std::to_string(most_strips) + " are taken");
     if (!(ds >= 1e-9 && ds <= 1e9))
         throw InvalidArgument(
-            field, "has columns of the width " + number_text(ds) + "; it must be a length between 1e-9 and 1e9 mm");
+            field, "has strips of the width " + number_text(ds) + "; it must be a length between 1e-9 and 1e9 mm");
 }
 
 std::string degrees(double angle) {
@@ -29,19 +29,19 @@ std::string degrees(double angle) {
 }
 
 // Each finds one kind of mistake.
-class ColumnCheck {
+class StripCheck {
    public:
-    ColumnCheck(const SectionGeometry& section, const std::string& field)
+    StripCheck(const SectionGeometry& section, const std::string& field)
         : section_(section),
           curve_(section.carrier()),
           field_(field),
           begin_(section.begin_of(0) + rounding * section.ds()),
-          end_(section.begin_of(section.columns()) - rounding * section.ds()) {}
+          end_(section.begin_of(section.strips()) - rounding * section.ds()) {}
 
     void length() const {
-        const double all = section_.columns() * section_.ds();
+        const double all = section_.strips() * section_.ds();
         if (!(all <= curve_.length() * (1 + rounding)))
-            throw InvalidArgument(field_, "has " + number() + " columns of " + short_text(section_.ds()) +
+            throw InvalidArgument(field_, "has " + number() + " strips of " + short_text(section_.ds()) +
                                               " mm, together " + short_text(all) +
                                               " mm; their curve, which begins at " + place_text(curve_.place(0).at) +
                                               ", is only " + short_text(curve_.length()) + " mm long");
@@ -49,7 +49,7 @@ class ColumnCheck {
 
     void corners() const {
         for_each_piece([&](std::size_t piece, double from, double) {
-            if (from > begin_ && from < end_) corner(piece, column_at(from));
+            if (from > begin_ && from < end_) corner(piece, strip_at(from));
         });
     }
 
@@ -61,20 +61,20 @@ class ColumnCheck {
 
     void curvature() const {
         const double step = section_.ds() / looks;
-        for (int column = 0; column < section_.columns(); ++column)
+        for (int strip = 0; strip < section_.strips(); ++strip)
             for (int look = 0; look <= looks; ++look) {
                 const double near = look == 0 ? rounding : look == looks ? -rounding : 0;
-                const OutlinePlace here = curve_.place(section_.begin_of(column) + look * step + near * section_.ds());
-                if (!(std::abs(here.curvature) * section_.ds() <= most_column_turn))
+                const OutlinePlace here = curve_.place(section_.begin_of(strip) + look * step + near * section_.ds());
+                if (!(std::abs(here.curvature) * section_.ds() <= most_strip_turn))
                     throw InvalidArgument(
-                        field_, "has columns of " + short_text(section_.ds()) + " mm, too wide for the radius of " +
+                        field_, "has strips of " + short_text(section_.ds()) + " mm, too wide for the radius of " +
                                     short_text(1 / std::abs(here.curvature)) + " mm at " + place_text(here.at) +
-                                    " in column " + std::to_string(column) + "; take columns of " +
-                                    short_text(most_column_turn / std::abs(here.curvature)) + " mm at most there");
+                                    " in strip " + std::to_string(strip) + "; take strips of " +
+                                    short_text(most_strip_turn / std::abs(here.curvature)) + " mm at most there");
             }
     }
 
-    /// `from` is counted along the curve from where a part begins, `way` to the first column: `given` is what the
+    /// `from` is counted along the curve from where a part begins, `way` to the first strip: `given` is what the
     /// section says, in a field of that name.
     void way(const OutlineSection& outline, const std::string& name, double given) const {
         const auto refuse = [&](const std::string& problem) {
@@ -90,46 +90,46 @@ class ColumnCheck {
                 if (!curve_.pieces()[i].clamped() || i == outline.part) continue;
                 if (lap + curve_.begin_of(i) < high && lap + curve_.begin_of(i + 1) > low)
                     refuse("it leads across what is held, at " + place_text(curve_.pieces()[i].place(0).at) +
-                           ", to columns that begin on another side of the body, at " +
+                           ", to strips that begin on another side of the body, at " +
                            place_text(curve_.place(section_.begin_of(0)).at));
             }
     }
 
    private:
-    // With the arc lengths of its ends; at most twice, where columns pass the start of the curve.
+    // With the arc lengths of its ends; at most twice, where strips pass the start of the curve.
     template <class Visit>
     void for_each_piece(const Visit& visit) const {
         for (const double lap : {0.0, curve_.length()})
             for (std::size_t i = 0; i < curve_.pieces().size(); ++i)
                 visit(i, lap + curve_.begin_of(i), lap + curve_.begin_of(i + 1));
     }
-    std::string number() const { return std::to_string(section_.columns()); }
-    int column_at(double s) const {
-        const int column = static_cast<int>((s - section_.begin_of(0)) / section_.ds());
-        return std::clamp(column, 0, section_.columns() - 1);
+    std::string number() const { return std::to_string(section_.strips()); }
+    int strip_at(double s) const {
+        const int strip = static_cast<int>((s - section_.begin_of(0)) / section_.ds());
+        return std::clamp(strip, 0, section_.strips() - 1);
     }
-    void corner(std::size_t piece, int column) const {
+    void corner(std::size_t piece, int strip) const {
         const double turn = curve_.turn_before(piece);
         if (std::abs(turn) <= least_corner) return;
         throw InvalidArgument(field_, "has a corner of " + degrees(turn) + " at " +
-                                          place_text(curve_.pieces()[piece].place(0).at) + " in column " +
-                                          std::to_string(column) + " of " + number() +
-                                          "; columns must end at a corner, take fewer of them or let them begin "
+                                          place_text(curve_.pieces()[piece].place(0).at) + " in strip " +
+                                          std::to_string(strip) + " of " + number() +
+                                          "; strips must end at a corner, take fewer of them or let them begin "
                                           "elsewhere");
     }
     void refuse_clamped(double s) const {
-        throw InvalidArgument(field_, "is held at " + place_text(curve_.place(s).at) + " where its column " +
-                                          std::to_string(column_at(s)) + " of " + number() +
-                                          " lies; columns must lie on parts that are free to move");
+        throw InvalidArgument(field_, "is held at " + place_text(curve_.place(s).at) + " where its strip " +
+                                          std::to_string(strip_at(s)) + " of " + number() +
+                                          " lies; strips must lie on parts that are free to move");
     }
 
     const SectionGeometry& section_;
     const ClosedCurve& curve_;
     const std::string field_;
-    const double begin_, end_;  // of all columns, but for rounding
+    const double begin_, end_;  // of all strips, but for rounding
 };
 
-/// Where a section says itself where its columns begin.
+/// Where a section says itself where its strips begin.
 struct StatedFrom {
     const char* name = nullptr;
     double value = 0;
@@ -145,11 +145,11 @@ StatedFrom stated_from(const SectionShape& shape) {
 
 }  // namespace
 
-SectionGeometry::SectionGeometry(const Section& section, int columns, double ds, const std::string& field)
-    : columns_(columns), ds_(ds) {
+SectionGeometry::SectionGeometry(const Section& section, int strips, double ds, const std::string& field)
+    : strips_(strips), ds_(ds) {
     validate(section, field.c_str());
-    check_numbers(columns, ds, field);
-    const OutlineSection outline = outline_of(section, columns * ds, field);
+    check_numbers(strips, ds, field);
+    const OutlineSection outline = outline_of(section, strips * ds, field);
     const bool own = std::holds_alternative<OutlineSection>(section.shape);
     std::vector<std::string> names{own ? field + ".outline.outside" : field};
     curves_.emplace_back(outline.outside, names[0]);
@@ -162,7 +162,7 @@ SectionGeometry::SectionGeometry(const Section& section, int columns, double ds,
     // What begins at a corner but for rounding begins there.
     const double first = carrier().reduced(carrier().begin_of(outline.part) + outline.from);
     first_ = carrier().length() - first < rounding * ds ? 0 : first;
-    const ColumnCheck check(*this, field);
+    const StripCheck check(*this, field);
     check.length();
     check.corners();
     check.support();
@@ -178,7 +178,7 @@ double SectionGeometry::perimeter() const {
 }
 
 bool SectionGeometry::is_edge(double s) const {
-    constexpr double near = 1e-6;  // of a column
+    constexpr double near = 1e-6;  // of a strip
     for (std::size_t piece = 0; piece < carrier().pieces().size(); ++piece) {
         const double apart = carrier().reduced(s - carrier().begin_of(piece) + near * ds_);
         if (apart < 2 * near * ds_ && carrier().turn_before(piece) > least_corner) return true;
@@ -186,10 +186,10 @@ bool SectionGeometry::is_edge(double s) const {
     return false;
 }
 
-std::vector<ColumnFrame> SectionGeometry::frames() const {
-    std::vector<ColumnFrame> frames;
-    for (int column = 0; column < columns_; ++column) {
-        const OutlinePlace middle = carrier().place(begin_of(column) + ds_ / 2);
+std::vector<StripFrame> SectionGeometry::frames() const {
+    std::vector<StripFrame> frames;
+    for (int strip = 0; strip < strips_; ++strip) {
+        const OutlinePlace middle = carrier().place(begin_of(strip) + ds_ / 2);
         const double before = frames.empty() ? 0 : frames.back().angle;
         frames.push_back({middle.at.y, middle.at.z, before + principal(middle.angle - before)});
     }

@@ -1,20 +1,20 @@
-// Values of half-spaces midway between columns, and from there to the axes of the columns.
+// Values of half-spaces midway between strips, and from there to the axes of the strips.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "contactd/column_table.hpp"
 #include "contactd/observer.hpp"
-#include "influence/rotated/column_grid.hpp"
-#include "influence/rotated/column_values.hpp"
+#include "contactd/strip_table.hpp"
+#include "influence/rotated/strip_grid.hpp"
+#include "influence/rotated/strip_values.hpp"
 
 namespace contactd {
 
-/// Midway between two columns, values depend on their distance only: n of each distance in columns, from 0 on, by
+/// Midway between two strips, values depend on their distance only: n of each distance in strips, from 0 on, by
 /// `integrals(s, k)`, k = 0..n-1.
 template <class Integrals>
-std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::size_t n, const Observer& observer,
+std::vector<NineValues> midway_values(const StripGrid& grid, double nu, std::size_t n, const Observer& observer,
                                       const Integrals& integrals) {
     std::vector<NineValues> values;
     values.reserve(grid.frames.size() * n);
@@ -26,12 +26,12 @@ std::vector<NineValues> midway_values(const ColumnGrid& grid, double nu, std::si
     return values;
 }
 
-/// Shape [3, 3, columns, columns, n], in the axes of the columns, times a factor.
-UnsetArray in_column_axes(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor,
-                          const Observer& observer);
+/// Shape [3, 3, strips, strips, n], in the axes of the strips, times a factor.
+UnsetArray in_strip_axes(const StripGrid& grid, const std::vector<NineValues>& midway, double factor,
+                         const Observer& observer);
 
 /// The same as a table of grid.nx offsets.
-ColumnTable midway_table(const ColumnGrid& grid, const std::vector<NineValues>& midway, double factor,
-                         const Observer& observer);
+StripTable midway_table(const StripGrid& grid, const std::vector<NineValues>& midway, double factor,
+                        const Observer& observer);
 
 }  // namespace contactd

@@ -7,8 +7,8 @@
 
 namespace contactd {
 
-ColumnTable rotated_half_space(const ColumnGrid& grid, const Material& material, LoadShape load, double shift,
-                               const Observer& observer) {
+StripTable rotated_half_space(const StripGrid& grid, const Material& material, LoadShape load, double shift,
+                              const Observer& observer) {
     const HalfSpaceModel model(load);
     const auto midway =
         midway_values(grid, material.nu, static_cast<std::size_t>(grid.nx), observer, [&](double s, std::size_t k) {

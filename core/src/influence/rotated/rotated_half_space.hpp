@@ -1,18 +1,18 @@
-// Coefficients of a body that is uniform along x by half-spaces that turn with its surface, from column to column.
+// Coefficients of a body that is uniform along x by half-spaces that turn with its surface, from strip to strip.
 #pragma once
 
-#include "contactd/column_table.hpp"
 #include "contactd/ic_spec.hpp"
 #include "contactd/observer.hpp"
-#include "influence/rotated/column_grid.hpp"
+#include "contactd/strip_table.hpp"
+#include "influence/rotated/strip_grid.hpp"
 
 namespace contactd {
 
 /// mm^3/N, at the offsets k dx + shift, k >= 0: the closed form of the half-space at the distance along the surface, in
-/// axes midway between those of the two columns, then turned by half the angle between them (Blanco-Lorenzo et al.). On
-/// flat columns it is the half-space's table. Throws Cancelled when the observer, which is asked column by column, says
+/// axes midway between those of the two strips, then turned by half the angle between them (Blanco-Lorenzo et al.). On
+/// flat strips it is the half-space's table. Throws Cancelled when the observer, which is asked strip by strip, says
 /// so.
-ColumnTable rotated_half_space(const ColumnGrid& grid, const Material& material, LoadShape load, double shift = 0,
-                               const Observer& observer = {});
+StripTable rotated_half_space(const StripGrid& grid, const Material& material, LoadShape load, double shift = 0,
+                              const Observer& observer = {});
 
 }  // namespace contactd

@@ -5,8 +5,8 @@
 
 namespace contactd {
 
-ColumnTable rotated_prism(const Section& section, const Grid& grid, const Material& material, LoadShape load,
-                          double shift, const std::string& field, const Observer& observer) {
+StripTable rotated_prism(const Section& section, const Grid& grid, const Material& material, LoadShape load,
+                         double shift, const std::string& field, const Observer& observer) {
     validate(grid, "grid");
     const geometry::SectionGeometry geometry(section, grid.ny, grid.dy, field);
     const auto frames = geometry.frames();

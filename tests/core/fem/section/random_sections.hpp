@@ -11,10 +11,10 @@
 #include "contact/curved_faults.hpp"
 #include "contact/random_contact.hpp"
 #include "contactd/closed_form_record.hpp"
-#include "contactd/column_frames.hpp"
 #include "contactd/contact_influence.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/strip_frames.hpp"
 
 namespace contactd::test {
 
@@ -30,7 +30,7 @@ inline Outline round_hole(const SectionPoint& centre, double radius) {
     return {right, {{ArcTo{left, -radius}}, {ArcTo{right, -radius}}}};
 }
 
-/// A block whose top is a line, an arc or a spline, with sides that lean and perhaps a hole; held below. Columns of
+/// A block whose top is a line, an arc or a spline, with sides that lean and perhaps a hole; held below. Strips of
 /// `length` together lie on its top, or in the hole. Some cannot be.
 inline OutlineSection random_outline(Dice& dice, double length) {
     const double half = length * dice.uniform(0.55, 3), height = length * dice.log_uniform(0.4, 8);
@@ -122,7 +122,7 @@ inline Section random_section(Dice& dice, double length) {
 struct SectionContact {
     ContactProblem problem;
     BodyTable upper, lower;
-    ColumnTable pair;  ///< of both bodies, for the check
+    StripTable pair;  ///< of both bodies, for the check
     std::string refused{};
 };
 
@@ -148,12 +148,12 @@ inline void add_bodies(Dice& dice, const Section& section, SectionContact& conta
     const IcSpec lower = spec_of(problem.bodies.lower, grid, grid.nx + more),
                  upper = spec_of(problem.bodies.upper, grid, grid.nx + more);
     contact.lower = body_table(fem::build_ic_table(lower, observer), lower);
-    const auto& table = std::get<ColumnTable>(contact.lower);
+    const auto& table = std::get<StripTable>(contact.lower);
     contact.upper = IcTable(upper.nx, upper.ny);
     contact.pair = table;
     if (problem.bodies.upper.material.is_rigid()) return;
     contact.upper = half_space_table(upper);
-    contact.pair = pair_of(column_table_of(std::get<IcTable>(contact.upper)), table);
+    contact.pair = pair_of(strip_table_of(std::get<IcTable>(contact.upper)), table);
 }
 
 /// Along x alone, by whole elements where it rolls; forces along x only.
@@ -195,20 +195,20 @@ inline SectionContact random_section_contact(std::uint64_t seed) {
     const Section section = random_section(dice, ny * dy);
     try {
         problem.columns.emplace();
-        problem.columns->frames = column_frames(section, ny, dy, "ics.section");
+        problem.columns->frames = strip_frames(section, ny, dy, "ics.section");
         add_bodies(dice, section, contact);
     } catch (const InvalidArgument& error) {
         contact.refused = error.what();
         return contact;
     }
-    ContactColumns& columns = *problem.columns;
-    const auto& frames = columns.frames;
-    const ColumnFrame& middle = frames[static_cast<std::size_t>(dice.integer(0, ny - 1))];
-    columns.origin = {middle.y, middle.z};
-    const auto [least, most] = std::ranges::minmax(frames, {}, [](const ColumnFrame& frame) { return frame.angle; });
-    columns.direction = std::clamp(middle.angle, most.angle - 1.5, least.angle + 1.5);
+    ContactColumns& strips = *problem.columns;
+    const auto& frames = strips.frames;
+    const StripFrame& middle = frames[static_cast<std::size_t>(dice.integer(0, ny - 1))];
+    strips.origin = {middle.y, middle.z};
+    const auto [least, most] = std::ranges::minmax(frames, {}, [](const StripFrame& frame) { return frame.angle; });
+    strips.direction = std::clamp(middle.angle, most.angle - 1.5, least.angle + 1.5);
     if (most.angle - least.angle > 3) {
-        contact.refused = "columns that face all sides";
+        contact.refused = "strips that face all sides";
         return contact;
     }
     problem.gap = random_distance(dice, problem.grid);

@@ -1,11 +1,11 @@
 // Coefficients of sections by a prototype of another make, which states its own errors, and of bonded layers in closed
-// form, all with their rows: steel-like bodies of nu = 0.28, G = 1, columns and elements of 0.5 mm.
+// form, all with their rows: steel-like bodies of nu = 0.28, G = 1, strips and elements of 0.5 mm.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "contactd/column_table.hpp"
+#include "contactd/strip_table.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "section/section_outline.hpp"
 #include "section_cases.hpp"
@@ -16,7 +16,7 @@ inline constexpr double ds = 0.5, nu = 0.28;
 /// zz of the half-space under an element.
 inline constexpr double self = 0.2019960;
 
-/// Between the columns I, observed, and J, k elements apart along x: z is the normal, y along the outline.
+/// Between the strips I, observed, and J, k elements apart along x: z is the normal, y along the outline.
 struct Entry {
     int I, J, k;
     double zz, xx, yy, zy, yz, xz;
@@ -35,7 +35,7 @@ inline SectionOutline rail_head() {
 
 /// Coefficients were observed at midpoints and not made symmetric.
 inline std::vector<Case> cases() {
-    return {{"edge at half a column",
+    return {{"edge at half a strip",
              edge_block(200, 100, 0.5, 20),
              8.7e-05,
              {{19, 19, 0, 0.250978, 0.274743, 0.362838, -0.060065, -0.062414, 0},
@@ -50,7 +50,7 @@ inline std::vector<Case> cases() {
               {15, 19, 1, 0.026711, 0.023221, 0.054380, -0.008766, -0.028124, 0.002455},
               {15, 19, 4, 0.021020, 0.019830, 0.037429, -0.009131, -0.020665, 0.005755},
               {15, 19, 20, 0.005994, 0.006679, 0.007815, -0.003773, -0.004691, 0.001884}}},
-            {"edge at two columns",
+            {"edge at two strips",
              edge_block(200, 100, 2, 20),
              5.6e-05,
              {{19, 19, 0, 0.220063, 0.254131, 0.289177, -0.023515, -0.023666, 0},
@@ -65,7 +65,7 @@ inline std::vector<Case> cases() {
               {15, 19, 1, 0.022350, 0.020470, 0.043529, -0.005466, -0.018985, 0.001620},
               {15, 19, 4, 0.017770, 0.017544, 0.032412, -0.006609, -0.015189, 0.004048},
               {15, 19, 20, 0.005527, 0.006303, 0.007778, -0.003483, -0.004393, 0.001879}}},
-            {"edge at ten columns",
+            {"edge at ten strips",
              edge_block(200, 100, 10, 20),
              3.9e-05,
              {{19, 19, 0, 0.204606, 0.243576, 0.251318, -0.004662, -0.004665, 0},
@@ -165,7 +165,7 @@ struct LayerCase {
 };
 
 inline std::vector<LayerCase> layers() {
-    return {{"bonded layer of one column",
+    return {{"bonded layer of one strip",
              slab(200, 1, 20),
              {{0, 0, 0.1295842, 0.1944184, 0.1944184},
               {1, 0, 0.0070523, 0.0417956, 0.0223500},
@@ -173,7 +173,7 @@ inline std::vector<LayerCase> layers() {
               {2, 3, -0.0000235, 0.0004848, 0.0012078},
               {6, 0, -0.0000019, 0.0001383, -0.0000162},
               {0, 6, -0.0000019, -0.0000162, 0.0001383}}},
-            {"bonded layer of five columns",
+            {"bonded layer of five strips",
              slab(200, 5, 20),
              {{0, 0, 0.1864990, 0.2315221, 0.2315221},
               {1, 0, 0.0442508, 0.0707208, 0.0520611},

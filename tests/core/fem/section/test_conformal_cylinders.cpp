@@ -21,8 +21,8 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr double nu = 0.28, degree = pi / 180, radius = 1 / degree;  // columns of one degree, lengths over their width
-constexpr int columns = 168;
+constexpr double nu = 0.28, degree = pi / 180, radius = 1 / degree;  // strips of one degree, lengths over their width
+constexpr int strips = 168;
 
 /// Of identical cylinders under the force Q a length, in contact over +-half_angle (A. Persson, On the stress
 /// distribution of cylindrical elastic bodies in contact, 1964): E'(R2 - R1)/Q with E' = 2 G/(1 - nu), and pressures.
@@ -42,23 +42,23 @@ class Persson {
     double b_, b2_;
 };
 
-/// Columns of a section of unit material, as long along x as one likes: their plane strain.
+/// Strips of a section of unit material, as long along x as one likes: their plane strain.
 struct PlaneSection {
-    ColumnTable table{1, columns};
-    std::vector<ColumnFrame> frames;
+    StripTable table{1, strips};
+    std::vector<StripFrame> frames;
 
     explicit PlaneSection(const Section& section) {
-        const SectionOutline outline = outline_of(geometry::SectionGeometry(section, columns, 1, "section"));
+        const SectionOutline outline = outline_of(geometry::SectionGeometry(section, strips, 1, "section"));
         MeshDensity density;
-        density.edges_a_column = 2;
+        density.edges_a_strip = 2;
         const DividedOutline divided = divide(outline, density);
         const SectionMesh mesh = make_section_mesh(outline, divided, triangulate(divided, density), 4);
         const WaveResponse response = SectionModel(outline, mesh, 4, nu).at(0);
-        frames = column_frames(outline);
+        frames = strip_frames(outline);
         for (const Axis i : {Axis::x, Axis::y, Axis::z})
             for (const Axis j : {Axis::x, Axis::y, Axis::z})
-                for (int I = 0; I < columns; ++I)
-                    for (int J = 0; J < columns; ++J) {
+                for (int I = 0; I < strips; ++I)
+                    for (int J = 0; J < strips; ++J) {
                         const std::size_t a = 3 * I + static_cast<int>(i), b = 3 * J + static_cast<int>(j),
                                           high = std::max(a, b), low = std::min(a, b);
                         table(i, j, I, J, 0) = response.values[high * (high + 1) / 2 + low];
@@ -67,10 +67,10 @@ struct PlaneSection {
 };
 
 /// Where the pressure ends: its square falls linearly there.
-double half_angle_of(const ContactSolution& solution, const std::vector<ColumnFrame>& frames) {
+double half_angle_of(const ContactSolution& solution, const std::vector<StripFrame>& frames) {
     std::size_t last = frames.size() - 1;
     while (solution.pressure[last] == 0) --last;
-    // Not the last column itself, which the contact may cover in part.
+    // Not the last strip itself, which the contact may cover in part.
     const double outer = solution.pressure[last - 1], inner = solution.pressure[last - 3];
     const double slope = (inner * inner - outer * outer) / (frames[last - 1].angle - frames[last - 3].angle);
     return std::abs(frames[last - 1].angle + outer * outer / slope);
@@ -80,29 +80,29 @@ double half_angle_of(const ContactSolution& solution, const std::vector<ColumnFr
 
 TEST_CASE("A cylinder in a hole of nearly its radius is pressed as Persson says", "[section][curved]") {
     const PlaneSection disc({Disc{radius, 0.005 * radius}}), hole({PlateHole{radius, 50 * radius}});
-    const ColumnTable pair = pair_of(disc.table, hole.table);
+    const StripTable pair = pair_of(disc.table, hole.table);
     for (const double half_angle : {20, 30, 45, 60, 75, 80}) {
         const Persson persson(half_angle * degree);
         const double force = 1, modulus = 2 / (1 - nu);
         ContactProblem problem;
-        problem.grid = Grid::centred(1, columns, 1, 1);
+        problem.grid = Grid::centred(1, strips, 1, 1);
         problem.bodies = {{Material{1, nu}}, {Material{1, nu}}};
         problem.columns = ContactColumns{hole.frames, 0, {}};
         std::vector<double> gap;
-        for (const ColumnFrame& frame : hole.frames)
+        for (const StripFrame& frame : hole.frames)
             gap.push_back(persson.clearance() * force / modulus * (1 - std::cos(frame.angle)));
         problem.gap = gap;
         problem.Fn = force;
-        const ContactSolution solution = test::solve_columns(problem, pair);
+        const ContactSolution solution = test::solve_strips(problem, pair);
         CAPTURE(half_angle);
         REQUIRE(solution.converged());
         const double largest = persson.pressure(0) / radius;
         CHECK_THAT(solution.pmax, WithinRel(largest, 5e-3));
         CHECK_THAT(half_angle_of(solution, hole.frames) / degree, WithinRel(half_angle, 1e-2));
-        for (int column = 0; column < columns; ++column) {
-            const double angle = hole.frames[static_cast<std::size_t>(column)].angle;
-            if (std::abs(std::abs(angle) / degree - half_angle) > 1.5)  // of a column that is half in contact
-                CHECK_THAT(solution.pressure[static_cast<std::size_t>(column)],
+        for (int strip = 0; strip < strips; ++strip) {
+            const double angle = hole.frames[static_cast<std::size_t>(strip)].angle;
+            if (std::abs(std::abs(angle) / degree - half_angle) > 1.5)  // of a strip that is half in contact
+                CHECK_THAT(solution.pressure[static_cast<std::size_t>(strip)],
                            WithinAbs(persson.pressure(angle) / radius, 1e-2 * largest));
         }
     }

@@ -16,14 +16,14 @@ using namespace contactd::fem;
 
 namespace {
 
-constexpr int columns = 8, offsets = 12;
+constexpr int strips = 8, offsets = 12;
 
 /// The largest difference of any coefficient of elements `dx` long to those of the layer, over zz of the half-space
 /// under such an element, or of the layer where that is less.
-double difference_to_layer(const ColumnSpectrum& spectrum, double thickness, double nu, double dx) {
+double difference_to_layer(const StripSpectrum& spectrum, double thickness, double nu, double dx) {
     const Layers layer{{{thickness, 1, nu}}, Material::rigid()};
-    const ColumnTable slab = column_table(spectrum, dx, offsets),
-                      exact = column_table_of(layered_table(layer, LoadShape::constant, offsets, columns, dx, 1));
+    const StripTable slab = strip_table(spectrum, dx, offsets),
+                     exact = strip_table_of(layered_table(layer, LoadShape::constant, offsets, strips, dx, 1));
     double largest = 0;
     REQUIRE(slab.values.size() == exact.values.size());
     for (std::size_t i = 0; i < slab.values.size(); ++i)
@@ -45,7 +45,7 @@ std::optional<SpectrumBuild> build_unless_refused(const SectionOutline& outline,
 
 void check_slabs(double accuracy) {
     const double nu = GENERATE(0.28, 0.40, 0.49, 0.499), thickness = GENERATE(1.0, 5.0);
-    const auto found = build_unless_refused(slab(100, thickness, columns), nu, accuracy);
+    const auto found = build_unless_refused(slab(100, thickness, strips), nu, accuracy);
     if (!found) return;
     const SpectrumBuild& build = *found;
     CAPTURE(accuracy, nu, thickness, build.order, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
@@ -64,10 +64,10 @@ TEST_CASE("Slabs of any Poisson's ratio up to 0.499 are exact layers within thei
     check_slabs(1e-2);
 }
 
-TEST_CASE("A slab that is thin beside its columns errs by no more of its own compliance", "[section][slow]") {
+TEST_CASE("A slab that is thin beside its strips errs by no more of its own compliance", "[section][slow]") {
     const double thickness = GENERATE(0.05, 0.2), nu = 0.28;
     Observer observer;
-    const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, slab(100, thickness, columns), nu, 1e-2, observer);
+    const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, slab(100, thickness, strips), nu, 1e-2, observer);
     CHECK(build.errors.total() <= 1e-2);
     for (const double dx : {0.5, 1.0, 8.0})
         CHECK(difference_to_layer(build.spectrum, thickness, nu, dx) <= build.errors.total());

@@ -19,22 +19,22 @@ namespace {
 
 constexpr double nu = 0.28;
 
-SectionMesh mesh_of(const SectionOutline& outline, int order, int edges_a_column = 4) {
+SectionMesh mesh_of(const SectionOutline& outline, int order, int edges_a_strip = 4) {
     MeshDensity density;
-    density.edges_a_column = edges_a_column;
+    density.edges_a_strip = edges_a_strip;
     const DividedOutline divided = divide(outline, density);
     return make_section_mesh(outline, divided, triangulate(divided, density), order);
 }
 
-/// Sums over all columns, loaded and observed alike, per column.
-double mean_response(const WaveResponse& response, int columns, int i, int j) {
+/// Sums over all strips, loaded and observed alike, per strip.
+double mean_response(const WaveResponse& response, int strips, int i, int j) {
     double sum = 0;
-    for (int I = 0; I < columns; ++I)
-        for (int J = 0; J < columns; ++J) {
+    for (int I = 0; I < strips; ++I)
+        for (int J = 0; J < strips; ++J) {
             const std::size_t a = 3 * I + i, b = 3 * J + j, high = std::max(a, b), low = std::min(a, b);
             sum += response.values[high * (high + 1) / 2 + low];
         }
-    return sum / columns;
+    return sum / strips;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST_CASE("An outline whose edges of elements cross is refused where they do", "
     REQUIRE_THROWS_WITH(triangulate(crossed, {}), ContainsSubstring("comes closer to itself"));
 }
 
-TEST_CASE("Columns all round a solid cylinder meet the closed form with Bessel functions", "[section]") {
+TEST_CASE("Strips all round a solid cylinder meet the closed form with Bessel functions", "[section]") {
     // Of R = 10, G = 1; nothing is held.
     struct Case {
         double xi_R, nn, xx, xn, ss;
@@ -53,34 +53,34 @@ TEST_CASE("Columns all round a solid cylinder meet the closed form with Bessel f
     const auto [xi_R, nn, xx, xn, ss] = GENERATE(Case{1, 2.7923559, 9.2948680, 1.5369378, 41.6330612},
                                                  Case{5, 1.4744782, 1.4462099, -0.3555476, 2.7803242},
                                                  Case{10, 0.7429830, 0.7264634, -0.2089434, 1.1707062});
-    const int columns = 40;
-    const SectionOutline outline = disc(columns, 0);
+    const int strips = 40;
+    const SectionOutline outline = disc(strips, 0);
     const SectionMesh mesh = mesh_of(outline, 4);
     SectionModel model(outline, mesh, 4, nu);
-    const double radius = columns / (2 * std::numbers::pi), scale = 10 / radius;
+    const double radius = strips / (2 * std::numbers::pi), scale = 10 / radius;
     const WaveResponse response = model.at(xi_R / radius);
-    CHECK_THAT(scale * mean_response(response, columns, 2, 2), WithinRel(nn, 1e-5));
-    CHECK_THAT(scale * mean_response(response, columns, 0, 0), WithinRel(xx, 1e-5));
-    CHECK_THAT(scale * mean_response(response, columns, 0, 2), WithinRel(-xn, 1e-5));  // xn is that of -sin
-    CHECK_THAT(scale * mean_response(response, columns, 1, 1), WithinRel(ss, 1e-5));
+    CHECK_THAT(scale * mean_response(response, strips, 2, 2), WithinRel(nn, 1e-5));
+    CHECK_THAT(scale * mean_response(response, strips, 0, 0), WithinRel(xx, 1e-5));
+    CHECK_THAT(scale * mean_response(response, strips, 0, 2), WithinRel(-xn, 1e-5));  // xn is that of -sin
+    CHECK_THAT(scale * mean_response(response, strips, 1, 1), WithinRel(ss, 1e-5));
 }
 
 TEST_CASE("A disc under two opposed loads widens across as Michell says", "[section]") {
     // What is left, -4.4e-4: 1.8e-4 of the core, which falls with its square, and the width of the loads.
-    const int columns = 360;
-    const SectionOutline outline = disc(columns, 0.005);
+    const int strips = 360;
+    const SectionOutline outline = disc(strips, 0.005);
     const SectionMesh mesh = mesh_of(outline, 4, 2);
     SectionModel model(outline, mesh, 4, nu);
     const WaveResponse response = model.at(0);
-    // Columns about the top (0 and columns - 1 meet there), the right, the bottom and the left: line loads by two
-    // columns each, of traction 1/2 a column.
+    // Strips about the top (0 and strips - 1 meet there), the right, the bottom and the left: line loads by two
+    // strips each, of traction 1/2 a strip.
     const auto nn = [&](int I, int J) {
         const std::size_t a = 3 * I + 2, b = 3 * J + 2, high = std::max(a, b), low = std::min(a, b);
         return response.values[high * (high + 1) / 2 + low];
     };
     double widening = 0;
-    for (const int load : {0, columns - 1, columns / 2 - 1, columns / 2})
-        for (const int side : {columns / 4 - 1, columns / 4, 3 * columns / 4 - 1, 3 * columns / 4})
+    for (const int load : {0, strips - 1, strips / 2 - 1, strips / 2})
+        for (const int side : {strips / 4 - 1, strips / 4, 3 * strips / 4 - 1, 3 * strips / 4})
             widening -= nn(side, load) / 4;
     CHECK_THAT(widening, WithinRel(0.238366, 5e-4));
 }

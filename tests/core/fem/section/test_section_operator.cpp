@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bodies/column_influence.hpp"
+#include "bodies/strip_influence.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "section/section_outline.hpp"
 #include "section/spectrum_build.hpp"
@@ -16,15 +16,15 @@ using namespace contactd::fem;
 namespace {
 
 constexpr double nu = 0.28;
-constexpr int columns = 8;
+constexpr int strips = 8;
 
 SectionOutline outline_of_section(const Section& section) {
-    return outline_of(geometry::SectionGeometry(section, columns, 1, "ics.section"));
+    return outline_of(geometry::SectionGeometry(section, strips, 1, "ics.section"));
 }
 
 /// Near an edge, in a groove, on a round end, and of a rail that is held at its foot.
 std::vector<SectionOutline> outlines() {
-    return {edge_block(50, 30, 0.5, columns), groove(6, 20, 20, columns), round_end(4, 20, columns),
+    return {edge_block(50, 30, 0.5, strips), groove(6, 20, 20, strips), round_end(4, 20, strips),
             outline_of_section({RailSection{0, RailSupport::foot, 20}})};
 }
 
@@ -36,8 +36,8 @@ double least_eigenvalue(const Eigen::MatrixXd& matrix) {
     return values.minCoeff() / values.maxCoeff();
 }
 
-Eigen::MatrixXd matrix_at(const ColumnSpectrum& spectrum, std::size_t node) {
-    const int n = 3 * spectrum.columns;
+Eigen::MatrixXd matrix_at(const StripSpectrum& spectrum, std::size_t node) {
+    const int n = 3 * spectrum.strips;
     Eigen::MatrixXd matrix(n, n);
     for (int a = 0; a < n; ++a)
         for (int b = 0; b < n; ++b) matrix(a, b) = spectrum.values[spectrum.index(node, a, b)];
@@ -49,11 +49,11 @@ Eigen::MatrixXd matrix_of(const InfluenceOperator& influence) {
     const auto n = static_cast<Eigen::Index>(influence.size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
     std::vector<double> p(influence.size(), 0), none(influence.size(), 0), x(influence.size()), y(x), z(x);
-    const auto store = [&](Eigen::Index column) {
+    const auto store = [&](Eigen::Index strip) {
         for (Eigen::Index i = 0; i < n; ++i) {
-            matrix(i, column) = x[static_cast<std::size_t>(i)];
-            matrix(n + i, column) = y[static_cast<std::size_t>(i)];
-            matrix(2 * n + i, column) = z[static_cast<std::size_t>(i)];
+            matrix(i, strip) = x[static_cast<std::size_t>(i)];
+            matrix(n + i, strip) = y[static_cast<std::size_t>(i)];
+            matrix(2 * n + i, strip) = z[static_cast<std::size_t>(i)];
         }
     };
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -77,15 +77,15 @@ Eigen::MatrixXd matrix_of(const InfluenceOperator& influence) {
 TEST_CASE("Coefficients of sections are positive at every wavenumber and as solvers use them", "[section]") {
     for (const SectionOutline& outline : outlines()) {
         Observer observer;
-        const ColumnSpectrum spectrum = build_spectrum(MPI_COMM_SELF, outline, nu, 1e-2, observer).spectrum;
+        const StripSpectrum spectrum = build_spectrum(MPI_COMM_SELF, outline, nu, 1e-2, observer).spectrum;
         for (std::size_t node = 0; node < spectrum.nodes.size(); ++node) {
             CAPTURE(spectrum.nodes[node]);
             CHECK(least_eigenvalue(matrix_at(spectrum, node)) > 1e-6);
         }
         ContactProblem problem;
-        problem.grid = Grid::centred(9, columns, 1, 1);
+        problem.grid = Grid::centred(9, strips, 1, 1);
         problem.bodies = {{Material::rigid()}, {Material{1, nu}}};
-        const ContactInfluence influence = column_influence(problem, column_table(spectrum, 1, problem.grid.nx));
+        const ContactInfluence influence = strip_influence(problem, strip_table(spectrum, 1, problem.grid.nx));
         CHECK(least_eigenvalue(matrix_of(*influence.current)) > 1e-6);
     }
 }

@@ -1,4 +1,4 @@
-// Three dimensions against the transform along x: meshes, and coefficients of a few columns.
+// Three dimensions against the transform along x: meshes, and coefficients of a few strips.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -24,7 +24,7 @@ constexpr double nu = 0.28;
 /// By the paper's solver, and of higher orders by a factor.
 SolidSpec coarse(int order) {
     SolidSpec spec{.solver = order <= 2 ? Solver::amg_pcg : Solver::direct, .order = order, .nx = 6};
-    spec.density = {.edges_a_column = 2, .growth = 0.8, .edges_a_body = 4, .corner_share = 0.3};
+    spec.density = {.edges_a_strip = 2, .growth = 0.8, .edges_a_body = 4, .corner_share = 0.3};
     spec.slices = {.growth = 1.6, .length = 30};
     return spec;
 }
@@ -33,7 +33,7 @@ SectionOutline small_edge() {
     return edge_block(12, 6, 0.5, 2);
 }
 
-double largest_difference(const ColumnTable& one, const ColumnTable& other) {
+double largest_difference(const StripTable& one, const StripTable& other) {
     REQUIRE(one.values.size() == other.values.size());
     double largest = 0;
     for (std::size_t i = 0; i < one.values.size(); ++i)
@@ -41,10 +41,10 @@ double largest_difference(const ColumnTable& one, const ColumnTable& other) {
     return largest / half_space_coefficient(Axis::z, Axis::z, 0, 0, 1, 1, {.G = 1, .nu = nu});
 }
 
-BlockMesh mesh_of(const SectionOutline& outline, int column) {
+BlockMesh mesh_of(const SectionOutline& outline, int strip) {
     const SolidSpec spec = coarse(1);
     const DividedOutline divided = divide(outline, spec.density);
-    return make_solid_mesh(outline, divided, triangulate(divided, spec.density), column, spec.slices);
+    return make_solid_mesh(outline, divided, triangulate(divided, spec.density), strip, spec.slices);
 }
 
 /// Of each BoundaryPart.
@@ -62,8 +62,8 @@ std::array<double, 5> boundary_areas(mfem::Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("An extruded section is the half of a prism, held where it is held and at its end", "[section][mesh]") {
-    const int column = GENERATE(0, 1);
-    BlockMesh block = mesh_of(small_edge(), column);
+    const int strip = GENERATE(0, 1);
+    BlockMesh block = mesh_of(small_edge(), strip);
     double volume = 0;
     for (int i = 0; i < block.mesh.GetNE(); ++i) {
         CHECK(block.mesh.GetElementVolume(i) > 0);
@@ -78,7 +78,7 @@ TEST_CASE("An extruded section is the half of a prism, held where it is held and
     CHECK_THAT(free, WithinRel((12.0 + 6) * 30 - 0.5, 1e-12));
 }
 
-TEST_CASE("Points of its columns are found in their elements", "[section][mesh]") {
+TEST_CASE("Points of its strips are found in their elements", "[section][mesh]") {
     BlockMesh block = mesh_of(small_edge(), 1);
     for (const double X : {0.0, 0.3, 0.5, 2.0, 21.0, 30.0})
         for (const double Y : {-0.5, 0.0, 0.25, 0.9, 1.0, 1.5}) {
@@ -92,7 +92,7 @@ TEST_CASE("Points of its columns are found in their elements", "[section][mesh]"
         }
 }
 
-TEST_CASE("Columns that are not level are refused in three dimensions", "[section][mesh]") {
+TEST_CASE("Strips that are not level are refused in three dimensions", "[section][mesh]") {
     CHECK_THROWS_AS(mesh_of(groove(6, 20, 20, 5), 0), InvalidArgument);
 }
 
@@ -100,13 +100,13 @@ TEST_CASE("Three dimensions and the transform agree on a block with an edge", "[
     Observer observer;
     const SectionOutline outline = small_edge();
     const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, outline, nu, 5e-4, observer);
-    const ColumnTable transformed = column_table(build.spectrum, 1, coarse(1).nx);
+    const StripTable transformed = strip_table(build.spectrum, 1, coarse(1).nx);
     const auto solid = [&](const SolidSpec& spec) {
         return build_solid_table(MPI_COMM_SELF, outline, nu, spec, observer).table;
     };
     SolidSpec shorter = coarse(2);
     shorter.slices.length = 20;
-    const ColumnTable second = solid(coarse(2)), third = solid(coarse(3));
+    const StripTable second = solid(coarse(2)), third = solid(coarse(3));
     // What one order more changes is most of what the lower one leaves, and a body that is a third shorter ends
     // too far away to matter.
     const double left = largest_difference(third, second), ended = largest_difference(solid(shorter), second);

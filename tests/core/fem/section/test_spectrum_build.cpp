@@ -65,7 +65,7 @@ void check_references(double accuracy) {
         const auto reached = build_unless_refused(one.outline, accuracy);
         if (!reached) continue;
         const SpectrumBuild& build = *reached;
-        const ColumnTable table = column_table(build.spectrum, 1, 101, 0, ds);
+        const StripTable table = strip_table(build.spectrum, 1, 101, 0, ds);
         CAPTURE(one.name, accuracy, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
         // From 5e-4 on the defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
         CHECK((accuracy < 5e-4 ? build.errors.total() : build.errors.numerical()) <= accuracy);
@@ -86,7 +86,7 @@ void check_layers(double accuracy) {
         const auto reached = build_unless_refused(one.outline, accuracy);
         if (!reached) continue;
         const SpectrumBuild& build = *reached;
-        const ColumnTable table = column_table(build.spectrum, 1, 7, 0, ds);
+        const StripTable table = strip_table(build.spectrum, 1, 7, 0, ds);
         CAPTURE(one.name, accuracy, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
         // From 5e-4 on the defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
         CHECK((accuracy < 5e-4 ? build.errors.total() : build.errors.numerical()) <= accuracy);
@@ -116,9 +116,9 @@ TEST_CASE("So do finer tables", "[section][slow]") {
 
 TEST_CASE("Layers that are long and thin are filled with triangles", "[section]") {
     const double thickness = GENERATE(0.23, 0.185376215151, 0.1, 0.05), width = GENERATE(24.9268213656, 50, 165, 400);
-    const int columns = GENERATE(2, 4);
+    const int strips = GENERATE(2, 4);
     const double poissons_ratio = GENERATE(0.3, 0.42);
-    const SectionOutline outline = slab(width / 2, thickness, columns);
+    const SectionOutline outline = slab(width / 2, thickness, strips);
     const MeshDensity density = density_for(1e-2, poissons_ratio);
     const Triangulation triangulation = triangulate(divide(outline, density), density);
     double area = 0;
@@ -134,7 +134,7 @@ TEST_CASE("Layers that are long and thin are filled with triangles", "[section]"
 TEST_CASE("A slab that is thick and wide is a half-space", "[section]") {
     Observer observer;
     const SpectrumBuild build = build_spectrum(MPI_COMM_SELF, slab(2e5, 2e5, 20), nu, 1e-3, observer);
-    const ColumnTable table = column_table(build.spectrum, 1, 40);
+    const StripTable table = strip_table(build.spectrum, 1, 40);
     double largest = 0;
     for (const Axis i : {Axis::x, Axis::y, Axis::z})
         for (const Axis j : {Axis::x, Axis::y, Axis::z})

@@ -1,4 +1,4 @@
-// Ready-made sections with columns on them.
+// Ready-made sections with strips on them.
 #pragma once
 
 #include <catch2/generators/catch_generators_range.hpp>
@@ -12,10 +12,10 @@ namespace contactd::test {
 struct SectionCase {
     std::string name;
     Section section;
-    int columns;
+    int strips;
     double ds;
 
-    geometry::SectionGeometry geometry() const { return {section, columns, ds}; }
+    geometry::SectionGeometry geometry() const { return {section, strips, ds}; }
 };
 
 inline std::vector<SectionCase> ready_made_cases() {

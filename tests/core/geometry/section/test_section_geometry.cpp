@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
+#include "contactd/strip_frames.hpp"
 #include "section_cases.hpp"
 
 using namespace contactd;
@@ -39,17 +39,17 @@ TEST_CASE("Curves of sections are measured by their arc length, with exact norma
     }
 }
 
-TEST_CASE("Columns lie side by side, their frames at the midpoints of their arcs", "[section]") {
+TEST_CASE("Strips lie side by side, their frames at the midpoints of their arcs", "[section]") {
     const SectionCase test = GENERATE(ready_made());
     CAPTURE(test.name);
     const SectionGeometry section = test.geometry();
     const auto frames = section.frames();
-    REQUIRE(frames.size() == static_cast<std::size_t>(test.columns));
+    REQUIRE(frames.size() == static_cast<std::size_t>(test.strips));
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        const ColumnFrame &a = frames[i - 1], &b = frames[i];
+        const StripFrame &a = frames[i - 1], &b = frames[i];
         const double turn = b.angle - a.angle, middle = (a.angle + b.angle) / 2;
         const double chord = std::hypot(b.y - a.y, b.z - a.z);
-        CHECK(std::abs(turn) < most_column_turn);
+        CHECK(std::abs(turn) < most_strip_turn);
         CHECK(chord <= test.ds * (1 + 1e-9));
         CHECK(chord >= test.ds * (1 - turn * turn));
         CHECK_THAT((b.y - a.y) / chord, WithinAbs(std::cos(middle), 0.1 * std::abs(turn) + 1e-3));
@@ -57,22 +57,22 @@ TEST_CASE("Columns lie side by side, their frames at the midpoints of their arcs
     }
 }
 
-TEST_CASE("The last column of an edge block ends beside the edge", "[section]") {
+TEST_CASE("The last strip of an edge block ends beside the edge", "[section]") {
     const auto frames = SectionGeometry({EdgeBlock{100, 50, 0.25}}, 20, 0.5).frames();
     CHECK_THAT(frames.back().y, WithinAbs(-0.5, 1e-12));
     CHECK_THAT(frames.front().y, WithinAbs(-10, 1e-12));
-    for (const ColumnFrame& frame : frames) {
+    for (const StripFrame& frame : frames) {
         CHECK(frame.z == 0);
         CHECK_THAT(frame.angle, WithinAbs(0, 1e-15));
     }
 }
 
-TEST_CASE("Columns of round bodies lie about the top, of hollow ones about the bottom", "[section]") {
+TEST_CASE("Strips of round bodies lie about the top, of hollow ones about the bottom", "[section]") {
     const auto check = [](const Section& section, double radius, double middle) {
         const auto frames = SectionGeometry(section, 41, 0.5).frames();
         for (int i = 0; i < 41; ++i) {
             const double angle = middle + (i - 20) * 0.5 / radius;
-            const ColumnFrame& frame = frames[static_cast<std::size_t>(i)];
+            const StripFrame& frame = frames[static_cast<std::size_t>(i)];
             CHECK_THAT(principal(frame.angle - angle), WithinAbs(0, 1e-12));
             CHECK_THAT(frame.y, WithinAbs(radius * std::sin(angle), 1e-11));
             CHECK_THAT(frame.z, WithinAbs(radius * std::cos(angle), 1e-11));
@@ -123,7 +123,7 @@ TEST_CASE("A wheel's rim lies above its tread and runs to the flange", "[section
     CHECK(section.carrier().place(section.begin_of(40)).normal().z < -0.99);
 }
 
-TEST_CASE("Columns may lie all round a curve", "[section]") {
+TEST_CASE("Strips may lie all round a curve", "[section]") {
     const double ds = 20 * pi / 100;
     const SectionGeometry section({Disc{10, 0}, 1, 0, true}, 100, ds);
     CHECK_THAT(section.perimeter(), WithinAbs(20 * pi, 1e-12));
@@ -134,11 +134,11 @@ TEST_CASE("Columns may lie all round a curve", "[section]") {
 
 TEST_CASE("Frames follow from a section in one call", "[section]") {
     const Section rail{RailSection{0.025, RailSupport::cut, 2}};
-    CHECK(column_frames(rail, 80, 0.5) == SectionGeometry(rail, 80, 0.5).frames());
-    CHECK_THROWS_AS(column_frames(rail, 0, 0.5), InvalidArgument);
+    CHECK(strip_frames(rail, 80, 0.5) == SectionGeometry(rail, 80, 0.5).frames());
+    CHECK_THROWS_AS(strip_frames(rail, 0, 0.5), InvalidArgument);
 }
 
-TEST_CASE("A profile's section carries columns where its profile lies", "[section]") {
+TEST_CASE("A profile's section carries strips where its profile lies", "[section]") {
     const auto rail =
         SectionGeometry({ProfileSection{{ProfileKind::rail, ArcProfile{80}}, 40, -2.5}}, 10, 0.5).frames();
     const auto wheel = SectionGeometry({ProfileSection{{ProfileKind::wheel, ArcProfile{-100}}, 60, -2.5}}, 10, 0.5);

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "contactd/column_frames.hpp"
 #include "contactd/error.hpp"
+#include "contactd/strip_frames.hpp"
 #include "geometry/section/section_geometry.hpp"
 
 using namespace contactd;
@@ -17,9 +17,9 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-void refuses(const Section& section, const std::string& field, const std::string& sentence, int columns = 4,
+void refuses(const Section& section, const std::string& field, const std::string& sentence, int strips = 4,
              double ds = 0.5) {
-    CHECK_THROWS_MATCHES(SectionGeometry(section, columns, ds), InvalidArgument,
+    CHECK_THROWS_MATCHES(SectionGeometry(section, strips, ds), InvalidArgument,
                          MessageMatches(StartsWith(field + " ") && ContainsSubstring(sentence)));
 }
 
@@ -27,7 +27,7 @@ OutlinePart line(double y, double z, bool held = false) {
     return {LineTo{{y, z}}, held};
 }
 
-// |y| <= 10, -20 <= z <= 0, columns from -5 on.
+// |y| <= 10, -20 <= z <= 0, strips from -5 on.
 OutlineSection block() {
     return {.outside = {{-10, 0}, {line(10, 0), line(10, -20), line(-10, -20, true), line(-10, 0)}}, .from = 5};
 }
@@ -45,7 +45,7 @@ TEST_CASE("A sound outline with holes passes", "[section]") {
     section.carrier = 2;
     section.part = 1;
     section.from = 1;
-    CHECK(SectionGeometry({section}, 4, 0.25).frames()[0] == ColumnFrame{3.125, -8, 0});
+    CHECK(SectionGeometry({section}, 4, 0.25).frames()[0] == StripFrame{3.125, -8, 0});
 }
 
 TEST_CASE("Outlines that enclose no body are refused with coordinates", "[section]") {
@@ -93,16 +93,16 @@ TEST_CASE("Holes that do not lie in the body are refused with coordinates", "[se
     refuses({section}, "section.outline.holes[0]", "runs clockwise from (y, z) = (-8, -5)");
 }
 
-TEST_CASE("Columns that do not lie on a smooth free part are refused with coordinates", "[section]") {
+TEST_CASE("Strips that do not lie on a smooth free part are refused with coordinates", "[section]") {
     OutlineSection section = block();
-    refuses({section}, "section", "has a corner of 90 degrees at (y, z) = (10, 0) in column 30 of 40", 40);
+    refuses({section}, "section", "has a corner of 90 degrees at (y, z) = (10, 0) in strip 30 of 40", 40);
     section.from = -1;
-    refuses({section}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in column 2 of 4");
+    refuses({section}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in strip 2 of 4");
     section.part = 2;
     section.from = 3;
-    refuses({section}, "section", "is held at (y, z) = (7, -20) where its column 0 of 4 lies");
+    refuses({section}, "section", "is held at (y, z) = (7, -20) where its strip 0 of 4 lies");
     refuses({EdgeBlock{100, 50, 1}}, "section", "has a corner of 90 degrees at (y, z) = (-100, 0)", 10, 10);
-    refuses({Groove{10, 10, 120, 70}}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in column 4 of 41",
+    refuses({Groove{10, 10, 120, 70}}, "section", "has a corner of 90 degrees at (y, z) = (-10, 0) in strip 4 of 41",
             41, 1);
     refuses({Disc{10, 1}}, "section", "together 63 mm; their curve, which begins at (y, z) = (-10, 0), is only 62.8 mm",
             63, 1);
@@ -111,7 +111,7 @@ TEST_CASE("Columns that do not lie on a smooth free part are refused with coordi
     CHECK_NOTHROW(SectionGeometry({EdgeBlock{100, 50, 0}}, 200, 0.5));
 }
 
-TEST_CASE("Columns that begin on another side of the body than `from` is counted on are refused", "[section]") {
+TEST_CASE("Strips that begin on another side of the body than `from` is counted on are refused", "[section]") {
     const std::string across = "leads across what is held, at (y, z) = (";
     for (const double from : {200.0, 150.0, -150.0, -200.0})
         refuses({RailSection{0, RailSupport::cut, from}}, "section.rail_60e1.from", across);
@@ -137,9 +137,9 @@ TEST_CASE("Columns that begin on another side of the body than `from` is counted
     CHECK_NOTHROW(SectionGeometry({disc}, 4, 0.5));
 }
 
-TEST_CASE("A body ends with its columns at convex corners", "[section]") {
-    const auto ends = [](const Section& section, int columns, double ds) {
-        const ColumnEnds found = column_ends(section, columns, ds);
+TEST_CASE("A body ends with its strips at convex corners", "[section]") {
+    const auto ends = [](const Section& section, int strips, double ds) {
+        const StripEnds found = strip_ends(section, strips, ds);
         return std::pair(found.first, found.last);
     };
     CHECK(ends({EdgeBlock{100, 50, 0}}, 20, 0.5) == std::pair(false, true));
@@ -155,18 +155,18 @@ TEST_CASE("A body ends with its columns at convex corners", "[section]") {
     CHECK(ends({section}, 200, 0.1) == std::pair(true, false));  // a hollow corner
 }
 
-TEST_CASE("Columns wider than the curvature allows are refused with coordinates", "[section]") {
+TEST_CASE("Strips wider than the curvature allows are refused with coordinates", "[section]") {
     refuses({Groove{1, 1, 12, 7}}, "section", "too wide for the radius of 1 mm at (y, z) = (", 3, 0.6);
-    refuses({Disc{1, 0.1}}, "section", "take columns of 0.5 mm at most there", 3, 0.6);
+    refuses({Disc{1, 0.1}}, "section", "take strips of 0.5 mm at most there", 3, 0.6);
     refuses({RailSection{0, RailSupport::cut, 12}}, "section", "too wide for the radius of 13 mm", 3, 8);
 }
 
-TEST_CASE("Numbers of columns that can not be are refused", "[section]") {
+TEST_CASE("Numbers of strips that can not be are refused", "[section]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    refuses({EdgeBlock{100, 50, 0}}, "section", "has 0 columns", 0);
-    refuses({EdgeBlock{100, 50, 0}}, "section", "has 1001 columns", 1001);
-    refuses({EdgeBlock{100, 50, 0}}, "section", "has columns of the width nan", 4, nan);
-    refuses({EdgeBlock{100, 50, 0}}, "section", "has columns of the width -1", 4, -1);
+    refuses({EdgeBlock{100, 50, 0}}, "section", "has 0 strips", 0);
+    refuses({EdgeBlock{100, 50, 0}}, "section", "has 1001 strips", 1001);
+    refuses({EdgeBlock{100, 50, 0}}, "section", "has strips of the width nan", 4, nan);
+    refuses({EdgeBlock{100, 50, 0}}, "section", "has strips of the width -1", 4, -1);
     refuses({Disc{10, 0}}, "section", "is held nowhere");
 }
 

@@ -28,7 +28,7 @@ double scale() {
 
 TEST_CASE("The table of a slab is that of the half-space", "[rotated]") {
     const Grid grid = Grid::centred(7, 9, 0.5, 0.4);
-    const ColumnTable table = rotated_prism({Slab{20, 100}}, grid, steel, LoadShape::constant);
+    const StripTable table = rotated_prism({Slab{20, 100}}, grid, steel, LoadShape::constant);
     for (const Axis i : {x, y, z})
         for (const Axis j : {x, y, z})
             for (int I = 0; I < 9; ++I)
@@ -41,20 +41,20 @@ TEST_CASE("The table of a slab is that of the half-space", "[rotated]") {
 TEST_CASE("A body has the same table however it lies", "[rotated]") {
     const Grid grid = Grid::centred(3, 30, 0.5, 0.5);
     const RailSection upright{0, RailSupport::cut, 10}, inclined{0.05, RailSupport::cut, 10};
-    const ColumnTable table = rotated_prism({upright}, grid, steel, LoadShape::constant);
-    const ColumnTable other = GENERATE_COPY(rotated_prism({inclined}, grid, steel, LoadShape::constant),
-                                            rotated_prism({upright, 1, 2.5}, grid, steel, LoadShape::constant));
+    const StripTable table = rotated_prism({upright}, grid, steel, LoadShape::constant);
+    const StripTable other = GENERATE_COPY(rotated_prism({inclined}, grid, steel, LoadShape::constant),
+                                           rotated_prism({upright, 1, 2.5}, grid, steel, LoadShape::constant));
     for (std::size_t i = 0; i < table.values.size(); ++i)
         CHECK_THAT(other.values[i], WithinAbs(table.values[i], 1e-12 * scale()));
 }
 
-TEST_CASE("All round a cylinder every column has the same neighbours", "[rotated]") {
-    constexpr int columns = 24;
-    const Grid grid = Grid::centred(2, columns, 0.5, 20 * std::numbers::pi / columns);
-    const ColumnTable table = rotated_prism({Disc{10, 0}, 1, 0, true}, grid, steel, LoadShape::constant);
-    for (int turn = 1; turn < columns; ++turn)
+TEST_CASE("All round a cylinder every strip has the same neighbours", "[rotated]") {
+    constexpr int strips = 24;
+    const Grid grid = Grid::centred(2, strips, 0.5, 20 * std::numbers::pi / strips);
+    const StripTable table = rotated_prism({Disc{10, 0}, 1, 0, true}, grid, steel, LoadShape::constant);
+    for (int turn = 1; turn < strips; ++turn)
         for (const int apart : {1, 5, 11})
-            CHECK_THAT(table(y, z, (turn + apart) % columns, turn, 1),
+            CHECK_THAT(table(y, z, (turn + apart) % strips, turn, 1),
                        WithinAbs(table(y, z, apart, 0, 1), 1e-12 * scale()));
 }
 

@@ -1,0 +1,47 @@
+// What is kept of a prism's influence coefficients: their transform along x at a few wavenumbers, from which tables for
+// any length and number of elements along x are made.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contactd/observer.hpp"
+#include "contactd/section.hpp"
+#include "contactd/strip_table.hpp"
+
+namespace contactd {
+
+/// Displacement along i at the middle of strip I for a unit traction along j over strip J that goes as cos(xi x), or
+/// as sin(xi x) where j is x: amplitudes of cos for y and z, of sin for x, which make a symmetric matrix of
+/// a = 3 I + i and b = 3 J + j. For G = 1, all lengths over the width ds of a strip.
+struct StripSpectrum {
+    int strips = 0;
+    double nu = 0;
+    double xi0 = 0;                    ///< nodes are even in asinh(xi/xi0), the reference is screened by it
+    std::vector<double> nodes;         ///< wavenumbers, ascending from 0; 1/ds
+    std::vector<double> values;        ///< shape [nodes, 3 strips (3 strips + 1)/2]: a >= b; ds/G
+    std::vector<StripFrame> frames{};  ///< of the strips
+
+    std::size_t component_size() const {
+        const std::size_t n = 3 * static_cast<std::size_t>(strips);
+        return n * (n + 1) / 2;
+    }
+    /// Of the entry (a, b) at a node, in either order.
+    std::size_t index(std::size_t node, int a, int b) const {
+        const auto high = static_cast<std::size_t>(a > b ? a : b), low = static_cast<std::size_t>(a > b ? b : a);
+        return node * component_size() + high * (high + 1) / 2 + low;
+    }
+
+    bool operator==(const StripSpectrum&) const = default;
+};
+
+/// The coefficients at the offsets k dx + shift along x, k = 0..nx-1 (dx and shift over ds), times `factor`: ds/G for
+/// mm^3/N. With a shift there is no parity; the offsets -k dx + shift are those of -shift, with the parity of each
+/// component. Between the wavenumbers the difference to the half-space, its load and its displacement each turned by
+/// half the angle between the strips, is interpolated (cubic, with its parity); the half-space itself is exact. So
+/// many threads share the work, the caller's among them; the coefficients are the same to the last bit. Throws
+/// NotFinite when one is beyond a double's range, and Cancelled when the observer, which all threads ask, says so.
+StripTable strip_table(const StripSpectrum& spectrum, double dx, int nx, double shift = 0, double factor = 1,
+                       int threads = 1, const Observer& observer = {});
+
+}  // namespace contactd

@@ -1,0 +1,62 @@
+// Influence coefficients of a body that is uniform along x, whatever its cross-section: of strips of elements.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contactd/axis.hpp"
+#include "contactd/ic_table.hpp"
+
+namespace contactd {
+
+/// A[i,j](I,J,k): displacement component i (mm) in the frame of strip I, at the middle of its arc, k elements ahead
+/// along x of the loaded element, x_I - x_J = k dx, for a unit traction (1 N/mm^2) along j of the frame of strip J.
+/// Axes of a frame: x, y along the outline (s of StripFrame), z outward. Strips are numbered along s, as rows of a
+/// grid are along y. xx, yy, zz, yz and zy are even in k, xy, yx, xz and zx odd.
+struct StripTable {
+    int nx = 0;         ///< offsets 0..nx-1 along x
+    int strips = 0;     ///< along the cross-section
+    UnsetArray values;  ///< shape [3, 3, strips, strips, nx]: displacement axis, load axis, I, J, k; mm^3/N
+
+    StripTable() = default;
+    StripTable(int nx_, int strips_) : nx(nx_), strips(strips_), values(9 * component_size(), 0.0) {}
+
+    std::size_t component_size() const {
+        return static_cast<std::size_t>(strips) * static_cast<std::size_t>(strips) * static_cast<std::size_t>(nx);
+    }
+    std::size_t index(Axis i, Axis j, int I, int J, int k) const {
+        return (static_cast<std::size_t>(i) * 3 + static_cast<std::size_t>(j)) * component_size() +
+               (static_cast<std::size_t>(I) * static_cast<std::size_t>(strips) + static_cast<std::size_t>(J)) *
+                   static_cast<std::size_t>(nx) +
+               static_cast<std::size_t>(k);
+    }
+    double& operator()(Axis i, Axis j, int I, int J, int k) { return values[index(i, j, I, J, k)]; }  ///< k >= 0
+    double operator()(Axis i, Axis j, int I, int J, int k) const { return values[index(i, j, I, J, k)]; }
+    /// Offsets of either sign, |k| < nx, by parity.
+    double at(Axis i, Axis j, int I, int J, int k) const;
+
+    bool operator==(const StripTable&) const = default;
+};
+
+/// Strips `first`..`first + strips - 1` and the offsets 0..nx-1, times `factor`. Throws InvalidArgument when the
+/// table is smaller.
+StripTable cropped(const StripTable& table, int first, int strips, int nx, double factor = 1);
+
+/// That of a flat surface whose table is Toeplitz along y too: A(I,J,k) = A(k, l = I - J), on all offsets of the table.
+StripTable strip_table_of(const IcTable& flat);
+
+/// The largest |A[i,j](I,J,k) - A[j,i](J,I,-k)| over zz of an element on itself, the mean of all. Betti's theorem makes
+/// it zero but for what is observed at centres instead of averaged over elements, and for errors.
+double reciprocity_defect(const StripTable& table);
+
+/// (A + A')/2 with A'[i,j](I,J,k) = A[j,i](J,I,-k), as operators need it.
+StripTable symmetrised(StripTable table);
+
+/// That of the body's mirror image in a plane across y: strips in reverse order, and the signs of y.
+StripTable mirrored(const StripTable& table);
+
+/// As pair_of of IcTable, in the frames of the lower body's strips, of which the upper body has as many, opposite and
+/// in reverse order. Throws InvalidArgument when the extents differ.
+StripTable pair_of(const StripTable& upper, StripTable lower);
+
+}  // namespace contactd

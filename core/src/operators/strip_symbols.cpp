@@ -1,0 +1,194 @@
+#include "strip_symbols.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace contactd {
+namespace {
+
+constexpr std::size_t lanes = Waves::lanes;
+
+void write_lanes(std::span<const double> transform, std::size_t step, double* to) {
+    for (std::size_t at = 0; at < transform.size(); at += lanes, to += step) std::copy_n(&transform[at], lanes, to);
+}
+
+// Calls product(group, matrix, in_re, in_im, out_re, out_im) of each group, whose matrix begins at first[group].
+template <class Product>
+void for_groups(const std::vector<std::size_t>& first, const SymbolNumbers& values, const Waves& in, Waves& out,
+                const Product& product) {
+    const std::size_t from = in.entries * lanes, to = out.entries * lanes;
+    const auto each = [&](const auto* numbers) {
+        for (std::size_t group = 0; group < first.size(); ++group)
+            product(group, numbers + first[group], &in.re[group * from], &in.im[group * from], &out.re[group * to],
+                    &out.im[group * to]);
+    };
+    if (values.rounded.empty())
+        each(values.exact.data());
+    else
+        each(values.rounded.data());
+}
+
+// The largest sum of moduli over the wavenumbers of both signs: no coefficient is larger.
+double largest_coefficient(const std::vector<double>& values, std::size_t groups) {
+    const std::size_t matrix = values.size() / groups;
+    std::vector<double> sums(matrix);
+    for (std::size_t group = 0; group < groups; ++group)
+        for (std::size_t at = 0; at < matrix; ++at) sums[at] += 2 * std::abs(values[group * matrix + at]);
+    double largest = 0;
+    for (std::size_t at = 0; at < matrix; at += lanes)
+        largest = std::max(largest, sums[at] + sums[at + 1] + sums[at + 2] + sums[at + 3]);
+    return largest;
+}
+
+// How many groups, from the smallest wavenumbers on, two entries need that lie side by side from `at` on in each group:
+// the moduli of the others sum up to at most `left_out` for each. Wavenumbers stand for those of both signs.
+std::size_t groups_needed(const std::vector<double>& values, std::size_t groups, std::size_t at, double left_out) {
+    const std::size_t matrix = values.size() / groups;
+    double a = 0, b = 0;
+    for (std::size_t group = groups; group > 0; --group) {
+        const double* entries = &values[(group - 1) * matrix + at];
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            a += 2 * std::abs(entries[lane]);
+            b += 2 * std::abs(entries[lanes + lane]);
+        }
+        if (std::max(a, b) > left_out) return group;
+    }
+    return 0;
+}
+
+std::size_t numbers_before(std::size_t row) {
+    return row * (row + 1) / 2;
+}
+
+// Moves numbers to the front of where they are, rounded at the end when that changes coefficients by no more than half
+// of `left_out`. The other half is for what is not kept.
+class Packing {
+   public:
+    Packing(SymbolNumbers& values, std::size_t groups, double left_out)
+        : values_(values), rounds_(largest_coefficient(values.exact, groups) * unit_roundoff <= 0.5 * left_out) {}
+    Packing(const Packing&) = delete;
+    Packing& operator=(const Packing&) = delete;
+
+    std::size_t size() const { return size_; }
+    void keep(std::size_t at, std::size_t numbers) {
+        double* values = values_.exact.data();
+        std::copy_n(values + at, numbers, values + size_);
+        size_ += numbers;
+    }
+    void finish() {
+        values_.exact.resize(size_);
+        if (rounds_) {
+            values_.rounded.assign(values_.exact.begin(), values_.exact.end());
+            values_.exact.clear();
+        }
+        values_.exact.shrink_to_fit();
+    }
+
+   private:
+    static constexpr double unit_roundoff = 0.5 * std::numeric_limits<float>::epsilon();
+    SymbolNumbers& values_;
+    const bool rounds_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace
+
+SymmetricSymbol::SymmetricSymbol(std::size_t groups, std::size_t entries)
+    : groups_(groups),
+      entries_(entries),
+      values_{std::vector<double>(groups * numbers_before(entries) * lanes), {}},
+      begin_(groups * entries / 2),
+      group_(groups) {
+    for (std::size_t group = 0; group < groups; ++group) group_[group] = group * numbers_before(entries) * lanes;
+}
+
+void SymmetricSymbol::set(std::size_t row, std::size_t column, std::span<const double> transform) {
+    const std::size_t a = std::max(row, column), b = std::min(row, column), first = a - a % 2;
+    const std::size_t within = b < first ? 2 * b + a % 2 : 2 * first + a % 2 + b % 2;
+    write_lanes(transform, numbers_before(entries_) * lanes, &values_.exact[(numbers_before(first) + within) * lanes]);
+}
+
+void SymmetricSymbol::trim(double left_out) {
+    const std::size_t pairs = entries_ / 2, matrix = numbers_before(entries_) * lanes;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        std::size_t needed = 0;  // groups, by some strip up to this one
+        for (std::size_t column = 0; column < 2 * pair && needed < groups_; ++column) {
+            const std::size_t at = (numbers_before(2 * pair) + 2 * column) * lanes;
+            const std::size_t more = std::max(needed, groups_needed(values_.exact, groups_, at, 0.5 * left_out));
+            for (; needed < more; ++needed) begin_[needed * pairs + pair] = column;
+        }
+        for (; needed < groups_; ++needed) begin_[needed * pairs + pair] = 2 * pair;
+    }
+    Packing packing(values_, groups_, left_out);
+    for (std::size_t group = 0; group < groups_; ++group) {
+        group_[group] = packing.size();
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            const std::size_t left = 2 * begin_[group * pairs + pair] * lanes;
+            packing.keep(group * matrix + numbers_before(2 * pair) * lanes + left, (4 * pair + 3) * lanes - left);
+        }
+    }
+    packing.finish();
+}
+
+void SymmetricSymbol::multiply(const Waves& in, Waves& out) const {
+    for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
+        multiply_symmetric(entries_, &begin_[group * entries_ / 2], arrays...);
+    });
+}
+
+RectangularSymbol::RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns)
+    : groups_(groups),
+      rows_(rows),
+      columns_(columns),
+      values_{std::vector<double>(groups * rows * columns * lanes), {}},
+      kept_(groups * rows / 2, {0, columns}),
+      group_(groups) {
+    for (std::size_t group = 0; group < groups; ++group) group_[group] = group * rows * columns * lanes;
+}
+
+void RectangularSymbol::set(std::size_t row, std::size_t column, std::span<const double> transform) {
+    const std::size_t at = ((row - row % 2) * columns_ + 2 * column + row % 2) * lanes;
+    write_lanes(transform, rows_ * columns_ * lanes, &values_.exact[at]);
+}
+
+void RectangularSymbol::trim(double left_out) {
+    const std::size_t pairs = rows_ / 2, matrix = rows_ * columns_ * lanes;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+        for (std::size_t group = 0; group < groups_; ++group) kept_[group * pairs + pair] = {columns_, columns_};
+        for (std::size_t column = 0; column < columns_; ++column) {
+            const std::size_t at = 2 * (pair * columns_ + column) * lanes;
+            const std::size_t needed = groups_needed(values_.exact, groups_, at, 0.5 * left_out);
+            for (std::size_t group = 0; group < needed; ++group) {
+                EntryRange& kept = kept_[group * pairs + pair];
+                kept = {std::min(kept.begin, column), column + 1};
+            }
+        }
+    }
+    Packing packing(values_, groups_, left_out);
+    for (std::size_t group = 0; group < groups_; ++group) {
+        group_[group] = packing.size();
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            EntryRange& kept = kept_[group * pairs + pair];
+            kept.end = std::max(kept.begin, kept.end);
+            packing.keep(group * matrix + 2 * (pair * columns_ + kept.begin) * lanes,
+                         2 * (kept.end - kept.begin) * lanes);
+        }
+    }
+    packing.finish();
+}
+
+void RectangularSymbol::multiply(const Waves& in, Waves& out) const {
+    for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
+        multiply_rows(rows_, &kept_[group * rows_ / 2], arrays...);
+    });
+}
+
+void RectangularSymbol::multiply_transposed(const Waves& in, Waves& out) const {
+    for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
+        multiply_columns(rows_, columns_, &kept_[group * rows_ / 2], arrays...);
+    });
+}
+
+}  // namespace contactd
