@@ -5,7 +5,7 @@
 
 #include "contact_cases.hpp"
 #include "contactd/contact_influence.hpp"
-#include "contactd/rotated_prism.hpp"
+#include "contactd/rotated_strips.hpp"
 #include "contactd/strip_frames.hpp"
 
 namespace {
@@ -45,7 +45,7 @@ struct Rolled {
         Grid longer = grid;
         ++longer.nx;  // a step ahead
         columns = make_influence(problem, BodyTable(StripTable()),
-                                 BodyTable(rotated_prism(*ics.section, longer, steel, LoadShape::constant)));
+                                 BodyTable(rotated_strips(*ics.section, longer, steel, LoadShape::constant)));
 
         const Values distance = sampled(radii_of_force({6, 4}, (1 - steel.nu) / steel.G / 2, Fn), grid);
         bound = solve_normal_force(*half_spaces.current, distance, Fn / grid.element_area(), {}, {}, observer).pressure;

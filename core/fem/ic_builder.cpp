@@ -5,7 +5,7 @@
 #include "build/family_build.hpp"
 #include "build/first_process.hpp"
 #include "build/mesh_build.hpp"
-#include "build/prism_build.hpp"
+#include "build/uniform_build.hpp"
 #include "contactd/error.hpp"
 #include "system/build_size.hpp"
 
@@ -58,7 +58,7 @@ std::string section_mesh(const IcSpec& spec) {
     validate(spec);
     if (!spec.section || spec.source != IcSource::fem)
         throw InvalidArgument("ics.body", "must be prism, and the source fem: no other table has a mesh of a section");
-    return prism_mesh(dimensionless(spec), spec.dy);
+    return section_triangles(dimensionless(spec), spec.dy);
 }
 
 IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64_t max_memory_bytes) {
@@ -67,7 +67,7 @@ IcRecord build_ic_table(const IcSpec& requested, Observer& observer, std::uint64
     validate(requested);
     const IcSpec spec = dimensionless(requested);
     require_room(spec, size_of(spec), max_memory_bytes);
-    if (spec.section) return build_prism(MPI_COMM_WORLD, spec, observer, max_memory_bytes);
+    if (spec.section) return build_uniform(MPI_COMM_WORLD, spec, observer, max_memory_bytes);
     if (!is_built_alone(spec)) return build(MPI_COMM_WORLD, spec, observer);
     return on_first_process(MPI_COMM_WORLD, [&] { return build(MPI_COMM_SELF, spec, observer); });
 }

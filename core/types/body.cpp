@@ -70,7 +70,7 @@ bool Bodies::any_layered() const {
     return !pair && (upper.layered() != nullptr || lower.layered() != nullptr);
 }
 
-bool Bodies::any_prism() const {
+bool Bodies::any_uniform() const {
     return !pair && (upper.section() != nullptr || lower.section() != nullptr);
 }
 

@@ -68,7 +68,7 @@ void check_gap(const ContactProblem& problem) {
     if (const auto* axes = std::get_if<SemiAxes>(&*problem.gap)) {
         check_positive(axes->a, "gap.semi_axes.a");
         check_positive(axes->b, "gap.semi_axes.b");
-        if (problem.bodies.any_layered() || problem.bodies.any_prism())
+        if (problem.bodies.any_layered() || problem.bodies.any_uniform())
             throw InvalidArgument("gap.semi_axes",
                                   "are those of a contact of half-spaces, and a body has layers or a section; give a "
                                   "paraboloid or an array");
@@ -194,7 +194,7 @@ void check_closed_form(const ContactSetup& setup) {
         throw InvalidArgument("model",
                               "is fastsim, which knows ellipses only, and ics.line_contact says that the contact does "
                               "not change along y: take model hertz, which rolls as Carter says, or full");
-    if (setup.model == Model::full || !(setup.bodies.any_layered() || setup.bodies.any_prism())) return;
+    if (setup.model == Model::full || !(setup.bodies.any_layered() || setup.bodies.any_uniform())) return;
     throw InvalidArgument(
         "model", "is " + std::string(setup.model == Model::hertz ? "hertz" : "fastsim") +
                      "; closed forms know half-spaces only, and a body has layers or a section: take model full");

@@ -10,15 +10,15 @@
 #include "contactd/error.hpp"
 #include "contactd/fem_fields.hpp"
 #include "contactd/grid.hpp"
-#include "contactd/prism_elements.hpp"
+#include "contactd/uniform_elements.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
 namespace {
 
-constexpr long long max_elements = 200'000;            // some millions of unknowns: what one machine can hold
-constexpr std::size_t most_prism_values = 50'000'000;  // of each of nine components: 3.6 GB
-constexpr double largest_accuracy_aspect = 8;          // where the choice of meshes was tested with a margin
+constexpr long long max_elements = 200'000;              // some millions of unknowns: what one machine can hold
+constexpr std::size_t most_uniform_values = 50'000'000;  // of each of nine components: 3.6 GB
+constexpr double largest_accuracy_aspect = 8;            // where the choice of meshes was tested with a margin
 
 void require(bool holds, const char* field, double value, const char* rule) {
     if (!holds) throw InvalidArgument(field, "is " + number_text(value) + "; it must " + rule);
@@ -85,7 +85,7 @@ void validate_layers(const IcSpec& spec) {
                               "goes with half-spaces, not with layers: take a long row of elements");
 }
 
-void validate_prism(const IcSpec& spec) {
+void validate_uniform(const IcSpec& spec) {
     if (spec.body != BodyShape::prism)
         throw InvalidArgument("ics.section", "goes with body prism; body is " + std::string(name_of(spec.body)));
     if (!spec.section) throw InvalidArgument("ics.section", "is missing; body prism has a cross-section");
@@ -99,10 +99,10 @@ void validate_prism(const IcSpec& spec) {
     // By finite elements the record serves any nx; what a request makes of it is for body_table to limit.
     if (spec.source == IcSource::analytic &&
         static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny) * static_cast<std::size_t>(spec.ny) >
-            most_prism_values)
+            most_uniform_values)
         throw InvalidArgument("grid.nx", "is " + std::to_string(spec.nx) + ", with ny " + std::to_string(spec.ny) +
                                              "; nx ny^2 of a prism may be at most " +
-                                             std::to_string(most_prism_values));
+                                             std::to_string(most_uniform_values));
     if (spec.load_shape != LoadShape::constant)
         throw InvalidArgument("ics.load_shape", "is bilinear; coefficients of prisms are those of constant tractions");
     if (spec.line_contact) throw InvalidArgument("ics.line_contact", "goes with half-spaces, not with prisms");
@@ -112,11 +112,11 @@ void validate_prism(const IcSpec& spec) {
     if (spec.accuracy == 0)
         throw InvalidArgument("ics.accuracy", "is missing; the mesh of a prism is chosen for an accuracy");
     constexpr double rounding = 1e-9;
-    if (!(spec.dx >= shortest_prism_element * spec.dy * (1 - rounding)))
+    if (!(spec.dx >= shortest_uniform_element * spec.dy * (1 - rounding)))
         throw InvalidArgument("grid.dx", "is " + number_text(spec.dx) + ", " + short_text(spec.dx / spec.dy) +
                                              " of a column's width, dy; tables of prisms by finite elements keep their "
                                              "accuracy from a half of it on: take dy " +
-                                             number_text(spec.dx / shortest_prism_element) + " mm or less");
+                                             number_text(spec.dx / shortest_uniform_element) + " mm or less");
 }
 
 void validate_body(const IcSpec& spec) {
@@ -136,7 +136,7 @@ void validate_accuracy(const IcSpec& spec) {
     require(aspect >= 1 / largest_accuracy_aspect && aspect <= largest_accuracy_aspect, "ics.accuracy", spec.accuracy,
             "be left out, and a mesh be given, where dx/dy is outside [0.125, 8]");
     if (spec.section)
-        require(spec.material.nu <= largest_prism_nu, "material.nu", spec.material.nu,
+        require(spec.material.nu <= largest_uniform_nu, "material.nu", spec.material.nu,
                 "be at most 0.499 of a prism by finite elements");
     else if (!spec.any_nu)
         require(spec.material.nu <= largest_family_nu, "material.nu", spec.material.nu,
@@ -175,7 +175,7 @@ std::optional<FemSpec> fem_preset(std::string_view name) {
 void validate(const IcSpec& spec) {
     validate(Grid{spec.nx, spec.ny, spec.dx, spec.dy}, "grid");
     if (spec.layered || spec.body == BodyShape::layered) validate_layers(spec);
-    if (spec.section || spec.body == BodyShape::prism) validate_prism(spec);
+    if (spec.section || spec.body == BodyShape::prism) validate_uniform(spec);
     validate(spec.material, "material", spec.source == IcSource::analytic);
     if (spec.line_contact)
         validate_line_contact(spec);

@@ -8,7 +8,7 @@
 #include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
-#include "contactd/prism_elements.hpp"
+#include "contactd/uniform_elements.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -116,7 +116,7 @@ void validate(const WheelRailSetup& setup) {
     check(setup.wheelset);
     // The grid is known at each contact only; bodies that need one are checked there.
     validate(setup.bodies, Grid::centred(2, 2, 1, 1));
-    if (setup.bodies.any_prism())
+    if (setup.bodies.any_uniform())
         throw InvalidArgument("bodies",
                               "have a section of their own, which contacts of wheels on rails do not lie on "
                               "yet; take materials, and conformal fem where their cross-sections matter");
@@ -138,7 +138,7 @@ void validate(const WheelRailSetup& setup) {
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
         throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
     constexpr double rounding = 1e-9;
-    require(setup.conformal != Conformal::fem || setup.dx >= shortest_prism_element * setup.dy * (1 - rounding), "dx",
+    require(setup.conformal != Conformal::fem || setup.dx >= shortest_uniform_element * setup.dy * (1 - rounding), "dx",
             setup.dx, "be half of dy at least, where conformal is fem");
     check(setup.patches);
 }

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
-#include "contactd/prism_elements.hpp"
+#include "contactd/uniform_elements.hpp"
 #include "influence/strips/spectrum_errors.hpp"
 #include "influence/strips/wavenumber_rule.hpp"
 
@@ -30,7 +30,7 @@ constexpr double last_wavenumber = 6, farthest_wavenumber = 50;
 
 /// Lengths of elements over ds at which errors are looked for, from the shortest to the longest of those that are
 /// served.
-constexpr std::array lengths{shortest_prism_element, 1.0, 2.0, 8.0};
+constexpr std::array lengths{shortest_uniform_element, 1.0, 2.0, 8.0};
 using ByLength = std::array<double, lengths.size()>;
 /// Offsets at which errors of a table are looked for: of elements as long as they are wide, and of others.
 constexpr int offsets_looked_at = 64, offsets_of_others = 16;

@@ -46,7 +46,7 @@ struct Bodies {
     /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
     bool any_layered() const;
     /// Whether one of them is a prism, of which they say nothing either.
-    bool any_prism() const;
+    bool any_uniform() const;
 
     bool operator==(const Bodies&) const = default;
 };

@@ -175,7 +175,7 @@ inline int table_rows(const IcSpec& spec) {
 inline constexpr double finest_accuracy = 1e-4, coarsest_accuracy = 1e-1;
 inline constexpr double largest_family_nu = 0.49;
 /// Of a prism by finite elements.
-inline constexpr double largest_prism_nu = 0.499;
+inline constexpr double largest_uniform_nu = 0.499;
 /// Below and above it a family interpolates, and the choice of meshes decides, separately: nearly incompressible
 /// materials need finer meshes.
 inline constexpr double family_break = 0.3;

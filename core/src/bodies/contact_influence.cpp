@@ -12,8 +12,8 @@
 #include "operators/strip_parts.hpp"
 #include "operators/sum_operator.hpp"
 #include "operators/sum_step.hpp"
-#include "prism_strips.hpp"
 #include "strip_influence.hpp"
+#include "uniform_strips.hpp"
 
 namespace contactd {
 namespace {
@@ -161,7 +161,7 @@ std::size_t ContactInfluence::bytes() const {
 std::size_t influence_bytes(const Grid& grid, const Bodies& bodies) {
     const std::size_t flat =
         grid.size() * (ConvolutionOperator::bytes_per_element + ShiftedOperator::bytes_per_element);
-    if (!bodies.any_prism()) return flat;
+    if (!bodies.any_uniform()) return flat;
     // A step that is not of whole elements has two tables of its own; one of an element reads one offset more.
     const std::size_t strips = 3 * StripParts::bytes_of(grid.nx + 1, grid.ny);
     const auto has_strips = [](const Body& body) { return body.section() != nullptr || body.material.is_rigid(); };
@@ -179,7 +179,7 @@ ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, con
 
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
                                 const Observer& observer) {
-    check_strips_of_prisms(problem);
+    check_strips_of_uniform(problem);
     return std::visit(
         [&]<class Upper, class Lower>(Upper& above, Lower& below) {
             if constexpr (std::is_same_v<Upper, Lower>)

@@ -44,7 +44,7 @@ Ellipse ellipse(const ContactProblem& problem, const Paraboloid& gap) {
 }  // namespace
 
 std::vector<double> hertz_start(const ContactProblem& problem) {
-    if (problem.bodies.pair || problem.bodies.any_layered() || problem.bodies.any_prism()) return {};
+    if (problem.bodies.pair || problem.bodies.any_layered() || problem.bodies.any_uniform()) return {};
     const auto gap = paraboloid_of(problem);
     if (!gap) return {};
     const auto [axes, pmax] = ellipse(problem, *gap);

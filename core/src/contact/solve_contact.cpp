@@ -28,7 +28,7 @@ StripEnds ends_of(const Body& body, const Grid& grid, const char* name) {
 
 BorderRows border_rows(const ContactProblem& problem) {
     if (is_line_contact(problem)) return {false, false};
-    if (!problem.bodies.any_prism()) return {};
+    if (!problem.bodies.any_uniform()) return {};
     const StripEnds below = ends_of(problem.bodies.lower, problem.grid, "bodies.lower.ics.section"),
                     above = ends_of(problem.bodies.upper, problem.grid, "bodies.upper.ics.section");
     // The upper body's strips run the other way.

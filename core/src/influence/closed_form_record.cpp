@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "contactd/half_space.hpp"
-#include "contactd/rotated_prism.hpp"
+#include "contactd/rotated_strips.hpp"
 #include "contactd/version.hpp"
 #include "influence/layered/layered_table.hpp"
 
@@ -14,8 +14,8 @@ IcRecord closed_form_record(const IcSpec& spec, const Observer& observer) {
     record.spec = dimensionless(spec);
     const IcSpec& scaled = record.spec;
     if (scaled.section) {
-        record.tables = rotated_prism(*scaled.section, {scaled.nx, scaled.ny, scaled.dx, scaled.dy}, scaled.material,
-                                      scaled.load_shape, 0, "ics.section", observer);
+        record.tables = rotated_strips(*scaled.section, {scaled.nx, scaled.ny, scaled.dx, scaled.dy}, scaled.material,
+                                       scaled.load_shape, 0, "ics.section", observer);
     } else if (scaled.layered) {
         IcTable table =
             layered_table(*scaled.layered, scaled.load_shape, scaled.nx, scaled.ny, scaled.dx, scaled.dy, observer);

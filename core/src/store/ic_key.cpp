@@ -50,7 +50,7 @@ class CanonicalObject {
 /// when they miss the accuracy or state other errors than they have. Those that are finer than need be may stay.
 constexpr int accuracy_recipe = 2;
 /// The same of prisms: tables before the third state errors that hold of elements as long as strips are wide only.
-constexpr int prism_recipe = 3;
+constexpr int uniform_recipe = 3;
 /// The same of blocks, on meshes that are given, too: tables before the third say nothing of the modelling error.
 constexpr int block_recipe = 3;
 
@@ -117,7 +117,7 @@ CanonicalObject canonical(const IcSpec& spec) {
     if (spec.body == BodyShape::block)
         json.add("recipe", block_recipe);
     else if (spec.accuracy != 0)
-        json.add("recipe", spec.section ? prism_recipe : accuracy_recipe);
+        json.add("recipe", spec.section ? uniform_recipe : accuracy_recipe);
     json.add("source", spec.source);
     return json;
 }

@@ -61,7 +61,7 @@ std::string influence_key(const ContactProblem& problem, const std::string& uppe
     add(problem.grid.nx);
     add(problem.grid.ny);
     // Products do not depend on where strips lie, but whether they are those of a section is looked at once for each.
-    if (problem.columns && problem.bodies.any_prism())
+    if (problem.columns && problem.bodies.any_uniform())
         for (const StripFrame& frame : problem.columns->frames)
             for (const double value : {frame.y, frame.z, frame.angle}) add(value);
     return key;

@@ -3,7 +3,7 @@
 
 #include "contactd/contact_influence.hpp"
 #include "contactd/half_space.hpp"
-#include "contactd/rotated_prism.hpp"
+#include "contactd/rotated_strips.hpp"
 
 using namespace contactd;
 
@@ -19,7 +19,7 @@ Body prism() {
 }
 
 BodyTable table_of(const Body& body, const Grid& grid) {
-    if (body.section() != nullptr) return rotated_prism(*body.section(), grid, steel, LoadShape::constant);
+    if (body.section() != nullptr) return rotated_strips(*body.section(), grid, steel, LoadShape::constant);
     IcSpec spec;
     spec.material = steel;
     spec.dx = grid.dx;

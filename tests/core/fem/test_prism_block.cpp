@@ -16,7 +16,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-IcSpec prism_spec(double dx, double dy, Diagonal diagonal = Diagonal::outward) {
+IcSpec uniform_spec(double dx, double dy, Diagonal diagonal = Diagonal::outward) {
     IcSpec spec = coarse_spec(3, 3, dx, dy);
     spec.fem.mesh = MeshKind::prism;
     spec.fem.diagonal = diagonal;
@@ -76,7 +76,7 @@ TEST_CASE("Prisms are as many as the paper's rule makes", "[fem][mesh][prism]") 
 
 TEST_CASE("Prisms fill the block and none is turned inside out", "[fem][mesh][prism]") {
     const auto diagonal = GENERATE(Diagonal::outward, Diagonal::across);
-    const IcSpec spec = prism_spec(1, GENERATE(0.25, 1.0, 4.0), diagonal);
+    const IcSpec spec = uniform_spec(1, GENERATE(0.25, 1.0, 4.0), diagonal);
     BlockMesh block = make_prism_block(spec);
     double volume = 0, smallest = 1e300;
     for (int i = 0; i < block.mesh.GetNE(); ++i) {
@@ -91,7 +91,7 @@ TEST_CASE("Prisms fill the block and none is turned inside out", "[fem][mesh][pr
 }
 
 TEST_CASE("Faces of the prisms' block have their areas", "[fem][mesh][prism]") {
-    IcSpec spec = prism_spec(1, GENERATE(0.25, 1.0, 4.0), GENERATE(Diagonal::outward, Diagonal::across));
+    IcSpec spec = uniform_spec(1, GENERATE(0.25, 1.0, 4.0), GENERATE(Diagonal::outward, Diagonal::across));
     spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     CAPTURE(spec.dy, name_of(spec.fem.diagonal), name_of(spec.load_shape));
     BlockMesh block = make_prism_block(spec);
@@ -107,7 +107,7 @@ TEST_CASE("Faces of the prisms' block have their areas", "[fem][mesh][prism]") {
 }
 
 TEST_CASE("Oblong elements stretch the prisms' cube along each axis", "[fem][mesh][prism]") {
-    const IcSpec spec = prism_spec(4, 1);
+    const IcSpec spec = uniform_spec(4, 1);
     const BlockMesh block = make_prism_block(spec);
     mfem::Array<int> vertices;
     block.mesh.GetElementVertices(0, vertices);
@@ -119,7 +119,7 @@ TEST_CASE("Oblong elements stretch the prisms' cube along each axis", "[fem][mes
 
 TEST_CASE("Every quadrilateral is cut by the diagonal asked for", "[fem][mesh][prism]") {
     const auto diagonal = GENERATE(Diagonal::outward, Diagonal::across);
-    const IcSpec spec = prism_spec(1, 1, diagonal);
+    const IcSpec spec = uniform_spec(1, 1, diagonal);
     const BlockMesh block = make_prism_block(spec);
     const MeshSize size = mesh_size(spec);
     const int section = static_cast<int>(size.elements / (size.elements_per_edge + size.layers));
@@ -138,7 +138,7 @@ TEST_CASE("Every quadrilateral is cut by the diagonal asked for", "[fem][mesh][p
 }
 
 TEST_CASE("Prisms are numbered slice by slice from the origin", "[fem][mesh][prism]") {
-    BlockMesh block = make_prism_block(prism_spec(1, 1));
+    BlockMesh block = make_prism_block(uniform_spec(1, 1));
     double last = 0;
     bool ordered = true;
     for (int i = 0; i < block.mesh.GetNE(); ++i) {
@@ -153,7 +153,7 @@ TEST_CASE("Prisms are numbered slice by slice from the origin", "[fem][mesh][pri
 
 TEST_CASE("A surface point is found in its prism", "[fem][mesh][prism]") {
     const double dy = GENERATE(1.0, 0.25, 7.0);
-    const IcSpec spec = prism_spec(1, dy, GENERATE(Diagonal::outward, Diagonal::across));
+    const IcSpec spec = uniform_spec(1, dy, GENERATE(Diagonal::outward, Diagonal::across));
     BlockMesh block = make_prism_block(spec);
     const double L = block_size(spec);
     const auto check = [&](double X, double Y) {
@@ -173,7 +173,7 @@ TEST_CASE("A surface point is found in its prism", "[fem][mesh][prism]") {
 }
 
 TEST_CASE("A surface point between prisms is in the one towards the origin", "[fem][mesh][prism]") {
-    BlockMesh block = make_prism_block(prism_spec(1, 4));
+    BlockMesh block = make_prism_block(uniform_spec(1, 4));
     constexpr double inside = 1 - 1e-9;
     for (int i = 0; i < block.mesh.GetNV(); ++i) {
         const double* vertex = block.mesh.GetVertex(i);

@@ -5,7 +5,7 @@
 
 #include "contactd/half_space.hpp"
 #include "contactd/make_profile.hpp"
-#include "contactd/rotated_prism.hpp"
+#include "contactd/rotated_strips.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "contactd/subsurface.hpp"
 #include "geometry/position.hpp"
@@ -62,7 +62,7 @@ TEST_CASE("Tables of coefficients are ended row by row") {
     const Grid grid = Grid::centred(7, 9, 0.5, 0.4);
     check_asks(9, [](Observer& observer) { half_space_table(spec(7, 9), observer); });
     check_asks(18, [&](Observer& observer) {
-        rotated_prism(Section{Slab{100, 100}}, grid, steel, LoadShape::constant, 0, "section", observer);
+        rotated_strips(Section{Slab{100, 100}}, grid, steel, LoadShape::constant, 0, "section", observer);
     });
     check_asks(17, [&](Observer& observer) {
         shifted_half_spaces({{steel, steel}, LoadShape::constant, {}}, grid, 0.2, 0.1, observer);

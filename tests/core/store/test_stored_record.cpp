@@ -21,7 +21,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 /// As a daemon exports it: with dimensions, and what the builder has made for G = 1 and strips of width 1.
-IcRecord exported_prism() {
+IcRecord exported_uniform() {
     IcSpec spec = fem_spec(3, 4);
     spec.body = BodyShape::prism;
     spec.accuracy = 1e-3;
@@ -106,7 +106,7 @@ std::string refusal_of(IcRecord record, const std::function<void(IcRecord&)>& ch
 }  // namespace
 
 TEST_CASE("An exported prism comes back as the record that was built, with its key", "[exchange]") {
-    const IcRecord exported = exported_prism();
+    const IcRecord exported = exported_uniform();
     const IcRecord back = stored(through_a_file(exported));
     CHECK(ic_key(back.spec) == ic_key(exported.spec));
     CHECK(back.spec == dimensionless(exported.spec));
@@ -121,7 +121,7 @@ TEST_CASE("An exported prism comes back as the record that was built, with its k
 TEST_CASE("A prism that is told in units is no file of a store by itself", "[exchange]") {
     const TemporaryFolder folder;
     const IcStore store(folder.path(), [](const std::string&) {});
-    const IcRecord exported = exported_prism();
+    const IcRecord exported = exported_uniform();
     const auto [nx, ny] = extent_of(exported.tables);
     write_ic_file(store.path_of(ic_key(exported.spec), nx, ny), exported);
     CHECK_FALSE(store.find(exported.spec));
@@ -136,7 +136,7 @@ TEST_CASE("An exported table comes back dimensionless", "[exchange]") {
 }
 
 TEST_CASE("A store's own record comes back as it is", "[exchange]") {
-    IcRecord prism = exported_prism();
+    IcRecord prism = exported_uniform();
     prism.spec = dimensionless(prism.spec);
     CHECK(std::get<StripSpectrum>(stored(through_a_file(prism)).tables) == std::get<StripSpectrum>(prism.tables));
 }
@@ -152,14 +152,15 @@ TEST_CASE("What no builder makes is refused with a sentence", "[exchange]") {
                ContainsSubstring("zz"));
     CHECK_THAT(refusal_of(exported_half_space(), [](IcRecord& record) { record.table()(Axis::x, Axis::x, 0, 0) = -1; }),
                ContainsSubstring("xx"));
-    CHECK_THAT(refusal_of(exported_prism(), [&](IcRecord& record) { spectrum(record).frames[2].y += 0.1; }),
+    CHECK_THAT(refusal_of(exported_uniform(), [&](IcRecord& record) { spectrum(record).frames[2].y += 0.1; }),
                ContainsSubstring("frames"));
-    CHECK_THAT(refusal_of(exported_prism(), [&](IcRecord& record) { spectrum(record).values[0] = -1; }),
+    CHECK_THAT(refusal_of(exported_uniform(), [&](IcRecord& record) { spectrum(record).values[0] = -1; }),
                ContainsSubstring("yields against its load"));
-    CHECK_THAT(
-        refusal_of(exported_prism(), [](IcRecord& record) { std::get<Groove>(record.spec.section->shape).depth = 6; }),
-        ContainsSubstring("groove.depth"));
-    for (const IcRecord& good : {exported_prism(), exported_half_space(), exported_block(), exported_half_space(1, 1)})
+    CHECK_THAT(refusal_of(exported_uniform(),
+                          [](IcRecord& record) { std::get<Groove>(record.spec.section->shape).depth = 6; }),
+               ContainsSubstring("groove.depth"));
+    for (const IcRecord& good :
+         {exported_uniform(), exported_half_space(), exported_block(), exported_half_space(1, 1)})
         CHECK(refusal_of(good, [](IcRecord&) {}) == "taken");
 }
 
@@ -225,7 +226,7 @@ TEST_CASE("Coefficients under which a traction takes work out of the body are re
                 if (k + l > 0) table(Axis::z, Axis::z, k, l) -= (k + l) % 2 == 0 ? change : -change;
     };
     CHECK_THAT(refusal_of(exported_block(), alternating), ContainsSubstring("take work out of the body"));
-    CHECK_THAT(refusal_of(exported_prism(),
+    CHECK_THAT(refusal_of(exported_uniform(),
                           [](IcRecord& record) {
                               auto& spectrum = std::get<StripSpectrum>(record.tables);
                               spectrum.values[spectrum.index(3, 7, 4)] = 4;

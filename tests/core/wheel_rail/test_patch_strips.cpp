@@ -9,7 +9,7 @@
 #include "contact/contact_cases.hpp"
 #include "contactd/error.hpp"
 #include "contactd/patch_influence.hpp"
-#include "contactd/rotated_prism.hpp"
+#include "contactd/rotated_strips.hpp"
 #include "contactd/solve_contact.hpp"
 #include "contactd/strip_frames.hpp"
 #include "wheel_rail/half_space_cache.hpp"
@@ -241,7 +241,7 @@ TEST_CASE("Tables of sections that know nothing but how surfaces turn are rotate
         unit.source = IcSource::analytic;
         Grid grid = asked.problem.grid;
         grid.ny = unit.ny;
-        IcRecord record{unit, rotated_prism(*unit.section, grid, unit.material, LoadShape::constant), {}};
+        IcRecord record{unit, rotated_strips(*unit.section, grid, unit.material, LoadShape::constant), {}};
         StripTable& table = std::get<StripTable>(record.tables);
         for (double& value : table.values) value *= unit.material.G / unit.dx;
         return record;

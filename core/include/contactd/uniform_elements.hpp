@@ -5,6 +5,6 @@ namespace contactd {
 
 /// dx over the width of a strip from which on errors are stated. Shorter elements feel waves that strips and meshes
 /// of their size do not resolve.
-inline constexpr double shortest_prism_element = 0.5;
+inline constexpr double shortest_uniform_element = 0.5;
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-#include "prism_build.hpp"
+#include "uniform_build.hpp"
 
 #include <array>
 #include <cstdio>
@@ -33,7 +33,7 @@ std::vector<std::string> warnings_of(const IcSpec& spec, const SpectrumErrors& e
 
 }  // namespace
 
-IcRecord build_prism(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes) {
+IcRecord build_uniform(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes) {
     const double start = MPI_Wtime();
     const geometry::SectionGeometry section(*spec.section, spec.ny, spec.dy, "ics.section");
     const SectionOutline outline = outline_of(section);
@@ -59,7 +59,7 @@ IcRecord build_prism(MPI_Comm comm, const IcSpec& spec, Observer& observer, std:
     return record;
 }
 
-std::string prism_mesh(const IcSpec& spec, double unit) {
+std::string section_triangles(const IcSpec& spec, double unit) {
     const geometry::SectionGeometry section(*spec.section, spec.ny, spec.dy, "ics.section");
     const SectionOutline outline = outline_of(section);
     const MeshDensity density = density_for(spec.accuracy, spec.material.nu);

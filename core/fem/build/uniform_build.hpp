@@ -13,9 +13,9 @@ namespace contactd::fem {
 
 /// Collective; wavenumbers are spread over the processes. `spec` must be dimensionless. Throws as build_ic_table does,
 /// everything on all processes.
-IcRecord build_prism(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes);
+IcRecord build_uniform(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes);
 
-/// The mesh of the section that build_prism takes, lengths times `unit`: an unstructured grid of VTK.
-std::string prism_mesh(const IcSpec& spec, double unit);
+/// The mesh of the section that build_uniform takes, lengths times `unit`: an unstructured grid of VTK.
+std::string section_triangles(const IcSpec& spec, double unit);
 
 }  // namespace contactd::fem

@@ -11,7 +11,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-IcSpec prism_spec(double scale) {
+IcSpec uniform_spec(double scale) {
     IcSpec spec = fem_spec(30, 4);
     spec.body = BodyShape::prism;
     spec.accuracy = 1e-3;
@@ -21,8 +21,8 @@ IcSpec prism_spec(double scale) {
     return spec;
 }
 
-IcRecord prism_record() {
-    IcRecord record{dimensionless(prism_spec(1)), {}, {}};
+IcRecord uniform_record() {
+    IcRecord record{dimensionless(uniform_spec(1)), {}, {}};
     StripSpectrum spectrum{4, 0.28, 0.01, {0, 0.1, 0.5, 2, 6}, {}, {}};
     for (int strip = 0; strip < 4; ++strip) spectrum.frames.push_back({strip - 5.5, 0, 0.01 * strip});
     for (std::size_t n = 0; n < spectrum.nodes.size() * spectrum.component_size(); ++n)
@@ -34,7 +34,7 @@ IcRecord prism_record() {
 }
 
 std::string key_with(const auto& change) {
-    IcSpec spec = prism_spec(1);
+    IcSpec spec = uniform_spec(1);
     change(spec);
     return ic_key(spec);
 }
@@ -42,8 +42,8 @@ std::string key_with(const auto& change) {
 }  // namespace
 
 TEST_CASE("A prism's key is that of its shape, whatever its size, its material's G and its elements along x") {
-    const std::string key = ic_key(prism_spec(1));
-    CHECK(ic_key(prism_spec(3)) == key);
+    const std::string key = ic_key(uniform_spec(1));
+    CHECK(ic_key(uniform_spec(3)) == key);
     CHECK(key_with([](IcSpec& spec) { spec.dx = 0.7; }) == key);
     CHECK(key_with([](IcSpec& spec) { spec.nx = 7; }) == key);
     CHECK(key_with([](IcSpec& spec) { spec.material.G = 1; }) == key);
@@ -58,10 +58,10 @@ TEST_CASE("A prism's key is that of its shape, whatever its size, its material's
 TEST_CASE("A prism's record goes through a file as it is, and serves any number of offsets") {
     const TemporaryFolder folder;
     const IcStore store(folder.path(), [](const std::string&) {});
-    const IcRecord record = prism_record();
+    const IcRecord record = uniform_record();
     const auto [nx, ny] = extent_of(record.tables);
     write_ic_file(store.path_of(ic_key(record.spec), nx, ny), record);
-    const auto found = store.find(prism_spec(3));
+    const auto found = store.find(uniform_spec(3));
     REQUIRE(found);
     CHECK(found->spec == record.spec);
     CHECK(std::get<StripSpectrum>(found->tables) == std::get<StripSpectrum>(record.tables));
@@ -69,8 +69,8 @@ TEST_CASE("A prism's record goes through a file as it is, and serves any number 
 }
 
 TEST_CASE("A prism's table has its units, and a row for each pair of strips") {
-    const IcRecord record = prism_record();
-    const IcSpec spec = prism_spec(3);
+    const IcRecord record = uniform_record();
+    const IcSpec spec = uniform_spec(3);
     const auto strips = std::get<StripTable>(body_table(record, spec));
     const StripTable plain = strip_table(std::get<StripSpectrum>(record.tables), 0.5, 30);
     CHECK_THAT(strips(Axis::z, Axis::z, 1, 2, 3), WithinRel(plain(Axis::z, Axis::z, 1, 2, 3) * 1.5 / 82000, 1e-12));

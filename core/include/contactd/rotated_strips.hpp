@@ -16,7 +16,7 @@ namespace contactd {
 /// turned by half the angle between them (Blanco-Lorenzo et al.). It knows curvature, but no edges, no thickness, and
 /// not how the body is held. On flat strips it is the half-space's table. Throws InvalidArgument as strip_frames(),
 /// and Cancelled when the observer, which is asked strip by strip, says so.
-StripTable rotated_prism(const Section& section, const Grid& grid, const Material& material, LoadShape load,
-                         double shift = 0, const std::string& field = "section", const Observer& observer = {});
+StripTable rotated_strips(const Section& section, const Grid& grid, const Material& material, LoadShape load,
+                          double shift = 0, const std::string& field = "section", const Observer& observer = {});
 
 }  // namespace contactd

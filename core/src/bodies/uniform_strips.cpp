@@ -1,4 +1,4 @@
-#include "prism_strips.hpp"
+#include "uniform_strips.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +62,8 @@ void check_along(const Frames& stated, Frames of_upper) {
 
 }  // namespace
 
-void check_strips_of_prisms(const ContactProblem& problem) {
-    if (!problem.bodies.any_prism()) return;
+void check_strips_of_uniform(const ContactProblem& problem) {
+    if (!problem.bodies.any_uniform()) return;
     const auto& [upper, lower, pair] = problem.bodies;
     if (lower.section() != nullptr) {
         const Frames frames = frames_of(lower, problem.grid, "bodies.lower");

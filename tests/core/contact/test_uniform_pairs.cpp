@@ -6,7 +6,7 @@
 #include <string>
 
 #include "contact_cases.hpp"
-#include "contactd/rotated_prism.hpp"
+#include "contactd/rotated_strips.hpp"
 #include "contactd/strip_frames.hpp"
 
 using namespace contactd;
@@ -41,7 +41,7 @@ ContactSolution solve(const ContactProblem& problem) {
     ++longer.nx;
     const auto table = [&](const Body& body) {
         if (const Section* section = body.section())
-            return BodyTable(rotated_prism(*section, longer, body.material, LoadShape::constant));
+            return BodyTable(rotated_strips(*section, longer, body.material, LoadShape::constant));
         return BodyTable(StripTable());
     };
     Observer observer;
@@ -81,34 +81,34 @@ TEST_CASE("A contact that ends where the body does is not cut off by the grid", 
 }
 
 TEST_CASE("A prism and a half-space have the products of both together", "[prisms]") {
-    const bool prism_above = GENERATE(false, true);
+    const bool uniform_above = GENERATE(false, true);
     const double dq = GENERATE(0.4, 0.25);
     ContactProblem problem;
     problem.grid = Grid::centred(14, 10, 0.4, 0.4);
-    const Section section = prism_above ? Section{EdgeBlock{100, 50, 3}} : Section{RailSection{.from = 8}};
-    problem.bodies = prism_above ? Bodies{prism(rubber, section), {steel}} : Bodies{{steel}, prism(rubber, section)};
-    if (!prism_above) problem.columns = ContactColumns{.frames = strip_frames(section, 10, 0.4)};
+    const Section section = uniform_above ? Section{EdgeBlock{100, 50, 3}} : Section{RailSection{.from = 8}};
+    problem.bodies = uniform_above ? Bodies{prism(rubber, section), {steel}} : Bodies{{steel}, prism(rubber, section)};
+    if (!uniform_above) problem.columns = ContactColumns{.frames = strip_frames(section, 10, 0.4)};
     problem.friction = FrictionLaw{{0.3}};
     problem.motion = Rolling{.xi = 1e-3, .dq = dq};
     Grid longer = problem.grid;
     longer.nx += 2;
-    const StripTable strips = rotated_prism(section, longer, rubber, LoadShape::constant);
+    const StripTable strips = rotated_strips(section, longer, rubber, LoadShape::constant);
     const IcTable flat = body_table(problem.grid, steel);
     const auto influence = [&](const ContactProblem& of, const BodyTable& upper, const BodyTable& lower) {
         return make_influence(of, upper, lower);
     };
-    const ContactInfluence both = prism_above ? influence(problem, BodyTable(strips), BodyTable(flat))
-                                              : influence(problem, BodyTable(flat), BodyTable(strips));
+    const ContactInfluence both = uniform_above ? influence(problem, BodyTable(strips), BodyTable(flat))
+                                                : influence(problem, BodyTable(flat), BodyTable(strips));
     // One body after the other, each on a rigid one.
     ContactProblem one = problem, other = problem;
-    (prism_above ? one.bodies.lower : one.bodies.upper) = Body{Material::rigid()};
-    (prism_above ? other.bodies.upper : other.bodies.lower) = Body{Material::rigid()};
+    (uniform_above ? one.bodies.lower : one.bodies.upper) = Body{Material::rigid()};
+    (uniform_above ? other.bodies.upper : other.bodies.lower) = Body{Material::rigid()};
     other.columns.reset();
     const BodyTable none{IcTable(problem.grid.nx, problem.grid.ny)};
-    const ContactInfluence of_prism = prism_above ? influence(one, BodyTable(strips), BodyTable(StripTable()))
-                                                  : influence(one, BodyTable(StripTable()), BodyTable(strips));
+    const ContactInfluence of_uniform = uniform_above ? influence(one, BodyTable(strips), BodyTable(StripTable()))
+                                                      : influence(one, BodyTable(StripTable()), BodyTable(strips));
     const ContactInfluence of_flat =
-        prism_above ? influence(other, none, BodyTable(flat)) : influence(other, BodyTable(flat), none);
+        uniform_above ? influence(other, none, BodyTable(flat)) : influence(other, BodyTable(flat), none);
 
     const auto n = problem.grid.size();
     Values p(n), q(n), found_x(n), found_y(n), x(n), y(n);
@@ -120,7 +120,7 @@ TEST_CASE("A prism and a half-space have the products of both together", "[prism
     const auto compare = [&](const auto& apply) {
         apply(both, found_x, found_y);
         Values sum_x(n, 0), sum_y(n, 0);
-        for (const ContactInfluence* part : {&of_prism, &of_flat}) {
+        for (const ContactInfluence* part : {&of_uniform, &of_flat}) {
             apply(*part, x, y);
             for (std::size_t i = 0; i < n; ++i) sum_x[i] += x[i], sum_y[i] += y[i];
         }
