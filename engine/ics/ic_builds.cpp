@@ -18,7 +18,7 @@ namespace {
 constexpr auto lock_sign_interval = std::chrono::seconds(1);
 /// What a sign may need to be seen on another machine, beyond the silence that is taken for a stall.
 constexpr auto lock_sign_delay = std::chrono::seconds(5);
-constexpr auto default_patience = std::chrono::seconds(60);
+constexpr auto default_timeout = std::chrono::seconds(60);
 
 /// Notes what a build took, and what the store holds afterwards.
 class BuildClock {
@@ -122,7 +122,7 @@ void IcBuilds::run(const TableBuild& build) {
 void IcBuilds::wait_for_lock(const TableBuild& build, TableLock& lock) {
     constexpr auto interval = std::chrono::milliseconds(100);
     const auto stall = settings_.command.stall;
-    const auto patience = (stall.count() > 0 ? stall : default_patience) + lock_sign_delay;
+    const auto timeout = (stall.count() > 0 ? stall : default_timeout) + lock_sign_delay;
     auto sign = lock.sign();
     auto changed = std::chrono::steady_clock::now();
     for (bool waited = false;; waited = true) {
@@ -135,7 +135,7 @@ void IcBuilds::wait_for_lock(const TableBuild& build, TableLock& lock) {
             sign = latest;
             changed = now;
         }
-        if (now - changed < patience) continue;
+        if (now - changed < timeout) continue;
         log_.warn(std::format("{} does not wait any longer for whoever holds {}", build.job->name,
                               resilient_store_.store().lock_of(build.key).string()));
         return;

@@ -22,9 +22,9 @@ Status nobody_waits() {
 }
 
 /// Ends what is made while it is waited for, when nobody waits any more.
-class WhileWanted final : public Observer {
+class WhileRequested final : public Observer {
    public:
-    explicit WhileWanted(const IcCaller& caller) : caller_(caller) {}
+    explicit WhileRequested(const IcCaller& caller) : caller_(caller) {}
     bool cancelled() const override { return caller_.has_gone(); }
 
    private:
@@ -56,7 +56,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         return answer(caller, key, std::move(record), "memory");
     }
     if (spec.source == IcSource::analytic) {
-        const WhileWanted observer(caller);
+        const WhileRequested observer(caller);
         IcCache::Record record;
         try {
             record = std::make_shared<const IcRecord>(closed_form_record(spec, observer));
@@ -135,11 +135,11 @@ void IcService::look_up(const RequestPtr& request) {
         return complete(request, std::make_shared<const IcRecord>(std::move(*record)), "disk");
     }
     if (const auto refusal = builds_.quarantine().refusal(request->key, request->spec)) return fail(request, *refusal);
-    if (!turn_away(request) && !queue_build(request)) fail(request, stop_status_);
+    if (!deny_build(request) && !queue_build(request)) fail(request, stop_status_);
 }
 
 /// Those who may not have it built. True when nobody is left, and the request has ended.
-bool IcService::turn_away(const RequestPtr& request) {
+bool IcService::deny_build(const RequestPtr& request) {
     if (!settings_.may_build) return false;
     std::vector<IcCaller> denied;
     bool is_empty = false;

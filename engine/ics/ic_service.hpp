@@ -94,7 +94,7 @@ class IcService {
     bool answer_imported(const IcSpec& spec, const std::string& key, const IcCaller& caller);
     RequestPtr join_or_open(const IcSpec& spec, const std::string& key, IcCaller& caller, bool& opened);
     void look_up(const RequestPtr& request);
-    bool turn_away(const RequestPtr& request);
+    bool deny_build(const RequestPtr& request);
     bool queue_build(const RequestPtr& request);
     void report(const RequestPtr& request, const JobProgress& progress);
     std::vector<std::string> keys_in_flight();

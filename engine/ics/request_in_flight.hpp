@@ -16,8 +16,8 @@ struct IcService::RequestInFlight {
     std::vector<IcCaller> callers;
     std::string description{};  // of what the first caller asked for, with its lengths
 
-    bool serves(const std::string& wanted, const IcSpec& other) const {
-        return key == wanted && spec.nx >= other.nx && spec.ny >= other.ny && !(job && job->cancelled());
+    bool serves(const std::string& request, const IcSpec& other) const {
+        return key == request && spec.nx >= other.nx && spec.ny >= other.ny && !(job && job->cancelled());
     }
 };
 

@@ -32,13 +32,13 @@ void WorkerPool::drop_abandoned() {
     std::vector<Waiting> dropped;  // destroyed after the lock: what they hold may be much
     const std::scoped_lock lock(mutex_);
     const auto is_empty = [](const auto& line) { return line.parts.empty(); };
-    const auto is_wanted = [](const Waiting& waiting) { return !waiting.abandoned || !waiting.abandoned(); };
+    const auto is_active = [](const Waiting& waiting) { return !waiting.abandoned || !waiting.abandoned(); };
     for (Level& level : levels_) {
         for (User& user : level.users) {
             for (auto& [name, tasks] : user.parts) {
-                const auto unwanted = std::stable_partition(tasks.begin(), tasks.end(), is_wanted);
-                std::move(unwanted, tasks.end(), std::back_inserter(dropped));
-                tasks.erase(unwanted, tasks.end());
+                const auto abandoned = std::stable_partition(tasks.begin(), tasks.end(), is_active);
+                std::move(abandoned, tasks.end(), std::back_inserter(dropped));
+                tasks.erase(abandoned, tasks.end());
             }
             std::erase_if(user.parts, is_empty);
         }
@@ -85,7 +85,7 @@ WorkerPool::Level& WorkerPool::next_level() {
     const auto has_tasks = [this](const Level& level) { return may_begin(level); };
     // Of several that have waited long enough the lowest first: it has waited longest.
     const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
-        return has_tasks(level) && level.passed_over >= patience;
+        return has_tasks(level) && level.passed_over >= most_passes;
     });
     Level& next = overdue != levels_.rend() ? *overdue : *std::find_if(levels_.begin(), levels_.end(), has_tasks);
     next.passed_over = 0;
@@ -103,7 +103,7 @@ WorkerPool::Line<Part>& WorkerPool::line_of(std::deque<Line<Part>>& lines, std::
 
 /// A task from the first line that has one which may begin; the line then goes behind all others.
 template <class Part, class Take>
-WorkerPool::Waiting WorkerPool::take_in_turn(std::deque<Line<Part>>& lines, const Take& take) const {
+WorkerPool::Waiting WorkerPool::take_round_robin(std::deque<Line<Part>>& lines, const Take& take) const {
     const auto next = std::ranges::find_if(lines, [this](const Line<Part>& line) { return may_begin(line); });
     Line<Part> line = std::move(*next);
     lines.erase(next);
@@ -118,8 +118,8 @@ WorkerPool::Waiting WorkerPool::take_next() {
         tasks.pop_front();
         return task;
     };
-    Waiting task =
-        take_in_turn(next_level().users, [&](std::deque<Client>& clients) { return take_in_turn(clients, first); });
+    Waiting task = take_round_robin(next_level().users,
+                                    [&](std::deque<Client>& clients) { return take_round_robin(clients, first); });
     --waiting_;
     return task;
 }

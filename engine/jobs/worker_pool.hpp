@@ -26,13 +26,13 @@ struct QueueTicket {
 };
 
 /// Tasks of a higher priority go first, within a priority one task of each user in turn, and of a user one of each
-/// client. So that nothing starves, a priority that was passed over `patience` times while it had tasks goes next.
+/// client. So that nothing starves, a priority that was passed over `most_passes` times while it had tasks goes next.
 /// Large tasks never have all threads, where there is more than one: a small one waits behind other small ones only.
 /// Tasks of one client begin in the order in which they came.
 class WorkerPool {
    public:
     using Task = std::function<void()>;  ///< must not throw
-    static constexpr int patience = 16;
+    static constexpr int most_passes = 16;
 
     /// Threads start when they are first wanted. One that has just worked looks for more for the time of `spin`
     /// before it sleeps.
@@ -70,7 +70,7 @@ class WorkerPool {
     template <class Part>
     static Line<Part>& line_of(std::deque<Line<Part>>& lines, std::string name);
     template <class Part, class Take>
-    Waiting take_in_turn(std::deque<Line<Part>>& lines, const Take& take) const;
+    Waiting take_round_robin(std::deque<Line<Part>>& lines, const Take& take) const;
 
     bool may_begin(const Waiting& task) const { return !task.is_large || running_large_ < most_large_; }
     bool may_begin(const Client& client) const { return may_begin(client.parts.front()); }

@@ -53,11 +53,11 @@ StepState ContactSteps::after(const StepState& before, ContactSolution&& solutio
 }
 
 void ContactSteps::fit_influence(InfluenceCache& cache, const Observer& observer) {
-    const auto wanted = step_of(problem_);
-    if (problem_.model != Model::full || wanted == std::array<double, 2>{} || wanted == rolling_step_) return;
+    const auto request = step_of(problem_);
+    if (problem_.model != Model::full || request == std::array<double, 2>{} || request == rolling_step_) return;
     validate(problem_);
     influence_ = influence_of(problem_, ics_, cache, observer);
-    rolling_step_ = wanted;
+    rolling_step_ = request;
 }
 
 }  // namespace contactd::engine

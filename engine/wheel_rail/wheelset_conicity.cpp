@@ -37,7 +37,7 @@ PlacedProfiles placed(const WheelOverRail& side) {
 
 }  // namespace
 
-std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
+std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& request,
                                                     const Observer& observer) {
     const WheelsetOnTrack wheelset = wheelset_of(setup);
     const auto rename = [&](const std::string& field) {
@@ -48,7 +48,7 @@ std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, 
     };
     return renaming(rename, [&] {
         try {
-            return equivalent_conicities(wheelset, wanted.amplitudes, wanted.settings, observer);
+            return equivalent_conicities(wheelset, request.amplitudes, request.settings, observer);
         } catch (const InvalidArgument& error) {
             if (error.field() != "shift") throw;
             throw InvalidArgument("amplitudes", "lead to a shift that " + error.problem());
@@ -56,15 +56,15 @@ std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, 
     });
 }
 
-std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& request,
                                                 const Observer& observer) {
     const WheelsetOnTrack wheelset = wheelset_of(setup);
     std::vector<WheelsetContacts> contacts;
-    for (const double shift : wanted.shifts) {
+    for (const double shift : request.shifts) {
         observer.throw_if_cancelled();
         const std::string name = "contacts.shifts[" + std::to_string(contacts.size()) + "]";
         contacts.push_back(renaming([&](const std::string&) { return name; },
-                                    [&] { return contacts_at(wheelset, shift, wanted.roll); }));
+                                    [&] { return contacts_at(wheelset, shift, request.roll); }));
     }
     return contacts;
 }

@@ -10,12 +10,12 @@
 namespace contactd::engine {
 
 /// Throws InvalidArgument naming "setup.rail.points", "left.rail.points", "conicity.amplitudes[i]", ..., and Cancelled.
-std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
+std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& request,
                                                     const Observer& observer);
 
 /// In the order of the shifts. Throws InvalidArgument naming "setup.rail.points", "contacts.shifts[i]", ..., and
 /// Cancelled.
-std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& request,
                                                 const Observer& observer);
 
 /// Throws InvalidArgument naming "setup.rail.points", ...

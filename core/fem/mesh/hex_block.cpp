@@ -44,7 +44,7 @@ void add_vertices(mfem::Mesh& mesh, const Shells& shells) {
                     if (shell == 0 || std::max({x, y, z}) == m) add({shell, {x, y, z}});
 }
 
-void add_element(mfem::Mesh& mesh, const Shells& shells, const VertexNumbers& number, const Place& place) {
+void add_element(mfem::Mesh& mesh, const Shells& shells, const VertexNumbers& number, const ElementPosition& place) {
     // Sides along X, Y, Z of the corners in MFEM's order, (xi, eta, zeta) = (Y, X, Z): two axes swapped, since the
     // quarter block is the mirror image of the positive octant.
     static constexpr std::array<std::array<int, 3>, 8> sides{
@@ -64,7 +64,7 @@ void add_elements(mfem::Mesh& mesh, const Shells& shells) {
     for (int layer = 1; layer <= shells.k; ++layer)
         for (int i = 0; i < 3 * m * m; ++i) {
             const int face = i / (m * m), first = i / m % m, second = i % m;
-            Place place{layer, face, {first, second, second}};
+            ElementPosition place{layer, face, {first, second, second}};
             if (face == 0) place.index = {0, first, second};
             if (face == 1) place.index = {first, 0, second};
             if (face == 2) place.index = {first, second, 0};

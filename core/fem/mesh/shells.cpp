@@ -35,7 +35,7 @@ Shells make_shells(const IcSpec& spec) {
     return shells;
 }
 
-int element_number(const Shells& shells, const Place& place) {
+int element_number(const Shells& shells, const ElementPosition& place) {
     const int m = shells.m;
     const auto& [x, y, z] = place.index;
     if (place.layer == 0) return (x * m + y) * m + z;
@@ -44,7 +44,7 @@ int element_number(const Shells& shells, const Place& place) {
     return m * m * m + ((place.layer - 1) * 3 + place.face) * m * m + first * m + second;
 }
 
-Vertex corner(const Shells& shells, const Place& place, const std::array<int, 3>& side) {
+Vertex corner(const Shells& shells, const ElementPosition& place, const std::array<int, 3>& side) {
     Vertex vertex;
     for (std::size_t a = 0; a < 3; ++a) vertex.index[a] = place.index[a] + side[a];
     if (place.layer > 0) {

@@ -26,14 +26,14 @@ Shells make_shells(const IcSpec& spec);
 
 /// An element by its place. In the box `layer` is 0 and `index` counts along the axes; in layer j >= 1 the element
 /// belongs to the frustum behind the face normal to axis `face`, and index[face] has no meaning.
-struct Place {
+struct ElementPosition {
     int layer = 0;
     int face = 0;
     std::array<int, 3> index{};
 };
 
 /// Elements are numbered from the origin outwards: the box, then layer by layer.
-int element_number(const Shells& shells, const Place& place);
+int element_number(const Shells& shells, const ElementPosition& place);
 
 /// A corner of an element, or any vertex: shell (0 stands for the whole box) and position on it, 0..m along each axis.
 struct Vertex {
@@ -41,14 +41,14 @@ struct Vertex {
     std::array<int, 3> index{};
 };
 /// `side[a]` is 0 for the corner nearer to the origin along axis a, 1 for the farther one.
-Vertex corner(const Shells& shells, const Place& place, const std::array<int, 3>& side);
+Vertex corner(const Shells& shells, const ElementPosition& place, const std::array<int, 3>& side);
 std::array<double, 3> position(const Shells& shells, const Vertex& vertex);  ///< X, Y, Z
 
 /// The element holding the surface point (X, Y, 0) and the point's coordinates in it: `local[a]` runs from 0 at the
 /// corners with side[a] = 0 to 1. The element map on the surface is bilinear with parallel straight edges, so this is
 /// its exact inverse. A point on a shared face gets one element, always the same. X and Y must lie inside the block.
 struct SurfacePoint {
-    Place place;
+    ElementPosition place;
     std::array<double, 3> local{};
 };
 SurfacePoint locate(const Shells& shells, double X, double Y);

@@ -29,9 +29,9 @@ std::vector<double> slice_lines(const Slices& slices, double finest) {
 }
 
 /// Where strips lie along y, and how the mesh has it.
-class Places {
+class LevelStrips {
    public:
-    Places(const SectionOutline& outline, const DividedOutline& divided) {
+    LevelStrips(const SectionOutline& outline, const DividedOutline& divided) {
         const auto middle = [&](int strip) {
             return position_at(outline, outline.carrier, outline.first_strip + strip + 0.5);
         };
@@ -94,11 +94,11 @@ class Marker {
     std::map<std::array<int, 2>, std::size_t> edge_of_;
 };
 
-mfem::Mesh extrude(const Triangulation& section, const Places& places, const std::vector<double>& lines) {
+mfem::Mesh extrude(const Triangulation& section, const LevelStrips& strips, const std::vector<double>& lines) {
     const auto count = static_cast<int>(section.vertices.size()), slices = static_cast<int>(lines.size()) - 1;
     mfem::Mesh mesh(3, count * (slices + 1), static_cast<int>(section.triangles.size()) * slices);
     for (const double x : lines)
-        for (const PlanePoint& vertex : section.vertices) mesh.AddVertex(-x, places.mirrored(vertex.y), vertex.z);
+        for (const PlanePoint& vertex : section.vertices) mesh.AddVertex(-x, strips.mirrored(vertex.y), vertex.z);
     for (int slice = 0; slice < slices; ++slice)
         for (const auto& [a, b, c] : section.triangles) {
             // Anticlockwise in the section, clockwise in its mirror image: the extrusion runs towards negative x.
@@ -113,7 +113,7 @@ mfem::Mesh extrude(const Triangulation& section, const Places& places, const std
 
 BlockMesh make_solid_mesh(const SectionOutline& outline, const DividedOutline& divided,
                           const Triangulation& triangulation, int strip, const Slices& slices) {
-    const Places places(outline, divided);
+    const LevelStrips strips(outline, divided);
     const std::vector<EdgeElement> elements = elements_of_edges(divided, triangulation);
     double finest = 1;
     std::vector<std::size_t> carriers;
@@ -125,15 +125,15 @@ BlockMesh make_solid_mesh(const SectionOutline& outline, const DividedOutline& d
     const std::vector<double> lines = slice_lines(slices, finest);
 
     BlockMesh result;
-    result.mesh = extrude(triangulation, places, lines);
+    result.mesh = extrude(triangulation, strips, lines);
     Marker(divided, strip, lines.back(), static_cast<int>(triangulation.vertices.size())).mark(result.mesh);
     // Neither refinement nor a correction of orientations may reorder the elements: locate() counts on it.
     result.mesh.Finalize(false, false);
 
-    std::vector<double> ends{-places.mirrored(divided.vertices[divided.edges[carriers.front()].first].y)};
+    std::vector<double> ends{-strips.mirrored(divided.vertices[divided.edges[carriers.front()].first].y)};
     std::vector<EdgeElement> on_strips;
     for (const std::size_t i : carriers) {
-        ends.push_back(-places.mirrored(divided.vertices[divided.edges[i].second].y));
+        ends.push_back(-strips.mirrored(divided.vertices[divided.edges[i].second].y));
         on_strips.push_back(elements[i]);
     }
     result.locate = [=, triangles = static_cast<int>(triangulation.triangles.size())](double X, double Y) {

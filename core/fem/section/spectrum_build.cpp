@@ -168,8 +168,8 @@ class Builder {
         // Factorisation and forward solves, at the rate of a slow machine.
         constexpr double rate = 1e9, solves_a_factor = 100;
         const double step_seconds = (model.factor().operations() + solves_a_factor * model.factor().entries()) / rate;
-        const auto turns = static_cast<std::size_t>(processes_);
-        for (std::size_t first = 0; first < wavenumbers.size(); first += turns) {
+        const auto processes = static_cast<std::size_t>(processes_);
+        for (std::size_t first = 0; first < wavenumbers.size(); first += processes) {
             if (const std::size_t mine = first + static_cast<std::size_t>(rank_); mine < wavenumbers.size())
                 together([&] {
                     WaveResponse response = model.at(wavenumbers[mine]);
@@ -178,12 +178,12 @@ class Builder {
                 });
             else
                 together([] {});
-            const double done = static_cast<double>(std::min(first + turns, wavenumbers.size())) /
+            const double done = static_cast<double>(std::min(first + processes, wavenumbers.size())) /
                                 static_cast<double>(wavenumbers.size());
             report("wavenumbers", from + done * (to - from), step_seconds);
         }
         for (std::size_t i = 0; i < wavenumbers.size(); ++i)
-            MPI_Bcast(values + i * stride * size, static_cast<int>(size), MPI_DOUBLE, static_cast<int>(i % turns),
+            MPI_Bcast(values + i * stride * size, static_cast<int>(size), MPI_DOUBLE, static_cast<int>(i % processes),
                       comm_);
     }
 

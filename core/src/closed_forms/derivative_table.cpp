@@ -31,10 +31,10 @@ DerivativesOfAnswer row_of(const DerivativeTable& table, int row, const ContactP
     if (std::holds_alternative<Rolling>(problem.motion)) {
         result.xi = values[Table::along_x];
         result.eta = values[Table::along_y];
-        if (table.has_turn) result.phi = values[Table::about_z];
+        if (table.has_rotation) result.phi = values[Table::about_z];
     } else {
         result.rigid_shift = DerivativesByShift{values[Table::along_x], values[Table::along_y]};
-        if (table.has_turn) result.rotation = values[Table::about_z];
+        if (table.has_rotation) result.rotation = values[Table::about_z];
     }
     if (table.has_mu) result.mu = values[Table::mu];
     return result;

@@ -15,7 +15,7 @@ struct DerivativeTable {
 
     std::array<std::array<double, columns>, rows> values{};
     /// What the model does not know is left out.
-    bool has_turn = true, has_mu = true;
+    bool has_rotation = true, has_mu = true;
 };
 
 /// By the inputs of the problem; where it prescribes the normal force, with that and the approach exchanged.

@@ -69,7 +69,7 @@ Derivatives simplified_derivatives(const ContactProblem& problem, const Elliptic
     if (problem.friction) {
         const double mu = problem.friction->mu[0];
         take_friction(known_motion(problem, contact, *solution.motion), mu, contact, solution, table);
-        table.has_turn = problem.model == Model::fastsim;
+        table.has_rotation = problem.model == Model::fastsim;
         table.has_mu = mu > 0;
     }
     return named(table, problem);

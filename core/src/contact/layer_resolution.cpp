@@ -30,7 +30,7 @@ constexpr double fine = 0.5;
 class BodyWaves {
    public:
     explicit BodyWaves(const Body& body) {
-        if (const Ics* ics = body.computed(); ics != nullptr) tents_ = ics->load_shape == LoadShape::bilinear;
+        if (const Ics* ics = body.computed(); ics != nullptr) is_bilinear_ = ics->load_shape == LoadShape::bilinear;
         if (const Layers* layers = body.layered()) {
             waves_.emplace(*layers);
             over_G_ = 1 / layers->surface().G;
@@ -47,13 +47,13 @@ class BodyWaves {
     /// Share of a wave in the tractions of elements of this length, k along it.
     double share(double k, double length) const {
         const double half = k * length / 2, uniform = half == 0 ? 1 : std::sin(half) / half;
-        return tents_ ? uniform * uniform : uniform;
+        return is_bilinear_ ? uniform * uniform : uniform;
     }
 
    private:
     std::optional<LayeredWaves> waves_;
     double over_G_ = 0, deep_ = 0;
-    bool tents_ = false;
+    bool is_bilinear_ = false;
 };
 
 /// Wavenumbers along an axis and across it, and the element's length along it.

@@ -254,7 +254,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
         auto [fitted, rest] =
             curved_slip(wheel, rail_, state_, place, found.gap, rail_share(setup_.bodies), place.creepages);
         place.creepages = fitted;
-        found.slip_beside = std::move(rest);
+        found.additional_slip = std::move(rest);
     } else if (setup_.rigid_slip == RigidSlipKind::surfaces) {
         found.row_slips = row_slips(wheel, rail_, state_, place.reference, place.creepages, place.grid);
     }

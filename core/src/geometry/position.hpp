@@ -38,7 +38,7 @@ struct CandidatePatch {
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
     std::vector<RowSlip> row_slips;            ///< of rigid slip by surfaces only
-    RigidSlip slip_beside;                     ///< of curved contacts: beside the creepages, of each element
+    RigidSlip additional_slip;                 ///< of curved contacts: beside the creepages, of each element
     QualityFlags quality{};
 };
 

@@ -109,7 +109,7 @@ KernelIntegrals twofold_over_hat(double x, double y, double dy, const NonSmoothM
     const double a = std::abs(x), sign = x < 0 ? -1 : 1, quarter_turn = std::numbers::pi / 2;
     KernelIntegrals mean{-a * rest.log, 0, sign * rest.y_log, sign * quarter_turn * rest.abs,
                          a * quarter_turn * rest.sign};
-    for (const auto& along_y : tent10) {
+    for (const auto& along_y : hat10) {
         const double Y = y + along_y.node * dy, rho = std::hypot(x, Y);
         const double ln_sum = std::log(a + rho), ln_rho = std::log(rho) + 5.0 / 6, angle = std::atan(Y / x);
         add(mean, along_y.weight,
@@ -138,7 +138,7 @@ KernelIntegrals by_differences(double x, double y, double dx, double dy) {
 // Calls with the rule whose error is below rounding.
 template <class Call>
 KernelIntegrals with_rule(double E, const Call& call) {
-    return E > 150 ? call(tent3) : E > 16 ? call(tent5) : call(tent10);
+    return E > 150 ? call(hat3) : E > 16 ? call(hat5) : call(hat10);
 }
 
 KernelIntegrals unit_force(double x, double y, double dx, double dy) {

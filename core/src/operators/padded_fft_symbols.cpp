@@ -50,12 +50,13 @@ PaddedFft::Plans::Plans(int nx_, int ny_, int padded_nx_, int padded_ny_)
 
 // Plans are only ever destroyed here, under the lock.
 std::shared_ptr<const PaddedFft::Plans> PaddedFft::Plans::of_size(int nx, int ny, int padded_nx, int padded_ny) {
-    constexpr std::size_t most_kept = 256;
+    constexpr std::size_t most_cached = 256;
     static std::map<std::tuple<int, int, int, int>, std::shared_ptr<const Plans>> made;
     const std::scoped_lock lock(planner_mutex());
     const std::tuple size(nx, ny, padded_nx, padded_ny);
-    if (const auto kept = made.find(size); kept != made.end()) return kept->second;
-    if (made.size() >= most_kept) std::erase_if(made, [](const auto& entry) { return entry.second.use_count() == 1; });
+    if (const auto cached = made.find(size); cached != made.end()) return cached->second;
+    if (made.size() >= most_cached)
+        std::erase_if(made, [](const auto& entry) { return entry.second.use_count() == 1; });
     return made.emplace(size, std::make_shared<const Plans>(nx, ny, padded_nx, padded_ny)).first->second;
 }
 

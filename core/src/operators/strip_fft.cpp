@@ -42,11 +42,11 @@ struct StripFft::Plans {
 
     /// Made once and shared. Plans are only ever destroyed here, under the lock.
     static std::shared_ptr<const Plans> of(int period) {
-        constexpr std::size_t most_kept = 64;
+        constexpr std::size_t most_cached = 64;
         static std::map<int, std::shared_ptr<const Plans>> made;
         const std::scoped_lock lock(planner_mutex());
-        if (const auto kept = made.find(period); kept != made.end()) return kept->second;
-        if (made.size() >= most_kept)
+        if (const auto cached = made.find(period); cached != made.end()) return cached->second;
+        if (made.size() >= most_cached)
             std::erase_if(made, [](const auto& entry) { return entry.second.use_count() == 1; });
         return made.emplace(period, std::make_shared<const Plans>(period)).first->second;
     }

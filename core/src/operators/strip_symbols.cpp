@@ -143,7 +143,7 @@ RectangularSymbol::RectangularSymbol(std::size_t groups, std::size_t rows, std::
       rows_(rows),
       columns_(columns),
       values_{std::vector<double>(groups * rows * columns * lanes), {}},
-      kept_(groups * rows / 2, {0, columns}),
+      ranges_(groups * rows / 2, {0, columns}),
       group_(groups) {
     for (std::size_t group = 0; group < groups; ++group) group_[group] = group * rows * columns * lanes;
 }
@@ -156,12 +156,12 @@ void RectangularSymbol::set(std::size_t row, std::size_t column, std::span<const
 void RectangularSymbol::trim(double left_out) {
     const std::size_t pairs = rows_ / 2, matrix = rows_ * columns_ * lanes;
     for (std::size_t pair = 0; pair < pairs; ++pair) {
-        for (std::size_t group = 0; group < groups_; ++group) kept_[group * pairs + pair] = {columns_, columns_};
+        for (std::size_t group = 0; group < groups_; ++group) ranges_[group * pairs + pair] = {columns_, columns_};
         for (std::size_t column = 0; column < columns_; ++column) {
             const std::size_t at = 2 * (pair * columns_ + column) * lanes;
             const std::size_t needed = groups_needed(values_.exact, groups_, at, 0.5 * left_out);
             for (std::size_t group = 0; group < needed; ++group) {
-                EntryRange& kept = kept_[group * pairs + pair];
+                EntryRange& kept = ranges_[group * pairs + pair];
                 kept = {std::min(kept.begin, column), column + 1};
             }
         }
@@ -170,7 +170,7 @@ void RectangularSymbol::trim(double left_out) {
     for (std::size_t group = 0; group < groups_; ++group) {
         group_[group] = packing.size();
         for (std::size_t pair = 0; pair < pairs; ++pair) {
-            EntryRange& kept = kept_[group * pairs + pair];
+            EntryRange& kept = ranges_[group * pairs + pair];
             kept.end = std::max(kept.begin, kept.end);
             packing.keep(group * matrix + 2 * (pair * columns_ + kept.begin) * lanes,
                          2 * (kept.end - kept.begin) * lanes);
@@ -181,13 +181,13 @@ void RectangularSymbol::trim(double left_out) {
 
 void RectangularSymbol::multiply(const Waves& in, Waves& out) const {
     for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
-        multiply_rows(rows_, &kept_[group * rows_ / 2], arrays...);
+        multiply_rows(rows_, &ranges_[group * rows_ / 2], arrays...);
     });
 }
 
 void RectangularSymbol::multiply_transposed(const Waves& in, Waves& out) const {
     for_groups(group_, values_, in, out, [this](std::size_t group, auto... arrays) {
-        multiply_columns(rows_, columns_, &kept_[group * rows_ / 2], arrays...);
+        multiply_columns(rows_, columns_, &ranges_[group * rows_ / 2], arrays...);
     });
 }
 

@@ -58,7 +58,7 @@ class RectangularSymbol {
    private:
     std::size_t groups_ = 0, rows_ = 0, columns_ = 0;
     SymbolNumbers values_;            // [group][pair of rows][strip][row of the pair][lane]
-    std::vector<EntryRange> kept_;    // [group][pair of rows]
+    std::vector<EntryRange> ranges_;  // [group][pair of rows]
     std::vector<std::size_t> group_;  // where in values_ a group begins
 };
 

@@ -17,7 +17,7 @@ constexpr std::array<ErrorName, 3> error_names{{{"error_xx_origin", "error_xx_la
                                                 {"error_yy_origin", "error_yy_largest", &IcErrors::yy},
                                                 {"error_zz_origin", "error_zz_largest", &IcErrors::zz}}};
 
-Axis axis(const Place& at) {
+Axis axis(const Group& at) {
     const int number = integer(at, "load_axis");
     if (number < static_cast<int>(Axis::x) || number > static_cast<int>(Axis::z))
         throw DamagedTable("The load axis " + std::to_string(number) + " of the file is none.");
@@ -26,7 +26,7 @@ Axis axis(const Place& at) {
 
 }  // namespace
 
-void write_evidence(const WritablePlace& group, const IcEvidence& evidence) {
+void write_evidence(const WritableGroup& group, const IcEvidence& evidence) {
     put(group, "source", evidence.source);
     put(group, "version", evidence.version);
     put(group, "elements", evidence.elements);
@@ -62,7 +62,7 @@ void write_evidence(const WritablePlace& group, const IcEvidence& evidence) {
     if (evidence.errors.scaled_xz) put(group, "scaled_error_xz", *evidence.errors.scaled_xz);
     for (std::size_t n = 0; n < evidence.load_cases.size(); ++n) {
         const LoadCaseEvidence& load_case = evidence.load_cases[n];
-        const WritablePlace at = group.below("load_case_" + std::to_string(n));
+        const WritableGroup at = group.below("load_case_" + std::to_string(n));
         put(at, "load_axis", static_cast<long long>(load_case.load));
         put(at, "iterations", static_cast<long long>(load_case.iterations));
         put(at, "residual", load_case.residual);
@@ -72,7 +72,7 @@ void write_evidence(const WritablePlace& group, const IcEvidence& evidence) {
     }
 }
 
-IcEvidence read_evidence(const Place& group) {
+IcEvidence read_evidence(const Group& group) {
     IcEvidence evidence;
     evidence.source = text(group, "source");
     evidence.version = text(group, "version");
@@ -102,7 +102,7 @@ IcEvidence read_evidence(const Place& group) {
     if (group.has("scaled_error_xy")) evidence.errors.scaled_xy = number(group, "scaled_error_xy");
     if (group.has("scaled_error_xz")) evidence.errors.scaled_xz = number(group, "scaled_error_xz");
     for (int n = 0; group.has_group("load_case_" + std::to_string(n)); ++n) {
-        const Place at = group.below("load_case_" + std::to_string(n));
+        const Group at = group.below("load_case_" + std::to_string(n));
         LoadCaseEvidence load_case{axis(at),
                                    integer(at, "iterations"),
                                    number(at, "residual"),

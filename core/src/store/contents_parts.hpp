@@ -14,18 +14,18 @@ inline bool is_dimensionless(const IcSpec& spec) {
     return spec.dx == 1 && spec.material.G == 1 && (!spec.section || spec.dy == 1);
 }
 
-void write_spec(const WritablePlace& at, const IcSpec& spec);
-IcSpec read_spec(const Place& at);
+void write_spec(const WritableGroup& at, const IcSpec& spec);
+IcSpec read_spec(const Group& at);
 
 /// The attributes of a mesh and its solver.
-void write_fem(const WritablePlace& at, const FemSpec& fem);
-FemSpec read_fem(const Place& at);
+void write_fem(const WritableGroup& at, const FemSpec& fem);
+FemSpec read_fem(const Group& at);
 
 /// The transform of a prism's coefficients. Reading throws DamagedTable when the parts do not fit each other.
-void write_spectrum(const WritablePlace& at, const StripSpectrum& spectrum);
-StripSpectrum read_spectrum(const Place& at, double nu);
+void write_spectrum(const WritableGroup& at, const StripSpectrum& spectrum);
+StripSpectrum read_spectrum(const Group& at, double nu);
 
-void write_evidence(const WritablePlace& at, const IcEvidence& evidence);
-IcEvidence read_evidence(const Place& at);
+void write_evidence(const WritableGroup& at, const IcEvidence& evidence);
+IcEvidence read_evidence(const Group& at);
 
 }  // namespace contactd

@@ -5,11 +5,11 @@
 
 namespace contactd {
 
-void write_fem(const WritablePlace& group, const FemSpec& fem) {
+void write_fem(const WritableGroup& group, const FemSpec& fem) {
     for_each_fem_field([&](const auto& field) { put(group, field.name, fem.*field.member); });
 }
 
-FemSpec read_fem(const Place& group) {
+FemSpec read_fem(const Group& group) {
     FemSpec fem;
     for_each_fem_field([&](const auto& field) { get(group, field.name, fem.*field.member); });
     return fem;
@@ -17,7 +17,7 @@ FemSpec read_fem(const Place& group) {
 
 namespace {
 
-void write_layers(const WritablePlace& group, const Layers& body) {
+void write_layers(const WritableGroup& group, const Layers& body) {
     std::vector<double> thickness, G, nu;
     for (const Layer& layer : body.layers) {
         thickness.push_back(layer.thickness);
@@ -32,7 +32,7 @@ void write_layers(const WritablePlace& group, const Layers& body) {
     put(group, "base_nu", body.base.nu);
 }
 
-Layers read_layers(const Place& group) {
+Layers read_layers(const Group& group) {
     Layers body;
     const std::vector<double> thickness = numbers(group, "thickness"), G = numbers(group, "G"),
                               nu = numbers(group, "nu");
@@ -44,20 +44,20 @@ Layers read_layers(const Place& group) {
 }
 
 /// A dataset, since attributes are small.
-void write_section(const WritablePlace& group, const Section& section, bool has_dimensions) {
+void write_section(const WritableGroup& group, const Section& section, bool has_dimensions) {
     const std::vector<double> numbers = numbers_of(section);
     group.contents.datasets[group.prefix + "section"] = {{numbers.size()}, UnsetArray(numbers.begin(), numbers.end())};
     put(group.below("section"), "units", has_dimensions ? "lengths in mm" : "lengths over the width of a column");
 }
 
-Section read_section(const Place& group) {
+Section read_section(const Group& group) {
     const UnsetArray& values = array(group, "section", 1).values;
     return section_from({values.begin(), values.end()});
 }
 
 }  // namespace
 
-void write_spec(const WritablePlace& group, const IcSpec& spec) {
+void write_spec(const WritableGroup& group, const IcSpec& spec) {
     put(group, "body", spec.body);
     put(group, "source", spec.source);
     put(group, "load_shape", spec.load_shape);
@@ -72,7 +72,7 @@ void write_spec(const WritablePlace& group, const IcSpec& spec) {
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
         const std::optional<Part>& value = spec.*part.member;
         if (!value) return;
-        const WritablePlace object = group.below(part.name);
+        const WritableGroup object = group.below(part.name);
         for_each_part_field<Part>(
             [&](const PartField<Part>& field) { put(object, field.name, (*value).*field.member); });
     });
@@ -86,7 +86,7 @@ void write_spec(const WritablePlace& group, const IcSpec& spec) {
     }
 }
 
-IcSpec read_spec(const Place& group) {
+IcSpec read_spec(const Group& group) {
     IcSpec spec;
     const bool has_dimensions = group.has("dx");
     spec.dx = has_dimensions ? number(group, "dx") : 1;
@@ -98,7 +98,7 @@ IcSpec read_spec(const Place& group) {
     spec.material = {has_dimensions ? number(group, "G") : 1, spec.any_nu ? 0 : number(group, "nu")};
     for_each_ics_part([&]<class Part>(const IcsPart<Part>& part) {
         if (!group.has_group(part.name)) return;
-        const Place object = group.below(part.name);
+        const Group object = group.below(part.name);
         Part& value = (spec.*part.member).emplace();
         for_each_part_field<Part>([&](const PartField<Part>& field) { get(object, field.name, value.*field.member); });
     });

@@ -18,10 +18,10 @@ UnsetArray unset(const std::vector<double>& values) {
 
 }  // namespace
 
-void write_spectrum(const WritablePlace& at, const StripSpectrum& spectrum) {
+void write_spectrum(const WritableGroup& at, const StripSpectrum& spectrum) {
     at.contents.datasets[at.prefix + transform_name] = {{spectrum.nodes.size(), spectrum.component_size()},
                                                         unset(spectrum.values)};
-    const WritablePlace transform = at.below(transform_name);
+    const WritableGroup transform = at.below(transform_name);
     put(transform, "axes",
         "wavenumber; pairs a >= b at a (a + 1)/2 + b of a = 3 I + i, b = 3 J + j: displacement i (x, s, n) of column "
         "I, "
@@ -32,18 +32,18 @@ void write_spectrum(const WritablePlace& at, const StripSpectrum& spectrum) {
     std::vector<double> frames;
     for (const StripFrame& frame : spectrum.frames) frames.insert(frames.end(), {frame.y, frame.z, frame.angle});
     at.contents.datasets[at.prefix + frames_name] = {{spectrum.frames.size(), 3}, unset(frames)};
-    const WritablePlace places = at.below(frames_name);
+    const WritableGroup places = at.below(frames_name);
     put(places, "axes", "column; y and z of its middle, angle of its normal from +z towards +y");
     put(places, "units", "y and z over ds, the width of a column; angle in rad");
 }
 
-StripSpectrum read_spectrum(const Place& at, double nu) {
+StripSpectrum read_spectrum(const Group& at, double nu) {
     const FileContents::Array& transform = array(at, transform_name, 2);
     const FileContents::Array& frames = array(at, frames_name, 2);
     const std::size_t strips = frames.shape[0];
     if (strips < 1 || strips > most_strips || frames.shape[1] != 3)
         throw DamagedTable("frames of the file has a shape that no section has.");
-    const Place of_transform = at.below(transform_name);
+    const Group of_transform = at.below(transform_name);
     StripSpectrum spectrum;
     spectrum.strips = static_cast<int>(strips);
     spectrum.nu = nu;

@@ -13,41 +13,41 @@
 namespace contactd {
 
 /// A group or a dataset of a file that is written; `prefix` is its path with a slash, empty for the file itself.
-struct WritablePlace {
+struct WritableGroup {
     FileContents& contents;
     std::string prefix{};
 
-    WritablePlace below(const std::string& name) const { return {contents, prefix + name + '/'}; }
+    WritableGroup below(const std::string& name) const { return {contents, prefix + name + '/'}; }
 };
 
 /// A group or a dataset of a file that is read.
-struct Place {
+struct Group {
     const FileContents& contents;
     std::string prefix{};
 
-    Place below(const std::string& name) const { return {contents, prefix + name + '/'}; }
+    Group below(const std::string& name) const { return {contents, prefix + name + '/'}; }
     bool has(const std::string& name) const { return contents.attributes.contains(prefix + name); }
     bool has_group(const std::string& name) const;
 };
 
-void put(const WritablePlace& at, const char* name, double value);
-void put(const WritablePlace& at, const char* name, long long value);
-void put(const WritablePlace& at, const char* name, std::string_view value);
+void put(const WritableGroup& at, const char* name, double value);
+void put(const WritableGroup& at, const char* name, long long value);
+void put(const WritableGroup& at, const char* name, std::string_view value);
 /// Lists have one axis; an empty one is not written.
-void put(const WritablePlace& at, const char* name, const std::vector<double>& values);
-void put(const WritablePlace& at, const char* name, const std::vector<std::string>& values);
+void put(const WritableGroup& at, const char* name, const std::vector<double>& values);
+void put(const WritableGroup& at, const char* name, const std::vector<std::string>& values);
 
 /// These throw DamagedTable when there is no such value, the lists but return nothing then.
-double number(const Place& at, const char* name);
-long long long_integer(const Place& at, const char* name);
-int integer(const Place& at, const char* name);
-std::string text(const Place& at, const char* name);
-std::vector<double> numbers(const Place& at, const char* name);
-std::vector<std::string> texts(const Place& at, const char* name);
+double number(const Group& at, const char* name);
+long long long_integer(const Group& at, const char* name);
+int integer(const Group& at, const char* name);
+std::string text(const Group& at, const char* name);
+std::vector<double> numbers(const Group& at, const char* name);
+std::vector<std::string> texts(const Group& at, const char* name);
 
 /// The enumerator whose name stands there. Throws DamagedTable when none has it.
 template <HasWords Enum>
-Enum named(const Place& at, const char* name) {
+Enum named(const Group& at, const char* name) {
     Enum value{};
     if (!from_name(text(at, name), value)) throw DamagedTable(at.prefix + name + " of the file is not known.");
     return value;
@@ -56,23 +56,23 @@ Enum named(const Place& at, const char* name) {
 /// Fields of other types are written as one of those above; where a number that may be left out has no attribute, it
 /// was left out.
 template <HasWords Enum>
-void put(const WritablePlace& at, const char* name, Enum value) {
+void put(const WritableGroup& at, const char* name, Enum value) {
     put(at, name, name_of(value));
 }
-void put(const WritablePlace& at, const char* name, int value);
-void put(const WritablePlace& at, const char* name, const std::optional<double>& value);
+void put(const WritableGroup& at, const char* name, int value);
+void put(const WritableGroup& at, const char* name, const std::optional<double>& value);
 
 /// Sets `value` to what stands there.
 template <HasWords Enum>
-void get(const Place& at, const char* name, Enum& value) {
+void get(const Group& at, const char* name, Enum& value) {
     value = named<Enum>(at, name);
 }
-void get(const Place& at, const char* name, double& value);
-void get(const Place& at, const char* name, int& value);
-void get(const Place& at, const char* name, long long& value);
-void get(const Place& at, const char* name, std::optional<double>& value);
+void get(const Group& at, const char* name, double& value);
+void get(const Group& at, const char* name, int& value);
+void get(const Group& at, const char* name, long long& value);
+void get(const Group& at, const char* name, std::optional<double>& value);
 
 /// The dataset of that name. Throws DamagedTable when there is none or it does not have as many axes.
-const FileContents::Array& array(const Place& at, const char* name, std::size_t axes);
+const FileContents::Array& array(const Group& at, const char* name, std::size_t axes);
 
 }  // namespace contactd

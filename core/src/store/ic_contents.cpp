@@ -23,33 +23,33 @@ std::vector<std::size_t> shape_of(const IcTable& table) {
     return {3, 3, static_cast<std::size_t>(table.ny), static_cast<std::size_t>(table.nx)};
 }
 
-void write_table(const WritablePlace& file, const IcTable& table, bool has_dimensions) {
+void write_table(const WritableGroup& file, const IcTable& table, bool has_dimensions) {
     file.contents.datasets[table_name] = {shape_of(table), table.values};
-    const WritablePlace dataset = file.below(table_name);
+    const WritableGroup dataset = file.below(table_name);
     put(dataset, "axes", "displacement (x, y, z), load (x, y, z), offset along y, offset along x");
     put(dataset, "units", has_dimensions ? units_with_dimensions : units);
 }
 
 /// What a prism's transform says of the strips and offsets of a request: others read it, contactd the transform.
-void write_strips(const WritablePlace& file, const IcRecord& record) {
+void write_strips(const WritableGroup& file, const IcRecord& record) {
     auto table = std::get<StripTable>(body_table(record, record.spec));
     const auto nx = static_cast<std::size_t>(table.nx), strips = static_cast<std::size_t>(table.strips);
     file.contents.datasets[table_name] = {{3, 3, strips, strips, nx}, std::move(table.values)};
-    const WritablePlace dataset = file.below(table_name);
+    const WritableGroup dataset = file.below(table_name);
     put(dataset, "axes",
         "displacement (x, along the outline, outward), load (the same), observed column, loaded column, offset along "
         "x");
     put(dataset, "units", units_with_dimensions);
 }
 
-void write_family(const WritablePlace& file, const std::vector<IcTable>& family) {
+void write_family(const WritableGroup& file, const std::vector<IcTable>& family) {
     std::vector<std::size_t> shape = shape_of(family.front());
     shape.insert(shape.begin(), family.size());
     UnsetArray values;
     values.reserve(family.size() * family.front().values.size());
     for (const IcTable& table : family) values.insert(values.end(), table.values.begin(), table.values.end());
     file.contents.datasets[family_name] = {std::move(shape), std::move(values)};
-    const WritablePlace dataset = file.below(family_name);
+    const WritableGroup dataset = file.below(family_name);
     put(dataset, "axes",
         "Poisson's ratio (evidence/family_nu), displacement (x, y, z), load (x, y, z), offset along y, offset along x");
     put(dataset, "units", units);
@@ -95,7 +95,7 @@ std::vector<IcTable> read_family(const FileContents& contents, std::size_t size,
 
 FileContents contents_of(const IcRecord& record) {
     FileContents contents;
-    const WritablePlace file{contents};
+    const WritableGroup file{contents};
     put(file, format_name, static_cast<long long>(format_version));
     write_spec(file.below("spec"), record.spec);
     write_evidence(file.below("evidence"), record.evidence);
@@ -126,7 +126,7 @@ IcRecord record_from(FileContents contents) {
         if (size != dataset.values.size())
             throw DamagedTable(path + " of the file does not have the size of its shape.");
     }
-    const Place file{contents};
+    const Group file{contents};
     check_format(long_integer(file, format_name));
     IcRecord record;
     record.spec = read_spec(file.below("spec"));

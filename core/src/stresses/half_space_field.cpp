@@ -60,8 +60,8 @@ std::array<double, 3> half_space_displacement(const IcSpec& spec, Axis load, con
     const bool far = distance > 100 * size;
     Vector mean;
     if (spec.load_shape == LoadShape::bilinear)
-        mean = far ? mean_over(tent3, spec.dx, spec.dy, load, point, nu)
-                   : mean_over(tent10, spec.dx, spec.dy, load, point, nu);
+        mean = far ? mean_over(hat3, spec.dx, spec.dy, load, point, nu)
+                   : mean_over(hat10, spec.dx, spec.dy, load, point, nu);
     else
         mean = far ? mean_over(legendre3, 0.5 * spec.dx, 0.5 * spec.dy, load, point, nu)
                    : mean_over(legendre6, 0.5 * spec.dx, 0.5 * spec.dy, load, point, nu);

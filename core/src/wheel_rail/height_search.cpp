@@ -47,7 +47,7 @@ class Search {
         double z = next();
         for (int solve = 1; solve <= task_.settings.max_iterations; ++solve) {
             const double force = task_.force(z);
-            const double target = wanted(z);
+            const double target = target_force(z);
             found = {z, {solve, std::abs(force - target) / target, false, 0}, correction_.line_at(z)};
             found.evidence.converged = found.evidence.residual <= task_.settings.tolerance;
             if (found.evidence.converged) break;
@@ -76,18 +76,19 @@ class Search {
         return known->second;
     }
 
-    /// The force at z; a spring that is nearly unloaded counts as one that bears a little.
-    double wanted(double z) const {
+    /// The force at z; a spring that is nearly unloaded counts as one that carries a little.
+    double target_force(double z) const {
         return std::max(task_.target - task_.spring * (z - task_.first_contact_height), 1e-9 * task_.target);
     }
-    /// Of the corrected estimate over the force that is wanted. That of a spring may be next to nothing.
+    /// Of the corrected estimate over the target force. That of a spring may be next to nothing.
     double excess(double z, double estimate) const {
-        const double force = straightened(estimate * std::exp(correction_.at(z))), target = straightened(wanted(z));
+        const double force = straightened(estimate * std::exp(correction_.at(z))),
+                     target = straightened(target_force(z));
         return task_.spring == 0 ? force / target - 1 : 2 * (force - target) / (force + target);
     }
     double excess(double z) { return excess(z, estimate(z)); }
 
-    // Where the corrected estimate has the force that is wanted, within the bounds that the forces have given.
+    // Where the corrected estimate has the target force, within the bounds that the forces have given.
     double next() {
         End low{low_, excess(low_)};
         if (low.excess >= 0) return std::midpoint(low_, std::min(high_, low_ + first_step));

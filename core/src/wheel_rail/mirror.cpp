@@ -13,7 +13,7 @@
 namespace contactd {
 namespace {
 
-void turn_sign(double& value) {
+void flip_sign(double& value) {
     value = 0 - value;  // no negative zero
 }
 
@@ -41,14 +41,14 @@ void mirror_rows(std::vector<Value>& values, const Grid& grid) {
 
 void mirror_across(std::vector<double>& values, const Grid& grid) {
     mirror_rows(values, grid);
-    for (double& value : values) turn_sign(value);
+    for (double& value : values) flip_sign(value);
 }
 
 void mirror(Motion& motion) {
     if (auto* rolling = std::get_if<Rolling>(&motion)) {
-        turn_sign(rolling->eta);
-        turn_sign(rolling->phi);
-        turn_sign(rolling->chi);
+        flip_sign(rolling->eta);
+        flip_sign(rolling->phi);
+        flip_sign(rolling->chi);
         if (rolling->chi == -std::numbers::pi) rolling->chi = std::numbers::pi;
     }
 }

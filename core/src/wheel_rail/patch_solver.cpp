@@ -203,13 +203,13 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::Candidate
                 rigid_slip_of(found.row_slips, problem.grid, spin_offset * rolling.dq * std::cos(rolling.chi));
         }
         if (setup.model == Model::hertz && is_next_to_nothing(rolling.phi, problem.grid)) rolling.phi = 0;
-        if (!found.slip_beside.empty()) problem.rigid_slip = found.slip_beside;
+        if (!found.additional_slip.empty()) problem.rigid_slip = found.additional_slip;
         problem.motion = rolling;
     }
     return problem;
 }
 
-ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
+ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer) {
     try {
         if (problem.model != Model::full) return solve_contact(problem, {}, observer);

@@ -14,7 +14,7 @@ ContactProblem problem_of(const WheelRailSetup& setup, const geometry::Candidate
 
 /// Solves it, on the strips of its patch. Regions that feel a share of each other only are solved in outer iterations:
 /// what they do not feel of the displacements of the others is taken out of the gap.
-ContactSolution solve_place(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
+ContactSolution solve_patch(ContactProblem problem, const ContactPlace& place, const PatchStrips& strips,
                             const PatchRules& rules, const InfluenceSource& influences, Observer& observer);
 
 }  // namespace contactd

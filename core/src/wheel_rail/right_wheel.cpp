@@ -179,7 +179,7 @@ ContactProblem RightWheel::problem_of(const CandidatePatch& found) const {
 }
 
 ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found, Observer& observer) const {
-    return solve_place(std::move(problem), found.place, strips_of(setup_, profiles_, found), setup_.patches,
+    return solve_patch(std::move(problem), found.place, strips_of(setup_, profiles_, found), setup_.patches,
                        influences_, observer);
 }
 

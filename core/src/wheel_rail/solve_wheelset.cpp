@@ -100,11 +100,11 @@ class Rolls {
 };
 
 /// Heights of wheels that are not above their rails agree, too, and mean nothing.
-bool bears(const WheelRailSolution& wheel) {
+bool carries_load(const WheelRailSolution& wheel) {
     return wheel.in_contact() && wheel.force && wheel.force->converged;
 }
 
-std::string not_borne(const std::string& side, const RisingFound& found) {
+std::string no_load(const std::string& side, const RisingFound& found) {
     return "The " + side + " wheel does not bear its force at a roll of " + short_text(found.at) +
            " rad, and no roll was found at which both do; its own warnings say why.";
 }
@@ -143,10 +143,10 @@ WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailCon
     }
     WheelsetSolution solution = std::move(rolls.solution());
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - begin;
-    const char* unborne = !bears(solution.left) ? "left" : !bears(solution.right) ? "right" : nullptr;
-    solution.roll_search = {solves, std::abs(found.value), found.converged && !unborne, duration.count()};
-    if (unborne)
-        solution.warnings.push_back(not_borne(unborne, found));
+    const char* unloaded = !carries_load(solution.left) ? "left" : !carries_load(solution.right) ? "right" : nullptr;
+    solution.roll_search = {solves, std::abs(found.value), found.converged && !unloaded, duration.count()};
+    if (unloaded)
+        solution.warnings.push_back(no_load(unloaded, found));
     else if (!found.converged)
         solution.warnings.push_back(not_found(found));
     return solution;

@@ -45,8 +45,8 @@ void BuilderListener::hear_output(std::string_view bytes) {
 }
 
 void BuilderListener::hear_error(std::string_view bytes) {
-    words_ += bytes;
-    if (words_.size() > kept_error_bytes) words_.erase(0, words_.size() - kept_error_bytes);
+    messages_ += bytes;
+    if (messages_.size() > kept_error_bytes) messages_.erase(0, messages_.size() - kept_error_bytes);
 }
 
 BuilderListener::Clock::duration BuilderListener::silence() const {
@@ -58,9 +58,9 @@ BuilderListener::Clock::duration BuilderListener::silence() const {
 
 std::string BuilderListener::complaint() const {
     if (!complaint_.empty()) return complaint_;
-    std::string words = words_;
-    while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back()))) words.pop_back();
-    return words;
+    std::string messages = messages_;
+    while (!messages.empty() && std::isspace(static_cast<unsigned char>(messages.back()))) messages.pop_back();
+    return messages;
 }
 
 void BuilderListener::hear_line(std::string_view line) {

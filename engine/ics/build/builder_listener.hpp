@@ -1,4 +1,5 @@
-// What a builder says: JSON lines on standard output, words on standard error, and perhaps a table it could not store.
+// What a builder says: JSON lines on standard output, messages on standard error, and perhaps a table it could not
+// store.
 #pragma once
 
 #include <chrono>
@@ -46,7 +47,7 @@ class BuilderListener {
 
     bool has_begun_;
     const OnProgress on_progress_;
-    std::string line_, words_, complaint_, field_, problem_, kind_;
+    std::string line_, messages_, complaint_, field_, problem_, kind_;
     std::size_t awaited_ = 0;  ///< bytes of the table that are still to come
     BuiltTable table_;
     std::map<int, Clock::time_point> heard_{{0, Clock::now()}};  ///< by process

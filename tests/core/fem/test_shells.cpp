@@ -23,8 +23,8 @@ IcSpec spec_of(double dx, double dy, double f) {
     return spec;
 }
 
-std::vector<Place> all_places(const Shells& shells) {
-    std::vector<Place> places;
+std::vector<ElementPosition> all_places(const Shells& shells) {
+    std::vector<ElementPosition> places;
     const int m = shells.m;
     for (int x = 0; x < m; ++x)
         for (int y = 0; y < m; ++y)
@@ -40,7 +40,7 @@ std::vector<Place> all_places(const Shells& shells) {
 }
 
 /// The trilinear map of an element.
-Point mapped(const Shells& shells, const Place& place, const Point& local) {
+Point mapped(const Shells& shells, const ElementPosition& place, const Point& local) {
     Point result{};
     for (int corner_number = 0; corner_number < 8; ++corner_number) {
         const std::array<int, 3> side{corner_number & 1, corner_number >> 1 & 1, corner_number >> 2 & 1};
@@ -53,7 +53,7 @@ Point mapped(const Shells& shells, const Place& place, const Point& local) {
 }
 
 /// 2 x 2 x 2 Gauss points integrate the Jacobian of a trilinear map exactly.
-double volume(const Shells& shells, const Place& place) {
+double volume(const Shells& shells, const ElementPosition& place) {
     double result = 0;
     const double g = 0.5 / std::sqrt(3.0);
     for (int i = 0; i < 8; ++i) {
@@ -107,7 +107,7 @@ TEST_CASE("Elements are numbered one by one and fill the block", "[fem][mesh]") 
     const Shells shells = make_shells(spec_of(1, GENERATE(1.0, 0.3), 1.5));
     std::set<int> numbers;
     double sum = 0, smallest = 1e300;
-    for (const Place& place : all_places(shells)) {
+    for (const ElementPosition& place : all_places(shells)) {
         numbers.insert(element_number(shells, place));
         const double own = volume(shells, place);
         sum += own;

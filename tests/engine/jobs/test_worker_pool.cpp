@@ -91,7 +91,7 @@ class Stalled {
     std::vector<std::string> order() {
         std::promise<void> done;
         // Behind everything: even a starved task comes before the last of as many as there are.
-        for (int n = 0; n <= WorkerPool::patience * expected_; ++n) pool.post({"last", Priority::low}, [] {});
+        for (int n = 0; n <= WorkerPool::most_passes * expected_; ++n) pool.post({"last", Priority::low}, [] {});
         pool.post({"last", Priority::low}, [&] { done.set_value(); });
         go_on_.set_value();
         done.get_future().wait();
@@ -148,11 +148,11 @@ TEST_CASE("What was passed over often enough goes next") {
     Stalled stalled;
     stalled.post("low", {"a", Priority::low});
     stalled.post("normal", {"a", Priority::normal});
-    for (int n = 0; n < 2 * WorkerPool::patience; ++n) stalled.post("high", {"b", Priority::high});
+    for (int n = 0; n < 2 * WorkerPool::most_passes; ++n) stalled.post("high", {"b", Priority::high});
 
-    Names wanted(WorkerPool::patience, "high");
+    Names wanted(WorkerPool::most_passes, "high");
     wanted.insert(wanted.end(), {"low", "normal"});
-    wanted.insert(wanted.end(), WorkerPool::patience, "high");
+    wanted.insert(wanted.end(), WorkerPool::most_passes, "high");
     CHECK(stalled.order() == wanted);
 }
 

@@ -36,7 +36,7 @@ class Differentiation {
         if (contact_.coupled())
             find_together();
         else
-            find_in_turn();
+            find_one_by_one();
         to_units_of_motion();
         if (is_homogeneous()) follow_friction();
         return table_;
@@ -46,7 +46,7 @@ class Differentiation {
 
    private:
     // Bodies alike: pressures follow the approach alone.
-    void find_in_turn() {
+    void find_one_by_one() {
         const Vector dp = press(), dg = contact_.bound_of_pressure(dp);
         if (!problem_.friction) return;
         const Vector friction = contact_.bound_of_friction();
@@ -103,7 +103,7 @@ class Differentiation {
         };
         const Vector none = Vector::Zero(pressures);
         for (int k = 0; k < 3; ++k) add_right(none, contact_.of_slip(k), Vector::Zero(4));
-        // What friction makes of pressures is so much less, and wanted as well.
+        // What friction makes of pressures is so much less, and is needed as well.
         add_right(Vector::Ones(pressures), {Vector::Zero(tractions), 0}, Vector::Zero(4),
                   std::min(contact_.mean_friction(), 1.0));
         const Vector dg = contact_.bound_of_friction();
@@ -221,7 +221,7 @@ void differentiate(const ContactProblem& problem, const ContactInfluence& influe
     }
     Differentiation differentiation(problem, influence, solution, observer);
     DerivativeTable table = differentiation.find();
-    table.has_turn = !is_line_contact(problem);
+    table.has_rotation = !is_line_contact(problem);
     solution.evidence.derivatives = differentiation.evidence();
     if (solution.evidence.derivatives->converged) {
         solution.derivatives = named(table, problem);

@@ -23,14 +23,14 @@ KrylovSpace::KrylovSpace(LinearEquations equations)
       most_(std::clamp(kept_values / std::max<Eigen::Index>(size_, 1), fewest_steps, most_steps)),
       images_(size_, 0),
       directions_(size_, 0),
-      direction_sums_(equations_.wanted.cols(), 0),
+      direction_sums_(equations_.outputs.cols(), 0),
       step_(size_),
       image_(size_) {}
 
 void KrylovSpace::begin(const std::vector<Right>& rights) {
     const auto count = static_cast<Eigen::Index>(rights.size());
     residuals_.resize(size_, count);
-    sums_.resize(equations_.wanted.cols(), count);
+    sums_.resize(equations_.outputs.cols(), count);
     shares_.resize(0, count);
     states_.resize(rights.size());
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -93,7 +93,7 @@ bool KrylovSpace::add_step(Eigen::Index right) {
     if (!equations_.symmetric) residual_.array() /= equations_.weights.array();
     equations_.precondition(residual_, step_, states_[static_cast<std::size_t>(right)].steps++);
     equations_.matrix(step_, image_);
-    step_sums_.noalias() = equations_.wanted.transpose() * step_;
+    step_sums_.noalias() = equations_.outputs.transpose() * step_;
     if (!equations_.symmetric) image_.array() *= equations_.weights.array();
     const double length = image_.norm();
     make_orthogonal(length);

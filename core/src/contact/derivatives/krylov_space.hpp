@@ -1,4 +1,4 @@
-// Linear equations with one matrix and several right-hand sides, of whose solutions a few sums are wanted.
+// Linear equations with one matrix and several right-hand sides, of whose solutions a few sums are outputs.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +17,8 @@ struct LinearEquations {
     std::function<void(const Vector& r, Vector& z, int step)> precondition;
     // Matrix and preconditioner are their own transposes and positive definite, the latter the same in all steps.
     bool symmetric = false;
-    Vector weights;          // > 0: residuals are measured with them
-    Eigen::MatrixXd wanted;  // columns c: the sums c . x
+    Vector weights;           // > 0: residuals are measured with them
+    Eigen::MatrixXd outputs;  // columns c: the sums c . x
 };
 
 // Steps of the preconditioner, for one right-hand side after the other and of use to all. Of the combinations of steps

@@ -18,7 +18,7 @@ constexpr double accepted_move = 0.3;  // times the tolerance: move to the bound
 constexpr double straight = 1e-3;      // tolerance that leaves steps so short that bounds do not bend them
 constexpr double promising = 4;        // times the tolerance: residual that combined steps may bring to it
 constexpr double nearly_met = 0.3;     // violation of the law from which on forces have a say
-constexpr int patience = 30;           // iterations without a better residual
+constexpr int most_failures = 30;      // iterations without a better residual
 
 std::size_t capacity(std::size_t m) {
     return std::clamp<std::size_t>(history_values / (6 * std::max<std::size_t>(m, 1)), 6, most_steps);
@@ -256,7 +256,7 @@ bool FrictionNewton::made_progress() {
     if (residual < best_) {
         best_ = residual;
         without_progress_ = 0;
-    } else if (++without_progress_ > patience) {
+    } else if (++without_progress_ > most_failures) {
         return false;
     }
     return true;

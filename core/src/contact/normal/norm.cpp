@@ -199,7 +199,7 @@ double Norm::choose_step() {
     if (problem_.pressure_sum) keep_sum_of_direction();
     const double* in = in_contact_.data();
     const double beta = steps_ > 0 ? -triple_product(n_, in, z_.data(), q_.data()) / curvature_ : 0;
-    turn_direction(n_, in, z_.data(), beta, v_.data());
+    update_direction(n_, in, z_.data(), beta, v_.data());
     influence_.normal(v_, q_);
     const auto [curvature, slope, rise, count] = slope_along(state(), v_.data(), q_.data());
     curvature_ = curvature;

@@ -54,8 +54,8 @@ double potential(const NormState& state) {
 }
 
 CONTACTD_SIMD
-void turn_direction(std::size_t n, const double* __restrict in, const double* __restrict z, double beta,
-                    double* __restrict v) {
+void update_direction(std::size_t n, const double* __restrict in, const double* __restrict z, double beta,
+                      double* __restrict v) {
 #pragma omp simd
     for (std::size_t i = 0; i < n; ++i) v[i] = in[i] * z[i] + beta * v[i];
 }

@@ -30,7 +30,7 @@ double mean_distance(const NormState& state);
 double potential(const NormState& state);
 
 /// v = in z + beta v
-void turn_direction(std::size_t n, const double* in, const double* z, double beta, double* v);
+void update_direction(std::size_t n, const double* in, const double* z, double beta, double* v);
 /// The sum of a b c.
 double triple_product(std::size_t n, const double* a, const double* b, const double* c);
 

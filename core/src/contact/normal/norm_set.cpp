@@ -9,7 +9,7 @@
 namespace contactd {
 namespace {
 
-constexpr int patience = 8;  // changes of the set that do not lower f
+constexpr int most_failures = 8;  // changes of the set that do not lower f
 // Violations larger than this part of the defect change the set; smaller ones wait until conjugate gradients, which
 // start again with every change, have brought the defect down.
 constexpr double weighty = 0.1;
@@ -44,7 +44,7 @@ bool Norm::watch() {
     bool keeps = true;
     if (value < best_f_) {
         failures_ = 0;
-    } else if (++failures_ > patience) {
+    } else if (++failures_ > most_failures) {
         failures_ = 0;
         projected_gradient_step();
         value = potential(state());

@@ -26,9 +26,9 @@ class RollingSweep {
     void solve_adhesion(const Field& r, Field& z) const { solve(r, z, to_adhesion_); }
     // How many elements the sweep takes up to the last one that is wanted.
     template <class Predicate>
-    std::size_t up_to_last(const Predicate& is_wanted) const {
+    std::size_t up_to_last(const Predicate& is_counted) const {
         std::size_t count = m_;
-        while (count > 0 && !is_wanted(order_[count - 1])) --count;
+        while (count > 0 && !is_counted(order_[count - 1])) --count;
         return count;
     }
     double diagonal() const { return diagonal_; }  // of T

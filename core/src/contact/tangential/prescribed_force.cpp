@@ -20,7 +20,7 @@ constexpr double full_slip = 0.999;     // force over the largest one
 constexpr double longest_step = 4;      // in units of the rigid slip or its scale
 constexpr double expansion = 4;         // of a step that was far too short
 constexpr double good_enough = 0.3;     // slope that a line search leaves, over the one it found
-constexpr int patience = 3;             // calls of Broyden's method that do not halve the residual
+constexpr int most_failures = 3;        // calls of Broyden's method that do not halve the residual
 constexpr double rounding = 1e-12;
 
 struct Sample {
@@ -33,7 +33,7 @@ Pair free_components(const PrescribedForces& prescribed) {
     return {prescribed.Fx ? 1 : 0, prescribed.Fy ? 1 : 0};
 }
 
-Pair wanted_force(const PrescribedForces& prescribed) {
+Pair requested_force(const PrescribedForces& prescribed) {
     return {prescribed.Fx.value_or(0), prescribed.Fy.value_or(0)};
 }
 
@@ -55,8 +55,8 @@ class Search {
           solve_(solve),
           observer_(observer),
           free_(free_components(prescribed)),
-          wanted_(wanted_force(prescribed)),
-          target_(model_slip(prescribed, wanted_)),
+          requested_(requested_force(prescribed)),
+          target_(model_slip(prescribed, requested_)),
           scale_(prescribed.scale > 0 ? prescribed.scale : 1) {}
 
     RigidSlipForForces find() {
@@ -87,7 +87,7 @@ class Search {
     Sample call_once(const Pair& w, double tolerance) {
         observer_.throw_if_cancelled();
         const ForcesAtSlip found = solve_(w.x(), w.y(), tolerance);
-        const Pair force(found.Fx, found.Fy), off = (force - wanted_).cwiseProduct(free_);
+        const Pair force(found.Fx, found.Fy), off = (force - requested_).cwiseProduct(free_);
         ++calls_;
         Sample sample{w, model_slip(prescribed_, force)};
         if (off != Pair::Zero()) sample.off = off / prescribed_.largest;
@@ -111,7 +111,7 @@ class Search {
     Sample solve_by_model(Sample last) {
         Matrix inverse = -scale_ * Matrix::Identity();  // of d(model slip)/dw
         double halved = best_.residual;
-        for (int without_gain = 0; goes_on() && without_gain < patience;) {
+        for (int without_gain = 0; goes_on() && without_gain < most_failures;) {
             Pair step = -inverse * (last.slip - target_);
             const double most = longest_step * std::max(last.w.norm(), scale_);
             step *= std::min(1.0, most / std::max(step.norm(), rounding * most));
@@ -182,7 +182,7 @@ class Search {
     const SolverSettings& settings_;
     const SolveForForces& solve_;
     Observer& observer_;
-    const Pair free_, wanted_, target_;  // components with a force are 1; force, and slip of the model for it
+    const Pair free_, requested_, target_;  // components with a force are 1; force, and slip of the model for it
     const double scale_;
     Sample best_;
     SolverEvidence evidence_;
@@ -198,7 +198,7 @@ double largest_force_with_a_slip(double largest, const SolverSettings& settings)
 }
 
 void require_reachable(const PrescribedForces& prescribed, const SolverSettings& settings) {
-    const double force = wanted_force(prescribed).norm();
+    const double force = requested_force(prescribed).norm();
     if (!std::isfinite(force)) throw InvalidArgument(prescribed.field, "is not a finite number");
     const double most = largest_force_with_a_slip(prescribed.largest, settings);
     if (force > 0 && force >= most)
@@ -210,7 +210,7 @@ void require_reachable(const PrescribedForces& prescribed, const SolverSettings&
 }
 
 Pair expected_rigid_slip(const PrescribedForces& prescribed) {
-    return -prescribed.scale * model_slip(prescribed, wanted_force(prescribed));
+    return -prescribed.scale * model_slip(prescribed, requested_force(prescribed));
 }
 
 RigidSlipForForces find_rigid_slip(const PrescribedForces& prescribed, const SolverSettings& settings,

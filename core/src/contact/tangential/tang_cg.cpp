@@ -8,7 +8,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int patience = 3;          // refreshes that do not lower f
+constexpr int most_failures = 3;     // refreshes that do not lower f
 constexpr int steps_to_settle = 2;   // before slip elements may adhere
 constexpr double on_bound = 1e-9;    // relative distance from the bound that counts as being on it
 constexpr double near_bound = 1e-3;  // the same of an estimate
@@ -234,7 +234,7 @@ void TangCg::watch() {
     const double value = f();
     if (value <= best_f_ + slack_ * std::abs(best_f_)) {
         failures_ = 0;
-    } else if (++failures_ > patience) {
+    } else if (++failures_ > most_failures) {
         failures_ = 0;
         slack_ = std::min(10 * slack_, largest_slack);
         steps_per_refresh_ = std::max(steps_per_refresh_ / 2, 1);

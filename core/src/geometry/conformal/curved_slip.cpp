@@ -53,19 +53,19 @@ class CreepageFit {
         y_ += y;
         along_ += slip.along;
         across_ += slip.across;
-        turning_ += x * slip.across - y * slip.along;
+        moment_ += x * slip.across - y * slip.along;
         squares_ += x * x + y * y;
     }
     void find(Creepages& creepages) const {
         if (count_ == 0) return;
         const double spread = squares_ - (x_ * x_ + y_ * y_) / count_;
-        creepages.phi = spread > 0 ? (turning_ - (x_ * across_ - y_ * along_) / count_) / spread : 0;
+        creepages.phi = spread > 0 ? (moment_ - (x_ * across_ - y_ * along_) / count_) / spread : 0;
         creepages.xi = (along_ + creepages.phi * y_) / count_;
         creepages.eta = (across_ - creepages.phi * x_) / count_;
     }
 
    private:
-    double count_ = 0, x_ = 0, y_ = 0, along_ = 0, across_ = 0, turning_ = 0, squares_ = 0;
+    double count_ = 0, x_ = 0, y_ = 0, along_ = 0, across_ = 0, moment_ = 0, squares_ = 0;
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const Wh
     const Vector3 over = ground.velocity - rim.velocity;
     result.xi = dot(over, contact.axes.x) / result.velocity;
     result.eta = dot(over, contact.axes.y) / result.velocity;
-    result.phi = dot(ground.turning - rim.turning, contact.axes.z) / result.velocity;
+    result.phi = dot(ground.angular_velocity - rim.angular_velocity, contact.axes.z) / result.velocity;
     return is_rolling(result) ? result : Creepages{};
 }
 
@@ -79,7 +79,7 @@ std::vector<RowSlip> row_slips(const WheelSurface& wheel, const RailSurface& rai
         const Rotation row = contact_frame({0, 0, 0, reference.angle + angle}).axes;
         const Vector3 over = ground.velocity - rim.velocity;
         slips[iy] = {dot(over, row.x) / creepages.velocity, dot(over, row.y) / creepages.velocity,
-                     dot(ground.turning - rim.turning, row.z) / creepages.velocity};
+                     dot(ground.angular_velocity - rim.angular_velocity, row.z) / creepages.velocity};
     }
     return slips;
 }

@@ -9,13 +9,13 @@ namespace contactd::geometry {
 
 /// Of a point of a rigid body (mm/s), and the body's rotation (rad/s).
 struct SurfaceMotion {
-    Vector3 velocity, turning;
+    Vector3 velocity, angular_velocity;
 };
 
 inline SurfaceMotion of_wheel(const WheelSurface& wheel, const WheelRailState& state, const Vector3& at) {
     const WheelsetVelocity& v = state.velocity;
-    const Vector3 turning = wheel.frame().axes * Vector3{v.roll, v.pitch, v.yaw};
-    return {Vector3{v.x, v.y, v.z} + cross(turning, at - wheel.frame().origin), turning};
+    const Vector3 angular_velocity = wheel.frame().axes * Vector3{v.roll, v.pitch, v.yaw};
+    return {Vector3{v.x, v.y, v.z} + cross(angular_velocity, at - wheel.frame().origin), angular_velocity};
 }
 
 inline SurfaceMotion of_rail(const RailSurface& rail, const WheelRailState& state, const Vector3& at) {
@@ -25,7 +25,7 @@ inline SurfaceMotion of_rail(const RailSurface& rail, const WheelRailState& stat
     if (rail.axle()) {
         const Vector3 rolling{0, state.roller_pitch, 0};
         motion.velocity = motion.velocity + cross(rolling, at - Vector3{0, 0, *rail.axle()});
-        motion.turning = motion.turning + rolling;
+        motion.angular_velocity = motion.angular_velocity + rolling;
     }
     return motion;
 }

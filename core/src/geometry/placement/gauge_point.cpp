@@ -34,7 +34,7 @@ class Coordinate {
         for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
             if (knots[i + 1] <= from || knots[i] >= to) continue;
             places.push_back(knots[i]);
-            for (const double s : turns(knots[i], knots[i + 1])) places.push_back(s);
+            for (const double s : extrema(knots[i], knots[i + 1])) places.push_back(s);
         }
         std::erase_if(places, [&](double s) { return s < from || s > to; });
         std::sort(places.begin(), places.end());
@@ -42,8 +42,8 @@ class Coordinate {
     }
 
    private:
-    /// Where it turns between two knots, over which it is a cubic.
-    std::vector<double> turns(double from, double to) const {
+    /// Where it has extrema between two knots, over which it is a cubic.
+    std::vector<double> extrema(double from, double to) const {
         const double half = 0.5 * (to - from);
         const auto begin = curve_.place(from);
         const double curving = along(begin.curving);

@@ -162,8 +162,8 @@ std::ptrdiff_t QuinticSpline::wrapped(std::ptrdiff_t knot) const {
 
 double QuinticSpline::place(std::ptrdiff_t knot) const {
     const std::ptrdiff_t within = wrapped(knot);
-    const auto turns = static_cast<double>((knot - within) / static_cast<std::ptrdiff_t>(knots_.size()));
-    return knots_[static_cast<std::size_t>(within)] + turns * period_;
+    const auto periods = static_cast<double>((knot - within) / static_cast<std::ptrdiff_t>(knots_.size()));
+    return knots_[static_cast<std::size_t>(within)] + periods * period_;
 }
 
 QuinticSpline::Stencil QuinticSpline::stencil_at(std::size_t knot) const {

@@ -28,8 +28,8 @@ double chord(const SectionPoint& from, const SectionPoint& to, const std::string
 OutlinePlace place_on(const ProfileCurve& curve, double s) {
     const auto here = curve.place(curve.s_at_arc_length(s));
     const double speed = std::hypot(here.slope.y, here.slope.z);
-    const double turning = here.slope.z * here.curving.y - here.slope.y * here.curving.z;
-    return {{here.at.y, here.at.z}, std::atan2(-here.slope.z, here.slope.y), turning / (speed * speed * speed)};
+    const double bending = here.slope.z * here.curving.y - here.slope.y * here.curving.z;
+    return {{here.at.y, here.at.z}, std::atan2(-here.slope.z, here.slope.y), bending / (speed * speed * speed)};
 }
 
 }  // namespace
@@ -96,8 +96,9 @@ std::vector<SectionPoint> OutlinePiece::points() const {
             const double width = knots[i + 1] - knots[i];
             const double most =
                 std::max(std::abs(curve->curvature(knots[i])), std::abs(curve->curvature(knots[i + 1])));
-            const double turns = most * width / turn_step;
-            const int parts = turns < most_spline_steps ? 1 + static_cast<int>(turns) : most_spline_steps;
+            const double angular_steps = most * width / turn_step;
+            const int parts =
+                angular_steps < most_spline_steps ? 1 + static_cast<int>(angular_steps) : most_spline_steps;
             for (int part = 0; part < parts; ++part) {
                 const ProfilePoint at = curve->at(knots[i] + part * width / parts);
                 result.push_back({at.y, at.z});

@@ -130,11 +130,11 @@ TEST_CASE("Friction of a curved contact takes the power that the motion gives") 
     using geometry::Vector3;
     const Wrench& on_rail = solution.forces.track;
     const auto axes = geometry::Rotation::yaw_then_roll(0.002, 0);
-    const Vector3 turning = axes * Vector3{0, state.velocity.pitch, 0};
+    const Vector3 angular_velocity = axes * Vector3{0, state.velocity.pitch, 0};
     const Vector3 centre{0, 0, solution.z - setup.wheelset.nominal_radius};
-    const Vector3 at_origin = Vector3{20000, 0, 0} + cross(turning, Vector3{} - centre);
+    const Vector3 at_origin = Vector3{20000, 0, 0} + cross(angular_velocity, Vector3{} - centre);
     const double given = dot(Vector3{on_rail.Fx, on_rail.Fy, on_rail.Fz}, at_origin) +
-                         dot(Vector3{on_rail.Mx, on_rail.My, on_rail.Mz}, turning);
+                         dot(Vector3{on_rail.Mx, on_rail.My, on_rail.Mz}, angular_velocity);
     const double taken = solution.patches.at(0).solution.frictional_power.value();
     CHECK(taken > 0);
     CHECK_THAT(given, WithinRel(taken, 0.05));
