@@ -22,8 +22,8 @@ void WorkerPool::post(QueueTicket ticket, Task task) {
         auto& client = line_of(line_of(users, std::move(ticket.user)).parts, std::move(ticket.client));
         client.parts.push_back({std::move(task), std::move(ticket.abandoned), ticket.is_large});
         ++waiting_;
-        const std::size_t wanted = static_cast<std::size_t>(running_ + waiting_);
-        if (threads_.size() < std::min(wanted, most_)) threads_.emplace_back([this] { work(); });
+        const std::size_t needed = static_cast<std::size_t>(running_ + waiting_);
+        if (threads_.size() < std::min(needed, most_)) threads_.emplace_back([this] { work(); });
     }
     changed_.notify_one();
 }

@@ -52,10 +52,10 @@ std::vector<int> marked(const std::vector<double>& errors) {
     std::iota(order.begin(), order.end(), 0);
     const auto error = [&](int i) { return errors[static_cast<std::size_t>(i)]; };
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return error(a) > error(b); });
-    const double wanted = share_of_error * sum(errors);
-    double held = 0;
+    const double target = share_of_error * sum(errors);
+    double covered = 0;
     std::size_t count = 0;
-    while (count < order.size() && held < wanted) held += error(order[count++]);
+    while (count < order.size() && covered < target) covered += error(order[count++]);
     order.resize(count);
     return order;
 }

@@ -214,9 +214,9 @@ class Division {
                                                 "edges of elements", "take wider strips, or a thicker section"}));
         int step = 0;
         for (int i = 0; i < count; ++i) {
-            const double wanted = sum.back() * i / count;
-            while (step + 1 < steps && sum[step + 1] <= wanted) ++step;
-            const double share = (wanted - sum[step]) / (sum[step + 1] - sum[step]);
+            const double target = sum.back() * i / count;
+            while (step + 1 < steps && sum[step + 1] <= target) ++step;
+            const double share = (target - sum[step]) / (sum[step + 1] - sum[step]);
             cuts.push_back(place(step) + share * (place(step + 1) - place(step)));
         }
         cuts.push_back(stretch.to);

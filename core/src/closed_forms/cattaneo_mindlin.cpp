@@ -59,9 +59,9 @@ class ShiftLaw {
     /// From the part of the shift at which all slips, below 1. Of a strip by Newton's method: the part falls with the
     /// square, and is convex; the last step brings derivatives.
     template <class Number>
-    Number square_of_k(const Number& wanted) const {
-        if (logarithm_ == 0) return 1 - wanted;
-        const double half = 0.5 * logarithm_, target = value_of(wanted);
+    Number square_of_k(const Number& given) const {
+        if (logarithm_ == 0) return 1 - given;
+        const double half = 0.5 * logarithm_, target = value_of(given);
         const auto rest = [&](double s) { return 1 - s + half * s * std::log(s); };
         const auto slope = [&](double s) { return -1 + half * (std::log(s) + 1); };
         double s = 1 - target;
@@ -70,7 +70,7 @@ class ShiftLaw {
             s -= change;
             if (std::abs(change) <= 1e-16 * s) break;
         }
-        return Number(s) + (wanted - rest(s)) / slope(s);
+        return Number(s) + (given - rest(s)) / slope(s);
     }
     static double value_of(double number) { return number; }
     static double value_of(const Dual& number) { return number.value; }

@@ -164,7 +164,7 @@ void check(const CylinderGap& gap, double compliance) {
     require_positive(compliance, "bodies");
 }
 
-[[noreturn]] void refuse_wide(const CylinderGap& gap, const std::string& how) {
+[[noreturn]] void refuse_datum(const CylinderGap& gap, const std::string& how) {
     throw InvalidArgument("ics.line_contact.datum", "is " + number_text(gap.datum) + ", and the contact " + how +
                                                         " wide on each side; the datum lies outside the contact");
 }
@@ -185,7 +185,7 @@ HertzContact hertz_of_line_force(const CylinderGap& gap, double compliance, doub
     require_finite(Fn, "Fn");
     if (!(Fn > 0)) return {};
     const double a = std::sqrt(4 * Fn / gap.length * gap.R * compliance / pi);
-    if (a > gap.datum) refuse_wide(gap, "is " + number_text(a) + " mm");
+    if (a > gap.datum) refuse_datum(gap, "is " + number_text(a) + " mm");
     HertzContact contact = line_contact(gap, compliance, a);
     contact.Fn = Fn;
     return contact;
@@ -198,7 +198,7 @@ HertzContact hertz_of_line_approach(const CylinderGap& gap, double compliance, d
     HertzContact contact;
     contact.approach = approach;
     if (!(approach > 0)) return contact;
-    if (approach > approach_of(gap, gap.datum)) refuse_wide(gap, "is more than that");
+    if (approach > approach_of(gap, gap.datum)) refuse_datum(gap, "is more than that");
     double log_a = std::log(gap.datum);
     for (int iteration = 0; iteration < 60; ++iteration) {
         const double a = std::exp(log_a), slope = 2 - 1 / (std::log(2 * gap.datum / a) + 0.5);

@@ -78,11 +78,11 @@ class Differences {
     std::vector<VelocityStep> velocity_steps(double share) const {
         double speed = 0;
         for (const WheelRailPatch& patch : solution_.patches) speed = std::max(speed, patch.place.creepages.velocity);
-        const double straight = share * speed, turning = straight / wheel_.setup().wheelset.nominal_radius;
+        const double straight = share * speed, angular = straight / wheel_.setup().wheelset.nominal_radius;
         using By = WheelRailDerivatives::ByVelocity;
         return {{&WheelsetVelocity::x, &By::x, straight},    {&WheelsetVelocity::y, &By::y, straight},
-                {&WheelsetVelocity::z, &By::z, straight},    {&WheelsetVelocity::roll, &By::roll, turning},
-                {&WheelsetVelocity::yaw, &By::yaw, turning}, {&WheelsetVelocity::pitch, &By::pitch, turning}};
+                {&WheelsetVelocity::z, &By::z, straight},    {&WheelsetVelocity::roll, &By::roll, angular},
+                {&WheelsetVelocity::yaw, &By::yaw, angular}, {&WheelsetVelocity::pitch, &By::pitch, angular}};
     }
 
     Wrench forces_of(const WheelRailState& state) const {

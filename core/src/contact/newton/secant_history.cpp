@@ -34,7 +34,7 @@ SecantHistory::SecantHistory(std::size_t m, std::size_t capacity)
 }
 
 void SecantHistory::clear() {
-    size_ = held_;
+    size_ = permanent_;
     first_ = 0;
 }
 
@@ -43,7 +43,7 @@ void SecantHistory::accept(const Pair& rigid) {
     if (size_ + 1 < capacity_)
         ++size_;
     else
-        first_ = (first_ + 1) % (capacity_ - held_);
+        first_ = (first_ + 1) % (capacity_ - permanent_);
 }
 
 void SecantHistory::update_products(std::size_t j) {

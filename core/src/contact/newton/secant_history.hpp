@@ -20,9 +20,9 @@ class SecantHistory {
     SecantHistory(std::size_t m, std::size_t capacity);
 
     // All steps so far stay for good.
-    void hold() { held_ = size_; }
+    void hold() { permanent_ = size_; }
     void clear();
-    std::size_t size() const { return size_ - held_; }  // without those that stay
+    std::size_t size() const { return size_ - permanent_; }  // without those that stay
 
     // A new step and its response; the oldest one goes when there is no room. Write to both before accept().
     FieldView new_step() { return view(slot(size_), step_part); }
@@ -55,7 +55,9 @@ class SecantHistory {
     enum Part : std::size_t { step_part, response_part, image_part, parts };
 
     // Behind the steps that stay the others go round.
-    std::size_t slot(std::size_t j) const { return j < held_ ? j : held_ + (first_ + j - held_) % (capacity_ - held_); }
+    std::size_t slot(std::size_t j) const {
+        return j < permanent_ ? j : permanent_ + (first_ + j - permanent_) % (capacity_ - permanent_);
+    }
     FieldView view(std::size_t slot_index, Part part) const {
         double* x = values_.get() + (slot_index * parts + part) * 2 * m_;
         return {x, x + m_};
@@ -71,7 +73,7 @@ class SecantHistory {
     void add(Part part, double sign, Field& to) const;
     double& product(std::size_t a, std::size_t b) { return products_[a * capacity_ + b]; }
 
-    std::size_t m_, capacity_, size_ = 0, held_ = 0, first_ = 0;
+    std::size_t m_, capacity_, size_ = 0, permanent_ = 0, first_ = 0;
     // Slots, one more than used: the new one is written there. One block that is not filled: most solves use little.
     std::unique_ptr<double[]> values_;
     std::vector<Pair> rigid_, forces_;  // of steps and of images, by slots

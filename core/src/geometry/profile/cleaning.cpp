@@ -9,7 +9,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double least_distance = 1e-4, least_advance = 1e-9, around_kink = 2;    // mm
-constexpr double zigzag = 150 * degree, kink = 30 * degree, smooth = 6 * degree;  // turns
+constexpr double zigzag = 150 * degree, kink = 30 * degree, smooth = 6 * degree;  // angles
 
 double distance(const ProfilePoint& a, const ProfilePoint& b) {
     return std::hypot(b.y - a.y, b.z - a.z);
@@ -89,17 +89,18 @@ Points rail_seen_from_above(const Points& points) {
 }
 
 std::vector<std::size_t> kinks_of(const Points& points) {
-    std::vector<double> s{0}, turns{0};
+    std::vector<double> s{0}, angles{0};
     for (std::size_t i = 1; i < points.size(); ++i) {
         s.push_back(s.back() + distance(points[i - 1], points[i]));
-        turns.push_back(i + 1 < points.size() ? turn(points, i) : 0);
+        angles.push_back(i + 1 < points.size() ? turn(points, i) : 0);
     }
     std::vector<std::size_t> kinks;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        if (turns[i] <= kink) continue;
+        if (angles[i] <= kink) continue;
         const auto from = std::lower_bound(s.begin(), s.end(), s[i] - around_kink) - s.begin();
         const auto to = std::upper_bound(s.begin(), s.end(), s[i] + around_kink) - s.begin();
-        const auto bends = std::count_if(turns.begin() + from, turns.begin() + to, [](double t) { return t > smooth; });
+        const auto bends =
+            std::count_if(angles.begin() + from, angles.begin() + to, [](double t) { return t > smooth; });
         if (bends == 1) kinks.push_back(i);
     }
     return kinks;

@@ -37,22 +37,22 @@ std::vector<double> smoothed(std::span<const double> knots, std::span<const doub
     const std::size_t n = knots.size();
     std::vector<double> smooth(values.begin(), values.end());
     if (n < 3 || lambda == 0) return smooth;
-    // Column i of Q turns values into the change of slope at knot i + 1: (R + lambda Q^T W^-1 Q) f'' = Q^T values.
-    std::vector<std::array<double, 3>> turns(n - 2), bands(n - 2);
+    // Column i of Q takes values to the change of slope at knot i + 1: (R + lambda Q^T W^-1 Q) f'' = Q^T values.
+    std::vector<std::array<double, 3>> differences(n - 2), bands(n - 2);
     std::vector<double> right(n - 2);
     for (std::size_t i = 0; i + 2 < n; ++i) {
         const double before = knots[i + 1] - knots[i], behind = knots[i + 2] - knots[i + 1];
-        turns[i] = {1 / before, -1 / before - 1 / behind, 1 / behind};
+        differences[i] = {1 / before, -1 / before - 1 / behind, 1 / behind};
         bands[i] = {(before + behind) / 3, i + 3 < n ? behind / 6 : 0, 0};
-        for (std::size_t k = 0; k < 3; ++k) right[i] += turns[i][k] * values[i + k];
+        for (std::size_t k = 0; k < 3; ++k) right[i] += differences[i][k] * values[i + k];
     }
     for (std::size_t i = 0; i + 2 < n; ++i)
         for (std::size_t k = 0; k < 3 && i + k + 2 < n; ++k)
-            for (std::size_t at = k; at < 3; ++at)  // of the knots that both turns have
-                bands[i][k] += lambda * turns[i][at] * turns[i + k][at - k] / weights[i + at];
+            for (std::size_t at = k; at < 3; ++at)  // of the knots that both differences have
+                bands[i][k] += lambda * differences[i][at] * differences[i + k][at - k] / weights[i + at];
     const auto curving = solved(std::move(bands), std::move(right));
     for (std::size_t i = 0; i + 2 < n; ++i)
-        for (std::size_t k = 0; k < 3; ++k) smooth[i + k] -= lambda * turns[i][k] * curving[i] / weights[i + k];
+        for (std::size_t k = 0; k < 3; ++k) smooth[i + k] -= lambda * differences[i][k] * curving[i] / weights[i + k];
     return smooth;
 }
 

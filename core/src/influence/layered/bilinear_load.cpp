@@ -51,16 +51,16 @@ BilinearLoad::EdgeSums BilinearLoad::sums(double across, double from, double to)
     EdgeSums edge;
     rule_.along(across, from, to, [&](double t, double rho, double weight) {
         const auto [D, F, Psi, Q, R] = radial_.at(rho);
-        const double normal = weight * across / std::max(rho, least_), wide = weight * rho;
+        const double normal = weight * across / std::max(rho, least_), moment = weight * rho;
         edge.D += normal * D;
         edge.F += normal * F;
         edge.Q += normal * Q;
         edge.R += normal * R;
-        edge.rho_D += wide * D;
-        edge.rho_F += wide * F;
-        edge.rho_R += wide * R;
-        edge.first_rho_D += wide * t * D;
-        edge.first_rho_F += wide * t * F;
+        edge.rho_D += moment * D;
+        edge.rho_F += moment * F;
+        edge.rho_R += moment * R;
+        edge.first_rho_D += moment * t * D;
+        edge.first_rho_F += moment * t * F;
         edge.Psi_rising += weight * Psi * (t - from) / (to - from);
         edge.Psi_falling += weight * Psi * (to - t) / (to - from);
     });
