@@ -52,8 +52,8 @@ ShiftedTable ahead_of(const ContactProblem& problem, const Body& body, const IcT
     return ahead_of(alone, table, x, y, observer);
 }
 
-/// Of bodies of which one has layers: with them each is shifted by itself, for what they differ from half-spaces is as
-/// sharp as they are thin.
+/// Shifts the tables of both bodies one by one where one has layers: its difference to a half-space is as sharp as the
+/// layers are thin.
 ShiftedTable change_of(const ContactProblem& problem, const IcTable& pair, const IcTable& upper, const IcTable& lower,
                        const Observer& observer) {
     const auto [x, y] = step_of(problem);
@@ -96,7 +96,7 @@ ContactInfluence influence_of(const ContactProblem& problem, IcTable upper, cons
     return influence_of(problem, std::move(pair), std::optional(std::move(change)));
 }
 
-/// Of one body alone, as if it lay below a rigid one; none of a rigid body.
+/// Makes the operators of one body alone, as if it lay below a rigid one; a rigid body has none.
 ContactInfluence influence_alone(const ContactProblem& problem, const Body& body, IcTable table, bool /*is_upper*/,
                                  const Observer& observer) {
     if (body.material.is_rigid()) return {};

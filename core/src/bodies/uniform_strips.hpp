@@ -1,4 +1,4 @@
-// What strips a contact with prisms lies on.
+// Checks the strips on which a contact of longitudinally uniform bodies lies.
 #pragma once
 
 #include "contactd/contact.hpp"

@@ -17,7 +17,8 @@ namespace contactd {
 /// rotation and ("friction.force") for a force that friction cannot carry.
 EllipticFriction cattaneo_mindlin(const Grid& grid, const EllipticContact& contact, double mu, const Shift& shift);
 
-/// Of the forces at a known shift, none by rotation. `contact` is not empty, mu > 0, and `shift` has been solved.
+/// Differentiates the forces at a known shift, none by rotation. `contact` is not empty, mu > 0, and `shift` has been
+/// solved.
 ForcesByMotion cattaneo_mindlin_by_motion(const EllipticContact& contact, double mu, const Shift& shift);
 
 /// d ln(shift)/d ln(Fn) where the same part of the contact slips, mu > 0; 2/3 of ellipses.

@@ -7,14 +7,14 @@
 
 namespace contactd {
 
-/// Of forces, by the approach, by the motion along x, along y and about z, and by friction: all by an approach that is
-/// prescribed.
+/// A table of derivatives of forces: by the approach, by the motion along x, along y and about z, and by friction, all
+/// with the approach prescribed.
 struct DerivativeTable {
     enum Row { Fn, Fx, Fy, Mz, rows };
     enum Column { approach, along_x, along_y, about_z, mu, columns };
 
     std::array<std::array<double, columns>, rows> values{};
-    /// What the model does not know is left out.
+    /// Derivatives that the model does not know are left out.
     bool has_rotation = true, has_mu = true;
 };
 

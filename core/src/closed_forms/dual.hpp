@@ -73,7 +73,7 @@ CONTACTD_INLINE DualOf<Quad> chosen(const Quad::Mask& first, const DualOf<Quad>&
     return result;
 }
 
-/// The same four times, and the sum of four.
+/// Returns four copies of a number, or the sum of four.
 inline DualOf<Quad> each(const Dual& a) {
     DualOf<Quad> result(a.value);
     for (std::size_t i = 0; i < 3; ++i) result.by[i] = a.by[i];

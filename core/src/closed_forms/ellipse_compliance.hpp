@@ -19,7 +19,7 @@ struct EllipseCompliance {
 
 EllipseCompliance ellipse_compliance(const SemiAxes& axes, const Material& combined);
 
-/// The same of a contact, also of a strip; `axes` are its own, in the frame that x is of.
+/// Returns the compliance of a contact, also of a strip; `axes` are its own, in the frame that x is of.
 EllipseCompliance compliance_of(const EllipticContact& contact, const SemiAxes& axes);
 
 }  // namespace contactd

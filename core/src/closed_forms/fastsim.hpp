@@ -37,8 +37,8 @@ struct FastsimSettings {
 EllipticFriction fastsim(const Grid& grid, const EllipticContact& contact, double mu, const Rolling& rolling,
                          const FastsimSettings& settings = {});
 
-/// Of the forces at known creepages, exactly: also spin acts. `contact` is not empty, mu > 0, and `rolling` one that
-/// fastsim has solved.
+/// Differentiates the forces at known creepages exactly: spin acts, too. `contact` is not empty, mu > 0, and `rolling`
+/// has been solved by fastsim.
 ForcesByMotion fastsim_by_motion(const EllipticContact& contact, double mu, const Rolling& rolling,
                                  const FastsimSettings& settings = {});
 

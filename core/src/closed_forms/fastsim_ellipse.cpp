@@ -20,7 +20,7 @@ struct FourSlices {
     SliceSums<Number> sum;
 };
 
-// Of the usual settings they are made once.
+// Nodes of the usual settings are made once.
 std::shared_ptr<const FastsimNodes> nodes_of(const FastsimSettings& settings) {
     static const auto usual = std::make_shared<const FastsimNodes>(FastsimSettings{});
     return settings == FastsimSettings{} ? usual : std::make_shared<const FastsimNodes>(settings);

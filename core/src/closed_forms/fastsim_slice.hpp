@@ -14,7 +14,7 @@ struct FastsimCreepages {
     Number xi, eta, phi;  // in the rolling frame
 };
 
-// What all slices of a contact area share.
+// Values that all slices of a contact area share.
 template <class Number>
 struct FastsimLaw {
     double bound, curvature;   // the bound is bound (1 - curvature x^2 - y^2/b^2)

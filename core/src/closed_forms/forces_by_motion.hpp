@@ -10,7 +10,7 @@ namespace contactd {
 /// Fx, Fy and Mz by the motion along x, along y and about z.
 using ForcesByMotion = std::array<std::array<double, 3>, 3>;
 
-/// What has a derivative at zero, but not by the way that it is computed, is differentiated right beside it.
+/// Moves a motion away from zero, where a derivative exists but cannot be computed: it is taken right beside.
 inline std::array<double, 2> away_from_zero(const std::array<double, 2>& w, double scale) {
     return w[0] == 0 && w[1] == 0 ? std::array{1e-12 * scale, 0.0} : w;
 }

@@ -36,12 +36,12 @@ HertzContact hertz_of_line_approach(const CylinderGap& gap, double compliance, d
 /// The contact with these semi-axes, either of which may be the longer, and the force. Throws InvalidArgument
 /// ("gap.a", "gap.b", "bodies", "Fn") where a value is not positive and finite.
 HertzContact hertz_of_semi_axes_and_force(const SemiAxes& axes, double compliance, double Fn);
-/// The same with the approach instead ("approach").
+/// Takes the approach instead of the force; errors name "approach".
 HertzContact hertz_of_semi_axes_and_approach(const SemiAxes& axes, double compliance, double approach);
 
 /// The radii that make this contact: what a gap given by semi-axes stands for. Throws as above.
 Paraboloid radii_of_force(const SemiAxes& axes, double compliance, double Fn);
-/// The same from the approach; the bodies do not matter then.
+/// Takes the approach instead of the force; the bodies do not matter then.
 Paraboloid radii_of_approach(const SemiAxes& axes, double approach);
 
 }  // namespace contactd

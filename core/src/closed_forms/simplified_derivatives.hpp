@@ -6,8 +6,8 @@
 
 namespace contactd {
 
-/// Of a solution by the problem's simplified model, its contact not empty: exact, for fastsim those of its algorithm.
-/// The gap is held also where semi-axes gave it.
+/// Differentiates a solution by the problem's simplified model, whose contact is not empty: exactly, for fastsim its
+/// algorithm. The gap is fixed also where semi-axes gave it.
 Derivatives simplified_derivatives(const ContactProblem& problem, const EllipticContact& contact,
                                    const ContactSolution& solution);
 

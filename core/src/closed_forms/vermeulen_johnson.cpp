@@ -20,7 +20,7 @@ EllipseState<Number> state_of_creepage(const std::array<Number, 2>& creepage, co
     return {{share[0] / size, share[1] / size}, 1 - size};
 }
 
-// Of the creepages at which all slips; what both tractions do is below.
+// Returns the creepages at which all slips; the parts of both tractions are below.
 Pair full_creepage(const RollingFrame& frame, const EllipticContact& contact, double bound) {
     const EllipseCompliance u = compliance_of(contact, frame.axes);
     const double unit = 2 * bound * frame.axes.a;

@@ -19,7 +19,8 @@ namespace contactd {
 /// force that friction cannot carry.
 EllipticFriction vermeulen_johnson(const Grid& grid, const EllipticContact& contact, double mu, const Rolling& rolling);
 
-/// Of the forces at known creepages, none by spin. `contact` is not empty, mu > 0, and `rolling` has been solved.
+/// Differentiates the forces at known creepages, none by spin. `contact` is not empty, mu > 0, and `rolling` has been
+/// solved.
 ForcesByMotion vermeulen_johnson_by_motion(const EllipticContact& contact, double mu, const Rolling& rolling);
 
 }  // namespace contactd

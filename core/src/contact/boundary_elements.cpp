@@ -82,7 +82,7 @@ class BoundaryElements {
         return rolling && !rolling->steady() ? rolling->steps : 1;
     }
 
-    // What one step leaves unsolved spoils all that follow, however well these end.
+    // A step that is left unsolved spoils all that follow, however well these end.
     void remember_failures() {
         const auto keep = [](const std::optional<SolverEvidence>& now, std::optional<SolverEvidence>& failed) {
             if (now && !now->converged && !(failed && failed->residual > now->residual)) failed = now;

@@ -14,7 +14,7 @@ namespace contactd {
 namespace {
 
 constexpr std::ptrdiff_t smallest_to_coarsen = 1000;  // elements in contact
-// Of an estimate, which has the coarser grid's error anyway.
+// Tolerances may be loose for an estimate, which has the coarser grid's error anyway.
 constexpr double coarse_normal = 1e-3, coarse_tangential = 1e-2, coarse_outer = 1e-2;
 
 std::optional<ContactInfluence> coarser(const ContactInfluence& fine) {

@@ -11,9 +11,10 @@ namespace contactd {
 /// Cosines of the angles between the elements' normals and the direction of approach, shape [ny, nx].
 std::vector<double> facing(const ContactColumns& strips, const Grid& grid);
 
-/// Of a body that translates by (xi, eta) along x and along what is across both x and the direction of approach, and
-/// turns by phi about that direction at the strips' origin; along the axes of each strip. `slip_of` gives that of a
-/// plane's row of elements: each strip is one at its distance across from the origin, seen at an angle.
+/// Returns the rigid slip of a body that translates by (xi, eta) along x and along the direction across x and the
+/// approach, and rotates by phi about the direction of approach at the strips' origin; along the axes of each strip.
+/// `slip_of` gives that of a plane's row of elements: each strip is one at its distance across from the origin, seen at
+/// an angle.
 template <class SlipOf>
 RigidSlip rigid_slip(const ContactColumns& strips, const Grid& grid, const SlipOf& slip_of);
 

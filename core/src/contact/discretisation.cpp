@@ -56,7 +56,7 @@ int elements_across(const Grid& grid, const ContactSize& size) {
     return std::max(size.along_x, size.along_y);
 }
 
-/// Of a direction in which the contact fills the grid nothing is known: 0.
+/// A length is 0, for unknown, in a direction in which the contact fills the grid.
 PatchSize lengths_of(const Grid& grid, const ContactSize& size) {
     return {size.along_x < grid.nx ? size.along_x * grid.dx : 0, size.along_y < grid.ny ? size.along_y * grid.dy : 0};
 }
@@ -75,7 +75,7 @@ struct RollingLengths {
           contact(size_along(rolling.chi, size.along_x * grid.dx, size.along_y * grid.dy)) {}
 };
 
-// Of the force under a small creepage, where everything adheres.
+// Returns the error of the force under a small creepage, where everything adheres.
 double rolling_error(const RollingLengths& along, int across) {
     return rolling_factor * (1.0 / across + along.step / along.contact);
 }

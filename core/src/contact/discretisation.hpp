@@ -9,9 +9,9 @@
 
 namespace contactd {
 
-/// Of a solution by boundary elements, which has its pressures and sums; nothing without contact. `coupled`: pressures
-/// depend on tangential tractions too, so that Hertz's theory does not hold. Throws InvalidArgument where the elements
-/// are so wide beside a layer that the solution says nothing of it.
+/// Estimates the errors of a solution by boundary elements, which has its pressures and sums; nothing without contact.
+/// `coupled`: pressures depend on tangential tractions too, so that Hertz's theory does not hold. Throws
+/// InvalidArgument where the elements are so wide beside a layer that the solution says nothing of it.
 std::optional<Discretisation> discretisation(const ContactProblem& problem, const ContactSolution& solution,
                                              bool coupled);
 

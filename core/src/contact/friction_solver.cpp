@@ -52,7 +52,8 @@ RollingSolution whole_of(const RollingSolution& part, const Restriction& restric
 
 }  // namespace
 
-// What stays as long as the contact area does: its elements, operators on a box around them, and the iteration.
+// The parts that stay as long as the contact area does: its elements, operators on a box around them, and the
+// iteration.
 class FrictionSolver::Area {
    public:
     Area(const FrictionBodies& bodies, const FrictionTask& task)

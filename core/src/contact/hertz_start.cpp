@@ -19,7 +19,8 @@ struct Ellipse {
     double pmax = 0;
 };
 
-// Of a cylinder on as much of its length as the grid has. The approach of line contacts depends on what is far away.
+// Returns the contact of a cylinder on as much of its length as the grid has. The approach of line contacts depends on
+// what is far away.
 Ellipse strip(const ContactProblem& problem, const Paraboloid& gap) {
     if (!problem.Fn) return {};
     const Grid& grid = problem.grid;

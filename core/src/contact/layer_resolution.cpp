@@ -100,7 +100,7 @@ double ratio_of(const Bodies& bodies, const PatchSize& contact, double dx, doubl
     for (const Body* side : {&bodies.upper, &bodies.lower}) {
         const BodyWaves body(*side);
         const double share_x = body.share(kx, dx), share_y = body.share(ky, dy);
-        // What is short along both axes is left out: it is smaller still.
+        // Waves that are short along both axes are left out: they are smaller still.
         const auto seen_of = [&](const auto& compliance, int along_x, int along_y) {
             return share_x * share_y * compliance(k) + share_y * added(body, {kx, ky, dx}, along_x, compliance) +
                    share_x * added(body, {ky, kx, dy}, along_y, compliance);
@@ -136,7 +136,7 @@ double largest_error(const Bodies& bodies, const PatchSize& contact, double dx, 
     return largest;
 }
 
-/// Of square elements that see the layers to 1 %, in a contact that is as wide as it is long.
+/// Returns the size of square elements that resolve the layers to 1 %, in a contact that is as wide as it is long.
 double resolving_element(const ContactSetup& setup, const PatchSize& contact) {
     const double length = std::max(contact.along_x, contact.along_y);
     double element = std::max(setup.grid.dx, setup.grid.dy);

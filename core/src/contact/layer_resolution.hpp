@@ -20,7 +20,8 @@ struct PatchSize {
 /// grid.
 std::optional<double> compliance_ratio(const ContactSetup& setup, const PatchSize& contact);
 
-/// What such a ratio does to the normal force for an approach, relative, and to the largest pressure.
+/// Returns the relative error that such a ratio causes in the normal force for an approach, and in the largest
+/// pressure.
 double compliance_error(double ratio);
 
 /// A sentence from an error of 1 % on, of these elements or of some that are up to half as wide: where coarser elements
@@ -30,7 +31,7 @@ std::optional<std::string> layer_warning(const ContactSetup& setup, const PatchS
 /// Throws InvalidArgument "grid.dx" or "grid.dy", the longer one, where the compliance is off by a factor of two or
 /// more, so that the elements say nothing of the layers.
 void require_layers_resolved(const ContactSetup& setup, const PatchSize& contact);
-/// The same before a solve: where it holds of every contact on the grid. Smaller ones are less precise.
+/// Checks before a solve, where it holds of every contact on the grid. Smaller ones are less precise.
 void require_layers_resolved(const ContactSetup& setup);
 
 }  // namespace contactd

@@ -20,7 +20,8 @@
 namespace contactd {
 namespace {
 
-/// Of prisms by finite elements: the half-space of an analytic one does go on behind an edge.
+/// Returns where a longitudinally uniform body by finite elements ends: the half-space of an analytic one goes on
+/// behind an edge.
 StripEnds ends_of(const Body& body, const Grid& grid, const char* name) {
     if (body.section() == nullptr || body.computed()->source == IcSource::analytic) return {};
     return strip_ends(*body.section(), grid.ny, grid.dy, name);
@@ -81,7 +82,7 @@ void take_friction_losses(const ContactProblem& problem, ContactSolution& soluti
     solution.frictional_power = work / dq * rolling->velocity;
 }
 
-/// Of the last step (mm/s); its slip is relative already where it rolls.
+/// Returns the slip velocity of the last step (mm/s); its slip is relative already where it rolls.
 double largest_slip_velocity(const Motion& motion, const ContactSolution& solution) {
     double slip = 0;
     for (std::size_t i = 0; i < solution.slip_x.size(); ++i)

@@ -42,7 +42,7 @@ class TangentialStep {
     RollingSolution solve(std::span<const double> pressure, std::span<const double> bound, const Field& estimate,
                           const SolverSettings& settings, Observer& observer);
 
-    /// As asked, with what prescribed forces made of it.
+    /// Returns the motion of the request, completed by what prescribed forces found.
     const Motion& motion() const { return motion_; }
     const std::optional<SolverEvidence>& force_evidence() const { return force_evidence_; }
     /// Slip per unit of the motion: dq of creepages, 1 of shifts (mm).

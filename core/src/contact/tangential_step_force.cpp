@@ -32,7 +32,8 @@ Pair mean_slip(const Field& slip, std::span<const double> bound) {
     return weight > 0 ? Pair(sum / weight) : sum;
 }
 
-/// Of the components that forces ask for. With tractions to start from, the motion asked for goes with them.
+/// Returns the rigid slip to start with, of the components that forces ask for. With tractions to start from, the
+/// motion of the request goes with them.
 Pair first_rigid_slip(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                       const Field& estimate) {
     const auto of_forces = [&](const Pair& all) { return Pair(forces.Fx ? all.x() : 0, forces.Fy ? all.y() : 0); };
@@ -127,7 +128,7 @@ RollingSolution TangentialStep::search(const PrescribedForces& forces, const Fie
     return solution;
 }
 
-// Of the solves of a step together; how it stands is what the last one says.
+// The evidence is that of all solves of a step together; the last one says how it stands.
 void TangentialStep::continue_force_evidence(const SolverEvidence& next) {
     SolverEvidence all = is_first_ ? SolverEvidence{} : force_evidence_.value_or(SolverEvidence{});
     force_evidence_ = {all.iterations + next.iterations, next.residual, next.converged, all.seconds + next.seconds};

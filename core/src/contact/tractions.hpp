@@ -9,15 +9,15 @@
 
 namespace contactd {
 
-/// Of arrays that may be empty, which stands for zero.
+/// Makes tractions of arrays that may be empty, which stands for zero.
 Tractions make_tractions(std::size_t n, const std::vector<double>& pressure, const std::vector<double>& x,
                          const std::vector<double>& y);
 
 /// How far the tractions are from those before, all three components together.
 double relative_change(const Tractions& now, const Tractions& before);
 
-/// What the problem gives as an estimate, and what it does not, as it was at the end of the step before. A steady state
-/// has no step before: its tractions may be anything.
+/// Returns the problem's estimate, completed by the end of the step before. A steady state has no step before: its
+/// tractions may be anything.
 Tractions first_estimate(const ContactProblem& problem);
 
 }  // namespace contactd

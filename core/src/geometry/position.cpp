@@ -30,7 +30,7 @@ ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
     return renaming(in_place_of("profile", name), [&] { return make_profile(spec).curve; });
 }
 
-/// Of what the profiles and the sizes around them are, together.
+/// Checks that the profiles and the sizes around them fit each other.
 void check_fit(const WheelRailSetup& setup, const ProfileCurve& wheel, const ProfileCurve& rail) {
     const double rail_width = rail.points().back().y - rail.points().front().y;
     if (!setup.track.rail_origin && !(setup.track.gauge > rail_width))

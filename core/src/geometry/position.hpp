@@ -17,7 +17,7 @@
 
 namespace contactd::geometry {
 
-/// Of the right side; y ascends along both.
+/// Profiles of the right side; y ascends along both.
 struct Profiles {
     ProfileCurve wheel, rail;
     ProfilePoint rail_origin;

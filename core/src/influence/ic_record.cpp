@@ -24,7 +24,7 @@ IcExtent extent(const StripTable& table) {
     return {table.nx, table.strips};
 }
 
-/// As many offsets as any grid has.
+/// A spectrum has as many offsets as any grid.
 IcExtent extent(const StripSpectrum& spectrum) {
     return {static_cast<int>(max_grid_elements) / spectrum.strips, spectrum.strips};
 }

@@ -5,7 +5,7 @@
 
 namespace contactd {
 
-/// Of the kernel at (x, y) - (point of the load), times the traction there; that of 1/rho is xx + yy.
+/// Integrals of the kernel at (x, y) - (point of the load), times the traction there; that of 1/rho is xx + yy.
 struct KernelIntegrals {
     double xx = 0;  ///< x^2/rho^3
     double yy = 0;  ///< y^2/rho^3

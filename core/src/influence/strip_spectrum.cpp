@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using Block = Eigen::Matrix3d;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Of how a difference falls where it is 1/xi^2 between the last two wavenumbers.
+/// Bounds of the doubt whether a difference falls as 1/xi^2 beyond the last two wavenumbers.
 constexpr double least_doubt = 0.25, most_doubt = 2;
 
 struct Component {
@@ -162,7 +162,7 @@ class TableMaker {
 
     double angle(int I, int J) const { return spectrum_.frames[I].angle - spectrum_.frames[J].angle; }
 
-    /// Of the screened half-space at a node, of strips that are l apart.
+    /// Returns the screened half-space at a node, for strips that are l apart.
     Block reference(std::size_t node, int l) const {
         return half_space(screened_transforms(spectrum_.nodes[node], spectrum_.xi0, l), spectrum_.nu, true);
     }
@@ -183,7 +183,7 @@ class TableMaker {
         return half_space(kernels, spectrum_.nu, false);
     }
 
-    /// Of each node, between every `stride`-th of them.
+    /// Returns the interpolation between every `stride`-th node.
     Functions interpolation(std::size_t stride) const {
         std::vector<double> nodes;
         for (std::size_t node = 0; node < spectrum_.nodes.size(); node += stride)
@@ -217,7 +217,8 @@ class TableMaker {
         return multiply(odd, functions.odd, rows_of(l, odd_components, rows), -1) && finite;
     }
 
-    /// Of each function in the coefficients, [component + components J, function], those of the half-space so far.
+    /// Returns the weights of each function in the coefficients, [component + components J, function], those of the
+    /// half-space so far.
     template <std::size_t count>
     RowMajor shares(int l, const std::array<Component, count>& components, const RowMajor& functions) const {
         const auto nodes = static_cast<Eigen::Index>(spectrum_.nodes.size());

@@ -24,7 +24,7 @@ class PaddedFft {
     /// own. That of a kernel even in both offsets or odd in both is real; of one that is odd in one of them it is
     /// imaginary, and the symbol is its imaginary part.
     using Symbol = std::vector<double>;
-    /// The same of a kernel without parity.
+    /// The symbol of a kernel without parity.
     struct ComplexSymbol {
         std::vector<double> real, imag;
     };
@@ -55,7 +55,7 @@ class PaddedFft {
     };
     void apply(const PairSymbols& symbols, std::span<const double> in_x, std::span<const double> in_y,
                std::span<double> out_x, std::span<double> out_y) const;
-    /// The same without parity.
+    /// Symbols of a pair of kernels without parity.
     struct ComplexPairSymbols {
         const ComplexSymbol &xx, &xy, &yx, &yy;
     };
@@ -67,7 +67,7 @@ class PaddedFft {
     /// out_x = x in, out_y = y in, both symbols imaginary.
     void spread(const Symbol& x, const Symbol& y, std::span<const double> in, std::span<double> out_x,
                 std::span<double> out_y) const;
-    /// The same without parity.
+    /// Spreads with symbols of kernels without parity.
     void spread(const ComplexSymbol& x, const ComplexSymbol& y, std::span<const double> in, std::span<double> out_x,
                 std::span<double> out_y) const;
 

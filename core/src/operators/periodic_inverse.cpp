@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 // errors of tables.
 constexpr double least_part = 0.5;
 
-/// Of the two tangential components at one wavenumber.
+/// The matrix of the two tangential components at one wavenumber.
 struct Block {
     Complex xx, xy, yx, yy;
 };

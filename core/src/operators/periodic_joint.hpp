@@ -14,12 +14,12 @@ class PeriodicJoint {
    public:
     /// Leaves zeros.
     PeriodicJoint() = default;
-    /// Of kernels at |offset| < offsets, offsets <= (period + 1)/2.
+    /// Takes kernels at |offset| < offsets, offsets <= (period + 1)/2.
     PeriodicJoint(std::size_t offsets, std::size_t period);
 
     /// `values` of shape [period], those of negative offsets at its end; even, or odd.
     void fill(std::span<double> values, bool even) const;
-    /// Of a period that leaves room for it.
+    /// Returns the least period that leaves room for it.
     static std::size_t least_period(std::size_t offsets);
 
    private:

@@ -8,7 +8,8 @@
 
 namespace contactd {
 
-/// Of a ShiftedTable, as ConvolutionOperator of an IcTable: with that of change_over_step what a step changes.
+/// The operator of a ShiftedTable, as ConvolutionOperator is that of an IcTable: with the table of change_over_step it
+/// is the increment over a step.
 class ShiftedOperator final : public StepOperator {
    public:
     explicit ShiftedOperator(ShiftedTable table);

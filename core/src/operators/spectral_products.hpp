@@ -12,7 +12,7 @@ void multiply_pair(std::size_t n, double* x, double* y, const double* xx, const 
 struct ComplexFactor {
     const double *real, *imag;
 };
-/// The same with complex symbols.
+/// Multiplies by complex symbols.
 void multiply_pair(std::size_t n, double* x, double* y, const ComplexFactor& xx, const ComplexFactor& xy,
                    const ComplexFactor& yx, const ComplexFactor& yy);
 

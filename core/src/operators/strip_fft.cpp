@@ -116,7 +116,7 @@ void StripFft::inverse(const Waves& waves, std::size_t first, WavePhase phase, S
     join_transforms(period, of_a, of_b, parts(work.transformed_));
     fftw_execute_dft(plans_->inverse.get(), raw(work.transformed_.data()), raw(work.both_.data()));
     deinterleave(period, parts(work.both_), work.a.data(), work.b.data());
-    // What is nothing must not have the other's rounding errors.
+    // A zero must not get the other's rounding errors.
     const auto is_zero = [](const std::vector<Complex>& of) {
         return std::all_of(of.begin(), of.end(), [](const Complex& value) { return value == 0.0; });
     };

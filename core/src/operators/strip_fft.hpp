@@ -41,13 +41,13 @@ class StripPair {
 
 class StripFft {
    public:
-    /// Of strips of nx elements, as if periodic with the length `period` >= nx.
+    /// Transforms strips of nx elements, as if periodic with the length `period` >= nx.
     StripFft(int nx, int period);
     ~StripFft();
     StripFft(const StripFft&) = delete;
     StripFft& operator=(const StripFft&) = delete;
 
-    /// Of wavenumbers, by fours.
+    /// Returns the number of groups of four wavenumbers.
     std::size_t groups() const;
     /// Two strips of nx elements into the entry `first`, `phase` being that of `a`, and the next one, which is plain.
     /// Null stands for zeros.
@@ -55,8 +55,8 @@ class StripFft {
                  StripPair& work) const;
     /// And back: into `work`.
     void inverse(const Waves& waves, std::size_t first, WavePhase phase, StripPair& work) const;
-    /// Of a kernel at the offsets 0..n-1, even or odd, n <= (period + 1)/2: what products with it multiply by, with the
-    /// factor of the inverse transform. Lanes beyond the last wavenumber are zero. `transform` has 4 groups() values.
+    /// Transforms a kernel at the offsets 0..n-1, even or odd, n <= (period + 1)/2, to the factors of products, with
+    /// that of the inverse transform. Lanes beyond the last wavenumber are zero. `transform` has 4 groups() values.
     void symbol(std::span<const double> kernel, bool even, const PeriodicJoint& joint, std::span<double> transform,
                 StripPair& work) const;
 

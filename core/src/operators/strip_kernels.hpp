@@ -17,7 +17,7 @@ void multiply_symmetric(std::size_t n, const std::size_t* begin, const double* m
                         const double* in_im, double* out_re, double* out_im);
 void multiply_symmetric(std::size_t n, const std::size_t* begin, const float* matrix, const double* in_re,
                         const double* in_im, double* out_re, double* out_im);
-/// Of any other one, `kept` of each pair of rows.
+/// Multiplies by any other matrix, `kept` of each pair of rows.
 void multiply_rows(std::size_t rows, const EntryRange* kept, const double* matrix, const double* in_re,
                    const double* in_im, double* out_re, double* out_im);
 void multiply_rows(std::size_t rows, const EntryRange* kept, const float* matrix, const double* in_re,

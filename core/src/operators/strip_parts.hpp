@@ -12,8 +12,8 @@ namespace contactd {
 /// Safe to use from several threads at once.
 class StripParts {
    public:
-    /// Of a grid of nx elements along each strip. Products read up to table.nx - nx elements ahead. Throws
-    /// InvalidArgument where the table has fewer offsets than nx. `left_out`: as of StripProducts.
+    /// Makes the products of a grid of nx elements along each strip. Products read up to table.nx - nx elements ahead.
+    /// Throws InvalidArgument where the table has fewer offsets than nx. `left_out` is as for StripProducts.
     StripParts(StripTable table, int nx, OffsetParity parity = OffsetParity::natural, double left_out = 0);
 
     const StripTable& table() const { return *table_; }
@@ -27,8 +27,8 @@ class StripParts {
     std::size_t bytes() const;
     static std::size_t bytes_of(int nx, int strips);
 
-    /// Of elements of along_x x along_y: mean displacements over one for a unit traction on another. The last may reach
-    /// beyond the grid, where the surface goes on as it is before.
+    /// Returns the table of elements of along_x x along_y: mean displacements over one for a unit traction on another.
+    /// The last may reach beyond the grid, where the surface goes on as it is before.
     StripTable coarse(const ElementBox& box, int along_x, int along_y) const;
 
    private:

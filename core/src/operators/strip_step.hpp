@@ -1,4 +1,4 @@
-// What a step of rolling along x changes, of strip tables.
+// The increment of displacements over a step of rolling along x, by strip tables.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class StripStep final : public StepOperator {
     /// `near`: of half-spaces and the same step. Throws InvalidArgument ("ahead") beyond the table.
     StripStep(std::shared_ptr<const StripParts> parts, const ElementBox& box, int ahead,
               std::shared_ptr<const StepOperator> near);
-    /// The same for any step. `coupled`: as of the influence operator.
+    /// Makes the increment of any step. `coupled` is as for the influence operator.
     StripStep(StripIncrement change, const ElementBox& box, bool coupled, std::shared_ptr<const StepOperator> near);
 
     std::size_t size() const override { return box_.size(); }

@@ -41,7 +41,7 @@ class SymmetricSymbol {
     std::vector<std::size_t> group_;  // where in values_ a group begins
 };
 
-/// Of any shape with an even number of rows.
+/// A symbol of any shape with an even number of rows.
 class RectangularSymbol {
    public:
     RectangularSymbol() = default;

@@ -13,8 +13,8 @@
 
 namespace contactd {
 
-/// As pair_of on tables: adds xx, yy, zz, xy, yx and subtracts xz, yz, zx, zy of the upper body from those of the
-/// lower. Has coarser grids and boxes where both bodies have them.
+/// The sum of the operators of two bodies, as pair_of makes that of tables: adds xx, yy, zz, xy, yx and subtracts xz,
+/// yz, zx, zy of the upper body from those of the lower. It has coarser grids and boxes where both bodies have them.
 class SumOperator final : public InfluenceOperator {
    public:
     /// Throws InvalidArgument when there is no body, or when the numbers of elements differ.

@@ -1,4 +1,4 @@
-// What a step of rolling changes, of two bodies whose tables are of unlike kinds.
+// The increment over a step of rolling, of two bodies whose tables are of unlike kinds.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-/// Of the upper and of the lower body, on the same elements; null where a body is rigid, not both.
+/// Operators of the upper and of the lower body, on the same elements; null where a body is rigid, not both.
 template <class Operator>
 struct OfBodies {
     std::shared_ptr<const Operator> upper, lower;
@@ -19,7 +19,7 @@ struct OfBodies {
 
 namespace sums {
 
-/// Of xz, yz, zx and zy, as in pair_of.
+/// Signs of xz, yz, zx and zy, as in pair_of.
 inline constexpr double upper_sign = -1, lower_sign = 1;
 
 /// One for each body that deforms.
@@ -49,7 +49,7 @@ void sum(const Terms& terms, std::span<double> u, const Factor& factor, const Pr
     }
 }
 
-/// The same of two components.
+/// Sums the products of two components.
 template <class Terms, class Product, class Factor>
 void sum(const Terms& terms, std::span<double> ux, std::span<double> uy, const Factor& factor, const Product& product) {
     std::vector<double> y(uy.size());
@@ -68,7 +68,7 @@ bool any_coupled(const Terms& terms) {
     return std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.body->coupled(); });
 }
 
-/// Of what each term holds, upper and lower again; null as soon as `of` one of them is.
+/// Takes the same part of each term, upper and lower again; null as soon as `of` one of them is.
 template <class Operator, class Terms, class Of>
 OfBodies<Operator> each(const Terms& terms, const Of& of) {
     OfBodies<Operator> bodies;
@@ -85,7 +85,7 @@ bool none(const OfBodies<Operator>& bodies) {
     return !bodies.upper && !bodies.lower;
 }
 
-/// Of something that lives as long as this operator.
+/// Makes terms of something that lives as long as this operator.
 template <class Operator>
 std::shared_ptr<const Operator> borrowed(const Operator* lasting) {
     return {std::shared_ptr<void>(), lasting};

@@ -1,4 +1,4 @@
-// What calls need to compute in, kept from one to the next.
+// Work arrays of calls, reused from one to the next.
 #pragma once
 
 #include <memory>

@@ -167,7 +167,7 @@ FileContents::Value Hdf5Reader::texts(const H5::Attribute& at, const std::string
     return result.front();
 }
 
-/// What several links or texts share is counted as often as it is read.
+/// Data that several links or texts share is counted as often as it is read.
 void Hdf5Reader::take(std::size_t bytes, const std::string& path) {
     if (bytes > bytes_ - taken_) refuse(path, "is more than the file has room for");
     taken_ += bytes;

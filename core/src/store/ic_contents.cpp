@@ -30,7 +30,7 @@ void write_table(const WritableGroup& file, const IcTable& table, bool has_dimen
     put(dataset, "units", has_dimensions ? units_with_dimensions : units);
 }
 
-/// What a prism's transform says of the strips and offsets of a request: others read it, contactd the transform.
+/// Writes what the transform gives for the strips and offsets of a request: others read it, contactd the transform.
 void write_strips(const WritableGroup& file, const IcRecord& record) {
     auto table = std::get<StripTable>(body_table(record, record.spec));
     const auto nx = static_cast<std::size_t>(table.nx), strips = static_cast<std::size_t>(table.strips);
@@ -67,7 +67,7 @@ IcTable read_table(FileContents& contents) {
     return table;
 }
 
-/// As many tables as `size`, each of the extent of `first`.
+/// Reads as many tables as `size`, each of the extent of `first`.
 std::vector<IcTable> read_family(const FileContents& contents, std::size_t size, const IcTable& first) {
     if (!contents.datasets.contains(family_name))
         throw DamagedTable("The spec is that of a family, which the file does not hold.");

@@ -49,9 +49,10 @@ class CanonicalObject {
 /// How meshes are chosen for an accuracy. A new number when tables of an earlier choice should not be served any more:
 /// when they miss the accuracy or state other errors than they have. Those that are finer than need be may stay.
 constexpr int accuracy_recipe = 2;
-/// The same of prisms: tables before the third state errors that hold of elements as long as strips are wide only.
+/// Recipe of longitudinally uniform bodies: tables before the third state errors that hold for elements as long as
+/// strips are wide only.
 constexpr int uniform_recipe = 3;
-/// The same of blocks, on meshes that are given, too: tables before the third say nothing of the modelling error.
+/// Recipe of blocks, on meshes that are given, too: tables before the third do not state the modelling error.
 constexpr int block_recipe = 3;
 
 CanonicalObject canonical(const FemSpec& fem) {

@@ -1,4 +1,4 @@
-// What keeps the store's folder in order: sweeping, times of use, eviction.
+// Upkeep of the store's folder: sweeping, times of use, eviction.
 #include <sys/stat.h>
 
 #include <algorithm>

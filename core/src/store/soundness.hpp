@@ -1,4 +1,5 @@
-// What the coefficients of every elastic body are, whoever computed them: held against tables of strangers.
+// Properties of the coefficients of every elastic body, whoever computed them: tables of strangers are checked for
+// them.
 #pragma once
 
 #include "contactd/ic_spec.hpp"

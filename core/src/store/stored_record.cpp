@@ -18,7 +18,7 @@ namespace {
     throw InvalidArgument("datasets", why);
 }
 
-/// What contactd::validate refuses of its contents is wrong with the file.
+/// A refusal of its contents by contactd::validate means that the file is wrong.
 template <class Check>
 void check_as_file(const Check& check) {
     try {

@@ -50,7 +50,7 @@ std::string host_name() {
     return host;
 }
 
-/// Of "<table>.<writer>.<serial>.tmp".
+/// Reads the writer from "<table>.<writer>.<serial>.tmp".
 std::optional<Writer> writer_of(const fs::path& temporary) {
     const std::string writer = temporary.stem().stem().extension().string();
     if (writer.empty()) return std::nullopt;

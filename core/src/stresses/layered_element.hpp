@@ -26,8 +26,8 @@ class LayeredElement {
     std::vector<ElementStresses> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:
-    /// Of fields along an edge: those along e_rho with the direction cosine along x and along y, the scalar ones, and
-    /// the last one with cos 2 theta.
+    /// Sums of fields along an edge: those along e_rho with the direction cosine along x and along y, the scalar ones,
+    /// and the last one with cos 2 theta.
     struct EdgeSums {
         std::array<double, StressRadial::normal_xz> x{}, y{};
         std::array<double, StressRadial::count> scalar{};

@@ -52,7 +52,7 @@ class Moments {
     void extend(double to) {
         for (; below_ < to; next_ *= 2) add_panel(below_, std::min(next_, to));
     }
-    /// Of all below, at a distance rho with k rho << 1.
+    /// Returns the values of all below, at a distance rho with k rho << 1.
     Values at(double rho) const {
         Values sum{};
         for (std::size_t f = 0; f < sum.size(); ++f) {

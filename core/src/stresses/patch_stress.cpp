@@ -28,7 +28,7 @@ namespace {
 
 constexpr double per_two_pi = 0.5 / std::numbers::pi;
 
-// What the stresses at one corner are made of.
+// The terms of the stresses at one corner.
 struct Corner {
     double x, y, d, smallest, rho;
 

@@ -207,7 +207,7 @@ SubsurfaceStress on_block(const Grid& grid, const LoadedPatch& patch, double nu,
     return result;
 }
 
-// Of the plane y = 0, the values at every y of the block.
+// Copies the values of the plane y = 0 to every y of the block.
 SubsurfaceStress spread_along_y(const SubsurfaceStress& plane, const StressBlock& block) {
     SubsurfaceStress result = zeros(block.size());
     const auto from = components_of(plane);

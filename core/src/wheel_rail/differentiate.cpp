@@ -27,7 +27,7 @@ void add(Wrench& sum, double factor, const Wrench& part) {
         sum.*of += factor * (part.*of);
 }
 
-/// What moves, and by how much to either side.
+/// A component of the motion, and its step to either side.
 struct VelocityStep {
     double WheelsetVelocity::* of;
     Wrench WheelRailDerivatives::ByVelocity::* derivative;
@@ -59,7 +59,7 @@ class Differences {
     }
 
    private:
-    /// What changes the approach by a thousandth where the wheel's weight rests.
+    /// Returns steps that change the approach by a thousandth where the wheel's weight rests.
     std::vector<PositionStep> position_steps() const {
         double approach = 0, incline = 0;
         for (const WheelRailPatch& patch : solution_.patches) {

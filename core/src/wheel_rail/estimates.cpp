@@ -21,7 +21,7 @@ const Patch* nearest(const ContactPlace& place, const std::vector<Patch>& patche
     return best;
 }
 
-/// What lies at the same place about the reference, to the next element; zero beside it.
+/// Moves values to the same position about the reference, to the next element; zero beside it.
 Values moved(const Values& values, const Grid& from, const Grid& to) {
     if (values.empty()) return {};
     const auto ix = static_cast<int>(std::lround((to.x0 - from.x0) / to.dx));

@@ -12,7 +12,7 @@ namespace contactd {
 /// same elements.
 SurfaceState estimate_for(const ContactPlace& place, const std::vector<WheelRailEstimates::Patch>& before);
 
-/// Of patches of model full.
+/// Returns the estimates of patches of model full.
 std::vector<WheelRailEstimates::Patch> estimates_of(const WheelRailSolution& solution);
 
 }  // namespace contactd

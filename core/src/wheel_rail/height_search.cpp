@@ -80,7 +80,8 @@ class Search {
     double target_force(double z) const {
         return std::max(task_.target - task_.spring * (z - task_.first_contact_height), 1e-9 * task_.target);
     }
-    /// Of the corrected estimate over the target force. That of a spring may be next to nothing.
+    /// Returns the excess of the corrected estimate over the target force. The force of a spring may be next to
+    /// nothing.
     double excess(double z, double estimate) const {
         const double force = straightened(estimate * std::exp(correction_.at(z))),
                      target = straightened(target_force(z));

@@ -16,7 +16,7 @@ struct HeightTask {
     double target = 0;                                ///< (N), > 0
     SolverSettings settings;
     HeightCorrection correction{};  ///< as an earlier search has found it
-    /// Of a spring below the rail (N/mm): z is that of the wheel over the rail, and the force that is wanted falls by
+    /// Stiffness of a spring below the rail (N/mm): z is that of the wheel over the rail, and the target force falls by
     /// so much with it, from `target` where they touch.
     double spring = 0;
 };

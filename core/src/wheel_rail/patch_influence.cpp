@@ -50,7 +50,8 @@ StripSpectrum part_of(const StripSpectrum& whole, int first, int strips) {
     return part;
 }
 
-/// As the section numbers its strips. Of finite elements' transform only the part that is needed becomes a table.
+/// Takes strips as the section numbers them. Only the part of finite elements' transform that is needed becomes a
+/// table.
 StripTable table_of(const std::optional<BodyStrips>& strips, const Grid& grid, const IcRecord* record,
                     const Observer& observer) {
     if (!strips) return {grid.nx, grid.ny};

@@ -139,7 +139,7 @@ bool is_next_to_nothing(double phi, const Grid& grid) {
     return std::abs(phi) * std::hypot(grid.nx * grid.dx, grid.ny * grid.dy) <= least_creepage;
 }
 
-/// What is wrong with the contact problem of a patch, in the words of the set-up that it was made from.
+/// Refuses the contact problem of a patch in the words of the set-up that it was made from.
 [[noreturn]] void refuse_as_of_wheel(const InvalidArgument& error, const ContactProblem& problem) {
     const std::string& field = error.field();
     const auto* rolling = std::get_if<Rolling>(&problem.motion);

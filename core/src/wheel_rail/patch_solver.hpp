@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// What a place poses to the solvers, without friction where `friction` is null.
+/// Returns the contact problem of a candidate patch, without friction where `friction` is null.
 ContactProblem problem_of(const WheelRailSetup& setup, const geometry::CandidatePatch& found,
                           const geometry::RailSurface& rail, const WheelRailFriction* friction);
 

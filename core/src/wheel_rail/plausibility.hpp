@@ -1,4 +1,4 @@
-// What a wheel or a rail never is, and where they never touch: likely mistakes of whoever described them.
+// Likely mistakes in wheels, rails and positions: shapes that they never have, and places where they never touch.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ namespace {
 using geometry::Frame;
 using geometry::Vector3;
 
-/// Of the pressures about x and y, in contact coordinates; about z as the solution has it.
+/// Returns the moment of the pressures about x and y, in contact coordinates; about z as the solution has it.
 Vector3 moment(const Grid& grid, const ContactSolution& solution, bool simplified) {
     Vector3 about{0, 0, solution.forces.Mz};
     if (simplified) return about;

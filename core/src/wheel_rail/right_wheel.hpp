@@ -42,7 +42,7 @@ class RightWheel {
     /// Positions do not depend on it.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
-    /// Of a search for the height that brings a force.
+    /// Returns the search for the height that brings a force.
     HeightTask height_task(double Fz);
     ContactProblem problem_of(const geometry::CandidatePatch& found) const;
     ContactSolution solve(ContactProblem problem, const geometry::CandidatePatch& found, Observer& observer) const;
@@ -54,7 +54,7 @@ class RightWheel {
     WheelRailSolution at_height(Observer& observer);
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
     WheelRailPatch solve(geometry::CandidatePatch& found, double z, Observer& observer) const;
-    /// Of a simplified model, whose forces do not depend on elements, and cost less than what it tells of them.
+    /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
     void check_loads() const;
     WheelRailSolution on_flexible_rail(Observer& observer);

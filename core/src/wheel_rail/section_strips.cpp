@@ -75,7 +75,7 @@ class StripCarrier {
             ics.section->shape = outline({profile_, depth_, from * ds_});
         return ics;
     }
-    /// As every client could state it.
+    /// The outline is one that every client could state.
     OutlineSection outline(const ProfileSection& section) const {
         try {
             return geometry::outline_of(section, 0, "section");

@@ -7,9 +7,9 @@
 
 namespace contactd {
 
-/// What the operators of a place are made of, by setup.conformal, which is not automatic. Strips lie at multiples of
-/// dy along a profile, and rows on the nearest ones: off by half an element at most. Throws InvalidArgument
-/// ("conformal") where a body has no strips below all rows.
+/// Returns the strips of a candidate patch, of which its operators are made, by setup.conformal, which is not
+/// automatic. Strips lie at multiples of dy along a profile, and rows on the nearest ones: off by half an element at
+/// most. Throws InvalidArgument ("conformal") where a body has no strips below all rows.
 PatchStrips strips_of(const WheelRailSetup& setup, const geometry::Profiles& profiles,
                       const geometry::CandidatePatch& found);
 

@@ -52,7 +52,7 @@ struct WheelRailContact::Parts {
     std::vector<std::string> warnings;                // of every solution
     std::optional<WheelRailSetup> plane{}, curved{};  // what setup may become where conformal is automatic
 
-    /// What a right wheel answers, in a mirror where it is a left one.
+    /// Asks a right wheel, in a mirror where it is a left one.
     template <class Ask>
     auto of_right_wheel(const WheelRailState& state, const Observer& observer, const Ask& ask) const {
         validate_below("state", state);

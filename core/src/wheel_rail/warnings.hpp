@@ -1,4 +1,4 @@
-// What a user of a wheel-rail solution should know.
+// Warnings for users of a wheel-rail solution.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace contactd {
 
-/// Of a place that is left out: overlap from above, and nothing to measure along the normal.
+/// Tells of a candidate patch that is left out: overlap from above, and nothing to measure along the normal.
 std::string apart_along_normal(const ContactReference& reference, Side side);
 
-/// Of a place of a right wheel, called by where it is on its own side.
+/// Warns of a candidate patch of a right wheel, named by where it is on its own side.
 std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, Side side, bool has_friction);
-/// Of angles that look as if they were in degrees.
+/// Warns of angles that look as if they were in degrees.
 std::vector<std::string> warnings_of(const WheelRailState& state);
 /// Those of its solution, under the same name.
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution);

@@ -19,11 +19,11 @@ using Vector = KrylovSpace::Vector;
 using Table = DerivativeTable;
 using Right = KrylovSpace::Right;
 
-// Of linear equations, relative: what may be left of right-hand sides, or the change of forces in a step.
+// Relative tolerances of the linear equations: the rest of right-hand sides, or the change of forces in a step.
 constexpr double residual_tolerance = 2e-5, coupled_tolerance = 1e-6, change_tolerance = 2e-5;
-// The same where forces err by its square.
+// This one holds where forces err by its square.
 constexpr double symmetric_tolerance = 7e-4;
-// Of the contact: what friction does in slip is found as a difference, and is a part of it where little slips.
+// The part that slips counts as so much at least: the effect of friction is found as a difference, which is small then.
 constexpr double least_slip_part = 0.1;
 
 class Differentiation {
@@ -103,7 +103,7 @@ class Differentiation {
         };
         const Vector none = Vector::Zero(pressures);
         for (int k = 0; k < 3; ++k) add_right(none, contact_.of_slip(k), Vector::Zero(4));
-        // What friction makes of pressures is so much less, and is needed as well.
+        // The effect of friction on pressures is so much smaller, and is needed as well.
         add_right(Vector::Ones(pressures), {Vector::Zero(tractions), 0}, Vector::Zero(4),
                   std::min(contact_.mean_friction(), 1.0));
         const Vector dg = contact_.bound_of_friction();
@@ -136,7 +136,7 @@ class Differentiation {
         return space;
     }
 
-    // Of Fx, Fy and Mz, over the largest of them.
+    // Compares Fx, Fy and Mz, over the largest of them.
     double relative_change(const Vector& now, const Vector& before) const {
         const Eigen::Vector3d unit(1, 1, 1 / contact_.length());
         const double largest = now.cwiseProduct(unit).cwiseAbs().maxCoeff();

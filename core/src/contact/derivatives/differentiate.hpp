@@ -7,9 +7,8 @@
 
 namespace contactd {
 
-/// Of a converged solution as the solvers leave it, its slip in mm, which gets `derivatives` and the evidence of them.
-/// Where the equations do not reach their tolerance, and without contact, it gets none, and a warning. Throws
-/// Cancelled.
+/// Gives a converged solution as the solvers leave it, its slip in mm, `derivatives` and their evidence. Where the
+/// equations do not reach their tolerance, and without contact, it gets none, and a warning. Throws Cancelled.
 void differentiate(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer,
                    ContactSolution& solution);
 

@@ -30,7 +30,7 @@ class FrozenContact {
     using Vector = Eigen::VectorXd;
     using Values = std::vector<double>;
 
-    // Of a solution as solvers leave it: slip is in mm. Problem and operators outlive it.
+    // Takes a solution as solvers leave it: slip is in mm. Problem and operators outlive it.
     FrozenContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution);
 
     // Whether pressures follow tractions; otherwise the tangential part of the equations stands alone.
@@ -39,7 +39,7 @@ class FrozenContact {
     bool symmetric() const { return increment_ == nullptr; }
     // Over the elements in contact.
     double mean_friction() const;
-    // Of the elements with a bound.
+    // Returns the part of the elements with a bound that slips.
     double slip_part() const { return 1 - static_cast<double>(adhering_.size()) / static_cast<double>(rubbed_.size()); }
     // About the size of the contact (mm).
     double length() const { return std::sqrt(grid_.element_area() * static_cast<double>(pressed_.size())); }
@@ -59,11 +59,11 @@ class FrozenContact {
     Vector weights_of_all() const;
     // Columns: what makes the forces Fn, Fx, Fy and Mz of dp and dq, the bounds following the pressures.
     Eigen::MatrixXd forces_of_all();
-    // The same of dq alone: Fx, Fy and Mz.
+    // Its columns make the forces Fx, Fy and Mz of dq alone.
     Eigen::MatrixXd forces_of_tractions();
 
-    // What stands on the right, and its weighted length before all that is not free of it was projected out, without
-    // which rounding alone may be left.
+    // The right-hand side, and its weighted length before all that is not free of it was projected out, without which
+    // rounding alone may be left.
     struct Right {
         Vector values;
         double size;

@@ -1,4 +1,4 @@
-// What inputs put on the right of the equations, and the forces that come of it.
+// Right-hand sides of the equations by inputs, and the forces that result.
 #include <cmath>
 
 #include "contact/rolling/rolling.hpp"
@@ -12,7 +12,7 @@ double FrozenContact::mean_friction() const {
     return sum / static_cast<double>(pressed_.size());
 }
 
-// Of the slip in out_.
+// Makes the right-hand side of the slip in out_.
 FrozenContact::Right FrozenContact::right_of_slip() const {
     double squares = 0;
     for (std::size_t e = 0; e < rubbed_.size(); ++e) {
@@ -63,7 +63,7 @@ FrozenContact::Vector FrozenContact::weights_of_all() const {
     return weights;
 }
 
-// What a unit of rigid slip acts on is what sums up to the force.
+// A unit of rigid slip acts on the components whose sum is the force.
 Eigen::MatrixXd FrozenContact::forces_of_tractions() {
     Eigen::MatrixXd forces(tractions(), 3);
     for (int k = 0; k < 3; ++k) forces.col(k) = -grid_.element_area() * of_slip(k).values;

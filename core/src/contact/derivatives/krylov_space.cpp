@@ -12,7 +12,7 @@ constexpr double cancelled_digits = 0.01;  // what may be left of an image befor
 constexpr double least_fall = 0.2;         // of the change of sums, from step to step
 constexpr double dependent = 1e-12;        // the same, at which a step adds nothing
 
-// Of its size, a right-hand side that is shorter is taken to be that long: what is left of it may be rounding.
+// A right-hand side that is shorter than this part of its size counts as that long: what is left of it may be rounding.
 constexpr double rounding = 1e-7;
 
 }  // namespace

@@ -52,7 +52,7 @@ class KrylovSpace {
     bool converged() const { return converged_; }
     double residual() const { return largest_; }
     int steps() const { return static_cast<int>(count_); }
-    // Of each right-hand side.
+    // Returns the sums of one right-hand side.
     Vector sums(std::size_t right) const { return sums_.col(static_cast<Eigen::Index>(right)); }
     // x itself; of symmetric equations only.
     Vector solution(std::size_t right) const;

@@ -1,5 +1,4 @@
-// What Newton's method on the friction law has to know of the bodies: slip for tractions, and about the inverse of
-// that.
+// The bodies as Newton's method on the friction law sees them: slip for tractions, and about the inverse of that.
 #pragma once
 
 #include <string_view>
@@ -15,7 +14,7 @@ class Compliance {
     virtual ~Compliance() = default;
     // u = K p
     virtual void apply(const Field& p, Field& u) = 0;
-    // What a traction on an element does there (mm^3/N), > 0.
+    // Returns the displacement by a traction on an element there (mm^3/N), > 0.
     virtual const std::vector<double>& self() const = 0;
 
     // The law has changed: precondition() is for this one now, which outlives the next call.

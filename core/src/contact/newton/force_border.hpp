@@ -31,7 +31,7 @@ class ForceBorder {
 
     Pair missing(const Field& p) const;
     Pair sum(const Vectors& step) const;
-    // The same of what of a step is free to change the tractions.
+    // Sums the part of a step that is free to change the tractions.
     Pair sum_of_free(const Linearisation& law, const Vectors& step) const;
 
     // Z = M P E with the preconditioner M; made anew only when the division has changed by much.

@@ -39,7 +39,7 @@ class FrictionNewton {
     const Field& slip() const { return s_; }
     const std::vector<char>& slips() const { return law_.slips; }
     const Pair& rigid() const { return rigid_; }
-    // What is missing of the forces, over the largest that friction carries.
+    // Returns the missing part of the forces, over the largest that friction carries.
     double force_residual() const;
 
    private:
@@ -62,10 +62,10 @@ class FrictionNewton {
     void join_forces();
     // Tangents, tangent stiffness, residual and violation at the present tractions.
     void linearise();
-    // What the Jacobian makes of the steps made so far; of all of them when the division or the tangents have changed.
+    // Applies the Jacobian to the steps made so far; to all of them when the division or the tangents have changed.
     void linearise_history();
     bool division_stands(double tolerance) const;
-    // Of the law, and of the forces where they have a say.
+    // Returns the residual of the law, and of the forces where they are prescribed.
     double residual() const;
     // The next step, into step_ and rigid_step_: the best combination of the steps made so far, which leaves rest_ and
     // rest_missing_ of the residual, and one of the preconditioner.

@@ -62,7 +62,7 @@ void FrictionNewton::begin() {
     linearise();
 }
 
-// Of the tractions since the slip was found, relative.
+// Returns the relative change of the tractions since the slip was found.
 double FrictionNewton::moved() const {
     double change = 0;
     for (std::size_t e = 0; e < m_; ++e)
@@ -70,8 +70,8 @@ double FrictionNewton::moved() const {
     return std::sqrt(change / inner(p_, p_));
 }
 
-// As in TangCg: finds slip also when the bound has grown a little since the estimate. The slip remains that of the
-// estimate, which the first step makes good.
+// This finds slip, as TangCg does, also when the bound has grown a little since the estimate. The slip remains that of
+// the estimate, which the first step makes good.
 std::size_t FrictionNewton::find_division() {
     update_slip();
     if (!any(p_)) return 0;

@@ -34,7 +34,7 @@ void update_direction(std::size_t n, const double* in, const double* z, double b
 /// The sum of a b c.
 double triple_product(std::size_t n, const double* a, const double* b, const double* c);
 
-/// Of a direction v with q = A v.
+/// The slope along a direction v with q = A v.
 struct NormSlope {
     double curvature = 0;  ///< v . q
     double slope = 0;      ///< r . v

@@ -29,10 +29,10 @@ NormalSolution solve_normal(const InfluenceOperator& influence, std::span<const 
                             const SolverSettings& settings, std::span<const double> initial, Observer& observer,
                             const PressureEstimate& closed_form = {});
 
-/// The same with the force prescribed: finds p and the approach delta with sum(p) = `pressure_sum`, which is
-/// Fn / element area, for the gap h = `undeformed_distance` - delta (mm). There is always a solution: at most, all
-/// elements are in contact. Without a force p = 0 and delta is the least undeformed distance, where bodies just touch.
-/// Throws also InvalidArgument ("Fn") for a negative force or one that is not finite.
+/// Solves with the force prescribed: finds p and the approach delta with sum(p) = `pressure_sum`, which is Fn / element
+/// area, for the gap h = `undeformed_distance` - delta (mm). There is always a solution: at most, all elements are in
+/// contact. Without a force p = 0 and delta is the least undeformed distance, where bodies just touch. Throws also
+/// InvalidArgument ("Fn") for a negative force or one that is not finite.
 NormalSolution solve_normal_force(const InfluenceOperator& influence, std::span<const double> undeformed_distance,
                                   double pressure_sum, const SolverSettings& settings, std::span<const double> initial,
                                   Observer& observer, const PressureEstimate& closed_form = {});

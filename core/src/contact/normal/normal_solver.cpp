@@ -32,7 +32,7 @@ class NormalBox {
           distance_(restriction_.crop(task.problem.distance)),
           norm_(restriction_.influence(), here(task.problem), task.settings, observer) {}
 
-    // As Norm::start.
+    // Starts like Norm::start.
     double start(std::span<const double> estimate, bool set_is_good) {
         return norm_.start(restriction_.crop(estimate), set_is_good);
     }

@@ -26,10 +26,10 @@ class NormalSolver {
     explicit NormalSolver(const InfluenceOperator& influence);
     ~NormalSolver();
 
-    /// As solve_normal and solve_normal_force.
+    /// Solves like solve_normal and solve_normal_force.
     NormalSolution solve(const NormalTask& task, std::span<const double> initial, const PressureEstimate& closed_form,
                          Observer& observer);
-    /// The same for a gap near the last one: where that was solved, from its solution and without a product to start
+    /// Solves for a gap near the last one: where that was solved, from its solution and without a product to start
     /// with; otherwise from `initial`.
     NormalSolution solve_again(const NormalTask& task, std::span<const double> initial, Observer& observer);
 

@@ -12,13 +12,13 @@
 
 namespace contactd {
 
-/// What slip owes to tractions: C of steady rolling where there is an `increment`, otherwise A.
+/// The operator from tractions to slip: C of steady rolling where there is an `increment`, otherwise A.
 struct FrictionBodies {
     const InfluenceOperator& influence;
     const StepOperator* increment;  ///< null for shifts
     Grid grid;
     double step_x = 0, step_y = 0;  ///< as of RollingBodies, where there is an `increment`
-    /// Of steady rolling: levels save iterations, but each costs more.
+    /// Levels of the preconditioner of steady rolling save iterations, but each costs more.
     PreconditionerLevels levels = PreconditionerLevels::on_many_elements;
 };
 

@@ -13,7 +13,7 @@
 
 namespace contactd {
 
-/// What rolling solvers know of the bodies: the particle that is now at x was at x + step one step ago.
+/// The bodies as rolling solvers see them: the particle that is now at x was at x + step one step ago.
 struct RollingBodies {
     const InfluenceOperator& influence;  ///< A on the grid
     const StepOperator& increment;       ///< C on the grid, for the step

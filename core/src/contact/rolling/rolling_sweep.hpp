@@ -20,7 +20,7 @@ class RollingSweep {
     void linearise(const Linearisation& linearisation);
     // z and r may be the same.
     void solve(const Field& r, Field& z) const { solve(r, z, m_); }
-    // The same for the first `count` elements of the sweep; those behind get anything.
+    // Solves for the first `count` elements of the sweep; those behind get anything.
     void solve(const Field& r, Field& z, std::size_t count) const;
     // Up to the last element that adheres.
     void solve_adhesion(const Field& r, Field& z) const { solve(r, z, to_adhesion_); }

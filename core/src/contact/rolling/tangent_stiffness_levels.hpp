@@ -1,4 +1,4 @@
-// What the preconditioner of steady rolling does with elements in slip where the contact has many.
+// The part of the preconditioner of steady rolling that treats slip where the contact has many elements.
 #pragma once
 
 #include <array>

@@ -58,7 +58,7 @@ class PartObserver : public Observer {
     const double first_, last_;
 };
 
-/// The same for iterations of unknown number, 1, 2, ...: each takes a share of what is left.
+/// Reports iterations of unknown number, 1, 2, ...: each takes a share of what is left.
 class IterationObserver final : public PartObserver {
    public:
     IterationObserver(Observer& whole, int iteration, double share = 0.3)

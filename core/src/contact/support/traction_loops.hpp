@@ -47,7 +47,7 @@ void project_out(std::size_t m, Vectors n, MutableVectors a);
 void linearise_law(std::size_t m, const char* slips, Vectors p, Vectors s, const double* inverse_g, MutableVectors n,
                    double* tangent_stiffness, MutableVectors r);
 
-/// What the Jacobian makes of a step with a known response: the response projected, plus D times the step projected.
+/// Applies the Jacobian to a step with a known response: the response projected, plus D times the step projected.
 void jacobian_times(std::size_t m, Vectors n, const double* tangent_stiffness, Vectors step, Vectors response,
                     MutableVectors image);
 
@@ -101,7 +101,7 @@ void weigh_levels(std::size_t m, const LevelPassages& passages, double unit, con
 /// Slip ends where s . p > push g.
 void end_slip(std::size_t m, Vectors p, Vectors s, double push, const double* g, char* slips);
 
-/// The same after a step, and what it has changed of the tractions and slips before.
+/// Takes the differences of tractions and slips to those before a step.
 void take_differences(std::size_t m, Vectors p, Vectors s, Vectors before_p, Vectors before_s, double push,
                       const double* g, char* slips, MutableVectors change, MutableVectors response);
 

@@ -13,7 +13,7 @@
 
 namespace contactd {
 
-/// What is prescribed, and where the search starts. The force on the upper body opposes the slip.
+/// The prescribed forces, and the start of the search. The force on the upper body opposes the slip.
 struct PrescribedForces {
     std::optional<double> Fx, Fy;  ///< (N); a component without one keeps its rigid slip
     double largest = 0;            ///< force in full slip, sum of g dx dy (N)

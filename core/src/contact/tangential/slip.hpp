@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// Of the upper body over the lower one, per element, zero outside contact (mm).
+/// Slip of the upper body over the lower one, per element, zero outside contact (mm).
 struct SlipDistance {
     std::vector<double> x, y;
 };

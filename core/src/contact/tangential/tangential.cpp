@@ -36,8 +36,8 @@ Field full_size(std::span<const double> x, std::span<const double> y, std::size_
 TangentialSolution solve(const InfluenceOperator& influence, const Problem& problem, const SolverSettings& settings,
                          const Field* initial, bool as_estimate, Observer& observer);
 
-// What is smooth up to the edge of the contact is the traction over its bound: that is interpolated, weighted with the
-// bound, so that slip on the coarser grid is slip on the finer one.
+// The traction over its bound is smooth up to the edge of the contact: that is interpolated, weighted with the bound,
+// so that slip on the coarser grid is slip on the finer one.
 Field refined(const CoarserGrid& grid, const Values& fine_bound, const Values& coarse_bound,
               const TangentialSolution& coarse) {
     Field tractions(fine_bound.size());

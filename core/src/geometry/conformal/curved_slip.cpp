@@ -16,7 +16,7 @@ struct Slip {
     double along = 0, across = 0;
 };
 
-/// Of both surfaces, at points that face each other.
+/// Both surfaces, at points that face each other.
 class FacingSurfaces {
    public:
     FacingSurfaces(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state, double rail_share,

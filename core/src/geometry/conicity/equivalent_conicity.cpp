@@ -82,7 +82,7 @@ geometry::Reach wider(const geometry::RadiusDifference& difference, std::span<co
     return reach;
 }
 
-/// As far as all centres need, and both wheels are above their rails.
+/// The difference reaches as far as all centres need, and both wheels are above their rails.
 geometry::RadiusDifference difference_around(Shifts& shifts, std::span<const double> amplitudes, double tolerance) {
     const double largest = *std::max_element(amplitudes.begin(), amplitudes.end());
     geometry::RadiusDifference difference({-largest - first_room, largest + first_room}, tolerance,

@@ -50,7 +50,7 @@ std::vector<RadiusDifference::Sample> RadiusDifference::sampled(const std::vecto
     return samples;
 }
 
-/// What lies between two samples, and the second one.
+/// Appends the samples between two, and the second one.
 void RadiusDifference::fill(std::vector<Sample>& samples, const Sample& from, const Sample& to) const {
     const double shift = (from.shift + to.shift) / 2;
     if (to.shift - from.shift > smallest_step) {
@@ -124,8 +124,8 @@ double RadiusDifference::largest_between(double from, double to) const {
     return largest;
 }
 
-// What is a rounding error vanishes. So does what is as little as the profiles are known, where it does not swing:
-// points of a cylinder lie beside it by less than that.
+// A difference that is a rounding error vanishes. So does one below the precision of the profiles, where it does not
+// swing: points of a cylinder lie beside it by less than that.
 bool RadiusDifference::vanishes(double amplitude) const {
     constexpr double rounding = 1e-9, least_conicity = 1e-3;  // mm; digits of conicities that nobody tells
     const double y = centre(amplitude), middle = std::isnan(y) ? 0 : y;

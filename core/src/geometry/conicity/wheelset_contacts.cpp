@@ -42,7 +42,7 @@ RigidContact contact_of(const WheelOverRail& pair, const LeastGap& found, double
             .at_end = found.at_end};
 }
 
-/// As the track's cant turns it.
+/// Returns the rail rotated by the track's cant.
 ProfileCurve canted(const ProfileCurve& rail, double cant) {
     if (cant == 0) return rail;
     std::vector<ProfilePoint> points;

@@ -36,14 +36,14 @@ struct PlanePoints {
     std::vector<double> rows;
 };
 
-/// Of the rail's surface, shape [ny, nx] (mm), or [ny] of a rail that is the same all along.
+/// Heights of the rail's surface, shape [ny, nx] (mm), or [ny] of a rail that is the same all along.
 std::vector<double> rail_heights(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points);
 
-/// Of the wheel's surface, shape [ny, nx] (mm).
+/// Heights of the wheel's surface, shape [ny, nx] (mm).
 std::vector<double> wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
                                   const PlanePoints& points);
 
-/// The same of a wheel that is straight between the nodes of a mesh on it: as wide as the elements, along x and along
+/// Heights of a wheel that is straight between the nodes of a mesh on it: as wide as the elements, along x and along
 /// its profile, around the contact's reference.
 std::vector<double> meshed_wheel_heights(const WheelSurface& wheel, const ContactReference& reference,
                                          const PlanePoints& points);

@@ -13,7 +13,7 @@ namespace {
 constexpr double least_velocity = 1e-30;  // mm/s: as contact problems have it
 constexpr double largest_creepage = 1e9;  // (1, rad/mm): what moves faster than that beside its rolling does not roll
 
-/// Of the wheel over the rail and of its rim about its axle, along x: what rolls.
+/// Speeds along x of the wheel over the rail and of its rim about its axle, whose mean is the rolling velocity.
 struct RollingSpeeds {
     double over_ground, of_rim;
 

@@ -1,4 +1,4 @@
-// What the motion of a wheelset means at one of its contacts: rigid-body kinematics.
+// Creepages at a contact from the motion of a wheelset: rigid-body kinematics.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ bool is_rolling(const Creepages& creepages);
 Creepages creepages(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state,
                     const ContactReference& reference, double approach);
 
-/// The same over the rows of a grid, at x = 0 of the contact: of the rail's surface and the wheel's where they are,
-/// seen along the mean of both. Zero in rows where one of them is missing.
+/// Slip over the rows of a grid, at x = 0 of the contact: of the rail's surface and the wheel's where they are, seen
+/// along the mean of both. It is zero in rows where one of them is missing.
 struct RowSlip {
     double along = 0, across = 0;  ///< as creepages
     double spin = 0;               ///< (rad/mm)

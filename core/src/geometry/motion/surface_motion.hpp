@@ -7,7 +7,7 @@
 
 namespace contactd::geometry {
 
-/// Of a point of a rigid body (mm/s), and the body's rotation (rad/s).
+/// Velocity of a point of a rigid body (mm/s), and the body's rotation (rad/s).
 struct SurfaceMotion {
     Vector3 velocity, angular_velocity;
 };

@@ -1,4 +1,4 @@
-// What a wheel that is not round has beside the profile it is a surface of revolution of.
+// The deviation of an out-of-round wheel from the surface of revolution of its profile.
 #pragma once
 
 #include <cstddef>

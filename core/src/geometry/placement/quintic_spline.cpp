@@ -17,7 +17,7 @@ double minmod(double a, double b) {
     return a * b > 0 ? std::copysign(std::min(std::abs(a), std::abs(b)), a) : 0;
 }
 
-/// As far as `limit`, with its sign.
+/// Limits the size of a value, keeping its sign.
 double limited(double value, double limit) {
     return limit >= 0 ? std::clamp(value, 0.0, limit) : std::clamp(value, limit, 0.0);
 }
@@ -89,7 +89,7 @@ class QuinticSpline::Limiter {
         }
     }
 
-    /// What the derivatives at both ends of a piece may count for, so that its polygon does not turn back in the
+    /// Returns the share of the derivatives at both ends of a piece with which its polygon does not turn back in the
     /// middle.
     double share(std::size_t piece, const std::vector<KnotDerivatives>& at) const {
         const auto i = static_cast<std::ptrdiff_t>(piece);

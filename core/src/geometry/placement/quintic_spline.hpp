@@ -56,7 +56,7 @@ class QuinticSpline {
     std::vector<Stencil> stencils_;
 };
 
-/// What the values and derivatives at both ends of a piece count for at a share t of its width h.
+/// Weights of the values and derivatives at both ends of a piece, at a share t of its width h.
 struct QuinticWeights {
     double to, leaving, arriving, bending,
         unbending;  ///< value at the end less that at the beginning; slopes; curvings

@@ -24,22 +24,22 @@ class RailSurface {
    public:
     /// `origin` is that of rail_origin.
     RailSurface(ProfileCurve profile, const Track& track, ProfilePoint origin, const RailDeviation& deviation);
-    /// Of slices, from `x` along the track on.
+    /// Makes the surface of slices, from `x` along the track on.
     RailSurface(std::shared_ptr<const SlicedRail> slices, double x, const Track& track, ProfilePoint origin,
                 const RailDeviation& deviation);
 
     /// The profile at x = 0, placed: the point and its derivatives by s.
     ProfileCurve::Place place(double s) const { return placed(profile_, s); }
-    /// The same of a profile of the same rail elsewhere.
+    /// Places a profile of the same rail elsewhere.
     ProfileCurve::Place placed(const ProfileCurve& profile, double s) const;
-    /// Of the profile, as far as it is seen from above.
+    /// Returns the part of the profile that is seen from above.
     const Span& visible() const { return visible_; }
     /// Finds the s of the visible part that has this y; `s` is where to start.
     bool find_y(double y, double& s) const;
 
     /// Height of the surface at (x, y); y is that of the visible part, `s` is where to start.
     double height(double x, double y, double s) const;
-    /// The same where the profile has z at x = 0; not a number where there is none.
+    /// Returns the height where the profile has z at x = 0; not a number where there is none.
     double z_at(double x, double y, double z) const;
     double slope_along(double x, double y, double z) const;  ///< its derivative by x
     bool varies() const { return axle_ || slices_; }         ///< along the track
@@ -51,7 +51,7 @@ class RailSurface {
 
     /// 1/R of a roller along x (1/mm); zero of a rail, sliced or not.
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }
-    /// The same at a place, also of slices; positive where convex. `s` as of height.
+    /// Returns the curvature along the track at a point, also of slices; positive where convex. `s` is as for height.
     double curvature_along(double x, double y, double s) const;
     std::optional<double> axle() const { return axle_; }  ///< z of a roller's axle, which lies along y
 

@@ -13,15 +13,15 @@ namespace contactd::geometry {
 /// of the length from kink to kink. Slices that are equal are equal all between. Beyond the ends the profile stays.
 class SlicedRail {
    public:
-    /// Of two slices at least; x ascends. Throws InvalidArgument ("rail_slices[i].profile") for slices that have more
-    /// parts between kinks than the first one, or fewer: they cannot be joined.
+    /// Takes two slices at least; x ascends. Throws InvalidArgument ("rail_slices[i].profile") for slices that have
+    /// more parts between kinks than the first one, or fewer: they cannot be joined.
     SlicedRail(std::vector<double> x, const std::vector<ProfileCurve>& curves);
 
     /// The profile at a place along the track.
     ProfileCurve at(double x) const;
 
    private:
-    /// Of one point from slice to slice.
+    /// The line of one point from slice to slice.
     struct Line {
         std::vector<double> values;
         std::vector<KnotDerivatives> derivatives;

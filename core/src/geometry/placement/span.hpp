@@ -29,8 +29,8 @@ Span ascending_span(const ProfileCurve& curve, double s, const Value& value) {
     return {knots[first], knots[last], value(points[first]), value(points[last])};
 }
 
-/// What is seen from above, from the point in the middle to both sides. y of the curve ascends from its first point to
-/// its last; `turned_y` is that of the track.
+/// Returns the span that is seen from above, from the point in the middle to both sides. y of the curve ascends from
+/// its first point to its last; `turned_y` is that of the track.
 template <class TurnedY>
 Span visible_span(const ProfileCurve& curve, const TurnedY& turned_y) {
     const double middle = 0.5 * (curve.points().front().y + curve.points().back().y);

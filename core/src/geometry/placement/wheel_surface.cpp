@@ -87,7 +87,7 @@ LocusPoint WheelSurface::locus(double s, double other) const {
     return locus_point(here, x, beyond ? 0 : Y.x / X.x * (here.slope.z * incline + rho * incline_slope));
 }
 
-// The same condition, by secants in x.
+// This solves the same condition by secants in x.
 LocusPoint WheelSurface::locus(double s, const std::function<double(double x)>& other_slope) const {
     constexpr double settled = 1e-7;  // mm
     const ProfileCurve::Place here = profile_.place(s);

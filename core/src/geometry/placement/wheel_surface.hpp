@@ -20,8 +20,8 @@ struct LocusPoint {
     Vector3 slope;  ///< of `at`, by s; on a rail that varies along the track as if x were the same for all s nearby
 };
 
-/// Of the lower half, at an x along the wheelset's axis and a place of the profile: below the axle (mm), and how this
-/// changes, by x as by_x / over and by s as by_s / over.
+/// A point of the lower half, at an x along the wheelset's axis and an s of the profile: its distance below the axle
+/// (mm), and how this changes, by x as by_x / over and by s as by_s / over.
 struct BelowAxle {
     double z = 0;
     double by_x = 0, by_s = 0, over = 1;
@@ -34,21 +34,22 @@ class WheelSurface {
                  std::shared_ptr<const OutOfRound> unround = nullptr);
 
     bool is_round() const { return !unround_; }
-    /// Of one that is not round: by how much its radius grows with the angle at most, over the radius.
+    /// Returns the largest growth of an out-of-round wheel's radius with the angle, over the radius.
     double steepest() const { return unround_ ? unround_->steepest() / radius_ : 0; }
     /// `here` is the profile's place s.
     BelowAxle below_axle(double x, const ProfileCurve::Place& here, double s) const;
-    /// Of curvature along x (mm), infinite on a flat.
+    /// Returns the radius of curvature along x (mm), infinite on a flat.
     double radius_along(double x, double s) const;
 
-    /// Of the lower half, x along the wheelset's axis (mm) and s of the profile: in the wheelset's coordinates.
+    /// Returns a point of the lower half, x along the wheelset's axis (mm) and s of the profile, in the wheelset's
+    /// coordinates.
     Vector3 in_wheelset(double x, double s) const;
-    /// Of a round wheel: of the profile's point s where the surface of the other body has the curvature `other` along x
-    /// (1/mm), or a slope that is known at each x.
+    /// Returns the locus point of a round wheel: of the profile's point s where the surface of the other body has the
+    /// curvature `other` along x (1/mm), or a slope that is known at each x.
     LocusPoint locus(double s, double other = 0) const;
     LocusPoint locus(double s, const std::function<double(double x)>& other_slope) const;
     const Span& visible() const { return visible_; }
-    /// The same wheel, with the wheelset's centre lower by dz.
+    /// Returns the wheel with the wheelset's centre lower by dz.
     WheelSurface lowered(double dz) const;
 
     /// Wheelset in the track.

@@ -31,7 +31,7 @@ Points outwards(Iterator from, Iterator end, double sense) {
     return kept;
 }
 
-/// As before, but what comes back above points that were kept hides these.
+/// Points that come back above earlier ones hide these.
 template <class Iterator>
 Points uppermost(Iterator from, Iterator end, double sense) {
     Points kept{*from};

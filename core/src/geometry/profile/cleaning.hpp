@@ -1,4 +1,4 @@
-// What is done to the points of a measured profile before a curve goes through them.
+// Cleans the points of a measured profile before a curve goes through them.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,11 @@ Points without_repetitions(const Points& points);
 /// Where two turns of more than 150 degrees follow each other, both points become their mean.
 Points without_zigzags(Points points);
 
-/// What is seen of a wheel from above its middle: both ways from there, as far as y goes on.
+/// Returns the points of a wheel that are seen from above its middle: both ways from there, as far as y goes on.
 Points wheel_seen_from_above(const Points& points);
 
-/// What of a rail is not hidden from above: of two points with the same y the upper one, outwards from its top.
+/// Returns the points of a rail that are not hidden from above: of two with the same y the upper one, outwards from its
+/// top.
 Points rail_seen_from_above(const Points& points);
 
 /// Points where the curve turns by more than 30 degrees and, within 2 mm, nowhere else by more than 6.

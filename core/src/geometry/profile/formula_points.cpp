@@ -31,7 +31,7 @@ struct Head60E1 {
     }
 };
 
-/// The same stretch, but for its last 3 mm at both ends, where it bends to meet other points.
+/// Bends the last 3 mm of a stretch at both ends, to meet other points.
 Stretch bent(const Stretch& stretch, const ProfilePoint& begin, const ProfilePoint& end) {
     const double z_begin = begin.z - stretch.at(0).z, z_end = end.z - stretch.at(stretch.length).z;
     return {stretch.length, [=](double t) {

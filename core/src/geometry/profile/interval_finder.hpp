@@ -10,7 +10,7 @@ namespace contactd::geometry {
 class IntervalFinder {
    public:
     IntervalFinder() = default;
-    /// Of two values or more, not descending.
+    /// Takes two values or more, not descending.
     explicit IntervalFinder(std::vector<double> values) : values_(std::move(values)) {
         const std::size_t buckets = 4 * values_.size();
         per_value_ = static_cast<double>(buckets) / (values_.back() - values_.front());

@@ -49,7 +49,7 @@ Points smoothed(const ProfileCurve& rough, double wavelength) {
     return smooth;
 }
 
-/// Of the curve from a point that lies near its place s.
+/// Returns the distance of the curve from a point near s on it.
 double distance(const ProfileCurve& curve, const ProfilePoint& point, double s) {
     for (int iteration = 0; iteration < 10; ++iteration) {
         const auto here = curve.place(s);

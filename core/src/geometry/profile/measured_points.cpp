@@ -32,7 +32,7 @@ Points in_mm(const ProfilePoints& given) {
     return points;
 }
 
-/// What remains is too little where a profile is not run through in order, or stands upright.
+/// Too little remains where a profile is not run through in order, or stands upright.
 void check_remainder(std::size_t kept, std::size_t given) {
     if (2 * kept < given)
         throw InvalidArgument(

@@ -1,4 +1,4 @@
-// What profiles are put together from: straight lines, arcs and polynomials, and the points to put on each.
+// Parts of profiles: straight lines, arcs and polynomials, and the points to put on each.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Stretch {
 };
 
 Stretch straight(ProfilePoint from, ProfilePoint to);
-/// Of a circle, from one angle to another; 0 is y, pi/2 is z.
+/// Returns an arc of a circle, from one angle to another; 0 is y, pi/2 is z.
 Stretch arc(ProfilePoint centre, double radius, double from, double to);
 /// z = sum of powers[i] y^i.
 Stretch polynomial(std::vector<double> powers, double from, double to);

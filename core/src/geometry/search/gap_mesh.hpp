@@ -48,7 +48,7 @@ class GapMesh {
     std::vector<std::vector<Node>> connected_below(double z) const;
 
    private:
-    /// Of a square: its first node, and the one behind it on both lines.
+    /// A square reaches from its first node to the one behind it on both lines.
     struct Square {
         Node from, to;
     };

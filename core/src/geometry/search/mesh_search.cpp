@@ -62,8 +62,8 @@ void MeshSearch::for_each(double z, const RegionGroup& group, const Visit& visit
     }
 }
 
-// Of an ellipse's paraboloid the mean square of the distance is a sixth of the square of its semi-axis, and the volume
-// half of approach times area.
+// The mean square of the distance over an ellipse's paraboloid is a sixth of the square of its semi-axis, and the
+// volume half of approach times area.
 EquivalentEllipse MeshSearch::ellipse(double z, const RegionGroup& group) const {
     double volume = 0, x_first = 0, x_second = 0, y_first = 0, y_second = 0;
     for_each(z, group, [&](const Node& node, double depth) {

@@ -20,7 +20,7 @@ struct EquivalentEllipse {
 };
 inline constexpr double most_slender_ellipse = 16;  ///< ratio of semi-axes: simplified models know contacts of up to 32
 
-/// What speaks against a planar contact.
+/// Signs that a planar contact is a poor model.
 struct QualityFlags {
     double bend = 0;  ///< largest angle of the rail to the plane (rad) where the surfaces are pressed together for sure
     double curvature = 0;  ///< of the rail along the track, that the search left out, over the wheel's
@@ -31,11 +31,11 @@ inline constexpr double surely_pressed = 0.04;  ///< overlap (mm) along the norm
 class OverlapSearch {
    public:
     virtual ~OverlapSearch() = default;
-    /// Of a wheelset at z = 0; infinite where no part of the wheel is above the rail.
+    /// Returns the least gap of a wheelset at z = 0; infinite where no part of the wheel is above the rail.
     virtual double least_gap() const = 0;
-    /// Of a wheelset that stands at z, by descending y.
+    /// Returns the regions of a wheelset that stands at z, by descending y.
     virtual std::vector<OverlapRegion> regions(double z) = 0;
-    /// Of the same volume and the same second moments as what overlaps within the group's extents.
+    /// Returns the ellipse of the same volume and second moments as the overlap within the group's extents.
     virtual EquivalentEllipse ellipse(double z, const RegionGroup& group) const = 0;
     virtual QualityFlags quality_flags(double z, const RegionGroup& group) const = 0;
 };

@@ -19,7 +19,7 @@ double between(const Extent& a, const Extent& b) {
     return std::max({0.0, a.from - b.to, b.from - a.to});
 }
 
-/// Of anything with extents.
+/// Returns the distance between anything with extents.
 template <class A, class B>
 double distance(const A& a, const B& b) {
     const double x = between(a.x, b.x), y = between(a.y, b.y);
@@ -64,7 +64,7 @@ std::vector<RegionGroup> joined(const std::vector<RegionGroup>& parts, double fa
     return groups;
 }
 
-/// As one region.
+/// Returns the group as one region.
 OverlapRegion merged(const RegionGroup& group) {
     OverlapRegion region{group.reference, group.x, group.y, group.z, 0, group.size};
     for (const OverlapRegion& part : group.regions) region.penetration = std::max(region.penetration, part.penetration);

@@ -115,7 +115,7 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
         for (const Chord& chord : chords) sum += high(chord, along) - low(chord, along);
         return sum / extent(along);
     };
-    // Of what is between two curves, over the body: with less the stiffness of the section is lost in rounding.
+    // The least distance between two curves, over the body: with less the stiffness of the section is lost in rounding.
     constexpr double least_bridge = 2e-6;
     const double least = least_bridge * std::max(extent(&SectionPoint::y), extent(&SectionPoint::z));
     const Coordinate along = spread(&SectionPoint::y) < spread(&SectionPoint::z) ? &SectionPoint::y : &SectionPoint::z;

@@ -17,7 +17,7 @@ inline double principal(double angle) {
     return std::remainder(angle, 2 * std::numbers::pi);
 }
 
-/// What an arc length leads to.
+/// The point, normal and curvature at an arc length.
 struct OutlinePlace {
     SectionPoint at;
     double angle = 0;      ///< of the outward normal, as that of a StripFrame, in [-pi, pi]

@@ -50,7 +50,7 @@ SectionPoint mirrored(const SectionPoint& point) {
     return {-point.y, point.z};
 }
 
-// The same part on the other side, travelled the other way: it ends where this one begins.
+// Returns the part on the other side, travelled the other way: it ends where this one begins.
 OutlinePart mirrored(const OutlinePart& part, const SectionPoint& begin) {
     if (const auto* arc = std::get_if<ArcTo>(&part.curve)) return {ArcTo{mirrored(begin), arc->radius}};
     return {LineTo{mirrored(begin)}};

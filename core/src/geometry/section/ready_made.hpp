@@ -11,7 +11,7 @@ namespace contactd::geometry {
 /// InvalidArgument below `field` when a profile does not fit its section.
 OutlineSection outline_of(const Section& section, double width, const std::string& field);
 
-/// Of its shape alone, as large as its numbers say and not turned.
+/// Returns the outline of the shape alone, as large as its numbers say and not rotated.
 OutlineSection outline_of(const RailSection& rail, double width);
 OutlineSection outline_of(const WheelRimSection& rim, double width, const std::string& field);
 OutlineSection outline_of(const ProfileSection& section, double width, const std::string& field);

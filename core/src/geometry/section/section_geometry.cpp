@@ -159,7 +159,7 @@ SectionGeometry::SectionGeometry(const Section& section, int strips, double ds, 
     }
     check_outlines(curves_, names);
     carrier_ = outline.carrier;
-    // What begins at a corner but for rounding begins there.
+    // A strip that begins at a corner but for rounding begins there.
     const double first = carrier().reduced(carrier().begin_of(outline.part) + outline.from);
     first_ = carrier().length() - first < rounding * ds ? 0 : first;
     const StripCheck check(*this, field);

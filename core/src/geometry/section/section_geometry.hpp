@@ -12,7 +12,7 @@ namespace contactd::geometry {
 
 /// By more than this (rad) a curve turns at a corner; less are roundings of coordinates.
 inline constexpr double least_corner = 0.02;
-/// What a strip's arc may turn by (rad).
+/// The largest angle over a strip's arc (rad).
 inline constexpr double most_strip_turn = 0.5;
 
 class SectionGeometry {

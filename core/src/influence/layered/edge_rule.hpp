@@ -14,8 +14,8 @@ class EdgeRule {
     /// Distances below `least` are taken for it.
     explicit EdgeRule(double least) : least_(least), near_(gauss_legendre(14)), far_(gauss_legendre(7)) {}
 
-    /// Of an edge at `across` from `from` to `to` along it: calls `visit` with the coordinate along it, the distance
-    /// from the origin, and the weight.
+    /// Integrates over an edge at `across` from `from` to `to` along it: calls `visit` with the coordinate along it,
+    /// the distance from the origin, and the weight.
     template <class Visit>
     void along(double across, double from, double to, const Visit& visit) const {
         if (from < 0 && to > 0) {

@@ -19,7 +19,7 @@ struct WaveSurface {
     static WaveSurface half_space(double nu);
 };
 
-/// What is left at some depth of unit tractions on the surface: in the plane, and across it.
+/// The part of unit tractions on the surface that is left at some depth: in the plane, and across it.
 struct WaveTransmission {
     Matrix2 plane{1, 0, 0, 1};
     double across = 1;

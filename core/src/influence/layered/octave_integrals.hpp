@@ -24,7 +24,7 @@ class OctaveIntegrals {
 
    private:
     static constexpr std::size_t terms = 3;
-    /// Of one function, over the wavenumbers below those of the octave.
+    /// Moments of one function, over the wavenumbers below those of the octave.
     struct Moments {
         std::array<double, terms> powers{};  ///< with the powers of k of the kernel's series
         double regularisation = 0;           ///< of what the regularisation adds, without rho/2 where that is a factor

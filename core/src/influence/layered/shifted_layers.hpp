@@ -7,8 +7,8 @@
 
 namespace contactd {
 
-/// Of layers below a rigid body. Only the numbers and the sizes of the elements of `grid` matter. As exact as
-/// layered_table, also on the borders between elements.
+/// Returns coefficients of layers below a rigid body. Only the numbers and the sizes of the elements of `grid` matter.
+/// They are as exact as those of layered_table, also on the borders between elements.
 ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid& grid, double shift_x, double shift_y,
                             const Observer& observer = {});
 

@@ -17,7 +17,7 @@ StressWave of_transmitted(double nu, const WaveSurface& surface, const WaveTrans
     return {column(1), column(0), down.across, surface.across * down.across};
 }
 
-// What of the state of a half-space decays changes by exp(A x) = exp(x) (1 + x (A - 1)), since (A - 1)^2 = 0 there.
+// The decaying part of a half-space's state changes by exp(A x) = exp(x) (1 + x (A - 1)), since (A - 1)^2 = 0 there.
 StressWave of_half_space(double nu, double depth) {
     const Matrix4 A = wave_generator(nu);
     const Matrix2 C = WaveSurface::half_space(nu).plane;

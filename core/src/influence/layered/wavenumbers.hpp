@@ -16,8 +16,8 @@ struct Wavenumbers {
     std::array<double, radii> chebyshev;  ///< points of [-1, 1]
     std::array<double, radii> rho;        ///< those of [1, 2]
     std::vector<double> k;                ///< from `least` on, in Gauss panels
-    /// Of integrals over k, with a window that falls smoothly to zero where k rho is large. A compliance changes on the
-    /// scale of k itself, so that what the window takes away is smaller than 1e-13.
+    /// Weights of integrals over k, with a window that falls smoothly to zero where k rho is large. A compliance
+    /// changes on the scale of k itself, so that what the window takes away is smaller than 1e-13.
     std::vector<double> weight;
     /// At k rho, [radius][wavenumber]: J_0 - 1, J_1, J_1 - k rho/2, without cancellation.
     std::array<std::vector<double>, radii> J0_less_1, J1, J1_less_half;

@@ -3,7 +3,7 @@
 namespace contactd {
 namespace {
 
-// What is odd along s at the opposite distance.
+// Values that are odd along s change their signs at the opposite distance.
 NineValues opposite(NineValues values) {
     for (const std::size_t odd : {1, 3, 5, 7}) values[odd] = -values[odd];
     return values;

@@ -30,7 +30,7 @@ std::vector<NineValues> midway_values(const StripGrid& grid, double nu, std::siz
 UnsetArray in_strip_axes(const StripGrid& grid, const std::vector<NineValues>& midway, double factor,
                          const Observer& observer);
 
-/// The same as a table of grid.nx offsets.
+/// Returns them as a table of grid.nx offsets.
 StripTable midway_table(const StripGrid& grid, const std::vector<NineValues>& midway, double factor,
                         const Observer& observer);
 

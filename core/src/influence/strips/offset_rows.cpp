@@ -9,7 +9,7 @@
 namespace contactd {
 namespace {
 
-// Of the sums that stay in registers.
+// So many sums stay in registers.
 constexpr std::size_t rows_at_once = 4, offsets_at_once = 8;
 
 }  // namespace

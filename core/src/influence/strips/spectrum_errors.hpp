@@ -5,7 +5,7 @@
 
 namespace contactd {
 
-/// What errors of coefficients are relative to: zz of the half-space under an element of the same size, `dx` long, or
+/// Returns the scale of errors of coefficients: zz of the half-space under an element of the same size, `dx` long, or
 /// the largest zz of a strip on itself where that is less, as of thin layers.
 double error_scale(const StripSpectrum& spectrum, double dx);
 

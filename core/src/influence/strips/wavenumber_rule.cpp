@@ -104,7 +104,7 @@ struct Waves {
     }
 };
 
-/// What the spline of a value at a knot takes from it, from the next one, and from the curvatures of both.
+/// Weights by which the spline of a value at a knot takes from it, from the next one, and from the curvatures of both.
 using Shares = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 Shares shares(std::span<const Point> points, double dx, bool beyond) {
@@ -134,7 +134,7 @@ std::vector<double> wavenumber_nodes(double xi0, double last, int count) {
 WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, double dx, int nx, double shift,
                                const Observer& observer) {
     const auto count = static_cast<Eigen::Index>(nodes.size());
-    // Of values and of curvatures.
+    // There are weights of values and of curvatures.
     RowMajor even = RowMajor::Zero(count, nx), even_bent = even, odd = even, odd_bent = even;
     const auto points = quadrature(nodes, xi0, nx * dx + std::abs(shift));
     for (Eigen::Index knot = 0; knot < count; ++knot) {
