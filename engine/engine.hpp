@@ -1,6 +1,6 @@
-// What the daemon does behind its messages, for whoever wants it in his own process: tables, operators that are kept
-// between solves, solves, and the steps of a simulation. No sockets, no messages; threads and a folder of tables only
-// once a table is wanted that is not known in closed form.
+// The daemon's work without its messages, as a library: tables, operators that are kept between solves, solves, and the
+// steps of a simulation. It has no sockets and no messages; threads and a folder of tables only once a table is wanted
+// that is not known in closed form.
 #pragma once
 
 #include <filesystem>
@@ -67,7 +67,7 @@ class Engine {
     // For those who cannot wait: first the tables, then the solve with them.
     /// Of tables by finite elements; opens the store when it is first asked for. Throws StoreError.
     IcService& tables();
-    /// Of a valid problem, whose tables are at hand.
+    /// Solves a valid problem, whose tables are at hand.
     SolveReply solve(const ContactProblem& problem, const IcAnswers& ics, Observer& observer);
     std::unique_ptr<ContactSteps> open(SessionSpec spec, const IcAnswers& ics, const Observer& observer = {});
 

@@ -18,7 +18,7 @@ int rounded_up(int count) {
     return (count + step - 1) / step * step;
 }
 
-/// Of half-spaces that turn from row to row: positions of a wheel that only its x tells apart have the same rows.
+/// Keys half-spaces that rotate from row to row: positions of a wheel that only its x tells apart have the same rows.
 std::string rotated_key(const ContactProblem& problem, const PatchStrips& strips) {
     std::string key = influence_key(problem, "rotated", "");
     for (const StripFrame& frame : strips.frames)

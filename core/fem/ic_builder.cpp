@@ -26,13 +26,13 @@ int process_count() {
     return processes;
 }
 
-/// What is factorised, refined, or a product along axes is done by one process as quickly as by several.
+/// One process factorises, refines and solves products along axes as quickly as several.
 bool is_built_alone(const IcSpec& spec) {
     return process_count() > 1 && !spec.section &&
            (predicted_size(spec, 1).solver == Solver::direct || is_adaptive(spec) || is_corrected_block(spec));
 }
 
-/// Of a dimensionless spec.
+/// Takes a dimensionless spec.
 BuildSize size_of(const IcSpec& spec) {
     return predicted_size(spec, is_built_alone(spec) ? 1 : process_count());
 }

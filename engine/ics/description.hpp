@@ -1,4 +1,4 @@
-// What a table is, in words for people.
+// Describes a table in words for people.
 #pragma once
 
 #include <string>

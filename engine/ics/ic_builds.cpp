@@ -16,7 +16,7 @@ using proto::StatusCode;
 namespace {
 
 constexpr auto lock_sign_interval = std::chrono::seconds(1);
-/// What a sign may need to be seen on another machine, beyond the silence that is taken for a stall.
+/// Time after which a sign is surely seen on another machine, beyond the silence that is taken for a stall.
 constexpr auto lock_sign_delay = std::chrono::seconds(5);
 constexpr auto default_timeout = std::chrono::seconds(60);
 
@@ -39,7 +39,7 @@ class BuildClock {
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What was built and how good it is, for the log.
+/// Summarises what was built and how good it is, for the log.
 std::string summary(const IcEvidence& evidence) {
     std::string text = std::format("{} unknowns", evidence.dofs);
     if (!evidence.family_nu.empty()) text += std::format(" and fewer, {} tables", evidence.family_nu.size());

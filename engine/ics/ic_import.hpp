@@ -10,7 +10,7 @@
 
 namespace contactd::engine {
 
-/// What every solution says that a table with this key has been used for.
+/// Returns the warning of every solution that has used a table with this key.
 std::string imported_warning(const std::string& key);
 
 /// Keeps the record of an IC file in the store as the word of `user`. What this user is served already stays. Throws

@@ -21,7 +21,7 @@ struct IcAnswer {
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
     TableOwner owner{};  ///< who has brought the table, if it serves its owner only
 
-    /// What caches know the table by.
+    /// Returns the key by which caches know the table.
     std::string cache_key() const { return owner.empty() ? key : key + " of " + owner; }
 };
 
@@ -79,7 +79,7 @@ class IcService {
 
     const IcStore& store() const { return resilient_store_.store(); }
     std::vector<BuildQuarantine::Entry> quarantined() { return builds_.quarantine().entries(); }
-    /// What keeps the store from being used, as a sentence; empty when all is well.
+    /// Returns why the store cannot be used, as a sentence; empty when all is well.
     std::string store_problem() const { return resilient_store_.problem(); }
     IcCache::Usage cache_usage() const { return cache_.usage(); }
     int builds_waiting() const { return builds_.waiting(); }

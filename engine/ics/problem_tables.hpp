@@ -22,7 +22,7 @@ std::array<std::optional<IcSpec>, 2> specs_of(const ContactSetup& setup);
 
 /// Throws for a problem that cannot be solved as stated.
 void check(const ContactProblem& problem);
-/// The same, where steps will bring gap and load that are missing.
+/// Checks an opening, where steps will bring gap and load that are missing.
 void check_opening(const ContactProblem& problem);
 
 /// The operators of the pair, from the cache where they can be; none of a simplified model.
@@ -32,7 +32,7 @@ CachedInfluence influence_of(const ContactProblem& problem, const IcAnswers& ics
 /// Where the coefficients came from.
 IcUses uses_of(const ContactSetup& setup, const IcAnswers& ics);
 
-/// What whoever uses a solution should know of the tables behind it: sentences, none when all is well.
+/// Returns warnings of the tables behind a solution: sentences, none when all is well.
 std::vector<std::string> table_warnings(const IcAnswers& ics);
 
 }  // namespace contactd::engine

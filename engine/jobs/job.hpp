@@ -24,7 +24,7 @@ struct JobProgress {
         std::nullopt;  ///< the most it will take, an estimate, where there is one
 };
 
-/// What a job is, and for whom.
+/// Kind and owner of a job.
 struct JobOrigin {
     std::string kind;         ///< "build", "solve", "subsurface" or "step"
     std::string description;  ///< words for people: what is built or solved
@@ -81,7 +81,7 @@ class Job {
 /// The jobs that are queued or running. Thread-safe; a job is listed until it ends or nobody holds it any more.
 class JobTable {
    public:
-    /// As the constructor of Job; the name is the kind and a number.
+    /// Takes the arguments of the constructor of Job; the name is the kind and a number.
     std::shared_ptr<Job> create(JobOrigin origin, std::function<void()> on_cancel) {
         const std::scoped_lock lock(mutex_);
         forget_ended();

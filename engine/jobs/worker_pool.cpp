@@ -83,7 +83,7 @@ bool WorkerPool::any_may_begin() const {
 
 WorkerPool::Level& WorkerPool::next_level() {
     const auto has_tasks = [this](const Level& level) { return may_begin(level); };
-    // Of several that have waited long enough the lowest first: it has waited longest.
+    // The lowest of several that have waited long enough goes first: it has waited longest.
     const auto overdue = std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& level) {
         return has_tasks(level) && level.passed_over >= most_passes;
     });

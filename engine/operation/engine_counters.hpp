@@ -1,4 +1,4 @@
-// What an engine has done since it was made.
+// Counts of what an engine has done since it was made.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@ struct EngineCounters {
     Count tangential_iterations = 0;
     Count build_milliseconds = 0;
 
-    // What is the case now.
+    // These say what is the case now.
     Count store_tables = 0;
     Count store_bytes = 0;
 };

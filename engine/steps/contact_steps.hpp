@@ -28,7 +28,7 @@ class ContactSteps {
     /// `influence` is that of the set-up, made of `ics`.
     ContactSteps(SessionSpec spec, IcAnswers ics, CachedInfluence influence);
 
-    /// What all steps have in common, and what holds for those that do not say it.
+    /// The set-up that all steps have in common, and the load that holds for those that do not state it.
     const ContactProblem opened;
     const bool accept_unconverged;  ///< whether steps count that missed a tolerance
 

@@ -16,7 +16,8 @@ class WheelRailSteps {
 
     const WheelRailSetup& setup() const { return opened_->setup(); }
 
-    /// As opened, or with the friction that a step names. Throws InvalidArgument ("friction.mu", ...).
+    /// Returns the contact as opened, or with the friction that a step names. Throws InvalidArgument ("friction.mu",
+    /// ...).
     const WheelRailContact& contact_with(const std::optional<WheelRailFriction>& friction);
     /// The step of such a contact after `before`, and what it leaves to the next one in `after`. Throws as
     /// WheelRailContact::solve, and StatusError (NOT_CONVERGED) unless such steps count.

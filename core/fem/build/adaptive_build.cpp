@@ -20,13 +20,13 @@ constexpr double share_of_error = 0.5;
 /// A mesh that fills so much of max_dofs is the last one: another step would cost more than it gains.
 constexpr double full = 0.8;
 
-/// Of the solves whose displacements only mark elements.
+/// Tolerance of the solves whose displacements only mark elements.
 constexpr double marking_tolerance = 1e-6;
 
-/// Of choosing a finer mesh, generously: several are tried.
+/// Time to choose a finer mesh, generously: several are tried.
 constexpr double seconds_per_dof = 1e-4;
 
-/// Of the progress shown: what all meshes but the last one take.
+/// Share of the progress shown that all meshes but the last one take.
 constexpr double refining_share = 0.5;
 
 double sum(const std::vector<double>& values) {

@@ -28,7 +28,7 @@ IcTable closed_form(IcSpec spec) {
     return half_space_table(spec);
 }
 
-/// What the tolerance of the solver leaves beside, generously.
+/// Error that the tolerance of the solver leaves, generously.
 constexpr double solver_error = 3e-6;
 
 /// Differences to the mesh before become errors.

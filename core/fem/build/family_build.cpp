@@ -18,8 +18,8 @@ constexpr std::array<int, 3> sizes{5, 9, 17};
 
 using Halves = std::array<double, 2>;
 
-/// Of a mesh that was given, in each half: the largest error under the load or, of a block, whose error is not known,
-/// what quadratic meshes usually have.
+/// Returns in each half the error on the mesh that was given: the largest under the load or, of a block, whose error is
+/// not known, the usual one of quadratic meshes.
 Halves mesh_errors(const std::vector<const IcRecord*>& records) {
     constexpr Halves usual{2e-3, 6e-3};
     Halves largest{};
@@ -33,7 +33,7 @@ Halves mesh_errors(const std::vector<const IcRecord*>& records) {
     return largest;
 }
 
-/// Of interpolation, in each half.
+/// Returns the allowed errors of interpolation in each half.
 Halves allowed_errors(const IcSpec& spec, const std::vector<const IcRecord*>& records) {
     constexpr double of_accuracy = 1.0 / 20, of_mesh = 1.0 / 10, least = 1e-5;
     if (spec.accuracy > 0) return {of_accuracy * spec.accuracy, of_accuracy * spec.accuracy};

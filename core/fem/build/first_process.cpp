@@ -24,7 +24,7 @@ void broadcast(MPI_Comm comm, char* data, int size) {
     }
 }
 
-/// What came of the work, as a text: its kind and, of an InvalidArgument, its field.
+/// The result of the work is a text: its kind and, of an InvalidArgument, its field.
 enum class Kind : char { record, invalid_argument, not_converged, cancelled };
 
 struct Outcome {

@@ -7,8 +7,8 @@
 
 namespace contactd::fem {
 
-/// Of a stretch (s): what it took so far, what the step that begins is expected to take, and the stretch from now on,
-/// where that can be told.
+/// Times of a stretch (s): so far, expected of the step that begins, and expected of the stretch from now on, where
+/// that can be told.
 struct StepTimes {
     double before, step;
     std::optional<double> left;
@@ -33,7 +33,7 @@ struct ProgressPart {
     ProgressPart part(double from, double length) const { return {observer, first + share * from, share * length}; }
 };
 
-/// What a load prescribes.
+/// Makes the values that a load prescribes.
 using CaseOf = std::function<LoadCase(ElasticityProblem& problem, Axis load)>;
 
 /// Throws NotConverged, a sentence with the load and what was reached, when the solve did not.
@@ -53,7 +53,7 @@ std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case
 /// Collective. The same, and reads the table off; the evidence lacks errors, warnings and the total time.
 IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress);
 
-/// What a user of a table on a given mesh should know: what the paper advises against, and errors beyond 1 %.
+/// Returns warnings for users of a table on a given mesh: what the paper advises against, and errors beyond 1 %.
 std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& evidence);
 
 /// Collective. Sets the total time since `start`, and all times to those of the slowest process, so that every process
@@ -64,7 +64,7 @@ void finish_evidence(IcEvidence& evidence, double start, MPI_Comm comm);
 /// with errors where there is a closed form. Throws NotConverged when a load case misses its tolerance.
 IcRecord build_on_mesh(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
 
-/// The same on the mesh of `problem`; the total time counts from `start`.
+/// Builds on the mesh of `problem`; the total time counts from `start`.
 IcRecord build_on_problem(ElasticityProblem& problem, const ProgressPart& progress, double start);
 
 }  // namespace contactd::fem

@@ -12,7 +12,7 @@ namespace contactd::fem {
 /// Offsets that near_load_from_far() needs along each axis.
 inline constexpr int self_similar_extent = 10;
 
-/// The same table, the offsets below 5 x 5 replaced by what the others imply. Throws InvalidArgument for a table
+/// Returns the table with the offsets below 5 x 5 replaced by what the others imply. Throws InvalidArgument for a table
 /// smaller than self_similar_extent.
 IcTable near_load_from_far(const IcTable& table);
 

@@ -39,7 +39,7 @@ struct Interval {
 };
 Interval find_interval(const std::vector<double>& lines, double position);
 
-/// Of spec.fem.mesh; `spec` must be dimensionless and valid.
+/// Makes the mesh that spec.fem.mesh names; `spec` must be dimensionless and valid.
 BlockMesh make_block_mesh(const IcSpec& spec);
 
 /// Gives the faces of a quarter block their BoundaryPart; `load` as from load_extent().

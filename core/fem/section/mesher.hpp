@@ -1,4 +1,4 @@
-// What fills outlines with triangles: a module of its own, contactd-gmsh.so, that is opened when it is first needed.
+// Fills outlines with triangles: a module of its own, contactd-gmsh.so, that is opened when it is first needed.
 #pragma once
 
 #include <functional>
@@ -19,6 +19,6 @@ extern "C" {
 using FillOutline = bool(const contactd::fem::DividedOutline& outline, const contactd::fem::SizeAt& size,
                          contactd::fem::Triangulation& result, std::string& problem);
 
-/// What the module exports.
+/// The function that the module exports.
 FillOutline contactd_fill_outline;
 }

@@ -1,4 +1,4 @@
-// What the mesh of a cross-section is made from: closed curves of smooth pieces, by arc length, and the strips on one
+// The geometry that a cross-section is meshed by: closed curves of smooth pieces, by arc length, and the strips on one
 // of them. Lengths are over the width ds of a strip, so that sections of one shape have one mesh.
 #pragma once
 
@@ -35,7 +35,8 @@ struct OutlinePosition {
 };
 
 double length_of(const OutlineLoop& loop);
-/// Of arc length along a loop, which is taken round as often as it needs; at a joint the piece that begins there.
+/// Returns the position at an arc length along a loop, which is taken round as often as it needs; at a joint the piece
+/// that begins there.
 OutlinePosition position_at(const SectionOutline& outline, std::size_t loop, double s);
 
 inline PlanePoint point_at(const SectionOutline& outline, const OutlinePosition& at) {

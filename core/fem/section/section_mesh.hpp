@@ -10,7 +10,7 @@
 
 namespace contactd::fem {
 
-/// Of the outline's edges: the triangle, and which of its corners the edge begins and ends at.
+/// The triangle of an edge of the outline, and the corners of it at which the edge begins and ends.
 struct EdgeElement {
     int element = -1;
     int first = 0, second = 0;
@@ -19,7 +19,7 @@ struct EdgeElement {
     mfem::IntegrationPoint at(double t) const;
 };
 
-/// Of each edge of the outline. Throws InvalidArgument ("ics.section") where one has no triangle.
+/// Finds the triangle of each edge of the outline. Throws InvalidArgument ("ics.section") where one has none.
 std::vector<EdgeElement> elements_of_edges(const DividedOutline& outline, const Triangulation& triangulation);
 
 struct SectionMesh {

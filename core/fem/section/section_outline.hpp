@@ -6,7 +6,7 @@
 
 namespace contactd::fem {
 
-/// Of a section whose lengths are over the width of a strip.
+/// Takes a section whose lengths are over the width of a strip.
 SectionOutline outline_of(const geometry::SectionGeometry& section);
 
 }  // namespace contactd::fem

@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int finest_order = 6, most_refinements = 2, most_nodes = 129;
-/// Of the accuracy asked for, what each kind of error may take.
+/// Shares of the requested accuracy that each kind of error may take.
 constexpr double mesh_share = 0.4, wavenumber_share = 0.35, end_share = 0.25;
 /// Expected of a mesh, and of its matrices (s).
 constexpr double mesh_seconds = 2;
@@ -160,8 +160,8 @@ class Builder {
             {.stage = stage, .fraction = fraction, .step_seconds = step_seconds, .step_fraction = fraction});
     }
 
-    /// Of wavenumbers in order, to every `stride`-th place from `values` on; each process computes every so many of
-    /// them.
+    /// Writes the responses at wavenumbers in order to every `stride`-th place from `values` on; each process computes
+    /// every so many of them.
     void respond(SectionModel& model, const std::vector<double>& wavenumbers, double* values, std::size_t stride,
                  double from, double to) {
         const std::size_t size = result_.spectrum.component_size();
@@ -187,7 +187,7 @@ class Builder {
                       comm_);
     }
 
-    /// What does not converge on one process ends all of them.
+    /// A failure to converge on one process ends all of them.
     void together(const std::function<void()>& work) const {
         std::string problem;
         try {
@@ -218,8 +218,8 @@ class Builder {
         }
     }
 
-    /// What has to be within the accuracy. Strips beside an edge are not reciprocal whatever the mesh: a warning where
-    /// that alone misses the accuracy, but for those who ask for the finest.
+    /// Returns the error that has to be within the accuracy. Strips beside an edge are not reciprocal whatever the
+    /// mesh: a warning tells where that alone misses the accuracy, but for those who ask for the finest.
     double missed() const { return accuracy_ < finest_level ? result_.errors.total() : result_.errors.numerical(); }
 
     void require_accuracy() const {
@@ -284,7 +284,7 @@ class Builder {
         }
     }
 
-    /// Of elements of the next higher order at a few wavenumbers.
+    /// Compares with elements of the next higher order at a few wavenumbers.
     void estimate_mesh_error(const SectionMesh& mesh) {
         const StripSpectrum& spectrum = result_.spectrum;
         const std::size_t last = spectrum.nodes.size() - 1, size = spectrum.component_size();

@@ -21,7 +21,7 @@ struct SpectrumErrors {
     double wavenumbers = 0;  ///< an eighth of what every other wavenumber changes
     double end = 0;          ///< what may lie beyond the last wavenumber
     double reciprocity = 0;  ///< before the transform was made symmetric, which moves a coefficient by half of it
-    /// What finer meshes and more wavenumbers make less.
+    /// Returns the errors that finer meshes and more wavenumbers reduce.
     double numerical() const { return mesh + wavenumbers + end; }
     double total() const { return numerical() + reciprocity / 2; }
 };
@@ -42,7 +42,7 @@ struct SpectrumBuild {
 SpectrumBuild build_spectrum(MPI_Comm comm, const SectionOutline& outline, double nu, double accuracy,
                              Observer& observer, std::uint64_t max_memory_bytes = 0);
 
-/// Of the strips, lengths over ds; angles run on continuously.
+/// Returns the frames of the strips, lengths over ds; angles run on continuously.
 std::vector<StripFrame> strip_frames(const SectionOutline& outline);
 
 }  // namespace contactd::fem

@@ -1,4 +1,4 @@
-// What is chosen for an accuracy, and what that will take.
+// Mesh and wavenumbers for an accuracy, and their cost.
 #pragma once
 
 #include "boundary_edges.hpp"

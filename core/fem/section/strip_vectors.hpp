@@ -1,4 +1,4 @@
-// What strips load, and what is observed of them.
+// Vectors of the loads on strips, and of the displacements observed there.
 #pragma once
 
 #include <vector>

@@ -38,7 +38,7 @@ struct WaveFactor::Library {
 
 namespace {
 
-/// Of columns, [low, high).
+/// A range of columns, [low, high).
 struct Range {
     int low = 0, high = 0;
     int width() const { return high - low; }

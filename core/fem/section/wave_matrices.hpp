@@ -28,7 +28,7 @@ class WaveMatrices {
     std::vector<double> at(double xi) const;
 
     const mfem::FiniteElementSpace& space() const { return *space_; }
-    /// Of a scalar node the first of its three unknowns w, v, t; -1 when it is clamped.
+    /// Returns the first of the three unknowns w, v, t of a scalar node; -1 when it is clamped.
     int unknown(int node) const { return number_[static_cast<std::size_t>(node)] < 0 ? -1 : 3 * number_[node]; }
 
    private:

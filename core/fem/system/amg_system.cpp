@@ -49,7 +49,7 @@ struct Iteration {
         return residual;
     }
 
-    /// The same until the update is small against the iterate; returns the last relative update.
+    /// Iterates until the update is small against the iterate; returns the last relative update.
     double run_to_update(int& iterations) {
         double update = 1, rz = 0;
         while (update > settings.tolerance && iterations < settings.max_iterations) {

@@ -34,7 +34,7 @@ double cube(double n) {
     return n * n * n;
 }
 
-/// Of a mesh, all real because meshes beyond the range of integers are asked for, too.
+/// Numbers of nodes of a mesh, all real because meshes beyond the range of integers are asked for, too.
 struct Nodes {
     double all = 0;
     double inside = 0;   ///< of elements, which a direct solver eliminates first
@@ -112,7 +112,7 @@ bool fits(IcSpec spec, double most, const auto& change) {
     return predicted_size(spec, 1).bytes <= most;
 }
 
-/// What to ask for instead.
+/// Advises what to ask for instead.
 std::string advice(const IcSpec& spec, const BuildSize& size, double most) {
     char text[200];
     if (spec.section) return "take a coarser accuracy, or fewer strips";

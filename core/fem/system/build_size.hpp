@@ -1,4 +1,4 @@
-// What a build will take, by the formulas of its mesh, before anything is built.
+// Predicts the cost of a build by the formulas of its mesh, before anything is built.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ void require_memory(Factor& factor) {
 /// Ordering and symbolic factorisation.
 constexpr double analysis_seconds_per_dof = 2e-5;
 
-/// Of a product of dense matrices (floating-point operations a second).
+/// Measures the rate of a product of dense matrices (floating-point operations a second).
 double product_rate() {
     constexpr int n = 256;
     const Eigen::MatrixXd a = Eigen::MatrixXd::Ones(n, n);
@@ -62,7 +62,7 @@ CholeskySystem::Matrix CholeskySystem::free_part(const std::vector<int>& free_nu
     return result;
 }
 
-/// Of the factorisation before; at first that of products, of which factorisations reach about half.
+/// Returns the rate of the factorisation before; at first that of products, of which factorisations reach about half.
 double CholeskySystem::factorisation_rate() {
     constexpr double efficiency = 0.5;
     if (rate_ == 0) rate_ = efficiency * product_rate();

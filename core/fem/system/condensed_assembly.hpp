@@ -15,7 +15,8 @@ class CondensedAssembly {
    public:
     explicit CondensedAssembly(mfem::ParFiniteElementSpace& space);
 
-    /// Of each node of the space: its number in the matrix, whose rows are 3 number + axis; -1 inside an element.
+    /// Returns for each node of the space its number in the matrix, whose rows are 3 number + axis; -1 inside an
+    /// element.
     const std::vector<int>& node_numbers() const { return number_; }
 
     Eigen::SparseMatrix<double> assemble(const Material& material, const AssemblyMonitor& monitor);

@@ -12,7 +12,7 @@
 
 namespace contactd::fem {
 
-/// What a load direction prescribes, in true degrees of freedom.
+/// The values that a load direction prescribes, in true degrees of freedom.
 struct LoadCase {
     mfem::Array<int> essential;  ///< where displacements are given, ascending
     mfem::Vector given;          ///< these displacements, zero elsewhere

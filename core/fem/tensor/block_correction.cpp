@@ -56,7 +56,7 @@ PerAxis<AxisElements> axes_of(const IcSpec& spec, const BlockLevel& level) {
     return {along, along, AxisElements(heights, level.order)};
 }
 
-/// Of component i for a load along j in the middle, across the plane normal to `axis`.
+/// Returns the parity of component i for a load along j in the middle, across the plane normal to `axis`.
 double parity_of(Axis i, Axis j, Axis axis) {
     return (i == axis) == (j == axis) ? 1 : -1;
 }
@@ -99,7 +99,7 @@ PerAxis<TensorField> BlockCorrection::far_displacements(Axis load, const LoadPla
                                 share * (image_x < 0 ? sign_x[i] : 1) * (image_y < 0 ? sign_y[i] : 1) * u[i];
                     }
             }
-    // What is odd vanishes on the plane; rounding has left something.
+    // Odd functions vanish on the plane; rounding has left something.
     for (Eigen::Index c = 0; c < n; ++c)
         for (Eigen::Index at = 0; at < n; ++at)
             for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// What turns displacements of the half-space into those of the block [-L, L]^2 x [-L, 0], whose faces are clamped: no
-// traction, and on these faces the half-space's displacements taken back. It is smooth but near the block's edges.
+// The correction of displacements of the half-space to those of the block [-L, L]^2 x [-L, 0], whose faces are clamped:
+// no traction, and on these faces the half-space's displacements taken back. It is smooth but near the block's edges.
 #pragma once
 
 #include <memory>

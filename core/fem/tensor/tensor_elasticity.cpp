@@ -65,7 +65,7 @@ const AxisModes& TensorElasticity::modes(int component, int axis) const {
     return component == axis ? own_[place(axis)] : other_[place(axis)];
 }
 
-// Of two functions along x of which one is odd, and both vanish at L, the integrals of p' q and p q' are opposite. With
+// The integrals of p' q and p q' are opposite for two functions along x of which one is odd, and both vanish at L. With
 // D_x, D_y those of own and other modes, S that of modes along z, and (.) applied along each axis in turn, that makes
 //     K_xy = (lambda + mu) D_x D_y',   K_xz = D_x (lambda S - mu S'),   K_yz = D_y (lambda S - mu S').
 void TensorElasticity::multiply(const Vector& w, Vector& result, Work& work) const {

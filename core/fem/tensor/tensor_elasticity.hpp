@@ -14,7 +14,7 @@
 
 namespace contactd::fem {
 
-/// What evidence calls its solver.
+/// The name of its solver in evidence.
 inline constexpr const char* tensor_solver = "tensor_pcg";
 
 /// On the planes of symmetry x = 0 and y = 0 either the displacement across vanishes, or those along it.

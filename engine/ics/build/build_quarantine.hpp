@@ -37,7 +37,7 @@ class BuildQuarantine {
     void note_failure(const std::string& key, const IcSpec& spec, const proto::Status& status);
     /// Forgets the failures of what a built table covers.
     void note_success(const std::string& key, const IcSpec& spec);
-    /// What to answer a request for this table with, when its build, or that of a smaller one, failed too often.
+    /// Returns the answer to a request for this table, when its build, or that of a smaller one, failed too often.
     std::optional<proto::Status> refusal(const std::string& key, const IcSpec& spec);
     /// Forgets the failures of a key; true when there were any.
     bool forget(const std::string& key);

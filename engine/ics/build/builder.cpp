@@ -3,8 +3,8 @@
 #include <array>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <ctime>
+#include <fstream>
 #include <reproc++/reproc.hpp>
 #include <string_view>
 
@@ -132,13 +132,13 @@ std::vector<std::string> arguments_of(const BuilderCommand& command, const std::
     return arguments;
 }
 
-/// What is started, with the field that names it.
+/// Returns the program that is started, with the field that names it.
 std::string first_program(const BuilderCommand& command) {
     if (command.launcher.empty()) return "builds.program is " + command.program.string();
     return "builds.launcher begins with " + command.launcher.front();
 }
 
-/// Of the first program, or of the one behind a launcher.
+/// Tells why the first program, or the one behind a launcher, could not be started.
 std::string cannot_be_started(const std::string& what, const std::string& reason) {
     return what + "; it cannot be started: " + reason +
            " The builder is contactd-ic; builds.program says where it is, in process CONTACTD_IC.";

@@ -23,7 +23,7 @@ struct BuilderCommand {
     std::chrono::seconds longest{0};                       ///< duration of a build; 0: no limit
 };
 
-/// What a builder hands over by itself because it could not be written where it belongs; empty otherwise.
+/// A table that a builder hands over by itself because it could not be written where it belongs; empty otherwise.
 struct BuiltTable {
     std::vector<unsigned char> bytes;  ///< of the IC file
     std::string problem;               ///< why, as a sentence

@@ -1,4 +1,4 @@
-// What a builder sees of the daemon's environment.
+// The part of the daemon's environment that a builder sees.
 #pragma once
 
 #include <string>

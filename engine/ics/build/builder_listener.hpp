@@ -1,4 +1,4 @@
-// What a builder says: JSON lines on standard output, messages on standard error, and perhaps a table it could not
+// Reads a builder's output: JSON lines on standard output, messages on standard error, and perhaps a table it could not
 // store.
 #pragma once
 
@@ -37,7 +37,7 @@ class BuilderListener {
     const std::string& field() const { return field_; }
     /// A refusal says here what is wrong with the field, without its name.
     const std::string& problem() const { return problem_; }
-    /// What the builder printed because it could not write it.
+    /// Returns the table that the builder printed because it could not write it.
     BuiltTable take_table() { return awaited_ == 0 ? std::move(table_) : BuiltTable(); }
 
    private:

@@ -21,7 +21,7 @@ struct CachedInfluence {
     std::optional<OperatorUse> use{};
 };
 
-/// What a user should know of operators beyond the budget.
+/// Warns of operators beyond the budget.
 std::string operator_warning(const OperatorUse& use);
 /// It has that sentence for operators that were made although they may be needed again, and is empty otherwise.
 std::vector<std::string> operator_warnings(const std::optional<OperatorUse>& use);

@@ -30,7 +30,7 @@ class ResilientStore {
     ResilientStore(IcStore store, const Budgets& budgets, EngineLog log);
 
     const IcStore& store() const { return store_; }
-    /// As IcStore::find and may_have; nothing when the folder cannot be read.
+    /// These do what IcStore::find and may_have do; nothing when the folder cannot be read.
     std::optional<IcRecord> find(const IcSpec& spec, const TableOwner& owner = {});
     bool may_have(const IcSpec& spec, const TableOwner& owner);
     /// A table was served from memory: its file counts as used now.
@@ -45,7 +45,7 @@ class ResilientStore {
     std::vector<Record> recover();
     /// Removes the tables of a key, on disk or waiting for it; returns how many.
     int remove(const std::string& key, const TableOwner& owner);
-    /// What keeps the folder from being used, as a sentence; empty when all is well.
+    /// Returns why the folder cannot be used, as a sentence; empty when all is well.
     std::string problem() const;
 
    private:

@@ -1,4 +1,4 @@
-// What lies in the store's folder, and whether it can be used.
+// The contents of the store's folder, and whether it can be used.
 #pragma once
 
 #include <filesystem>

@@ -33,13 +33,13 @@ inline std::size_t at(const Grid& grid, int ix, int iy) {
     return static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
 }
 
-/// Of half-spaces; none of a rigid body.
+/// Returns the table of half-spaces; a rigid body has none.
 inline IcTable body_table(const Grid& grid, const Material& material, const Ics& ics = {}) {
     if (material.is_rigid()) return IcTable(grid.nx, grid.ny);
     return half_space_table({ics, material, grid.dx, grid.dy, grid.nx, grid.ny});
 }
 
-/// Of the bodies of the problem, as half-spaces whatever it says of their shape.
+/// Returns the table of the problem's bodies, as half-spaces whatever it says of their shape.
 inline IcTable pair_table(const ContactProblem& problem) {
     const auto table = [&](const Body& body) {
         Ics ics = std::get<Ics>(body.ics);

@@ -51,7 +51,7 @@ class CountingOperator final : public InfluenceOperator {
     ProductCounts& counts_;
 };
 
-/// The same for what a step of rolling changes.
+/// Counts the products with the increment over a step of rolling.
 class CountingStep final : public StepOperator {
    public:
     CountingStep(std::shared_ptr<const StepOperator> counted, ProductCounts& counts)

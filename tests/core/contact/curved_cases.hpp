@@ -23,7 +23,7 @@ inline std::vector<StripFrame> arc_frames(int strips, double ds, double radius, 
     return frames;
 }
 
-/// Of a plane through `origin` whose normal has this angle.
+/// Returns the frames of a plane through `origin` whose normal has this angle.
 inline std::vector<StripFrame> flat_frames(const Grid& grid, double angle, SectionPoint origin = {}) {
     std::vector<StripFrame> frames;
     for (int iy = 0; iy < grid.ny; ++iy)
@@ -51,7 +51,7 @@ inline void check_normal_contact(const ContactProblem& problem, const StripTable
     REQUIRE(curved_normal_faults(problem, table, solution, accuracy) == "");
 }
 
-/// Of elements in contact; `accuracy` of slip.
+/// Checks elements in contact; `accuracy` is that of slip.
 inline void check_friction(const ContactProblem& problem, const StripTable& table, const ContactSolution& solution,
                            double accuracy) {
     REQUIRE(curved_friction_faults(problem, table, solution, accuracy) == "");

@@ -27,7 +27,7 @@ inline Values dense_displacement(const StripTable& table, Axis i, const SurfaceS
     return u;
 }
 
-/// What the solver's coefficients may differ by from those of the check: a displacement (mm) from one (mm^3/N).
+/// Returns the error of a displacement (mm) when coefficients differ by so much from those of the check (mm^3/N).
 inline double displacement_left(const ContactSolution& solution, double coefficient) {
     double sum = 0;
     for (std::size_t i = 0; i < solution.pressure.size(); ++i)
@@ -39,8 +39,8 @@ inline SurfaceState state_of(const ContactSolution& solution) {
     return {solution.pressure, solution.traction_x, solution.traction_y};
 }
 
-/// What violates p >= 0, gap >= 0, one of them zero, and the force; empty when nothing does. `left_out`: what products
-/// may change a coefficient by (mm^3/N).
+/// Tells what violates p >= 0, gap >= 0, one of them zero, and the force; empty when nothing does. `left_out`: by how
+/// much products may change a coefficient (mm^3/N).
 inline std::string curved_normal_faults(const ContactProblem& problem, const StripTable& table,
                                         const ContactSolution& solution, double accuracy, double left_out = 0) {
     const Grid& grid = problem.grid;
@@ -84,7 +84,7 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const StripTable& tab
     const SurfaceState now = state_of(solution);
     DenseSlip slip{
         dense_displacement(table, Axis::x, now, grid.nx), dense_displacement(table, Axis::y, now, grid.nx), {}, {}};
-    // What there was one step ago: nothing before the first step of a transient.
+    // The state one step ago: there is none before the first step of a transient.
     const SurfaceState& before = rolling && rolling->steady() ? now : problem.previous;
     if (!before.pressure.empty()) {
         const Values bx = dense_displacement(table, Axis::x, before, grid.nx, steps);
@@ -113,8 +113,8 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const StripTable& tab
     return slip;
 }
 
-/// What violates Coulomb's law in contact; empty when nothing does. `accuracy`: of slip, over the largest
-/// rigid slip. `left_out`: what products may change a coefficient by (mm^3/N).
+/// Tells what violates Coulomb's law in contact; empty when nothing does. `accuracy`: of slip, over the largest rigid
+/// slip. `left_out`: by how much products may change a coefficient (mm^3/N).
 inline std::string curved_friction_faults(const ContactProblem& problem, const StripTable& table,
                                           const ContactSolution& solution, double accuracy, double left_out = 0) {
     const DenseSlip slip = dense_slip(problem, table, solution);

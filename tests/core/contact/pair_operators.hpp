@@ -20,7 +20,7 @@ inline bool on_flat_strips() {
     return bodies != nullptr && std::string_view(bodies) == "flat_strips";
 }
 
-/// Of a pair's table, as an object whose kind is none of a test's business.
+/// The operator of a pair's table, as an object whose kind does not concern a test.
 class PairOperator final : public InfluenceOperator {
    public:
     PairOperator(const IcTable& pair, int nx, int ny) : inner_(make(pair, nx, ny)) {}
@@ -62,8 +62,8 @@ class PairOperator final : public InfluenceOperator {
     const std::shared_ptr<const InfluenceOperator> inner_;
 };
 
-/// As make_influence. Flat bodies with a cross-section cannot roll along other directions than x, and of given tables
-/// nothing is known but they: these step as half-spaces do.
+/// Makes operators like make_influence. Flat bodies with a cross-section cannot roll along other directions than x, and
+/// of given tables nothing is known but they: these step as half-spaces do.
 inline ContactInfluence operators_of(const ContactProblem& problem, const IcTable& pair) {
     ContactInfluence influence = make_influence(problem, pair);
     if (!on_flat_strips()) return influence;

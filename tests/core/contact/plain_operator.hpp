@@ -36,7 +36,7 @@ class PlainOperator final : public InfluenceOperator {
     mutable std::atomic<int> products_ = 0;
 };
 
-/// What normal contact takes of half-spaces.
+/// Counts the products that normal contact of half-spaces takes.
 inline int products_of(const ContactProblem& problem) {
     const auto plain = std::make_shared<PlainOperator>(operators_of(problem, pair_table(problem)).current);
     Observer observer;

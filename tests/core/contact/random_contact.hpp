@@ -209,8 +209,8 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
     return slip;
 }
 
-/// What violates the contact conditions by more than `accuracy`; empty when nothing does. `before` is the state at the
-/// start of the last step.
+/// Tells what violates the contact conditions by more than `accuracy`; empty when nothing does. `before` is the state
+/// at the start of the last step.
 inline std::string contact_faults(const ContactProblem& problem, const ContactSolution& solution,
                                   const SurfaceState& before, double accuracy) {
     const Values h = undeformed_distance(problem);

@@ -148,7 +148,8 @@ inline RandomFriction random_friction(std::uint64_t seed, int largest_size) {
     return problem;
 }
 
-/// What violates Coulomb's law by more than `accuracy` of the displacements, or misses the forces; empty when nothing.
+/// Tells what violates Coulomb's law by more than `accuracy` of the displacements, or misses the forces; empty when
+/// nothing does.
 inline std::string friction_faults(const RandomFriction& problem, const FrictionAnswer& answer, double accuracy) {
     const int nx = problem.grid.nx, ny = problem.grid.ny;
     const auto &px = answer.tangential.traction_x, &py = answer.tangential.traction_y;

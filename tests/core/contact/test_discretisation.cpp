@@ -1,4 +1,4 @@
-// What elements and steps that are too large cost, and that a solution says so.
+// The errors by elements and steps that are too large, and that a solution states them.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -143,7 +143,7 @@ TEST_CASE("a contact area that has changed is taken as it is", "[newton]") {
     for (std::size_t i = 0; i < bound.size(); ++i) CHECK_THAT(larger.traction_x[i], WithinAbs(last.x[i], 1e-5 * 3));
 }
 
-// As when an element has just come into contact, or when its slip has turned round.
+// This happens when an element has just come into contact, or when its slip has reversed.
 TEST_CASE("elements that slip far start with a traction against their slip, whatever the estimate says", "[newton]") {
     const SmallRolling problem;
     const bool rolls = GENERATE(true, false);

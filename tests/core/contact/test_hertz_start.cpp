@@ -28,7 +28,7 @@ ContactProblem ellipse(int n) {
     return problem;
 }
 
-/// The same gap as an array, which tells nothing of Hertz.
+/// Gives the gap as an array, which tells nothing of Hertz.
 ContactProblem with_array(ContactProblem problem) {
     problem.gap = undeformed_distance(problem);
     return problem;

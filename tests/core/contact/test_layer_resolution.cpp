@@ -33,7 +33,7 @@ Layers film(double nu, Material base = Material::rigid()) {
     return {{{1, 1, nu}}, base};
 }
 
-/// Of a contact that is as long as it is wide.
+/// Returns the ratio of a contact that is as long as it is wide.
 double ratio_of(const ContactSolution& solution, const Layers& body, double element) {
     const double length = solution.evidence.discretisation->elements_across * element;
     return *compliance_ratio(sphere(body, element, 8), {length, length});

@@ -61,7 +61,7 @@ TEST_CASE("conjugate gradients or a march go on where Newton's method stands sti
     const ContactInfluence influence = operators_of(problem, pair_table(problem));
     Observer observer;
     const ContactSolution expected = solve_contact(problem, influence, observer);
-    // As often as Newton's method asks before it gives up; both halves of the preconditioner of rolling do.
+    // Newton's method asks so often before it gives up; both halves of the preconditioner of rolling do.
     const auto stuck = std::make_shared<StuckOperator>(influence.current, rolls ? 64 : 31);
     const ContactSolution solution = solve_contact(problem, {stuck, influence.increment}, observer);
 

@@ -51,7 +51,7 @@ void linear_field(const mfem::Vector& at, mfem::Vector& u) {
     u[2] = 0.3 + 0.7 * at[0] + 0.6 * at[1] - 0.2 * at[2];
 }
 
-/// Of linear_field, on all faces.
+/// Prescribes linear_field on all faces.
 LoadCase given_all_around(ElasticityProblem& problem, const mfem::Vector& exact) {
     mfem::Array<int> everywhere(static_cast<int>(BoundaryPart::far));
     everywhere = 1;

@@ -1,4 +1,4 @@
-// What builds are predicted to take, against what they took, and what is done where there is too little.
+// Predictions of the cost of builds against what they took, and what is done where there is too little.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,4 +1,4 @@
-// What takes long ends when its observer says so, and not only when it is done.
+// Long computations end when their observer says so, and not only when they are done.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <functional>

@@ -53,7 +53,7 @@ TEST_CASE("the points of a family rise from 0 to 0.49 in two halves and hold tho
 }
 
 TEST_CASE("Poisson's ratios that are told apart by rounding only belong to the same half", "[ic_family]") {
-    // Of an accuracy the halves have meshes of their own.
+    // The halves of an accuracy have meshes of their own.
     std::vector<IcTable> family = family_with(5, Axis::z, Axis::z, 1, 1, [](double) { return 1; });
     for (std::size_t j = 5; j < family.size(); ++j) family[j](Axis::z, Axis::z, 1, 1) = 2;
     CHECK(at(family, 0.3) == at(family, 0.1 + 0.2));

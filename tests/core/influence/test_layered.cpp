@@ -18,7 +18,7 @@ using enum Axis;
 
 namespace {
 
-// What errors are relative to; A_zz(0,0) itself is tiny of a thin incompressible layer on a rigid base.
+// Returns the scale of errors; A_zz(0,0) itself is tiny of a thin incompressible layer on a rigid base.
 double error_scale(const Layers& body, const IcTable& table) {
     const Layer& top = body.layers.front();
     return std::max(table(z, z, 0, 0), 1e-3 * top.thickness / top.G);
@@ -142,7 +142,7 @@ TEST_CASE("a thin incompressible layer on a rigid base yields where the pressure
     const double k = 0.05;
     CHECK_THAT(waves.at(k).c, WithinRel(k * std::pow(k * thickness, 2) * thickness / 3, 2 * k * thickness));
     const IcTable table = layered_table({{{thickness, 3, 0.5}}, Material::rigid()}, LoadShape::bilinear, 6, 6, 1, 1);
-    // Of a hat function the second derivative is -2/dx where it has its apex, smeared over the thickness, and 1/dx at
+    // The second derivative of a hat function is -2/dx where it has its apex, smeared over the thickness, and 1/dx at
     // its feet: the layer is pressed out from below the load.
     CHECK(table(z, z, 0, 0) > 0);
     CHECK(table(z, z, 1, 0) < 0);

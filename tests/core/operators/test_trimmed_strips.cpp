@@ -14,7 +14,7 @@ namespace {
 
 using enum Axis;
 
-/// Of a flat surface, with a grid's length of elements, and what products may change.
+/// An operator of a flat surface, with a grid's length of elements, and the change that products may have.
 struct Trimmed {
     StripTable table;
     std::shared_ptr<const StripParts> parts;

@@ -20,7 +20,8 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// As a daemon exports it: with dimensions, and what the builder has made for G = 1 and strips of width 1.
+/// Returns a record as a daemon exports it: with dimensions, and what the builder has made for G = 1 and strips of
+/// width 1.
 IcRecord exported_uniform() {
     IcSpec spec = fem_spec(3, 4);
     spec.body = BodyShape::prism;
@@ -91,7 +92,7 @@ IcRecord stored(IcRecord record) {
     return stored_record(std::move(record), Observer());
 }
 
-/// What is said of the record when `change` was made to it.
+/// Returns the refusal of the record when `change` was made to it.
 std::string refusal_of(IcRecord record, const std::function<void(IcRecord&)>& change) {
     change(record);
     try {

@@ -42,7 +42,7 @@ FemSpec with(Value FemSpec::* member, Value value) {
     return fem;
 }
 
-/// What the fields' own rules refuse of a spec that is valid but for `change`.
+/// Returns the field by whose own rule a spec is refused that is valid but for `change`.
 std::string broken_field(const auto& change) {
     IcSpec spec;
     spec.material = {1, 0.28};

@@ -90,7 +90,7 @@ inline bool is_given(std::string_view field) {
     return false;
 }
 
-/// Of what is sent: infinity and what is no number would be an error of the program.
+/// Tells whether all that is sent is finite: anything else would be an error of the program.
 inline bool is_finite(const WheelRailSolution& solution) {
     const auto fine = [](std::initializer_list<double> values) {
         return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -146,7 +146,8 @@ class Impatient final : public Observer {
     mutable int looks_ = 0;
 };
 
-/// What is wrong with what a borderline wheel gets, which is an answer that can be sent or a refusal of what was given.
+/// Tells what is wrong with the result of a borderline wheel, which is an answer that can be sent or a refusal of what
+/// was given.
 inline std::string borderline_fault(std::uint64_t seed) {
     Dice dice(seed);
     Impatient observer;

@@ -16,7 +16,7 @@ struct RandomWheelRail {
     WheelRailState state;
 };
 
-/// As an instrument would measure it: points about 0.5 mm apart, and noise.
+/// Returns the profile as an instrument would measure it: points about 0.5 mm apart, and noise.
 inline ProfileSpec measured(Dice& dice, const ProfileSpec& profile) {
     const ProfileCurve curve = make_profile(profile).curve;
     ProfilePoints points;
@@ -133,7 +133,7 @@ inline Wrench summed_tractions(const WheelRailPatch& patch) {
     return sum;
 }
 
-/// What is wrong with an answer; empty when nothing is.
+/// Tells what is wrong with an answer; empty when nothing is.
 inline std::string wheel_rail_faults(const RandomWheelRail& problem, const WheelRailSolution& solution) {
     if (solution.patches.empty()) {
         if (problem.state.Fz && solution.warnings.empty()) return "no contact under a force, and no word about it";

@@ -1,4 +1,4 @@
-// What a step of a wheel on its rail leaves to the next one.
+// A step of a wheel on its rail leaves estimates to the next one.
 #include "wheel_rail/estimates.hpp"
 
 #include <catch2/catch_test_macros.hpp>

@@ -36,7 +36,7 @@ WheelRailSetup unround(const std::function<double(double)>& radius, double step,
     return setup;
 }
 
-/// Of a circle of this radius in place of R, through the lowest point, as far as 0.2 rad; further on it stays.
+/// Returns the change of the radius R by an arc of another one through the lowest point, up to 0.2 rad; then it stays.
 double of_arc(double angle, double radius) {
     const double at = std::min(std::abs(angle), 0.2), centre = R - radius, aside = centre * std::sin(at);
     return centre * std::cos(at) + std::sqrt(radius * radius - aside * aside) - R;

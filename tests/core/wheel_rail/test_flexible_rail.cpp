@@ -52,7 +52,7 @@ void check_same_forces(const Wrench& a, const Wrench& b, double part) {
         CHECK_THAT(a.*of, WithinAbs(b.*of, part * b.Fz));
 }
 
-/// What acts on the rail beside its springs.
+/// Checks the balance of the rail's springs with all other forces on it.
 void check_balance(const WheelRailSetup& setup, const WheelRailState& state, const WheelRailSolution& solution) {
     REQUIRE(solution.converged());
     REQUIRE(solution.rail_shift);

@@ -15,7 +15,8 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Of normal force, pressure: relative; of tangential forces by mu Fn, of creepages by the largest rigid slip.
+/// Tolerances of normal force and pressure are relative; those of tangential forces over mu Fn, of creepages over the
+/// largest rigid slip.
 struct Tolerances {
     double Fn, tangential, creepage, pmax;
     int elements;

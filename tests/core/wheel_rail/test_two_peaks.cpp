@@ -1,4 +1,4 @@
-// As on a crossing: a wheel on two bodies of a rail, the wing and the nose.
+// A wheel on two bodies of a rail, the wing and the nose, as on a crossing.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

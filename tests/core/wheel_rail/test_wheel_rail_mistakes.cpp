@@ -1,4 +1,4 @@
-// What a user gets wrong.
+// Mistakes of users.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
@@ -39,7 +39,7 @@ TEST_CASE("Mistakes in a set-up are refused by name") {
 }
 
 TEST_CASE("Other units and other sides are refused by a sentence that says what to do") {
-    // What a user has: S1002 on 60E1 at 1/40, by points in mm.
+    // A user has S1002 on 60E1 at 1/40, by points in mm.
     const auto points_of = [](const ProfileSpec& profile) {
         return ProfilePoints{make_profile(profile).curve.points()};
     };

@@ -1,4 +1,4 @@
-// What the tests of a wheel on a rail share.
+// Cases that the tests of a wheel on a rail share.
 #pragma once
 
 #include "contactd/solve_wheel_rail.hpp"

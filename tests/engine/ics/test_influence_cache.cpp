@@ -54,7 +54,7 @@ TEST_CASE("Operators beyond the budget are kept while they are in use, and told"
     CHECK(first.operators->bytes > budget);
     CHECK(first.operators->budget_bytes == budget);
     CHECK(warns(first.solution));
-    // What is small takes its turns beside it.
+    // A small problem is solved alternately with it.
     CHECK_FALSE(warns(engine.solve(problem_of(11), observer).solution));
     const SolveReply again = engine.solve(problem_of(40), observer);
     REQUIRE(again.operators);

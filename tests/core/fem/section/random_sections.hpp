@@ -230,7 +230,7 @@ inline SectionContact random_section_contact(std::uint64_t seed) {
     return contact;
 }
 
-/// What is wrong with its solution; empty when nothing is.
+/// Tells what is wrong with its solution; empty when nothing is.
 inline std::string section_faults(const SectionContact& contact, const ContactSolution& solution) {
     if (!solution.converged()) return "not converged";
     // Products change no coefficient by more than a thousandth of the accuracy of tables.

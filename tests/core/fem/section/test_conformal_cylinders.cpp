@@ -24,8 +24,9 @@ namespace {
 constexpr double nu = 0.28, degree = pi / 180, radius = 1 / degree;  // strips of one degree, lengths over their width
 constexpr int strips = 168;
 
-/// Of identical cylinders under the force Q a length, in contact over +-half_angle (A. Persson, On the stress
-/// distribution of cylindrical elastic bodies in contact, 1964): E'(R2 - R1)/Q with E' = 2 G/(1 - nu), and pressures.
+/// Persson's solution for identical cylinders under the force Q a length, in contact over +-half_angle (A. Persson, On
+/// the stress distribution of cylindrical elastic bodies in contact, 1964): E'(R2 - R1)/Q with E' = 2 G/(1 - nu), and
+/// pressures.
 class Persson {
    public:
     explicit Persson(double half_angle) : b_(std::tan(half_angle / 2)), b2_(b_ * b_) {}

@@ -46,7 +46,7 @@ TEST_CASE("An outline whose edges of elements cross is refused where they do", "
 }
 
 TEST_CASE("Strips all round a solid cylinder meet the closed form with Bessel functions", "[section]") {
-    // Of R = 10, G = 1; nothing is held.
+    // R = 10 and G = 1; nothing is clamped.
     struct Case {
         double xi_R, nn, xx, xn, ss;
     };
@@ -66,7 +66,7 @@ TEST_CASE("Strips all round a solid cylinder meet the closed form with Bessel fu
 }
 
 TEST_CASE("A disc under two opposed loads widens across as Michell says", "[section]") {
-    // What is left, -4.4e-4: 1.8e-4 of the core, which falls with its square, and the width of the loads.
+    // The rest, -4.4e-4, is 1.8e-4 of the core, which falls with its square, and the width of the loads.
     const int strips = 360;
     const SectionOutline outline = disc(strips, 0.005);
     const SectionMesh mesh = mesh_of(outline, 4, 2);

@@ -1,4 +1,4 @@
-// What solvers need of a section's coefficients: that they are positive.
+// Solvers need the coefficients of a section to be positive.
 #include <Eigen/Eigenvalues>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>

@@ -47,7 +47,7 @@ BlockMesh mesh_of(const SectionOutline& outline, int strip) {
     return make_solid_mesh(outline, divided, triangulate(divided, spec.density), strip, spec.slices);
 }
 
-/// Of each BoundaryPart.
+/// Returns the area of each BoundaryPart.
 std::array<double, 5> boundary_areas(mfem::Mesh& mesh) {
     std::array<double, 5> areas{};
     for (int i = 0; i < mesh.GetNBE(); ++i) {
@@ -107,8 +107,8 @@ TEST_CASE("Three dimensions and the transform agree on a block with an edge", "[
     SolidSpec shorter = coarse(2);
     shorter.slices.length = 20;
     const StripTable second = solid(coarse(2)), third = solid(coarse(3));
-    // What one order more changes is most of what the lower one leaves, and a body that is a third shorter ends
-    // too far away to matter.
+    // The change by one order more is most of what the lower one leaves, and a body that is a third shorter ends too
+    // far away to matter.
     const double left = largest_difference(third, second), ended = largest_difference(solid(shorter), second);
     CAPTURE(build.errors.total(), left, ended, largest_difference(second, transformed));
     CHECK(largest_difference(third, transformed) <= build.errors.total() + left / 2 + ended);

@@ -27,7 +27,7 @@ struct Component {
 };
 constexpr std::array components{Component{z, z, &Entry::zz}, Component{x, x, &Entry::xx}, Component{y, y, &Entry::yy},
                                 Component{z, y, &Entry::zy}, Component{y, z, &Entry::yz}, Component{x, z, &Entry::xz}};
-/// Of the coefficient that Betti's theorem makes equal, at the offset -k; of xz none is in the reference.
+/// Returns the coefficient that Betti's theorem makes equal, at the offset -k; the reference has none of xz.
 double Entry::* opposite(const Component& of) {
     if (of.i == x && of.j == z) return nullptr;
     return of.i == of.j ? of.value : of.value == &Entry::zy ? &Entry::yz : &Entry::zy;

@@ -61,7 +61,7 @@ TEST_CASE("Rows of a curved contact lie half-way between rail and wheel, along b
     }
 }
 
-// Of two circles that touch in their lowest points the distance along the normal grows by the difference of the radii.
+// The distance along the normal of two circles that touch in their lowest points grows by the difference of the radii.
 TEST_CASE("Gaps of a curved contact are those along each row's normal") {
     const WheelRailSolution solution = solve(throat_on_rail(Conformal::half_space), loaded(60000));
     const WheelRailPatch& patch = solution.patches.at(0);

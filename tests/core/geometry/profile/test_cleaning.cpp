@@ -1,4 +1,4 @@
-// What is done to the points of measured profiles.
+// Cleaning the points of measured profiles.
 #include "geometry/profile/cleaning.hpp"
 
 #include <catch2/catch_test_macros.hpp>
