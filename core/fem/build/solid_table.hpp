@@ -1,4 +1,5 @@
-// The three-dimensional way to a prism's coefficients, which the transform along x is checked against.
+// The three-dimensional way to a longitudinally uniform body's coefficients, which the transform along x is checked
+// against.
 #pragma once
 
 #include "contactd/observer.hpp"

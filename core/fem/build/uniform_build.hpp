@@ -1,4 +1,4 @@
-// The record of a prism: the transform of its coefficients.
+// The record of a longitudinally uniform body: the transform of its coefficients.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ struct SolveResult {
     int iterations = 0;   ///< of conjugate gradients; 0 with a direct solver
     double residual = 0;  ///< true relative residual, computed from the solution, ||b - A w|| / ||b|| where w is what
                           ///< is sought beyond the given displacements
-    std::optional<double> update;  ///< of the last iteration, when the stop test asks for it
+    std::optional<double> update;  ///< of the last iteration, when the stopping criterion asks for it
     bool converged = false;
     double setup_seconds = 0;
     double solve_seconds = 0;
@@ -23,8 +23,8 @@ struct SolveResult {
 struct SolveMonitor {
     /// A step of the setup begins: the time it is expected to take, and that of the whole solve where it is known.
     std::function<void(double seconds, std::optional<double> whole)> setup;
-    /// After the setup with iteration 0 and then after each iteration, with the figure of the stop test and what the
-    /// next iteration is expected to take.
+    /// After the setup with iteration 0 and then after each iteration, with the figure of the stopping criterion and
+    /// what the next iteration is expected to take.
     std::function<void(int iteration, double figure, double seconds)> iteration;
 };
 

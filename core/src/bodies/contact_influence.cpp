@@ -120,7 +120,8 @@ bool is_closed_half_space(const Body& body) {
            ics->load_shape == LoadShape::constant && !ics->line_contact;
 }
 
-/// A half-space as the strips that a prism's table has: one product with both costs a third of two.
+/// A half-space as the strips that a longitudinally uniform body's table has: one product with both costs a third of
+/// two.
 StripTable half_space_strips(const ContactProblem& problem, const Body& body, const StripTable& beside,
                              const Observer& observer) {
     IcSpec spec;

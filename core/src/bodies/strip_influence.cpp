@@ -58,7 +58,7 @@ IcTable half_space(const ContactProblem& problem, const Body& body, int nx, cons
 }
 
 /// By what products may change a coefficient, over zz of half-spaces under an element: a thousandth of the error that
-/// the tables of prisms have anyway. Nothing where tables were given, which may be exact.
+/// the tables of longitudinally uniform bodies have anyway. Nothing where tables were given, which may be exact.
 double negligible(const Bodies& bodies) {
     constexpr double of_error = 1e-3, of_turned_half_spaces = 1e-3;
     double error = 0;

@@ -1,4 +1,4 @@
-// How a half-space gives way under a tangential traction spread like Hertz's pressure over an ellipse.
+// The compliance of a half-space under a tangential traction spread like Hertz's pressure over an ellipse.
 #pragma once
 
 #include "contactd/gap.hpp"

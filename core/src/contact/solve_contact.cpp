@@ -116,7 +116,7 @@ void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Conta
                                 "creepages are, and not in mm.");
 }
 
-/// Loads, radii and moduli in different units lead to pressures that no body bears. Thin layers that can hardly be
+/// Loads, radii and moduli in different units lead to pressures that no body carries. Thin layers that can hardly be
 /// compressed bear more than that under small strains, and are left out.
 void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, ContactSolution& solution) {
     constexpr double share = 0.1;  // of the shear modulus: strains are no longer small

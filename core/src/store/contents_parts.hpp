@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// A table of the store is for G = 1 and dx = 1, of a prism also for dy = 1. Those that leave contactd may have
-/// dimensions (mm^3/N).
+/// A table of the store is for G = 1 and dx = 1, of a longitudinally uniform body also for dy = 1. Those that leave
+/// contactd may have dimensions (mm^3/N).
 inline bool is_dimensionless(const IcSpec& spec) {
     return spec.dx == 1 && spec.material.G == 1 && (!spec.section || spec.dy == 1);
 }
@@ -21,7 +21,8 @@ IcSpec read_spec(const Group& at);
 void write_fem(const WritableGroup& at, const FemSpec& fem);
 FemSpec read_fem(const Group& at);
 
-/// The transform of a prism's coefficients. Reading throws DamagedTable when the parts do not fit each other.
+/// The transform of a longitudinally uniform body's coefficients. Reading throws DamagedTable when the parts do not fit
+/// each other.
 void write_spectrum(const WritableGroup& at, const StripSpectrum& spectrum);
 StripSpectrum read_spectrum(const Group& at, double nu);
 

@@ -15,8 +15,8 @@ namespace contactd {
 /// are in one unit; `stated` is the evidence of the table.
 void require_sound(const IcTable& table, const IcSpec& spec, const IcEvidence& stated, const Observer& observer);
 
-/// Throws the same for the transform of a prism: at no wavenumber may a traction on some of its strips take work out
-/// of the body, by more than the stated error.
+/// Throws the same for the transform of a longitudinally uniform body: at no wavenumber may a traction on some of its
+/// strips take work out of the body, by more than the stated error.
 void require_sound(const StripSpectrum& spectrum, const IcEvidence& stated, bool is_free, const Observer& observer);
 
 }  // namespace contactd

@@ -48,7 +48,7 @@ TEST_CASE("what operators are expected to take is what they say, or more", "[str
     CHECK(expected < 8 * taken);
 }
 
-TEST_CASE("a prism takes memory by its strips squared", "[strips]") {
+TEST_CASE("a longitudinally uniform body takes memory by its strips squared", "[strips]") {
     const Bodies prisms{{Material::rigid()}, prism()}, flat{{Material::rigid()}, {steel}};
     const auto bytes = [&](int ny, const Bodies& bodies) {
         return influence_bytes(Grid::centred(100, ny, 0.5, 0.4), bodies);

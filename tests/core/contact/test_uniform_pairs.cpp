@@ -1,4 +1,4 @@
-// Prisms in contact: beside half-spaces, and where their strips end at an edge of the body.
+// Longitudinally uniform bodies in contact: beside half-spaces, and where their strips end at an edge of the body.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -57,7 +57,7 @@ bool says_cut_off(const ContactSolution& solution) {
 
 }  // namespace
 
-TEST_CASE("A contact that ends where the body does is not cut off by the grid", "[prisms]") {
+TEST_CASE("A contact that ends where the body does is not cut off by the grid", "[uniform]") {
     const ContactProblem problem = ball_at_edge(IcSource::fem);
     const ContactSolution solution = solve(problem);
     REQUIRE(solution.converged());
@@ -80,7 +80,7 @@ TEST_CASE("A contact that ends where the body does is not cut off by the grid", 
     }
 }
 
-TEST_CASE("A prism and a half-space have the products of both together", "[prisms]") {
+TEST_CASE("A longitudinally uniform body and a half-space have the products of both together", "[uniform]") {
     const bool uniform_above = GENERATE(false, true);
     const double dq = GENERATE(0.4, 0.25);
     ContactProblem problem;

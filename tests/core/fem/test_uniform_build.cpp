@@ -33,7 +33,8 @@ IcRecord build(const IcSpec& spec) {
 
 }  // namespace
 
-TEST_CASE("A prism's record meets the reference of a block with an edge, and says how it was made", "[prism]") {
+TEST_CASE("A uniform body's record meets the reference of a block with an edge, and says how it was made",
+          "[uniform]") {
     const IcSpec spec = edge_spec();
     const IcRecord record = build(spec);
     const auto table = std::get<StripTable>(body_table(record, spec));
@@ -46,7 +47,7 @@ TEST_CASE("A prism's record meets the reference of a block with an edge, and say
     CHECK(record.evidence.warnings.empty());
 }
 
-TEST_CASE("Half-spaces that are turned differ from finite elements far from an edge by little", "[prism]") {
+TEST_CASE("Half-spaces that are turned differ from finite elements far from an edge by little", "[uniform]") {
     IcSpec spec = edge_spec();
     spec.section = Section{EdgeBlock{1000, 1000, 200}};
     const auto computed = std::get<StripTable>(body_table(build(spec), spec));
@@ -60,14 +61,14 @@ TEST_CASE("Half-spaces that are turned differ from finite elements far from an e
     CHECK(largest < 1e-2 * turned(Axis::z, Axis::z, 0, 0, 0));
 }
 
-TEST_CASE("A rail held at its foot comes with a warning", "[prism]") {
+TEST_CASE("A rail held at its foot comes with a warning", "[uniform]") {
     IcSpec spec = edge_spec();
     spec.ny = 6;
     spec.section = Section{RailSection{0, RailSupport::foot, 0}};
     CHECK(build(spec).evidence.warnings.size() == 1);
 }
 
-TEST_CASE("A prism that can not be built is refused with the field", "[prism]") {
+TEST_CASE("A longitudinally uniform body that can not be built is refused with the field", "[uniform]") {
     IcSpec spec = edge_spec();
     spec.section = Section{EdgeBlock{5, 5, 0}};
     CHECK_THROWS_MATCHES(build(spec), InvalidArgument, MessageMatches(ContainsSubstring("ics.section")));

@@ -106,7 +106,7 @@ std::string refusal_of(IcRecord record, const std::function<void(IcRecord&)>& ch
 
 }  // namespace
 
-TEST_CASE("An exported prism comes back as the record that was built, with its key", "[exchange]") {
+TEST_CASE("An exported uniform body comes back as the record that was built, with its key", "[exchange]") {
     const IcRecord exported = exported_uniform();
     const IcRecord back = stored(through_a_file(exported));
     CHECK(ic_key(back.spec) == ic_key(exported.spec));
@@ -119,7 +119,7 @@ TEST_CASE("An exported prism comes back as the record that was built, with its k
     CHECK(table_for(back, longer) == table_for(exported, longer));
 }
 
-TEST_CASE("A prism that is told in units is no file of a store by itself", "[exchange]") {
+TEST_CASE("A uniform body that is told in units is no file of a store by itself", "[exchange]") {
     const TemporaryFolder folder;
     const IcStore store(folder.path(), [](const std::string&) {});
     const IcRecord exported = exported_uniform();

@@ -41,7 +41,7 @@ std::string key_with(const auto& change) {
 
 }  // namespace
 
-TEST_CASE("A prism's key is that of its shape, whatever its size, its material's G and its elements along x") {
+TEST_CASE("A uniform body's key is that of its shape, whatever its size, its material's G and its elements along x") {
     const std::string key = ic_key(uniform_spec(1));
     CHECK(ic_key(uniform_spec(3)) == key);
     CHECK(key_with([](IcSpec& spec) { spec.dx = 0.7; }) == key);
@@ -55,7 +55,7 @@ TEST_CASE("A prism's key is that of its shape, whatever its size, its material's
     CHECK(key_with([](IcSpec& spec) { spec.section = Section{Groove{100, 50, 1, 0}}; }) != key);
 }
 
-TEST_CASE("A prism's record goes through a file as it is, and serves any number of offsets") {
+TEST_CASE("A uniform body's record goes through a file as it is, and serves any number of offsets") {
     const TemporaryFolder folder;
     const IcStore store(folder.path(), [](const std::string&) {});
     const IcRecord record = uniform_record();
@@ -68,7 +68,7 @@ TEST_CASE("A prism's record goes through a file as it is, and serves any number 
     CHECK(found->evidence.section == record.evidence.section);
 }
 
-TEST_CASE("A prism's table has its units, and a row for each pair of strips") {
+TEST_CASE("A longitudinally uniform body's table has its units, and a row for each pair of strips") {
     const IcRecord record = uniform_record();
     const IcSpec spec = uniform_spec(3);
     const auto strips = std::get<StripTable>(body_table(record, spec));

@@ -1,4 +1,4 @@
-// Wheels that are not round, on their rails.
+// Out-of-round wheels, on their rails.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

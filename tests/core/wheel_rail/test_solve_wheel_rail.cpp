@@ -187,7 +187,7 @@ TEST_CASE("The search alone finds the contacts that a solve has, near the height
     const WheelRailContact contact(setup);
     Observer observer;
     const WheelRailSolution solution = contact.solve(state, observer);
-    // On a flange friction bears some of the force, which Hertz's theory does not know.
+    // On a flange friction carries some of the force, which Hertz's theory does not know.
     if (solution.patches.size() == 1 && std::abs(solution.patches[0].place.reference.angle) < 0.5)
         CHECK_THAT(contact.locate(state).z, WithinAbs(solution.z, 5e-3));
     state.Fz.reset();

@@ -29,8 +29,9 @@ class Norm {
     Norm(const InfluenceOperator& influence, const NormProblem& problem, const SolverSettings& settings,
          Observer& observer);
 
-    // Takes the estimate and returns how far it is from a solution, in the measure of the stop test. `set_is_good`: the
-    // elements with pressure are the best guess of the contact, for the estimate is too rough to show overlaps.
+    // Takes the estimate and returns how far it is from a solution, in the measure of the stopping criterion.
+    // `set_is_good`: the elements with pressure are the best guess of the contact, for the estimate is too rough to
+    // show overlaps.
     double start(std::span<const double> estimate, bool set_is_good);
     // Another distance, near the last one whose solution this has, or another sum where one is prescribed: goes on from
     // there, along the change before where there was one.

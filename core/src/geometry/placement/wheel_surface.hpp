@@ -1,4 +1,4 @@
-// A right wheel in track coordinates: a surface of revolution about the wheelset's axle, or one that is not round,
+// A right wheel in track coordinates: a surface of revolution about the wheelset's axle, or an out-of-round one,
 // rolled and yawed.
 #pragma once
 
@@ -29,7 +29,7 @@ struct BelowAxle {
 
 class WheelSurface {
    public:
-    /// `unround` is what a wheel has beside its profile that is not round.
+    /// `unround` is the deviation of an out-of-round wheel from its profile.
     WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
                  std::shared_ptr<const OutOfRound> unround = nullptr);
 

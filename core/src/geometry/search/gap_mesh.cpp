@@ -94,7 +94,7 @@ bool GapMesh::may_be_below(const Square& square, double height) const {
         least = std::min(least, gap);
         if (gap < infinite) largest = std::max(largest, gap);
     }
-    // An edge of a wheel that is not round, midway, may lie deeper by what both sides of it rise.
+    // An edge of an out-of-round wheel, midway, may lie deeper by what both sides of it rise.
     const double edge = 0.5 * wheel_.steepest() * static_cast<double>(side) * step_x_;
     double dent = least_dent + edge + (least < infinite ? slope_dent * (largest - least) : 0);
     if (!known) dent += unknown_dent * static_cast<double>(side) * std::max(step_x_, step_y_);

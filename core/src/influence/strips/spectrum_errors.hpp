@@ -1,4 +1,4 @@
-// How good the transform of a prism's coefficients is.
+// How good the transform of a longitudinally uniform body's coefficients is.
 #pragma once
 
 #include "contactd/strip_spectrum.hpp"

@@ -1,4 +1,4 @@
-// Radii of wheels that are not round, between their slices.
+// Radii of out-of-round wheels, between their slices.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
