@@ -21,9 +21,9 @@ struct Body {
     const GivenIcs* given() const;
     /// The source of a table, or null where there is none to make.
     const Ics* computed() const;
-    /// Of a body of layers, or null.
+    /// Returns the layers of a layered body, or null.
     const Layers* layered() const;
-    /// Of a prism, or null.
+    /// Returns the section of a longitudinally uniform body, or null.
     const Section* section() const;
     /// One of layers.
     static Body of(const Layers& layers, LoadShape load_shape = LoadShape::constant);
@@ -45,7 +45,7 @@ struct Bodies {
     bool any_given() const;
     /// Whether one of them is made of layers, of which the closed forms of half-spaces say nothing.
     bool any_layered() const;
-    /// Whether one of them is a prism, of which they say nothing either.
+    /// Whether one of them is a longitudinally uniform body, of which they say nothing either.
     bool any_uniform() const;
 
     bool operator==(const Bodies&) const = default;

@@ -60,7 +60,7 @@ struct PlacedProfiles {
     bool operator==(const PlacedProfiles&) const = default;
 };
 
-/// Of both sides, each as if it were a right one.
+/// Profiles of both sides, each as if it were a right one.
 struct ProfilesOfSides {
     PlacedProfiles left, right;
 

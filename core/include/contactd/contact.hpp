@@ -32,10 +32,11 @@ struct Discretisation {
     int elements_across = 0;  ///< in the direction with fewer; one in which the contact fills the grid does not count
     double force_error = 0;   ///< of the normal force for the approach, whichever of them was prescribed
     double pmax_error = 0;    ///< of the largest pressure under the prescribed load
-    /// Of both: Hertz's closed form, where the gap is a paraboloid on half-spaces, or an estimate from elements_across.
+    /// The source of both errors: Hertz's closed form, where the gap is a paraboloid on half-spaces, or an estimate
+    /// from elements_across.
     ErrorSource source = ErrorSource::estimate;
-    /// Of rolling, an estimate: of the tangential force under a small creepage, from elements_across and dq. Where most
-    /// of the contact slips the force errs by less.
+    /// Estimated error of the tangential force in rolling under a small creepage, from elements_across and dq. Where
+    /// most of the contact slips the force errs by less.
     std::optional<double> rolling_error{};
     /// Where a body has layers: how compliant elements of this size make them to pressures as wide as the contact, over
     /// how compliant they are. Both errors above have it in them.
@@ -47,7 +48,7 @@ struct Discretisation {
 /// Normal contact, the approach or the force prescribed, and tangential contact where there is friction.
 struct ContactProblem : ContactSetup, ContactLoad {};
 
-/// Of the contact area and its parts (mm^2).
+/// The contact area and its parts (mm^2).
 struct Areas {
     double contact = 0, adhesion = 0, slip = 0;
 };
@@ -70,12 +71,13 @@ struct Forces {
 struct ContactEvidence {
     SolverEvidence normal;
     std::optional<SolverEvidence> tangential;
-    /// Between normal and tangential contact of bodies that differ, and between slip and a slip law: iterations, and
+    /// Between normal and tangential contact of dissimilar bodies, and between slip and a slip law: iterations, and
     /// what further ones would change of the tractions, relative; with a slip law the last change.
     std::optional<SolverEvidence> outer;
     std::optional<SolverEvidence> force;  ///< Newton's iterations, or solves, for the motion; |F - asked|/(sum g dx dy)
     std::optional<Discretisation> discretisation;  ///< of model full, where there is contact
-    /// Of the linear equations of the derivatives, where these were asked for: iterations of all, the largest residual.
+    /// Evidence of the linear equations of the derivatives, where these were asked for: iterations of all, the largest
+    /// residual.
     std::optional<SolverEvidence> derivatives;
 };
 
@@ -93,7 +95,7 @@ struct ContactSolution {
     /// Slip of the upper body over the lower: of a shift the distance over the step (mm), of rolling the slip over the
     /// step divided by dq. Empty without friction; zero outside contact.
     std::vector<double> slip_x, slip_y;
-    /// Of a shift what friction dissipates in the step (N mm); of rolling its power (N mm/s).
+    /// The energy that friction dissipates: in the step of a shift (N mm), or the power of rolling (N mm/s).
     std::optional<double> frictional_work, frictional_power;
     std::optional<Motion> motion;            ///< as asked, with what a prescribed force made of it
     std::optional<Derivatives> derivatives;  ///< where asked for, of a converged solution with contact
@@ -116,7 +118,7 @@ inline const SolutionFields all_solution_fields{SolutionField::element_division,
                                                 SolutionField::traction_x,       SolutionField::traction_y,
                                                 SolutionField::slip_x,           SolutionField::slip_y};
 
-/// Of one step (mm): dq, or size_along of the elements where dq is 0.
+/// Returns the length of one step (mm): dq, or size_along of the elements where dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);
 
 /// The way from a particle to where it was one step ago (mm): dq (cos chi, sin chi); zero unless the bodies roll.
@@ -124,7 +126,7 @@ std::array<double, 2> step_of(const ContactProblem& problem);
 
 /// Throws InvalidArgument naming the field as on the wire when the problem cannot be solved as stated.
 void validate(const ContactProblem& problem);
-/// The same, but gap and load may be missing: later steps bring them.
+/// Checks likewise, but gap and load may be missing: later steps bring them.
 void validate_opening(const ContactProblem& problem);
 
 }  // namespace contactd

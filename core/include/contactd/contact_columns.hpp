@@ -24,8 +24,8 @@ struct ContactColumns {
 
 inline constexpr double least_facing = 0.01;
 
-/// Of all tractions on the upper body: force (N), and moment about the origin of the strips (N mm), in the axes of the
-/// section.
+/// The resultant of all tractions on the upper body: force (N), and moment about the origin of the strips (N mm), in
+/// the axes of the section.
 struct Resultant {
     double Fx = 0, Fy = 0, Fz = 0;
     double Mx = 0, My = 0, Mz = 0;

@@ -19,7 +19,7 @@ struct ContactInfluence {
     std::shared_ptr<const InfluenceOperator> current;  ///< A: displacements at the elements
     /// A - A' of rolling: by how much they differ from those one step ahead; null otherwise.
     std::shared_ptr<const StepOperator> increment;
-    /// What whoever uses a solution should know of the tables behind the operators: sentences.
+    /// Warnings of the tables behind the operators, for users of a solution: sentences.
     std::vector<std::string> warnings{};
 
     std::size_t bytes() const;  ///< about what they take in memory
@@ -33,14 +33,14 @@ std::size_t influence_bytes(const Grid& grid, const Bodies& bodies);
 /// observer says so: coefficients one step ahead of a large grid take some seconds.
 ContactInfluence make_influence(const ContactProblem& problem, IcTable pair, const Observer& observer = {});
 
-/// Of the bodies one by one: their tables are added where they are of a kind, else their operators (sum_of). That of a
-/// rigid body means nothing. Throws Cancelled.
+/// Makes the operators of the bodies one by one: their tables are added where they are of a kind, else their operators
+/// (sum_of). That of a rigid body means nothing. Throws Cancelled.
 ContactInfluence make_influence(const ContactProblem& problem, BodyTable upper, BodyTable lower,
                                 const Observer& observer = {});
 
-/// Of bodies whose tables are of unlike kinds and cannot be added: products with both, xz, yz, zx and zy of the upper
-/// body subtracted from those of the lower. A body without operators is rigid. Throws InvalidArgument when both are, or
-/// when their operators are on different grids.
+/// Sums the operators of bodies whose tables are of unlike kinds and cannot be added: products with both, xz, yz, zx
+/// and zy of the upper body subtracted from those of the lower. A body without operators is rigid. Throws
+/// InvalidArgument when both are, or when their operators are on different grids.
 ContactInfluence sum_of(const ContactInfluence& upper, const ContactInfluence& lower);
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// What a step brings: where the bodies are, how they move, and where the step starts from.
+// The load of a step: where the bodies are, how they move, and where the step starts from.
 #pragma once
 
 #include <optional>

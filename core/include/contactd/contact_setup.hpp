@@ -1,4 +1,4 @@
-// What all steps of a simulation have in common: the set-up of a contact.
+// The set-up of a contact, which all steps of a simulation have in common.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace contactd {
 
 /// Stop test and bound of one iterative solver.
 struct SolverSettings {
-    double tolerance = 1e-6;  ///< of the paper's stop tests (sections 4.1 and 4.2)
+    double tolerance = 1e-6;  ///< of the paper's stopping criteria (sections 4.1 and 4.2)
     int max_iterations = 1000;
 
     bool operator==(const SolverSettings&) const = default;
@@ -22,13 +22,13 @@ struct SolverSettings {
 struct ContactSettings {
     SolverSettings normal{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
     SolverSettings tangential;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
-    SolverSettings outer{1e-6, 100};    ///< of the loop that bodies that differ, slip laws and forces need
+    SolverSettings outer{1e-6, 100};    ///< of the loop that dissimilar bodies, slip laws and forces need
 
     bool operator==(const ContactSettings&) const = default;
 };
 
 /// full: boundary elements (NORM, TangCG, steady rolling). hertz: closed forms for elliptic contact. fastsim: Hertzian
-/// contact with Kalker's simplified theory of rolling. The quick ones need a paraboloid or semi-axes.
+/// contact with Kalker's simplified theory of rolling. The simplified ones need a paraboloid or semi-axes.
 enum class Model { full, hertz, fastsim };
 
 struct ContactSetup {

@@ -12,8 +12,8 @@ struct DerivativesByShift {
     bool operator==(const DerivativesByShift&) const = default;
 };
 
-/// Of one answer, by each input: units are those of the answer over those of the input. What the problem does not have,
-/// and what its model does not know, is absent.
+/// Derivatives of one answer, by each input: units are those of the answer over those of the input. Inputs that the
+/// problem does not have, or its model does not know, are absent.
 struct DerivativesOfAnswer {
     std::optional<double> xi{}, eta{}, phi{};         ///< of rolling
     std::optional<DerivativesByShift> rigid_shift{};  ///< of a shift, and

@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// What a number must do, and `rule` in words: "be 1 to 6".
+/// The range of a number, and `rule` in words: "be 1 to 6".
 struct FemRange {
     double least = -std::numeric_limits<double>::infinity();
     double largest = std::numeric_limits<double>::infinity();
@@ -22,8 +22,8 @@ struct FemField {
     const char* name;         ///< on the wire, below `ics`; in files; in keys
     Value FemSpec::* member;  ///< a number, an enum with words, or a number that may be left out
     FemRange range{};
-    /// Of what is more than a range: the rule that is broken, null when none is. One that binds two fields stands at
-    /// one of them.
+    /// Returns the rule beyond a range that is broken, null when none is. One that binds two fields stands at one of
+    /// them.
     const char* (*broken_rule)(const FemSpec& fem, LoadShape load) = nullptr;
     /// Whether a table with this mesh and solver depends on the field; null: always.
     bool (*matters)(const FemSpec& fem) = nullptr;

@@ -14,8 +14,9 @@ namespace contactd {
 /// over the rectangle dx x dy centred at the origin. Any sign of x and y, axes and edges included.
 double half_space_coefficient(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material);
 
-/// The same for the tent of bilinear tractions, (1 - |x|/dx)(1 - |y|/dy) on |x| <= dx, |y| <= dy (paper, Remark 1): the
-/// coefficient of the constant load averaged over an element. Relative accuracy 1e-12 of the largest component there.
+/// Returns the coefficient of the bilinear hat function of tractions, (1 - |x|/dx)(1 - |y|/dy) on |x| <= dx, |y| <= dy
+/// (paper, Remark 1): the coefficient of the constant load averaged over an element. Relative accuracy 1e-12 of the
+/// largest component there.
 double half_space_bilinear_coefficient(Axis i, Axis j, double x, double y, double dx, double dy,
                                        const Material& material);
 
@@ -33,14 +34,14 @@ IcTable half_space_table(const IcSpec& spec, const Observer& observer = {});
 /// the way: errors of a block are relative to no less than this share of the half-space's coefficient.
 inline constexpr double block_error_floor = 0.05;
 
-/// What errors of xx, yy and zz are relative to: |exact|, and for a block no less than the floor.
+/// Returns the unit of the errors of xx, yy and zz: |exact|, and for a block no less than the floor.
 IcTable error_unit(const IcSpec& spec, const IcTable& exact);
 
 /// Fills the error fields of `evidence` by the difference of `table` to a better one of the same spec.
 void compare_tables(const IcSpec& spec, const IcTable& table, const IcTable& exact, IcEvidence& evidence);
 
-/// The same against the closed form, for a table made from `spec` by another method. Throws InvalidArgument when the
-/// table has another extent, or the body is a block.
+/// Compares a table made from `spec` by another method with the closed form. Throws InvalidArgument when the table has
+/// another extent, or the body is a block.
 void compare_with_half_space(const IcSpec& spec, const IcTable& table, IcEvidence& evidence);
 
 }  // namespace contactd

@@ -20,10 +20,10 @@ std::vector<double> family_points(int n);
 /// outside, "family" when it is no such family.
 IcTable interpolated(const std::vector<IcTable>& family, double nu);
 
-/// What interpolation adds to the error of the tables themselves, estimated by the last two Chebyshev coefficients: of
-/// xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.
+/// Returns the error that interpolation adds to that of the tables themselves, estimated by the last two Chebyshev
+/// coefficients: of xx, yy, zz relative, of the others times 2 pi rho / (dx dy), the largest over the table and nu.
 double interpolation_error(const IcSpec& spec, const std::vector<IcTable>& family);
-/// The same of the lower and of the upper half.
+/// Returns that of the lower and of the upper half.
 std::array<double, 2> interpolation_errors(const IcSpec& spec, const std::vector<IcTable>& family);
 
 }  // namespace contactd

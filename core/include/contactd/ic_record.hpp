@@ -1,5 +1,5 @@
-// What is kept of influence coefficients: tables of one kind or another, with what they are and how they were made.
-// Cache, requests in flight, store and exchange know the functions of IcTables and no kind. A new kind is one more
+// Records of influence coefficients: tables of one kind or another, with what they are and how they were made. Cache,
+// requests in flight, store and exchange know the functions of IcTables and no kind. A new kind is one more
 // alternative, with functions of its own beside it that the compiler asks for.
 #pragma once
 
@@ -20,7 +20,7 @@ struct IcFamily {
     std::vector<IcTable> tables;
 };
 
-/// For G = 1 and dx = 1; a prism's spectrum for ds = 1, and any dx.
+/// For G = 1 and dx = 1; a longitudinally uniform body's spectrum for ds = 1, and any dx.
 using IcTables = std::variant<IcTable, IcFamily, StripTable, StripSpectrum>;
 
 struct IcRecord {
@@ -28,7 +28,7 @@ struct IcRecord {
     IcTables tables{};
     IcEvidence evidence{};
 
-    /// The only table of offsets; of a family the first. Not of a prism.
+    /// The only table of offsets; of a family the first. Not of a longitudinally uniform body.
     const IcTable& table() const;
     IcTable& table();
 };
@@ -42,19 +42,19 @@ struct IcExtent {
 };
 IcExtent extent_of(const IcTables& tables);
 
-/// What the numbers take in memory.
+/// Returns the memory that the numbers take.
 std::size_t bytes_of(const IcTables& tables);
 
-/// What operators are made of: the coefficients of one body in mm^3/N, on the grid of a problem. Of kinds, too; bodies
-/// of unlike kinds meet in make_influence.
+/// The table that operators are made of: the coefficients of one body in mm^3/N, on the grid of a problem. There are
+/// kinds of these, too; bodies of unlike kinds meet in make_influence.
 using BodyTable = std::variant<IcTable, StripTable>;
 
-/// What `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws InvalidArgument when the
-/// record is smaller, or "material.nu" is none of a family's, and StoreError for a family that was computed at other
-/// points than family_points(), and Cancelled. `threads`: at most as many, for what is large.
+/// Returns the table that `request` asks for, of its Poisson's ratio, extent and units, made in one pass. Throws
+/// InvalidArgument when the record is smaller, or "material.nu" is none of a family's, and StoreError for a family that
+/// was computed at other points than family_points(), and Cancelled. `threads`: at most as many, for what is large.
 BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads = 1, const Observer& observer = {});
-/// The same as ic.get answers it: of a prism with table_rows() rows. Throws NotFinite when a coefficient is beyond a
-/// double's range.
+/// Returns the table as ic.get answers it: that of a longitudinally uniform body with table_rows() rows. Throws
+/// NotFinite when a coefficient is beyond a double's range.
 IcTable table_for(const IcRecord& record, const IcSpec& request, int threads = 1, const Observer& observer = {});
 
 }  // namespace contactd

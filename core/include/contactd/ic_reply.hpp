@@ -16,7 +16,7 @@ struct IcReply {
     IcSpec spec;         ///< as requested, defaults filled in
     IcTable table;       ///< in mm^3/N, cropped to the request; ny is table_rows() of the spec
     IcEvidence evidence;
-    std::vector<StripFrame> frames{};  ///< of the strips of a prism
+    std::vector<StripFrame> frames{};  ///< of the strips of a longitudinally uniform body
 };
 
 /// Where the coefficients of one body came from.
@@ -26,14 +26,14 @@ struct IcUse {
     IcEvidence evidence;
 };
 
-/// Those of a contact problem: none of the quick models.
+/// Those of a contact problem: none of the simplified models.
 struct IcUses {
     std::optional<IcUse> upper{}, lower{};  ///< not of a rigid body
     std::optional<IcUse> pair{};            ///< instead of these, when the request held those of both together
 };
 
-/// What ic.export answers: the file of one body that the store holds (docs/ic-tables.md), the same taken apart into
-/// what ic.import takes, or the text that the CONTACT program reads, of a pair of bodies.
+/// The answer of ic.export: the file of one body that the store holds (docs/ic-tables.md), its parts as ic.import takes
+/// them, or the text that the CONTACT program reads, of a pair of bodies.
 enum class FileFormat { hdf5, contents, contact };
 
 struct IcExport {

@@ -1,4 +1,4 @@
-// What identifies an influence-coefficient table: everything that decides its numbers.
+// The identity of an influence-coefficient table: everything that decides its numbers.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@
 namespace contactd {
 
 /// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, layers, or
-/// a prism: whatever its cross-section is, uniform along x.
+/// a longitudinally uniform body: whatever its cross-section is, uniform along x.
 enum class BodyShape { half_space, block, layered, prism };
-/// Traction of the loaded element: 1 over it, or the "tent" of bilinear tractions (paper, Remark 1): 1 at its centre,
+/// Traction of the loaded element: 1 over it, or the bilinear hat function (paper, Remark 1): 1 at its centre,
 /// falling linearly to 0 at the neighbours' centres, (1 - |x|/dx)(1 - |y|/dy). The force is dx dy either way.
 enum class LoadShape { constant, bilinear };
 /// Closed form of the half-space, and of layers a form that is integrated to rounding; or finite elements.
@@ -34,14 +34,14 @@ enum class FarBoundary { clamped, half_space };
 enum class Sampling { fem, linear, linear_nodes };
 /// BoomerAMG-preconditioned conjugate gradients, sparse Cholesky (one process only), or the one that is faster.
 enum class Solver { automatic, amg_pcg, direct };
-/// What conjugate gradients compare with the tolerance: the true relative residual ||b - A u|| / ||b||, or the relative
+/// Conjugate gradients compare this with the tolerance: the true relative residual ||b - A u|| / ||b||, or the relative
 /// update ||u_new - u|| / ||u_new|| (the paper, section 3).
 enum class StopTest { residual, update };
-/// Of Mesh2: which diagonal divides a quadrilateral of the cross-section into triangles. `outward` runs from the corner
-/// nearest to the origin to the farthest one, `across` joins the other two.
+/// The diagonal of Mesh2 that divides a quadrilateral of the cross-section into triangles. `outward` runs from the
+/// corner nearest to the origin to the farthest one, `across` joins the other two.
 enum class Diagonal { outward, across };
 
-/// What name_of and from_name call these, on the wire and in files.
+/// Names of these for name_of and from_name, on the wire and in files.
 template <>
 inline constexpr auto enum_words<BodyShape> =
     std::to_array<std::string_view>({"half_space", "block", "layered", "prism"});
@@ -79,7 +79,7 @@ struct FemSpec {
     Sampling sampling = Sampling::fem;
     Solver solver = Solver::automatic;
     StopTest stop_test = StopTest::residual;
-    double tolerance = 1e-8;                   ///< of the stop test
+    double tolerance = 1e-8;                   ///< of the stopping criterion
     int max_iterations = 1000;                 ///< of conjugate gradients, per load case
     std::optional<double> strength_threshold;  ///< of BoomerAMG; left out, it is chosen for the mesh
 
@@ -109,11 +109,11 @@ struct Ics {
     /// half-space's, half_space.hpp), of the others times 2 pi G rho / (dx dy). Mesh and solver are then chosen when
     /// the table is built; of `fem` only L_over_h of a block means something.
     double accuracy = 0;
-    /// Of source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
+    /// Goes with source analytic, on a grid with ny = 1, whose dy is the length that forces are counted over.
     std::optional<LineContactSpec> line_contact;
     std::optional<Layers> layered;  ///< of body layered, and of none other
-    /// Of body prism, and of none other. Its strips are the rows of a grid, dy wide along the outline; source analytic
-    /// is the half-space, turned from strip to strip (Blanco-Lorenzo et al., 2016).
+    /// Goes with body prism, and with none other. Its strips are the rows of a grid, dy wide along the outline; source
+    /// analytic is the half-space, turned from strip to strip (Blanco-Lorenzo et al., 2016).
     std::optional<Section> section;
     bool any_nu = false;  ///< the family of tables over Poisson's ratio instead of one table
     FemSpec fem;          ///< of no meaning when source is analytic
@@ -129,7 +129,7 @@ struct PartField {
     double Part::* member;
     Dimension dimension;
 };
-/// What a kind of body or of contact brings along, an object of its own below `ics` that others leave out.
+/// A part that a kind of body or of contact brings along, an object of its own below `ics` that others leave out.
 template <class Part>
 struct IcsPart {
     const char* name;
@@ -165,8 +165,8 @@ struct IcSpec : Ics {
     bool operator==(const IcSpec&) const = default;
 };
 
-/// Rows of a table as ic.get and IcReply have it: offsets along y; of a prism, whose coefficients are those between
-/// strips, I ny + J for the observed strip I and the loaded one J.
+/// Rows of a table as ic.get and IcReply have it: offsets along y; of a longitudinally uniform body, whose coefficients
+/// are those between strips, I ny + J for the observed strip I and the loaded one J.
 inline int table_rows(const IcSpec& spec) {
     return spec.section ? spec.ny * spec.ny : spec.ny;
 }
@@ -174,7 +174,7 @@ inline int table_rows(const IcSpec& spec) {
 /// Range of the accuracy that may be asked for, and the bounds of Poisson's ratio a family covers.
 inline constexpr double finest_accuracy = 1e-4, coarsest_accuracy = 1e-1;
 inline constexpr double largest_family_nu = 0.49;
-/// Of a prism by finite elements.
+/// The largest Poisson's ratio of a longitudinally uniform body by finite elements.
 inline constexpr double largest_uniform_nu = 0.499;
 /// Below and above it a family interpolates, and the choice of meshes decides, separately: nearly incompressible
 /// materials need finer meshes.
@@ -182,12 +182,12 @@ inline constexpr double family_break = 0.3;
 
 /// Throws InvalidArgument naming the field (as on the wire, e.g. "fem.h_over_hs") when no table can be made from it.
 void validate(const IcSpec& spec);
-/// The same, with the name that the material has in a problem: "bodies.upper" in place of "material".
+/// Names the material as a problem does: "bodies.upper" in place of "material".
 void validate(const IcSpec& spec, const std::string& material);
 
-/// What the paper advises against (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1 and from
-/// 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces, and, of a block, Poisson's ratios
-/// for which elements of the order lock: a sentence for each, none when all is well.
+/// Warns of what the paper advises against (Table 3: L/h >= 80, 1 <= l/h <= 1.25, h/hs >= 4, f from 1 to 1.5 on Mesh1
+/// and from 1.5 to 2 on Mesh2, quadratic elements) for its own model, u = 0 on the far faces, and, of a block, of
+/// Poisson's ratios for which elements of the order lock: a sentence for each, none when all is well.
 std::vector<std::string> warnings(const IcSpec& spec);
 
 /// A sentence when the modelling error of a block's table (IcEvidence::modelling_error), which is `spec`'s, is larger
@@ -202,8 +202,8 @@ struct MeshSize {
 };
 MeshSize mesh_size(const IcSpec& spec);
 
-/// The same table for G = 1 and dx = 1, ratios rounded to twelve digits so that equal ratios compare equal whatever
-/// lengths they were computed from. Displacements scale exactly: A = (dx/G) * A of this spec.
+/// Returns the spec of the table for G = 1 and dx = 1, ratios rounded to twelve digits so that equal ratios compare
+/// equal whatever lengths they were computed from. Displacements scale exactly: A = (dx/G) * A of this spec.
 IcSpec dimensionless(const IcSpec& spec);
 
 }  // namespace contactd

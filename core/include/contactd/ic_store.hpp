@@ -86,8 +86,8 @@ class IcStore {
     /// Where the table of `spec` belongs: <key>.<nx>x<ny>.h5, of an owner <key>.<nx>x<ny>.by-<owner>.h5.
     std::filesystem::path path_of(const IcSpec& spec) const;
     std::filesystem::path path_of(const std::string& key, int nx, int ny, const TableOwner& owner = {}) const;
-    /// The same, or where a newer version keeps a file of its own under this name, <key>.<nx>x<ny>.format<n>.h5, of the
-    /// format n of this version. Looks into the file.
+    /// Returns that path, or where a newer version keeps a file of its own under this name,
+    /// <key>.<nx>x<ny>.format<n>.h5, of the format n of this version. Looks into the file.
     std::filesystem::path path_to_write(const std::string& key, int nx, int ny, const TableOwner& owner = {}) const;
     /// The file that says that somebody builds a table with this key.
     std::filesystem::path lock_of(const std::string& key) const { return folder_ / (key + ".lock"); }

@@ -44,7 +44,7 @@ struct LoadCaseEvidence {
     bool converged = false;
     double seconds = 0;            ///< of the solve
     std::optional<double> update;  ///< relative update ||u_new - u|| / ||u_new|| of the last iteration, when it is the
-                                   ///< stop test
+                                   ///< stopping criterion
 };
 
 /// Relative errors against the closed form: the paper's measure (3.1) at the origin, signed (FEM/closed form - 1), and
@@ -62,7 +62,7 @@ struct IcErrors {
     std::optional<double> scaled_xy, scaled_xz;
 };
 
-/// What a build took (s).
+/// Times of a build (s).
 struct BuildSeconds {
     double assembly = 0;
     double setup = 0;  ///< of the preconditioners
@@ -70,8 +70,8 @@ struct BuildSeconds {
     double total = 0;
 };
 
-/// How the transform of a prism's coefficients was computed, and its errors over zz of the half-space under an element
-/// as long as a strip is wide.
+/// How the transform of a longitudinally uniform body's coefficients was computed, and its errors over zz of the
+/// half-space under an element as long as a strip is wide.
 struct SectionEvidence {
     int order = 0;        ///< of the elements
     int wavenumbers = 0;  ///< that it was computed at
@@ -84,7 +84,7 @@ struct SectionEvidence {
     bool operator==(const SectionEvidence&) const = default;
 };
 
-/// What made the numbers of a table and how good they are.
+/// The origin of the numbers of a table and how good they are.
 struct IcEvidence {
     std::string source;   ///< "analytic" or "fem"
     std::string version;  ///< contactd and libraries that made the table
@@ -100,15 +100,15 @@ struct IcEvidence {
     /// the difference to a coarser mesh, and `errors_estimated` says so.
     IcErrors errors;
     bool errors_estimated = false;
-    /// Of a block: how far it is from looking the same from every element. The largest difference between the table and
-    /// a load in the corner of as many elements as the table has offsets, about the middle of the block, in the
-    /// measures of IcSpec::accuracy.
+    /// How far a block is from looking the same from every element: the largest difference between the table and a load
+    /// in the corner of as many elements as the table has offsets, about the middle of the block, in the measures of
+    /// IcSpec::accuracy.
     std::optional<double> modelling_error;
-    /// Of a family over Poisson's ratio: the Poisson's ratios computed, and the largest error that interpolation
-    /// between them adds, in the measures above.
+    /// The Poisson's ratios that were computed for a family, and the largest error that interpolation between them
+    /// adds, in the measures above.
     std::vector<double> family_nu;
     std::optional<double> interpolation_error;
-    std::optional<SectionEvidence> section;  ///< of a prism by finite elements
+    std::optional<SectionEvidence> section;  ///< of a longitudinally uniform body by finite elements
     bool imported = false;                   ///< somebody has brought the table, whose word all of this is
 };
 

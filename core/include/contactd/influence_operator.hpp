@@ -1,5 +1,5 @@
-// What a contact solver needs to know of the bodies: displacements for tractions. Solvers do not know whether a
-// two-dimensional convolution or something else stands behind it.
+// The bodies as a contact solver sees them: displacements for tractions. Solvers do not know whether a two-dimensional
+// convolution or something else stands behind it.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class InfluenceOperator {
     virtual std::vector<double> diagonal(Axis i) const = 0;
     /// z ~ A[i,i]^-1 r, symmetric and positive definite; any approximation serves, even a scaled identity.
     virtual void precondition(Axis i, std::span<const double> r, std::span<double> z) const = 0;
-    /// The same for both tangential components at once, with their coupling where an implementation knows it.
+    /// Preconditions both tangential components at once, with their coupling where an implementation knows it.
     virtual void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                          std::span<double> zy) const {
         precondition(Axis::x, rx, zx);
@@ -57,12 +57,12 @@ class InfluenceOperator {
     /// About what it takes in memory, with all that it will make when that is first needed.
     virtual std::size_t bytes() const = 0;
 
-    /// What makes solves quicker, where an operator has it, else null. Both live as long as this one.
+    /// These make solves quicker, where an operator has them, else null. Both live as long as this one.
     virtual const CoarserGrid* coarser() const { return nullptr; }
     virtual const ElementBoxes* boxes() const { return nullptr; }
 };
 
-/// The same bodies on a grid of larger elements, where solvers find a first estimate.
+/// The bodies on a grid of larger elements, where solvers find a first estimate.
 class CoarserGrid {
    public:
     virtual ~CoarserGrid() = default;
@@ -79,7 +79,7 @@ class CoarserGrid {
     virtual void copy(std::span<const double> coarse, std::span<double> fine) const = 0;
 };
 
-/// The same bodies on parts of the grid, for problems whose tractions vanish elsewhere: products cost less there.
+/// The bodies on parts of the grid, for problems whose tractions vanish elsewhere: products cost less there.
 class ElementBoxes {
    public:
     virtual ~ElementBoxes() = default;

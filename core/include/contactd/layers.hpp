@@ -20,12 +20,13 @@ struct Layers {
     std::vector<Layer> layers;  ///< from the surface down
     Material base;              ///< the half-space below them, or rigid: no displacement where the last layer ends
 
-    /// What the surface is made of.
+    /// Returns the material of the surface.
     Material surface() const { return layers.front().material(); }
     bool operator==(const Layers&) const = default;
 };
 
-/// What the coefficients were tested for: their number, how far shear moduli may differ, and thicknesses over dx.
+/// Limits that the coefficients were tested for: the number of layers, how far shear moduli may differ, and thicknesses
+/// over dx.
 inline constexpr int most_layers = 20;
 inline constexpr double largest_layer_contrast = 1e9;
 inline constexpr double thinnest_layer = 1e-6, thickest_layer = 1e6;

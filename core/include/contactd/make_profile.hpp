@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// What became of the points.
+/// Evidence of what became of the points.
 struct ProfileEvidence {
     std::size_t points_given = 0, points_kept = 0;
     double largest_distance = 0;  ///< of the points kept from the curve (mm): 0 without smoothing

@@ -18,8 +18,8 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// Of the two bodies. A contact problem uses the difference of their surface displacements; forces act on the upper
-/// one.
+/// The materials of the two bodies. A contact problem uses the difference of their surface displacements; forces act on
+/// the upper one.
 struct MaterialPair {
     Material upper;
     Material lower;

@@ -1,4 +1,4 @@
-// What one message may cost.
+// Limits of one message.
 #pragma once
 
 #include <cstddef>

@@ -12,9 +12,9 @@ struct Progress {
     std::string_view stage;  ///< "normal", "tangential", "assembly", "amg_setup", "pcg", "sampling", ...
     double fraction = 0;     ///< of the whole computation, 0..1, an estimate
     int iteration = 0;       ///< within the stage
-    double residual = 0;     ///< the figure the stage's stop test compares, 0 when it has none
-    /// Of what begins now and reports nothing until it ends (a factorisation): the time it is expected to take (s), and
-    /// what the fraction rises to meanwhile.
+    double residual = 0;     ///< the figure the stage's stopping criterion compares, 0 when it has none
+    /// A step that begins now and reports nothing until it ends (a factorisation) has the time it is expected to take
+    /// (s), and the fraction at its end.
     double step_seconds = 0;
     double step_fraction = 0;
     std::optional<double> seconds_left = std::nullopt;  ///< of the whole computation, where it can be predicted

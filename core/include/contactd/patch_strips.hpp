@@ -18,10 +18,10 @@ struct BodyStrips {
 };
 
 struct PatchStrips {
-    /// Of the rows of the grid, in the axes of the wheel, which is the lower body; shape [ny]. None: elements lie flat
-    /// side by side.
+    /// Frames of the rows of the grid, in the axes of the wheel, which is the lower body; shape [ny]. None: elements
+    /// lie flat side by side.
     std::vector<StripFrame> frames{};
-    /// Of bodies that are known by their sections: both, but for rigid ones.
+    /// Strips of bodies that are known by their sections: both, but for rigid ones.
     std::optional<BodyStrips> rail{}, wheel{};
 
     bool flat() const { return frames.empty(); }

@@ -15,7 +15,7 @@ namespace contactd {
 /// too.
 class ProfileCurve {
    public:
-    /// What a parameter leads to: the point, and its first and second derivatives with respect to s.
+    /// The point of a parameter, and its first and second derivatives with respect to s.
     struct Place {
         ProfilePoint at, slope, curving;
     };

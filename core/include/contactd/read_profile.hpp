@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-/// What a file of profiles may have.
+/// The size that a file of profiles may have.
 inline constexpr std::size_t most_profile_bytes = 16 << 20;
 
 /// The points of a profile as its file has them, with the unit and the mirroring that the format means; make_profile
@@ -23,7 +23,7 @@ inline constexpr std::size_t most_profile_bytes = 16 << 20;
 /// Throws InvalidArgument, naming file and line, for what is none of this, for a `kind` that is not the file's, and for
 /// files beyond the limits.
 ProfileSpec read_profile(std::string_view text, const std::string& name, std::optional<ProfileKind> kind = {});
-/// The same of a file on disk. Throws InvalidArgument when it cannot be read.
+/// Reads a file on disk likewise. Throws InvalidArgument when it cannot be read.
 ProfileSpec read_profile(const std::filesystem::path& file, std::optional<ProfileKind> kind = {});
 
 }  // namespace contactd

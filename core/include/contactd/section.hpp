@@ -77,7 +77,7 @@ struct OutlineSection {
     bool operator==(const OutlineSection&) const = default;
 };
 
-/// What holds a rail: a cut through its web just below the head, or its foot; then the table contains its bending.
+/// The support of a rail: a cut through its web just below the head, or its foot; then the table contains its bending.
 enum class RailSupport { cut, foot };
 template <>
 inline constexpr auto enum_words<RailSupport> = std::to_array<std::string_view>({"cut", "foot"});
@@ -91,8 +91,8 @@ struct RailSection {
     bool operator==(const RailSection&) const = default;
 };
 
-/// The rim of a wheel S1002, above its running surface: tape circle in the origin, flange at y < 0. Held is its inner
-/// face. The outline, and s, run from the field side to the flange.
+/// The rim of a wheel S1002, above its running surface: tape circle in the origin, flange at y < 0. Clamped is its
+/// inner face. The outline, and s, run from the field side to the flange.
 struct WheelRimSection {
     double thickness = 60;  ///< of the rim, from the tape circle to its inner face (mm)
     double from = 0;        ///< where the first strip begins, from the tape circle, positive towards the flange (mm)
@@ -100,7 +100,7 @@ struct WheelRimSection {
     bool operator==(const WheelRimSection&) const = default;
 };
 
-/// A block -width <= y <= 0, -height <= z <= 0, held at z = -height and y = -width. The edge is the origin.
+/// A block -width <= y <= 0, -height <= z <= 0, clamped at z = -height and y = -width. The edge is the origin.
 struct EdgeBlock {
     double width = 0, height = 0;  ///< mm
     double edge_distance = 0;      ///< of the outer end of the last strip from the edge (mm), >= 0
@@ -108,7 +108,7 @@ struct EdgeBlock {
     bool operator==(const EdgeBlock&) const = default;
 };
 
-/// A circular groove in the top of a block |y| <= width/2, -height <= z <= 0, held at z = -height. Strips lie about
+/// A circular groove in the top of a block |y| <= width/2, -height <= z <= 0, clamped at z = -height. Strips lie about
 /// its bottom, which is at (0, -depth).
 struct Groove {
     double radius = 0, depth = 0;  ///< mm; depth = radius: half a circle about the origin
@@ -117,23 +117,24 @@ struct Groove {
     bool operator==(const Groove&) const = default;
 };
 
-/// A slab |y| <= radius that ends above in half a circle about the origin. Held at z = -length; strips about the top.
+/// A slab |y| <= radius that ends above in half a circle about the origin. Clamped at z = -length; strips about the
+/// top.
 struct RoundEnd {
     double radius = 0;  ///< mm
-    double length = 0;  ///< from the centre of the half circle to where it is held (mm)
+    double length = 0;  ///< from the centre of the half circle to where it is clamped (mm)
 
     bool operator==(const RoundEnd&) const = default;
 };
 
-/// A disc about the origin, held along a round core. Strips about the top.
+/// A disc about the origin, clamped along a round core. Strips about the top.
 struct Disc {
     double radius = 0;  ///< mm
-    double core = 0;    ///< radius of the core (mm); 0: none, then nothing is held
+    double core = 0;    ///< radius of the core (mm); 0: none, then nothing is clamped
 
     bool operator==(const Disc&) const = default;
 };
 
-/// A round hole about the origin in a round plate, held along its outer edge. Strips about the bottom of the hole.
+/// A round hole about the origin in a round plate, clamped along its outer edge. Strips about the bottom of the hole.
 struct PlateHole {
     double radius = 0;        ///< of the hole (mm)
     double plate_radius = 0;  ///< mm
@@ -141,15 +142,15 @@ struct PlateHole {
     bool operator==(const PlateHole&) const = default;
 };
 
-/// A flat layer |y| <= width/2, -thickness <= z <= 0, held at the bottom and at both sides. Strips about the middle of
-/// its top. With a thickness of 1e5 strips' widths it stands for a half-space.
+/// A flat layer |y| <= width/2, -thickness <= z <= 0, clamped at the bottom and at both sides. Strips about the middle
+/// of its top. With a thickness of 1e5 strips' widths it stands for a half-space.
 struct Slab {
     double thickness = 0, width = 0;  ///< mm
 
     bool operator==(const Slab&) const = default;
 };
 
-/// What lies below the profile of a rail, or above that of a wheel, with upright sides from its ends; held along a
+/// The body below the profile of a rail, or above that of a wheel, with upright sides from its ends; clamped along a
 /// level cut. The outline of a wheel runs from its field side to the flange. z = -z of the profile.
 struct ProfileSection {
     ProfileSpec profile{};
@@ -168,7 +169,7 @@ struct Section {
     SectionShape shape{};
     double size = 1;  ///< by which all lengths of the shape are multiplied: 0.2 for a rail of a model
     double turn = 0;  ///< by which it is turned about the origin (rad), positive from +z towards +y; pi: upside down
-    /// Nothing is held, on purpose: its coefficients exist above wavenumber zero only, and serve no contact.
+    /// Nothing is clamped, on purpose: its coefficients exist above wavenumber zero only, and serve no contact.
     bool free = false;
 
     bool operator==(const Section&) const = default;

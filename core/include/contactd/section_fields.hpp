@@ -94,7 +94,7 @@ inline constexpr std::tuple named_members<Section>{
     NamedMember{"shape", &Section::shape}, NamedMember{"size", &Section::size}, NamedMember{"turn", &Section::turn},
     NamedMember{"free", &Section::free}};
 
-/// Of the alternatives of a std::variant, in their order.
+/// Lists the alternatives of a std::variant, in their order.
 template <class Variant>
 inline constexpr std::array<std::string_view, 0> alternative_names{};
 template <>

@@ -16,17 +16,17 @@
 
 namespace contactd {
 
-/// What a session is opened with.
+/// The opening of a session.
 struct SessionSpec {
     ContactSetup setup;  ///< what all steps have in common
-    /// What holds for the steps that do not say it; `previous` is where the first one starts. Of gap, approach and Fn
-    /// what is absent is named by every step.
+    /// The load of steps that do not state it; `previous` is where the first one starts. Of gap, approach and Fn every
+    /// step names what is absent here.
     ContactLoad load{};
     std::optional<double> lease_seconds{};
     bool accept_unconverged = false;  ///< whether steps count that missed a tolerance
 };
 
-/// What a session of a wheel on its rail is opened with.
+/// The opening of a session of a wheel on its rail.
 struct WheelRailSessionSpec {
     WheelRailSetup setup{};
     std::optional<double> lease_seconds{};
@@ -53,7 +53,7 @@ struct SessionInfo {
     IcUses ics{};
 };
 
-/// What a step says; what it leaves out is as the session was opened.
+/// The input of a step; fields that it leaves out are as the session was opened.
 struct StepInput {
     std::optional<double> approach{}, Fn{};  ///< one at most
     std::optional<Gap> gap{};
@@ -72,7 +72,7 @@ struct StepReply {
     ContactSolution solution;  ///< its arrays are empty unless they were asked for
 };
 
-/// What a step of a wheel on its rail says, whole: nothing of the state is as it was.
+/// The input of a step of a wheel on its rail, whole: nothing of the state is as it was.
 struct WheelRailStepInput {
     WheelRailState state{};
     std::optional<WheelRailFriction> friction{};  ///< for this step, where it is not as the session was opened
@@ -88,7 +88,7 @@ struct WheelRailStepReply {
     WheelRailSolution solution;  ///< arrays of its patches are empty unless they were asked for
 };
 
-/// Of many steps each has its solution, or says why there is none.
+/// Each of many steps has its solution, or says why there is none.
 using StepOrStatus = std::variant<StepReply, Status>;
 using AnyStepOrStatus = std::variant<StepReply, WheelRailStepReply, Status>;
 

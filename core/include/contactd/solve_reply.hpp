@@ -1,4 +1,4 @@
-// What contact.solve and contact.solve_many answer.
+// Answers of contact.solve and contact.solve_many.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct SolveReply {
     std::optional<OperatorUse> operators{};  ///< where they exceed the budget
 };
 
-/// Of many problems each has its solution, or says why there is none.
+/// Each of many problems has its solution, or says why there is none.
 using ReplyOrStatus = std::variant<SolveReply, Status>;
 
 }  // namespace contactd

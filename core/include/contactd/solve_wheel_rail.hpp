@@ -31,8 +31,8 @@ class WheelRailContact {
     /// state makes no sense ("position.z" where the wheel stands far inside the rail), and Cancelled.
     WheelRailSolution solve(const WheelRailState& state, Observer& observer) const;
 
-    /// The same within the tolerances, from where a step before has ended; the solves of a search for a force start
-    /// from each other. `estimates` become those for the next step, and mean nothing where this throws.
+    /// Solves within the tolerances, from where a step before has ended; the solves of a search for a force start from
+    /// each other. `estimates` become those for the next step, and mean nothing where this throws.
     WheelRailSolution solve(const WheelRailState& state, WheelRailEstimates& estimates, Observer& observer) const;
 
     /// The search for contacts alone: at position.z or, where Fz is given, where Hertz's theory expects that force.
@@ -42,8 +42,8 @@ class WheelRailContact {
     /// position.z at which wheel and rail begin to touch (mm); nothing where they are not above each other.
     std::optional<double> first_contact_height(const WheelRailState& state, const Observer& observer = {}) const;
 
-    /// The same wheel on the same rail with another friction; shares what is kept. Throws InvalidArgument
-    /// ("friction.mu", ...).
+    /// Returns this contact with another friction; it shares what is cached. Throws InvalidArgument ("friction.mu",
+    /// ...).
     WheelRailContact with_friction(const WheelRailFriction& friction) const;
 
     const WheelRailSetup& setup() const;

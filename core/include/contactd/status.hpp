@@ -107,7 +107,7 @@ class StatusError : public Error {
 /// INVALID_ARGUMENT for one field; the message reads "<field> <problem>".
 StatusError invalid_field(std::string field, const std::string& problem, std::string_view why = reason::field_invalid);
 
-/// What a thrown exception means to who asked.
+/// Returns the status that a thrown exception means to who asked.
 Status status_of(const std::exception& error);
 
 }  // namespace contactd

@@ -1,4 +1,5 @@
-// What a step of rolling changes: by how much displacements at the elements differ from those one step ahead.
+// The increment of displacements over a step of rolling: by how much those at the elements differ from those one step
+// ahead.
 #pragma once
 
 #include <cstddef>
@@ -34,11 +35,11 @@ class StepOperator {
     /// About what it takes in memory, with all that it will make when that is first needed.
     virtual std::size_t bytes() const = 0;
 
-    /// What makes solves on many elements quicker, or null where it cannot be had.
+    /// Returns an inverse that makes solves on many elements quicker, or null where it cannot be had.
     virtual std::shared_ptr<const StepInverse> inverse(double /*added*/) const { return nullptr; }
-    /// The same step on the elements of a box, as ElementBoxes::influence, or null where it cannot be had.
+    /// Returns the step on the elements of a box, as ElementBoxes::influence, or null where it cannot be had.
     virtual std::shared_ptr<const StepOperator> on(const ElementBox& /*box*/) const { return nullptr; }
-    /// The same step (in mm) on the grid of InfluenceOperator::coarser(), or null. Lives as long as this one.
+    /// Returns the step (in mm) on the grid of InfluenceOperator::coarser(), or null. It lives as long as this one.
     virtual const StepOperator* coarser() const { return nullptr; }
 };
 

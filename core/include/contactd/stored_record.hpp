@@ -6,11 +6,10 @@
 
 namespace contactd {
 
-/// What a store keeps of the record of an IC file: dimensionless. Throws InvalidArgument ("datasets") for what no
+/// Returns the record of an IC file as a store keeps it: dimensionless. Throws InvalidArgument ("datasets") for what no
 /// builder makes: tables of closed forms, of specs that cannot be, tables that err by more than they state where a
 /// closed form exists, coefficients that no elastic body has (sign, decay, reciprocity, positive definiteness), frames
-/// of strips that are not those of the section. That the numbers are right otherwise nobody can know. Throws
-/// Cancelled.
+/// of strips that are not those of the section. That the numbers are right otherwise nobody can know. Throws Cancelled.
 IcRecord stored_record(IcRecord record, const Observer& observer);
 
 }  // namespace contactd

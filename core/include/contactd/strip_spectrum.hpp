@@ -1,5 +1,5 @@
-// What is kept of a prism's influence coefficients: their transform along x at a few wavenumbers, from which tables for
-// any length and number of elements along x are made.
+// Influence coefficients of a longitudinally uniform body as they are stored: their transform along x at a few
+// wavenumbers, from which tables for any length and number of elements along x are made.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct StripSpectrum {
         const std::size_t n = 3 * static_cast<std::size_t>(strips);
         return n * (n + 1) / 2;
     }
-    /// Of the entry (a, b) at a node, in either order.
+    /// Returns the index of the entry (a, b) at a node, in either order.
     std::size_t index(std::size_t node, int a, int b) const {
         const auto high = static_cast<std::size_t>(a > b ? a : b), low = static_cast<std::size_t>(a > b ? b : a);
         return node * component_size() + high * (high + 1) / 2 + low;

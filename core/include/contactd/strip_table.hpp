@@ -55,8 +55,8 @@ StripTable symmetrised(StripTable table);
 /// That of the body's mirror image in a plane across y: strips in reverse order, and the signs of y.
 StripTable mirrored(const StripTable& table);
 
-/// As pair_of of IcTable, in the frames of the lower body's strips, of which the upper body has as many, opposite and
-/// in reverse order. Throws InvalidArgument when the extents differ.
+/// Sums the tables as pair_of of IcTable does, in the frames of the lower body's strips, of which the upper body has as
+/// many, opposite and in reverse order. Throws InvalidArgument when the extents differ.
 StripTable pair_of(const StripTable& upper, StripTable lower);
 
 }  // namespace contactd

@@ -26,8 +26,9 @@ SurfaceTractions tractions_on(ContactBody body, std::span<const double> pressure
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    std::span<const std::array<double, 3>> points, Observer& observer);
 
-/// The same on a block. Coordinates that differ by whole elements share convolutions, one for every depth and stress;
-/// the more of them there are, the less a point costs. Memory is some multiple of that of the points and elements.
+/// Returns the stresses on a block. Coordinates that differ by whole elements share convolutions, one for every depth
+/// and stress; the more of them there are, the less a point costs. Memory is some multiple of that of the points and
+/// elements.
 SubsurfaceStress subsurface_stress(const Grid& grid, const SurfaceTractions& tractions, double nu,
                                    const StressBlock& block, Observer& observer);
 

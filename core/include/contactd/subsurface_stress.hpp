@@ -43,8 +43,8 @@ struct SubsurfaceRequest {
     double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5; of no meaning where ics has layers
     ContactBody body = ContactBody::lower;
     Ics ics;  ///< that the tractions were solved with: of a half-space (also of a line contact) or layers; none else
-    /// Of a contact solution, for either body: the tractions are those on the upper one. Shape [ny, nx] (N/mm^2);
-    /// tractions may be empty, which means zero.
+    /// Tractions of a contact solution, for either body: those on the upper one. Shape [ny, nx] (N/mm^2); tractions may
+    /// be empty, which means zero.
     std::vector<double> pressure, traction_x, traction_y;
     std::variant<StressPoints, StressBlock> points;
 

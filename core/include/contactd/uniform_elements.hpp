@@ -1,4 +1,4 @@
-// Which elements the tables of prisms by finite elements serve.
+// Which elements the tables of longitudinally uniform bodies by finite elements serve.
 #pragma once
 
 namespace contactd {

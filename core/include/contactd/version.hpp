@@ -1,4 +1,4 @@
-// What made a result: the version of contactd and of the libraries that core stands on.
+// The origin of a result: the version of contactd and of the libraries that core stands on.
 #pragma once
 
 #include <map>

@@ -54,8 +54,8 @@ double predicted_memory(const IcSpec& spec);
 /// libraries (std::exception) may come on one process alone.
 IcRecord build_ic_table(const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes = 0);
 
-/// The triangles (mm) of the cross-section that the table of `spec`, of a prism, is built on, as a file of VTK: to look
-/// at. Throws InvalidArgument as build_ic_table does, and "ics.body" for any other body.
+/// The triangles (mm) of the cross-section that the table of `spec`, of a longitudinally uniform body, is built on, as
+/// a file of VTK: to look at. Throws InvalidArgument as build_ic_table does, and "ics.body" for any other body.
 std::string section_mesh(const IcSpec& spec);
 
 }  // namespace contactd::fem
