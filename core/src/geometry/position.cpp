@@ -161,7 +161,7 @@ Position::Position(const WheelRailSetup& setup, const Profiles& profiles, const 
     : setup_(setup),
       state_(state),
       observer_(observer),
-      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position), profiles.unround),
+      wheel_(profiles.wheel, setup.wheelset, at_zero(state.position), profiles.out_of_round),
       rail_(rail_surface(setup, profiles, state)),
       search_(search_of(setup, wheel_, rail_, observer)) {}
 

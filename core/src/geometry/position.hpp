@@ -21,8 +21,8 @@ namespace contactd::geometry {
 struct Profiles {
     ProfileCurve wheel, rail;
     ProfilePoint rail_origin;
-    std::shared_ptr<const SlicedRail> slices{};   ///< in place of the rail
-    std::shared_ptr<const OutOfRound> unround{};  ///< beside the wheel's profile, which is that of its first slice
+    std::shared_ptr<const SlicedRail> slices{};        ///< in place of the rail
+    std::shared_ptr<const OutOfRound> out_of_round{};  ///< beside the wheel's profile, which is that of its first slice
 };
 
 /// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used, and

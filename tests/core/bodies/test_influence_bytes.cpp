@@ -49,10 +49,10 @@ TEST_CASE("what operators are expected to take is what they say, or more", "[str
 }
 
 TEST_CASE("a longitudinally uniform body takes memory by its strips squared", "[strips]") {
-    const Bodies prisms{{Material::rigid()}, prism()}, flat{{Material::rigid()}, {steel}};
+    const Bodies uniform{{Material::rigid()}, prism()}, flat{{Material::rigid()}, {steel}};
     const auto bytes = [&](int ny, const Bodies& bodies) {
         return influence_bytes(Grid::centred(100, ny, 0.5, 0.4), bodies);
     };
-    CHECK(bytes(80, prisms) > 20 * bytes(80, flat));
-    CHECK(2 * bytes(80, prisms) > 7 * bytes(40, prisms));
+    CHECK(bytes(80, uniform) > 20 * bytes(80, flat));
+    CHECK(2 * bytes(80, uniform) > 7 * bytes(40, uniform));
 }

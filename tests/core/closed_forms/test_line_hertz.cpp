@@ -41,19 +41,19 @@ ContactProblem moved(Model model, const Motion& motion) {
 
 /// By both models.
 std::pair<ContactSolution, ContactSolution> both(const Motion& motion) {
-    const ContactSolution quick = solve_half_spaces(moved(Model::hertz, motion));
-    CHECK(quick.converged());
-    CHECK(quick.warnings.empty());
-    return {quick, solve_half_spaces(moved(Model::full, motion))};
+    const ContactSolution simplified = solve_half_spaces(moved(Model::hertz, motion));
+    CHECK(simplified.converged());
+    CHECK(simplified.warnings.empty());
+    return {simplified, solve_half_spaces(moved(Model::full, motion))};
 }
 
-void check_forces(const ContactSolution& quick, const ContactSolution& full) {
+void check_forces(const ContactSolution& simplified, const ContactSolution& full) {
     const double bound = mu * P * length;
-    CHECK_THAT(quick.forces.Fx, WithinAbs(full.forces.Fx, 1e-3 * bound));
-    CHECK_THAT(quick.forces.Fy, WithinAbs(full.forces.Fy, 1e-3 * bound));
-    CHECK_THAT(quick.forces.Mz, WithinAbs(full.forces.Mz, 1e-3 * bound * cylinder.half_width));
-    CHECK_THAT(quick.area.adhesion, WithinAbs(full.area.adhesion, 0.01 * full.area.contact));
-    CHECK_THAT(quick.area.contact, WithinRel(full.area.contact, 0.005));
+    CHECK_THAT(simplified.forces.Fx, WithinAbs(full.forces.Fx, 1e-3 * bound));
+    CHECK_THAT(simplified.forces.Fy, WithinAbs(full.forces.Fy, 1e-3 * bound));
+    CHECK_THAT(simplified.forces.Mz, WithinAbs(full.forces.Mz, 1e-3 * bound * cylinder.half_width));
+    CHECK_THAT(simplified.area.adhesion, WithinAbs(full.area.adhesion, 0.01 * full.area.contact));
+    CHECK_THAT(simplified.area.contact, WithinRel(full.area.contact, 0.005));
 }
 
 std::string field_refused(const ContactProblem& problem) {
@@ -69,16 +69,16 @@ std::string field_refused(const ContactProblem& problem) {
 
 TEST_CASE("model hertz presses cylinders as boundary elements do", "[simplified][line]") {
     const MaterialPair pair = GENERATE(bodies, MaterialPair{{82000, 0.28}, Material::rigid()});
-    const ContactSolution quick = solve_half_spaces(pressed(Model::hertz, pair));
+    const ContactSolution simplified = solve_half_spaces(pressed(Model::hertz, pair));
     const ContactSolution full = solve_half_spaces(pressed(Model::full, pair));
-    CHECK(quick.forces.Fn == P * length);
-    CHECK_THAT(quick.pmax, WithinRel(full.pmax, 1e-4));
-    CHECK_THAT(quick.approach, WithinRel(full.approach, 1e-4));
-    CHECK_THAT(quick.area.contact, WithinRel(full.area.contact, 0.005));
-    CHECK(quick.elements.border == 0);
+    CHECK(simplified.forces.Fn == P * length);
+    CHECK_THAT(simplified.pmax, WithinRel(full.pmax, 1e-4));
+    CHECK_THAT(simplified.approach, WithinRel(full.approach, 1e-4));
+    CHECK_THAT(simplified.area.contact, WithinRel(full.area.contact, 0.005));
+    CHECK(simplified.elements.border == 0);
     ContactProblem by_approach = pressed(Model::hertz, pair);
     by_approach.Fn.reset();
-    by_approach.approach = quick.approach;
+    by_approach.approach = simplified.approach;
     CHECK_THAT(solve_half_spaces(by_approach).forces.Fn, WithinRel(P * length, 1e-12));
 }
 
@@ -88,15 +88,17 @@ TEST_CASE("model hertz rolls cylinders as Carter does, and sideways the same", "
     Rolling rolling{.chi = chi, .velocity = 5};
     const double full_slip = mu * cylinder.pmax * 2 / 82000 * (along ? 0.72 : 1);
     (along ? rolling.xi : rolling.eta) = share * full_slip;
-    const auto [quick, full] = both(rolling);
-    check_forces(quick, full);
+    const auto [simplified, full] = both(rolling);
+    check_forces(simplified, full);
     const double part = std::max(0.0, 1 - share);
-    CHECK_THAT(along ? quick.forces.Fx : quick.forces.Fy, WithinRel(-mu * P * length * (1 - part * part), 1e-12));
-    CHECK_THAT(*quick.frictional_power, WithinRel(*full.frictional_power, 0.02));  // of little slip on its elements
+    CHECK_THAT(along ? simplified.forces.Fx : simplified.forces.Fy,
+               WithinRel(-mu * P * length * (1 - part * part), 1e-12));
+    CHECK_THAT(*simplified.frictional_power,
+               WithinRel(*full.frictional_power, 0.02));  // of little slip on its elements
     std::size_t compared = 0;
-    for (std::size_t e = 0; e < quick.pressure.size(); ++e)
-        if (full.element_division[e] == quick.element_division[e] && ++compared)
-            CHECK_THAT(quick.traction_x[e], WithinAbs(full.traction_x[e], 0.02 * mu * cylinder.pmax));
+    for (std::size_t e = 0; e < simplified.pressure.size(); ++e)
+        if (full.element_division[e] == simplified.element_division[e] && ++compared)
+            CHECK_THAT(simplified.traction_x[e], WithinAbs(full.traction_x[e], 0.02 * mu * cylinder.pmax));
     CHECK(compared > 780);
 }
 
@@ -104,30 +106,30 @@ TEST_CASE("model hertz finds the creepage of a line contact's force", "[simplifi
     const double share = GENERATE(-0.9, 0.3);
     Rolling rolling;
     rolling.force = {share * mu * P * length, {}};
-    const ContactSolution quick = solve_half_spaces(moved(Model::hertz, rolling));
-    CHECK_THAT(quick.forces.Fx, WithinRel(share * mu * P * length, 1e-8));
+    const ContactSolution simplified = solve_half_spaces(moved(Model::hertz, rolling));
+    CHECK_THAT(simplified.forces.Fx, WithinRel(share * mu * P * length, 1e-8));
     const auto carter = reference::carter_of_force(bodies, cylinder, mu, share * mu * P);
-    CHECK_THAT(std::get<Rolling>(*quick.motion).xi, WithinRel(carter.creepage, 1e-8));
+    CHECK_THAT(std::get<Rolling>(*simplified.motion).xi, WithinRel(carter.creepage, 1e-8));
 }
 
 TEST_CASE("model hertz shifts cylinders as boundary elements do", "[simplified][line]") {
     const double share = GENERATE(0.05, 0.6, 0.98, 1.3), angle = GENERATE(0.0, 1.5707963267948966, 3.0);
     const double full_shift =
         2 * mu * P / (3.141592653589793 * 82000) * (std::log(2 * datum / cylinder.half_width) + 0.5);
-    const auto [quick, full] =
+    const auto [simplified, full] =
         both(Shift{{0.72 * share * full_shift * std::cos(angle), share * full_shift * std::sin(angle)}});
-    if (angle != 3.0) return check_forces(quick, full);
+    if (angle != 3.0) return check_forces(simplified, full);
     const double bound = mu * P * length;  // oblique tractions are parallel by the theory only
-    CHECK_THAT(quick.forces.Fx, WithinAbs(full.forces.Fx, 0.02 * bound));
-    CHECK_THAT(quick.forces.Fy, WithinAbs(full.forces.Fy, 0.02 * bound));
+    CHECK_THAT(simplified.forces.Fx, WithinAbs(full.forces.Fx, 0.02 * bound));
+    CHECK_THAT(simplified.forces.Fy, WithinAbs(full.forces.Fy, 0.02 * bound));
 }
 
 TEST_CASE("model hertz finds the shift of a line contact's force", "[simplified][line]") {
     Shift shift;
     shift.force = {-0.7 * mu * P * length, -0.2 * mu * P * length};
-    const auto [quick, full] = both(shift);
-    const auto w = std::get<Shift>(*quick.motion).rigid_shift, exact = std::get<Shift>(*full.motion).rigid_shift;
-    CHECK_THAT(quick.forces.Fx, WithinRel(*shift.force.Fx, 1e-8));
+    const auto [simplified, full] = both(shift);
+    const auto w = std::get<Shift>(*simplified.motion).rigid_shift, exact = std::get<Shift>(*full.motion).rigid_shift;
+    CHECK_THAT(simplified.forces.Fx, WithinRel(*shift.force.Fx, 1e-8));
     CHECK_THAT(w.x, WithinRel(exact.x, 0.01));
     CHECK_THAT(w.y, WithinRel(exact.y, 0.01));
 }
@@ -166,11 +168,11 @@ TEST_CASE("what a line contact's closed form does not know is refused by name", 
     CHECK(field_refused(fastsim) == "model");
     ContactProblem spins = moved(Model::hertz, Rolling{.phi = 1e-4});
     CHECK(field_refused(spins) == "friction.rolling.phi");
-    ContactProblem turns = moved(Model::hertz, Shift{{}, 1e-4});
-    CHECK(field_refused(turns) == "friction.rotation");
-    ContactProblem wide = pressed(Model::hertz);
-    wide.grid = Grid::centred(8, 3, 1, 1);
-    CHECK(field_refused(wide) == "grid.ny");
+    ContactProblem rotates = moved(Model::hertz, Shift{{}, 1e-4});
+    CHECK(field_refused(rotates) == "friction.rotation");
+    ContactProblem broad = pressed(Model::hertz);
+    broad.grid = Grid::centred(8, 3, 1, 1);
+    CHECK(field_refused(broad) == "grid.ny");
     ContactProblem ellipse = pressed(Model::hertz);
     ellipse.gap = Paraboloid{radius, radius};
     CHECK(field_refused(ellipse) == "gap.paraboloid.Ry");

@@ -74,8 +74,8 @@ inline InputSizes input_sizes(const ContactProblem& problem, const ContactSoluti
     const double unit = slip_unit(problem, solution, mu);
     const bool rolls = std::holds_alternative<Rolling>(problem.motion);
     sizes.size[0] = sizes.size[1] = rolls ? unit / sizes.length : unit;
-    const bool may_turn = solution.derivatives->Fx->phi || solution.derivatives->Fx->rotation;
-    if (may_turn) sizes.size[2] = sizes.size[0] / sizes.length;
+    const bool may_rotate = solution.derivatives->Fx->phi || solution.derivatives->Fx->rotation;
+    if (may_rotate) sizes.size[2] = sizes.size[0] / sizes.length;
     sizes.size[4] = mu;
     return sizes;
 }

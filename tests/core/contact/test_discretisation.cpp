@@ -41,9 +41,9 @@ ContactProblem sphere(int n, double element) {
     return problem;
 }
 
-bool says(const ContactSolution& solution, const std::string& words) {
+bool says(const ContactSolution& solution, const std::string& sentence) {
     for (const std::string& warning : solution.warnings)
-        if (warning.find(words) != std::string::npos) return true;
+        if (warning.find(sentence) != std::string::npos) return true;
     return false;
 }
 

@@ -166,24 +166,26 @@ TEST_CASE("steady rolling starts from an estimate and repeats itself bit by bit"
 TEST_CASE("steady rolling does not depend on the window around the contact", "[rolling]") {
     RollingCase narrow(window(16, 15), material, 3, 0, 0.1);
     narrow.set(0.002, 0.001, 0.001);
-    Grid wide = narrow.grid;
-    wide.nx += 24;
-    wide.ny += 10;
-    wide.x0 -= 20 * wide.dx;
-    wide.y0 -= 3 * wide.dy;
-    RollingCase in_window(wide, material, 3, 0, 0.1);
+    Grid broad = narrow.grid;
+    broad.nx += 24;
+    broad.ny += 10;
+    broad.x0 -= 20 * broad.dx;
+    broad.y0 -= 3 * broad.dy;
+    RollingCase in_window(broad, material, 3, 0, 0.1);
     in_window.set(0.002, 0.001, 0.001);
-    in_window.bound.assign(wide.size(), 0);
-    const auto in_wide = [&](std::size_t i) { return (i / 16 + 3) * static_cast<std::size_t>(wide.nx) + i % 16 + 20; };
-    for (std::size_t i = 0; i < narrow.bound.size(); ++i) in_window.bound[in_wide(i)] = narrow.bound[i];
+    in_window.bound.assign(broad.size(), 0);
+    const auto in_broad = [&](std::size_t i) {
+        return (i / 16 + 3) * static_cast<std::size_t>(broad.nx) + i % 16 + 20;
+    };
+    for (std::size_t i = 0; i < narrow.bound.size(); ++i) in_window.bound[in_broad(i)] = narrow.bound[i];
 
     const RollingSolution expected = narrow.steady({1e-9, 200}), solution = in_window.steady({1e-9, 200});
 
     REQUIRE(solution.evidence.converged);
     for (std::size_t i = 0; i < narrow.bound.size(); ++i) {
-        CHECK_THAT(solution.traction_x[in_wide(i)], WithinAbs(expected.traction_x[i], 1e-7));
-        CHECK_THAT(solution.slip_y[in_wide(i)], WithinAbs(expected.slip_y[i], 1e-9));
-        CHECK(solution.element_division[in_wide(i)] == expected.element_division[i]);
+        CHECK_THAT(solution.traction_x[in_broad(i)], WithinAbs(expected.traction_x[i], 1e-7));
+        CHECK_THAT(solution.slip_y[in_broad(i)], WithinAbs(expected.slip_y[i], 1e-9));
+        CHECK(solution.element_division[in_broad(i)] == expected.element_division[i]);
     }
     CHECK(count(solution).slip == count(expected).slip);
 }

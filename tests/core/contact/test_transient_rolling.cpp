@@ -76,7 +76,7 @@ TEST_CASE("in full slip friction loses the creepage times its whole force", "[ro
     CHECK_THAT(*solution.frictional_power, WithinRel(7 * 0.3 * solution.forces.Fn, 1e-2));
 }
 
-TEST_CASE("a step starts from the one before, which it is told anyway", "[rolling]") {
+TEST_CASE("a step starts from the one before, which the problem states anyway", "[rolling]") {
     ContactProblem problem = rolling_sphere(transient(0.002, 0.001, 0.001, 20));
     const ContactSolution last = solve_half_spaces(problem);
     problem.previous = {last.pressure, last.traction_x, last.traction_y};
@@ -85,12 +85,12 @@ TEST_CASE("a step starts from the one before, which it is told anyway", "[rollin
     problem.initial.pressure = last.pressure;
     problem.initial.traction_x = last.traction_x;
     problem.initial.traction_y = last.traction_y;
-    const ContactSolution told = solve_half_spaces(problem);
+    const ContactSolution reported = solve_half_spaces(problem);
 
     CHECK(step.evidence.normal.iterations == 0);
-    CHECK(step.evidence.tangential->iterations == told.evidence.tangential->iterations);
-    CHECK(step.traction_x == told.traction_x);
-    CHECK(step.traction_y == told.traction_y);
+    CHECK(step.evidence.tangential->iterations == reported.evidence.tangential->iterations);
+    CHECK(step.traction_x == reported.traction_x);
+    CHECK(step.traction_y == reported.traction_y);
 }
 
 TEST_CASE("the steps of one problem are those of many", "[rolling]") {

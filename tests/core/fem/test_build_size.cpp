@@ -91,12 +91,12 @@ IcSpec spec_of(const MeasuredSection& measured) {
 }  // namespace
 
 TEST_CASE("What sections take is predicted from their outlines, rather too much than too little", "[fem][size]") {
-    RailSection head, wide;
+    RailSection head, broad;
     head.from = 2;
-    wide.from = -20;
+    broad.from = -20;
     const MeasuredSection measured = GENERATE_COPY(
         MeasuredSection{head, 1e-2, 80, 0.5, 38808, 373}, MeasuredSection{head, 1e-3, 80, 0.5, 78318, 739},
-        MeasuredSection{head, 1e-4, 80, 0.5, 139440, 1408}, MeasuredSection{wide, 1e-2, 300, 0.2, 128034, 0},
+        MeasuredSection{head, 1e-4, 80, 0.5, 139440, 1408}, MeasuredSection{broad, 1e-2, 300, 0.2, 128034, 0},
         MeasuredSection{EdgeBlock{100, 50, 0}, 1e-3, 20, 0.5, 23364, 281},
         MeasuredSection{EdgeBlock{100, 50, 0}, 1e-4, 40, 0.5, 85575, 863, 0.49},
         MeasuredSection{Groove{10, 10, 120, 70}, 1e-3, 41, 0.5, 42378, 448},

@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string program = CONTACTD_IC;
-const std::string quick = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.5},)"
-                          R"( "ics": {"source": "fem", "preset": "paper-test2", "h_over_hs": 2, "L_over_h": 20}})";
+const std::string small_spec =
+    R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.5},)"
+    R"( "ics": {"source": "fem", "preset": "paper-test2", "h_over_hs": 2, "L_over_h": 20}})";
 const std::string slow = R"({"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 5, "ny": 4, "dx": 0.8, "dy": 0.8},)"
                          R"( "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}})";
 
@@ -66,11 +67,11 @@ class Folder {
         if (!text.empty()) text.pop_back();
         return text.substr(text.find_last_of('\n') + 1);
     }
-    /// Waits until standard output holds `word`.
-    bool wait_for(const char* word) const {
+    /// Waits until standard output holds `token`.
+    bool wait_for(const char* token) const {
         const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
         while (std::chrono::steady_clock::now() < end) {
-            if (read("out.txt").find(word) != std::string::npos) return true;
+            if (read("out.txt").find(token) != std::string::npos) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
         return false;
@@ -91,7 +92,7 @@ class Folder {
 
 TEST_CASE("contactd-ic writes the table and says so", "[contactd-ic]") {
     const Folder folder;
-    folder.write("spec.json", quick);
+    folder.write("spec.json", small_spec);
     REQUIRE(folder.run(program + " spec.json --output table.h5") == 0);
     const IcRecord record = read_ic_file(folder / "table.h5");
     CHECK(record.spec.nx == 5);
@@ -112,11 +113,11 @@ TEST_CASE("contactd-ic writes the mesh of a section", "[contactd-ic]") {
     REQUIRE(folder.run(program + " spec.json --mesh section.vtk") == 0);
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("mesh":"section.vtk")"));
     std::istringstream text(folder.read("section.vtk"));
-    std::string word;
-    while (text >> word && word != "POINTS") {
+    std::string token;
+    while (text >> token && token != "POINTS") {
     }
     std::size_t count = 0;
-    text >> count >> word;
+    text >> count >> token;
     REQUIRE(count > 100);
     double left = 0, right = 0, bottom = 0, top = -1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -135,7 +136,7 @@ TEST_CASE("contactd-ic writes the mesh of a section", "[contactd-ic]") {
 
 TEST_CASE("contactd-ic writes either a table or a mesh, and of sections alone", "[contactd-ic]") {
     const Folder folder;
-    folder.write("spec.json", quick);
+    folder.write("spec.json", small_spec);
     CHECK(folder.run(program + " spec.json") == 2);
     CHECK_THAT(folder.last_line(), ContainsSubstring("One of --output and --mesh"));
     CHECK(folder.run(program + " spec.json --output table.h5 --mesh section.vtk") == 2);
@@ -155,7 +156,7 @@ TEST_CASE("contactd-ic reads its spec from standard input", "[contactd-ic]") {
 
 TEST_CASE("Under mpirun contactd-ic makes the same table", "[contactd-ic][mpi]") {
     const Folder folder;
-    folder.write("spec.json", quick);
+    folder.write("spec.json", small_spec);
     REQUIRE(folder.run(program + " spec.json --output one.h5") == 0);
     const int processes = GENERATE(2, 3, 4);
     CAPTURE(processes);
@@ -182,7 +183,7 @@ TEST_CASE("A spec that cannot be used is named", "[contactd-ic]") {
         CHECK_FALSE(fs::exists(folder / "table.h5"));
     };
     const auto with = [](const std::string& from, const std::string& to) {
-        std::string spec = quick;
+        std::string spec = small_spec;
         return spec.replace(spec.find(from), from.size(), to);
     };
     refused("no JSON", "SPEC");
@@ -254,7 +255,7 @@ TEST_CASE("A long step is reported again and again with the time that is left", 
 TEST_CASE("Without the module that meshes sections only sections are missed, by a sentence", "[contactd-ic]") {
     const Folder folder;
     fs::copy_file(program, folder / "contactd-ic");
-    folder.write("spec.json", quick);
+    folder.write("spec.json", small_spec);
     CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 0);
     folder.write("spec.json", section);
     CHECK(folder.run("./contactd-ic spec.json --output table.h5") == 1);
@@ -267,7 +268,7 @@ TEST_CASE("Without the module that meshes sections only sections are missed, by 
 
 TEST_CASE("A command line that cannot be used is named", "[contactd-ic]") {
     const Folder folder;
-    folder.write("spec.json", quick);
+    folder.write("spec.json", small_spec);
     CHECK(folder.run(program) == 2);
     CHECK(folder.run(program + " spec.json --output missing/table.h5") == 2);
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("field":"--output")"));
@@ -279,7 +280,7 @@ TEST_CASE("A command line that cannot be used is named", "[contactd-ic]") {
 
 TEST_CASE("A solve that does not converge has a status of its own", "[contactd-ic]") {
     const Folder folder;
-    std::string spec = quick;
+    std::string spec = small_spec;
     folder.write("spec.json", spec.replace(spec.find(R"("L_over_h")"), 0, R"("max_iterations": 2, )"));
     const std::string command = GENERATE(program, launcher(2) + program);
     CHECK(folder.run(command + " spec.json --output table.h5") == 3);

@@ -89,9 +89,9 @@ TEST_CASE("The table does not depend on shear modulus and element size", "[fem]"
 }
 
 TEST_CASE("Exchanging x and y exchanges the components", "[fem]") {
-    const IcTable wide = build(coarse_spec(4, 3, 2, 1)).table();                   // per dx = 2
+    const IcTable broad = build(coarse_spec(4, 3, 2, 1)).table();                  // per dx = 2
     const IcTable tall = scaled(build(coarse_spec(3, 4, 1, 2)).table(), 1.0 / 2);  // per dx = 1
-    CHECK(largest_difference(wide, mirrored(tall)) < 1e-6 * largest(wide));
+    CHECK(largest_difference(broad, mirrored(tall)) < 1e-6 * largest(broad));
 }
 
 TEST_CASE("With square elements the y case is the x case mirrored", "[fem]") {

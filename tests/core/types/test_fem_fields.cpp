@@ -131,15 +131,15 @@ TEST_CASE("What a mesh or a solver does not know makes no other table") {
 
 TEST_CASE("Each enumerator has a word of its own, which means it again") {
     const auto check = []<class Enum>(Enum) {
-        std::set<std::string_view> words;
+        std::set<std::string_view> keywords;
         for (std::size_t at = 0; at < enum_words<Enum>.size(); ++at) {
             const auto value = static_cast<Enum>(at);
             Enum found{};
-            words.insert(name_of(value));
+            keywords.insert(name_of(value));
             REQUIRE(from_name(name_of(value), found));
             CHECK(found == value);
         }
-        CHECK(words.size() == enum_words<Enum>.size());
+        CHECK(keywords.size() == enum_words<Enum>.size());
         Enum untouched{};
         CHECK(!from_name("no such word", untouched));
         CHECK_THROWS_AS(name_of(static_cast<Enum>(enum_words<Enum>.size())), Error);

@@ -33,7 +33,7 @@ WheelRailSetup half_millimetres(Model model = Model::full) {
 
 /// Over steps so wide that a solver's tolerance does not matter.
 template <class Struct>
-Wrench wide_difference(const WheelRailSetup& setup, WheelRailState state, Struct WheelRailState::* part,
+Wrench long_difference(const WheelRailSetup& setup, WheelRailState state, Struct WheelRailState::* part,
                        double Struct::* input, double step) {
     state.derivatives = false;
     (state.*part).*input += step;
@@ -61,10 +61,10 @@ TEST_CASE("Forces follow position and motion as their derivatives say") {
     state.Fz.reset();
     const auto& [position, velocity] = *solution.derivatives;
     const auto by_position = [&](double WheelsetPosition::* input, double step) {
-        return wide_difference(setup, state, &WheelRailState::position, input, step);
+        return long_difference(setup, state, &WheelRailState::position, input, step);
     };
     const auto by_velocity = [&](double WheelsetVelocity::* input, double step) {
-        return wide_difference(setup, state, &WheelRailState::velocity, input, step);
+        return long_difference(setup, state, &WheelRailState::velocity, input, step);
     };
     // Elements come into contact and leave it on the way: their derivatives are those of one division.
     near(position.y, by_position(&WheelsetPosition::y, 0.02), 0.03);

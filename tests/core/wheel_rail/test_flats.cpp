@@ -24,7 +24,7 @@ namespace {
 constexpr double pi = std::numbers::pi, R = 450;
 
 /// The cylinder on an arc, its radius R + radius(angle), by slices that lie `step` apart up to `to` on both sides.
-WheelRailSetup unround(const std::function<double(double)>& radius, double step, double to) {
+WheelRailSetup out_of_round(const std::function<double(double)>& radius, double step, double to) {
     WheelRailSetup setup = cylinder_on_arc(300);
     const int most = static_cast<int>(std::lround(to / step));
     for (int i = -most; i <= most; ++i) {
@@ -77,7 +77,7 @@ TEST_CASE("A wheel of slices that are all the same is a surface of revolution") 
 
 TEST_CASE("The axle over a flat goes down by what its edge leaves") {
     const double depth = 0.8, edge = std::acos((R - depth) / R);
-    const WheelRailSetup setup = unround([=](double angle) { return of_flat(angle, depth); }, edge / 30, 3 * edge);
+    const WheelRailSetup setup = out_of_round([=](double angle) { return of_flat(angle, depth); }, edge / 30, 3 * edge);
     for (const double share : {0.0, 0.3, -0.5, 0.8, 1.0, 1.7}) {
         const double pitch = share * edge, left = std::max(0.0, edge - std::abs(pitch));
         INFO("pitch " << pitch);
@@ -90,7 +90,7 @@ TEST_CASE("The axle over a flat goes down by what its edge leaves") {
 
 TEST_CASE("On its flat a wheel presses over most of its length, and beside it as round") {
     const double depth = 0.3, edge = std::acos((R - depth) / R);
-    WheelRailSetup setup = unround([=](double angle) { return of_flat(angle, depth); }, edge / 20, 3 * edge);
+    WheelRailSetup setup = out_of_round([=](double angle) { return of_flat(angle, depth); }, edge / 20, 3 * edge);
     setup.dx = setup.dy = 0.5;
     WheelRailState state;
     state.Fz = 60000;
@@ -116,7 +116,7 @@ TEST_CASE("On its flat a wheel presses over most of its length, and beside it as
 
 TEST_CASE("Where a wheel is worn to another radius it is Hertz's contact of that radius") {
     const double radius = GENERATE(300.0, 900.0);
-    WheelRailSetup setup = unround([=](double angle) { return of_arc(angle, radius); }, 0.004, 0.24);
+    WheelRailSetup setup = out_of_round([=](double angle) { return of_arc(angle, radius); }, 0.004, 0.24);
     setup.model = GENERATE(Model::full, Model::hertz);
     WheelRailState state;
     state.Fz = 60000;
@@ -139,7 +139,7 @@ TEST_CASE("A smooth flat presses as hard as one by ten times as many slices") {
     state.position.pitch = pitch;
     state.Fz = 60000;
     const auto hardest = [&](double step) {
-        WheelRailSetup setup = unround(flat, step, 0.12);
+        WheelRailSetup setup = out_of_round(flat, step, 0.12);
         setup.dx = setup.dy = 0.4;
         return solve(setup, state).patches.at(0).solution.pmax;
     };
@@ -148,7 +148,7 @@ TEST_CASE("A smooth flat presses as hard as one by ten times as many slices") {
 
 TEST_CASE("A wheel whose middle is beside its axle rolls up and down, and touches ahead or behind") {
     const double aside = 0.5;  // mm
-    const WheelRailSetup setup = unround(
+    const WheelRailSetup setup = out_of_round(
         [=](double angle) {
             return aside * std::cos(angle) + std::sqrt(R * R - aside * aside * std::sin(angle) * std::sin(angle)) - R;
         },
@@ -165,7 +165,7 @@ TEST_CASE("A wheel whose middle is beside its axle rolls up and down, and touche
 }
 
 TEST_CASE("A left wheel with a flat is a right one in a mirror, to the last bit") {
-    WheelRailSetup setup = unround([](double angle) { return of_flat(angle, 0.4); }, 0.01, 0.1);
+    WheelRailSetup setup = out_of_round([](double angle) { return of_flat(angle, 0.4); }, 0.01, 0.1);
     setup.friction = WheelRailFriction{};
     setup.dx = setup.dy = 0.5;
     WheelRailState state;

@@ -224,15 +224,15 @@ TEST_CASE("A wheelset rolls where the rails below it deflect unlike") {
 }
 
 TEST_CASE("A warning tells of a rail that deflects by more than rails do") {
-    const auto told = [](double z) {
+    const auto reported = [](double z) {
         const WheelRailSolution solution = solve(on_flexible_rail({}, z), under_force(0));
         REQUIRE(solution.converged());
         for (const std::string& warning : solution.warnings)
             if (warning.starts_with("The rail gives way by 800 mm") && warning.ends_with("are in N/mm.")) return true;
         return false;
     };
-    CHECK(told(100));  // meant as kN/mm
-    CHECK_FALSE(told(1e5));
+    CHECK(reported(100));  // meant as kN/mm
+    CHECK_FALSE(reported(1e5));
 }
 
 TEST_CASE("Mistakes in springs and loads are refused by name") {

@@ -209,9 +209,9 @@ TEST_CASE("Strips of sections turn as the rows do that lie on them") {
     for (std::size_t i = 0; i < count; ++i) {
         INFO("row " << i << " of " << count << " at y = " << y);
         // The mean of both; each is off by half a strip at most, which R13 turns by 0.015.
-        const double of_rail_turn = on_rail(i).angle - on_rail(middle).angle;
-        const double of_wheel_turn = on_wheel(i).angle - on_wheel(middle).angle;
-        CHECK_THAT(-(rows[i].angle - rows[middle].angle), WithinAbs(0.5 * (of_rail_turn + of_wheel_turn), 0.035));
+        const double of_rail_angle = on_rail(i).angle - on_rail(middle).angle;
+        const double of_wheel_angle = on_wheel(i).angle - on_wheel(middle).angle;
+        CHECK_THAT(-(rows[i].angle - rows[middle].angle), WithinAbs(0.5 * (of_rail_angle + of_wheel_angle), 0.035));
     }
 }
 

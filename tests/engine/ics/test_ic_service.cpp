@@ -128,10 +128,10 @@ TEST_CASE("A built table is answered from memory afterwards, and from disk after
 
 TEST_CASE("Simultaneous requests join one build") {
     Bench bench("sleep 0.3; " + succeeding);
-    std::vector<std::future<Outcome>> outcomes;
-    for (int n = 0; n < 8; ++n) outcomes.push_back(bench.ask(fem_spec()));
+    std::vector<std::future<Outcome>> results;
+    for (int n = 0; n < 8; ++n) results.push_back(bench.ask(fem_spec()));
 
-    for (auto& outcome : outcomes) CHECK(outcome.get().origin == "built");
+    for (auto& outcome : results) CHECK(outcome.get().origin == "built");
     CHECK(bench.counters.builds_started == 1);
     CHECK(bench.counters.builds_joined == 7);
 }

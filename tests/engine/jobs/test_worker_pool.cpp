@@ -22,7 +22,7 @@ TEST_CASE("Every task that was posted is run") {
     CHECK(ran == 100);
 }
 
-TEST_CASE("Threads start when they are wanted, and no more than were asked for") {
+TEST_CASE("Threads start when they are needed, and no more than were asked for") {
     const auto threads = [] {
         const std::filesystem::directory_iterator tasks("/proc/self/task");
         return std::distance(begin(tasks), end(tasks));
@@ -150,10 +150,10 @@ TEST_CASE("What was passed over often enough goes next") {
     stalled.post("normal", {"a", Priority::normal});
     for (int n = 0; n < 2 * WorkerPool::most_passes; ++n) stalled.post("high", {"b", Priority::high});
 
-    Names wanted(WorkerPool::most_passes, "high");
-    wanted.insert(wanted.end(), {"low", "normal"});
-    wanted.insert(wanted.end(), WorkerPool::most_passes, "high");
-    CHECK(stalled.order() == wanted);
+    Names expected(WorkerPool::most_passes, "high");
+    expected.insert(expected.end(), {"low", "normal"});
+    expected.insert(expected.end(), WorkerPool::most_passes, "high");
+    CHECK(stalled.order() == expected);
 }
 
 TEST_CASE("What was abandoned is dropped with what it holds, and the rest is run") {

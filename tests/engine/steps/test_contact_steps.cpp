@@ -40,9 +40,9 @@ struct Simulation {
 
     ContactSolution step(const StepInput& input) {
         ContactSolution solution = engine.solve(*steps, state, saying(input), observer);
-        ContactSolution told = solution;
+        ContactSolution reported = solution;
         state = ContactSteps::after(state, std::move(solution));
-        return told;
+        return reported;
     }
 };
 

@@ -14,24 +14,24 @@ using Catch::Matchers::WithinAbs;
 TEST_CASE("A cone has its own conicity, and what is wrong with a request for it is named") {
     const Observer observer;
     WheelsetSetup setup;
-    ConicityRequest wanted{{2}};
+    ConicityRequest request{{2}};
     const auto field = [&] {
         try {
-            static_cast<void>(wheelset_conicities(setup, wanted, observer));
+            static_cast<void>(wheelset_conicities(setup, request, observer));
         } catch (const InvalidArgument& error) {
             return error.field();
         }
         return std::string();
     };
     setup.setup.wheel.shape = ConeProfile{-0.05, -60, 60};
-    CHECK_THAT(wheelset_conicities(setup, wanted, observer).at(0).integrated, WithinAbs(0.05, 1e-7));
+    CHECK_THAT(wheelset_conicities(setup, request, observer).at(0).integrated, WithinAbs(0.05, 1e-7));
     SECTION("amplitudes") {
-        wanted.amplitudes = {1, -1};
+        request.amplitudes = {1, -1};
         CHECK(field() == "conicity.amplitudes[1]");
     }
     SECTION("profiles that end") {
         setup.setup.rail.shape = ArcProfile{300, 0, -5, 5};
-        wanted.amplitudes = {10};
+        request.amplitudes = {10};
         CHECK(field() == "conicity.amplitudes");
     }
     SECTION("points") {

@@ -7,14 +7,14 @@
 namespace contactd::geometry {
 
 WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
-                           std::shared_ptr<const OutOfRound> unround)
+                           std::shared_ptr<const OutOfRound> out_of_round)
     : profile_(std::move(profile)),
       frame_{{0, position.y, position.z - wheelset.nominal_radius},
              Rotation::yaw_then_roll(position.yaw, position.roll)},
       base_y_(wheelset.flange_back_distance / 2 - wheelset.flange_back_position),
       radius_(wheelset.nominal_radius),
       pitch_(position.pitch),
-      unround_(std::move(unround)) {
+      out_of_round_(std::move(out_of_round)) {
     const double cosine = frame_.axes.y.y, sine = -frame_.axes.z.y;  // of the profile's plane, seen along x
     visible_ = visible_span(profile_, [&](const ProfilePoint& point) {
         return frame_.origin.y + cosine * (base_y_ + point.y) - sine * (radius_ + point.z);
@@ -32,11 +32,11 @@ BelowAxle WheelSurface::below_axle(double x, const ProfileCurve::Place& here, do
     constexpr double settled = 1e-11;  // mm
     const double rho = radius_ + here.at.z;
     double z = std::sqrt(std::max(rho * rho - x * x, 1e-12));
-    if (!unround_) return {z, -x, rho * here.slope.z, z};
+    if (!out_of_round_) return {z, -x, rho * here.slope.z, z};
     OutOfRound::Place beside;
     double r = rho;
     for (int iteration = 0; iteration < 30; ++iteration) {
-        beside = unround_->at(std::atan2(x, z) - pitch_, s);
+        beside = out_of_round_->at(std::atan2(x, z) - pitch_, s);
         r = rho + beside.radius;
         const double step = 0.5 * (z * z + x * x - r * r) / (z + r * beside.by_angle * x / (x * x + z * z));
         z = std::max(z - step, 1e-6);
@@ -48,7 +48,7 @@ BelowAxle WheelSurface::below_axle(double x, const ProfileCurve::Place& here, do
 double WheelSurface::radius_along(double x, double s) const {
     constexpr double step = 5;  // mm: over some slices, between which curvatures are no better than radii
     const ProfileCurve::Place here = profile_.place(s);
-    if (!unround_) return radius_ + here.at.z;
+    if (!out_of_round_) return radius_ + here.at.z;
     const auto z = [&](double at) { return below_axle(at, here, s).z; };
     const double before = z(x - step), behind = z(x + step), incline = (behind - before) / (2 * step);
     const double bulge = (2 * z(x) - before - behind) / (step * step);
@@ -56,7 +56,7 @@ double WheelSurface::radius_along(double x, double s) const {
 }
 
 Vector3 WheelSurface::in_wheelset(double x, double s) const {
-    if (unround_) {
+    if (out_of_round_) {
         const ProfileCurve::Place here = profile_.place(s);
         return {x, base_y_ + here.at.y, below_axle(x, here, s).z};
     }

@@ -29,13 +29,13 @@ struct BelowAxle {
 
 class WheelSurface {
    public:
-    /// `unround` is the deviation of an out-of-round wheel from its profile.
+    /// `out_of_round` is the deviation of an out-of-round wheel from its profile.
     WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const WheelsetPosition& position,
-                 std::shared_ptr<const OutOfRound> unround = nullptr);
+                 std::shared_ptr<const OutOfRound> out_of_round = nullptr);
 
-    bool is_round() const { return !unround_; }
+    bool is_round() const { return !out_of_round_; }
     /// Returns the largest growth of an out-of-round wheel's radius with the angle, over the radius.
-    double steepest() const { return unround_ ? unround_->steepest() / radius_ : 0; }
+    double steepest() const { return out_of_round_ ? out_of_round_->steepest() / radius_ : 0; }
     /// `here` is the profile's place s.
     BelowAxle below_axle(double x, const ProfileCurve::Place& here, double s) const;
     /// Returns the radius of curvature along x (mm), infinite on a flat.
@@ -64,7 +64,7 @@ class WheelSurface {
     ProfileCurve profile_;
     Frame frame_;
     double base_y_, radius_, pitch_;
-    std::shared_ptr<const OutOfRound> unround_;
+    std::shared_ptr<const OutOfRound> out_of_round_;
     Span visible_;
 };
 
