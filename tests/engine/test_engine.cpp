@@ -95,7 +95,7 @@ TEST_CASE("A solve on half-spaces makes neither thread nor folder") {
     CHECK_FALSE(fs::exists(folder));
 }
 
-TEST_CASE("The same problem has the same answer with operators that were kept") {
+TEST_CASE("The same problem has the same answer with operators that were cached") {
     Engine engine({});
     Observer observer;
     const SolveReply first = engine.solve(ball_on_plate(), observer), second = engine.solve(ball_on_plate(), observer);
@@ -128,7 +128,7 @@ TEST_CASE("A table that finite elements make is built once and found afterwards"
     CHECK(workshop.lines.size() == 2);  // start and end of the build
 }
 
-TEST_CASE("A build that fails is told in the builder's words") {
+TEST_CASE("A build that fails is reported by the builder's message") {
     Workshop workshop("echo 'no such mesh' >&2; exit 3");
     Observer observer;
     try {

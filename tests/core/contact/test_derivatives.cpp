@@ -205,7 +205,7 @@ TEST_CASE("where forces are prescribed the derivatives are those at the motion f
     CHECK_THAT(*by_force.derivatives->Mz->Fn, WithinRel(*by_motion.derivatives->Mz->Fn, 1e-3));
 }
 
-TEST_CASE("semi-axes stand for the gap that they make, which is held", "[derivatives]") {
+TEST_CASE("semi-axes stand for the gap that they make, which is frozen", "[derivatives]") {
     const Model model = GENERATE(Model::full, Model::fastsim);
     ContactProblem problem = ellipse(rolling());
     problem.model = model;
@@ -217,7 +217,7 @@ TEST_CASE("semi-axes stand for the gap that they make, which is held", "[derivat
     CHECK_THAT(*by_axes.derivatives->approach->Fn, WithinRel(*by_radii.derivatives->approach->Fn, 1e-6));
 }
 
-TEST_CASE("a line contact has no derivatives by what would turn it", "[derivatives]") {
+TEST_CASE("a line contact has no derivatives by rotation and spin", "[derivatives]") {
     ContactProblem problem;
     problem.grid = Grid::centred(60, 1, 0.04, 1);
     Ics ics;

@@ -122,7 +122,7 @@ TEST_CASE("friction between dissimilar bodies leaves the forces in balance", "[d
     CHECK(*solution.frictional_work >= 0);
 }
 
-TEST_CASE("swapping the bodies turns the tangential tractions", "[dissimilar]") {
+TEST_CASE("swapping the bodies reverses the tangential tractions", "[dissimilar]") {
     const ContactSolution a = solve_half_spaces(sphere(rigid_on_soft, 0.3, 12)),
                           b = solve_half_spaces(sphere(soft_on_rigid, 0.3, 12));
     CHECK_THAT(a.forces.Fn, WithinRel(b.forces.Fn, 1e-6));
@@ -159,7 +159,7 @@ TEST_CASE("outer iterations are not solved better than the next one changes them
     CHECK(solution.evidence.tangential->iterations < 8 * solution.evidence.outer->iterations);
 }
 
-TEST_CASE("outer iterations that begin at one of two places of contact find the other", "[dissimilar]") {
+TEST_CASE("outer iterations that begin at one of two contact locations find the other", "[dissimilar]") {
     ContactProblem problem = sphere(extreme, 0.4, 40);
     problem.motion = Shift{{0.003, -0.001}};
     const auto place = [&](double x0) {

@@ -83,7 +83,7 @@ TEST_CASE("layers that are compressed bear elements of any width", "[layers]") {
     CHECK_THAT(ratio_of(solution, film(nu), element), WithinAbs(1, 0.01));
 }
 
-TEST_CASE("a soft half-space below bears what a thin layer does not", "[layers]") {
+TEST_CASE("a soft half-space below carries what a thin layer does not", "[layers]") {
     const ContactSolution solution = solve_layers(sphere(film(0.5, {1, 0.3}), 10, 16));
     CHECK(!warns(solution));
 }

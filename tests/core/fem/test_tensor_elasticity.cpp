@@ -69,7 +69,7 @@ TEST_CASE("Displacements that are linear are reproduced, whatever the planes", "
     }
 }
 
-TEST_CASE("What a load in one place does in another, it does the other way round", "[fem][tensor]") {
+TEST_CASE("Displacements at one position by a load at another are reciprocal", "[fem][tensor]") {
     const BlockCorrection correction(block_spec(0.3, 20), {4, 5});
     const LoadPlace here{6, 2}, there{1, 5};
     const auto at = [&](Axis i, Axis j, const LoadPlace& load, const LoadPlace& seen) {

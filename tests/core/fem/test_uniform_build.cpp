@@ -47,7 +47,7 @@ TEST_CASE("A uniform body's record meets the reference of a block with an edge, 
     CHECK(record.evidence.warnings.empty());
 }
 
-TEST_CASE("Half-spaces that are turned differ from finite elements far from an edge by little", "[uniform]") {
+TEST_CASE("Rotated half-spaces differ from finite elements far from an edge by little", "[uniform]") {
     IcSpec spec = edge_spec();
     spec.section = Section{EdgeBlock{1000, 1000, 200}};
     const auto computed = std::get<StripTable>(body_table(build(spec), spec));
@@ -61,7 +61,7 @@ TEST_CASE("Half-spaces that are turned differ from finite elements far from an e
     CHECK(largest < 1e-2 * turned(Axis::z, Axis::z, 0, 0, 0));
 }
 
-TEST_CASE("A rail held at its foot comes with a warning", "[uniform]") {
+TEST_CASE("A rail clamped at its foot comes with a warning", "[uniform]") {
     IcSpec spec = edge_spec();
     spec.ny = 6;
     spec.section = Section{RailSection{0, RailSupport::foot, 0}};

@@ -96,7 +96,7 @@ TEST_CASE("Outlines are refused where their numbers stand", "[section]") {
     refuses(section, "section.outline.outside.parts[2000] is beyond the limit of 2000");
 }
 
-TEST_CASE("What is held nowhere must be meant so", "[section]") {
+TEST_CASE("An unconstrained section must be declared free", "[section]") {
     refuses(Disc{10, 0}, "section is held nowhere");
     OutlineSection section = square();
     section.outside.parts[2].held = false;

@@ -59,7 +59,7 @@ TEST_CASE("a half-space is its own mirror image") {
     CHECK(mirrored(table) == table);
 }
 
-TEST_CASE("a mirror image has strips in reverse order and turns what is along y or across it") {
+TEST_CASE("a mirror image has strips in reverse order and the signs of y reversed") {
     StripTable table(2, 3);
     for (std::size_t at = 0; at < table.values.size(); ++at) table.values[at] = static_cast<double>(at);
     const StripTable image = mirrored(table);

@@ -19,7 +19,7 @@ TEST_CASE("Borderline wheels are answered, or refused by the name of what was gi
     }
 }
 
-TEST_CASE("A place at which wheel and rail are not both there along the normal is left out with a word") {
+TEST_CASE("A candidate patch without wheel or rail along the normal is left out with a warning") {
     WheelRailSetup setup;
     setup.rail.shape = ProfilePoints{{{-6.09, -.63}, {-5.72, -.5}, {-2.34, -.08}, {-1.59, -.06}, {-1.21, -.06}}};
     setup.dx = setup.dy = 0.4;
@@ -93,7 +93,7 @@ TEST_CASE("A curved contact under next to no rolling has no friction") {
     CHECK_THAT(solution.warnings.front(), ContainsSubstring("does not roll"));
 }
 
-TEST_CASE("A wheel that slides beside next to no rolling is told not to roll") {
+TEST_CASE("A wheel that slides with next to no rolling is refused as not rolling") {
     WheelRailSetup setup;
     setup.dx = setup.dy = 0.5;
     WheelRailState state;

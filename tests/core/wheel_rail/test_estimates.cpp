@@ -96,7 +96,7 @@ TEST_CASE("Estimates change what a step costs and not what it answers") {
     CHECK(with < without);
 }
 
-TEST_CASE("Another friction shares what is kept") {
+TEST_CASE("Another friction shares what is cached") {
     const WheelRailContact contact(coarse_setup(Side::right));
     Observer observer;
     WheelRailSetup slippery = contact.setup();

@@ -33,7 +33,7 @@ TEST_CASE("Operators of grids that differ by their origin only are the same ones
     CHECK(cache.of(here).current == first.current);
 }
 
-TEST_CASE("Operators that are kept are those that are made alone") {
+TEST_CASE("Cached operators are those that are made alone") {
     HalfSpaceCache cache(problem_on({}).bodies);
     cache.of(problem_on(Grid::centred(30, 20, 0.2, 0.3)));  // its table is larger
     const ContactProblem problem = problem_on(Grid::centred(8, 7, 0.2, 0.3));

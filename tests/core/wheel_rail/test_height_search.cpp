@@ -60,7 +60,7 @@ TEST_CASE("Patches that appear are in the estimate, or between bounds") {
     CHECK_THAT(force(unknown.z), WithinRel(5e4, 1e-9));
 }
 
-TEST_CASE("A force that jumps over the one that is wanted is an answer that has not converged") {
+TEST_CASE("A force that jumps over the prescribed one is an answer that has not converged") {
     const auto force = [](double z) { return z < 0.41 ? 1e4 : 9e4; };
     const HeightFound found = find_height(task_of([](double z) { return power(z - 0.3, 1.5); }, force));
     CHECK_FALSE(found.evidence.converged);
@@ -100,7 +100,7 @@ TEST_CASE("A correction that is wrong costs solves, and no more") {
     }
 }
 
-TEST_CASE("A force that stays a thousand times the one that is wanted ends the search") {
+TEST_CASE("A force that stays a thousand times the prescribed one ends the search") {
     int solves = 0;
     const auto force = [&](double z) {
         ++solves;
@@ -112,7 +112,7 @@ TEST_CASE("A force that stays a thousand times the one that is wanted ends the s
     CHECK(solves == 2);
 }
 
-TEST_CASE("A first force far beyond the one that is wanted is only the estimate's fault") {
+TEST_CASE("A first force far beyond the prescribed one is only the estimate's fault") {
     const auto force = [](double z) { return power(z - 0.3, 1.5); };
     const HeightFound found = find_height(task_of([&](double z) { return 1e-5 * force(z); }, force));
     CHECK(found.evidence.converged);

@@ -188,7 +188,7 @@ TEST_CASE("Rows of a wheel's contact are strips, on which contact is the same") 
     CHECK_THAT(-solution.resultant->Fz, WithinRel(-wheel.forces.track.Fz, 1e-3));
 }
 
-TEST_CASE("Strips of sections turn as the rows do that lie on them") {
+TEST_CASE("Strips of sections rotate as the rows do that lie on them") {
     const double y = GENERATE(0.0, 5.5, 6.5, 0.5);
     const bool throat = y == 0.5;  // of profiles that have no section of their own
     const Asked asked =
@@ -233,7 +233,7 @@ TEST_CASE("Tables of sections begin and end at multiples of many strips, whereve
     }
 }
 
-TEST_CASE("Tables of sections that know nothing but how surfaces turn are rotated half-spaces") {
+TEST_CASE("Tables of sections that know nothing but the rotation of surfaces are rotated half-spaces") {
     const WheelRailState state = loaded(5.5, 60000);
     const Asked asked = asked_by(in_the_corner(Conformal::fem), state);
     const auto record_of = [&](const BodyStrips& body) {

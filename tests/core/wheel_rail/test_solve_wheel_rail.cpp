@@ -165,7 +165,7 @@ TEST_CASE("A contact that reaches the ends of a profile is solved, and says so")
     CHECK_THAT(solution.warnings.at(0), ContainsSubstring("reaches the end of a profile"));
 }
 
-TEST_CASE("What a patch's solution warns of is said with the patch's name") {
+TEST_CASE("Warnings of a patch's solution name the patch") {
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.dx = setup.dy = 3;
     WheelRailState state;

@@ -141,7 +141,7 @@ TEST_CASE("The wheels of a wheelset have what is theirs") {
     CHECK(state_of_right_wheel(state).Fz == 20000);
 }
 
-TEST_CASE("A wheelset beside its track bears no force, and says so") {
+TEST_CASE("A wheelset beside its track carries no load, and says so") {
     Observer observer;
     WheelsetState state = wheelset_state(manchester_cases[0]);
     state.position.y = GENERATE(80, 200);

@@ -37,7 +37,7 @@ HertzContact hertz(const WheelRailSetup& setup, double radius, double approach) 
 
 }  // namespace
 
-TEST_CASE("On two peaks a wheel bears its force on both, each by its own depth") {
+TEST_CASE("On two peaks a wheel carries its load on both, each by its own depth") {
     const double step = GENERATE(0.0, 0.01, 0.03), Fz = 40000;
     const WheelRailSetup setup = on_crossing(step);
     WheelRailState state;
@@ -59,7 +59,7 @@ TEST_CASE("On two peaks a wheel bears its force on both, each by its own depth")
     CHECK_THAT(nose.solution.pmax, WithinRel(on_nose.pmax, 0.01));
 }
 
-TEST_CASE("A peak that the wheel does not reach bears nothing") {
+TEST_CASE("A peak that the wheel does not reach carries nothing") {
     const WheelRailSetup setup = on_crossing(0.2);
     WheelRailState state;
     state.Fz = 40000;

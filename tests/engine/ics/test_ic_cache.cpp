@@ -51,7 +51,7 @@ TEST_CASE("The least recently used table goes when the budget is full") {
     CHECK(cache.usage().bytes <= cache.usage().budget_bytes);
 }
 
-TEST_CASE("A table larger than the budget is not kept and pushes nothing out") {
+TEST_CASE("A table larger than the budget is not cached and evicts nothing") {
     IcCache cache(bytes_of(4, 4));
     cache.insert("a", record_of(4, 4));
     cache.insert("b", record_of(5, 5));

@@ -33,7 +33,7 @@ bool warns(const ContactSolution& solution) {
 
 }  // namespace
 
-TEST_CASE("Operators within the budget are kept and not told") {
+TEST_CASE("Operators within the budget are cached and not reported") {
     Engine engine(with_budget(1 << 28));
     Observer observer;
     for (int solve = 0; solve < 2; ++solve) {
@@ -44,7 +44,7 @@ TEST_CASE("Operators within the budget are kept and not told") {
     CHECK(engine.influences().usage().entries == 1);
 }
 
-TEST_CASE("Operators beyond the budget are kept while they are in use, and told") {
+TEST_CASE("Operators beyond the budget are cached while they are in use, and reported") {
     const std::size_t budget = influence_bytes(problem_of(12).grid, problem_of(12).bodies);
     Engine engine(with_budget(budget));
     Observer observer;
@@ -65,7 +65,7 @@ TEST_CASE("Operators beyond the budget are kept while they are in use, and told"
     CHECK(engine.influences().usage().bytes > again.operators->bytes);
 }
 
-TEST_CASE("Of operators beyond the budget those used last are kept") {
+TEST_CASE("The operators used last are cached beyond the budget") {
     Engine engine(with_budget(1));
     Observer observer;
     for (const int n : {12, 14, 12}) CHECK(engine.solve(problem_of(n), observer).operators->made);

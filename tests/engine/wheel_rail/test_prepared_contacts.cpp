@@ -56,7 +56,7 @@ TEST_CASE("Contacts that were not used for long go") {
     CHECK(contacts.of(coarse_setup()) != first);
 }
 
-TEST_CASE("A set-up that cannot be used is not kept") {
+TEST_CASE("A set-up that cannot be used is not cached") {
     PreparedContacts contacts(nullptr);
     WheelRailSetup setup = coarse_setup();
     setup.track.gauge = -1;
@@ -185,7 +185,7 @@ TEST_CASE("A search ends when it is cancelled") {
     CHECK_THROWS_AS(engine.locate(coarse_setup(), states, observer), Cancelled);
 }
 
-TEST_CASE("Operators of half-spaces that turn are kept for positions with the same rows") {
+TEST_CASE("Operators of rotated half-spaces are cached for positions with the same rows") {
     Engine engine({});
     WheelRailSetup setup = coarse_setup();
     setup.conformal = Conformal::rotated;
