@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "contactd/error.hpp"
 #include "types/number_text.hpp"
 #include "wheel_rail/condense.hpp"
 #include "wheel_rail/differentiate.hpp"
@@ -16,7 +17,6 @@ namespace contactd {
 namespace {
 
 constexpr double farthest = 20;               // mm: laterally, from where the other forces have the rail
-constexpr double deepest_penetration = 5;     // mm: the same as on a fixed rail
 constexpr double most_usual_deflection = 20;  // mm: rails on their sleepers deflect by one or two
 
 /// Returns the state with the rail deflected and fixed there, the wheel at its height or under its force.
@@ -198,6 +198,19 @@ WheelRailState expected_on_flexible_rail(const RightWheel& wheel) {
     if (const auto task = height_over_rail(on_fixed_rail, given, *springs.z))
         deflection.z = given.position.z - find_height(*task).z;
     return deflected(given, deflection);
+}
+
+void check_rail_loads(const WheelRailSetup& setup, const RailDeviation& rail, const std::string& name) {
+    const RailSprings springs = setup.track.springs.value_or(RailSprings{});
+    const auto check = [&](double force, const std::optional<double>& spring, const char* direction) {
+        if (force != 0 && !spring)
+            throw InvalidArgument(name + ".F" + direction, "is " + number_text(force) +
+                                                               ", and the rail is rigid there; a force on it needs "
+                                                               "track.springs." +
+                                                               direction);
+    };
+    check(rail.Fy, springs.y, "y");
+    check(rail.Fz, springs.z, "z");
 }
 
 }  // namespace contactd

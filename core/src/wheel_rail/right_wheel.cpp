@@ -23,7 +23,6 @@ namespace {
 
 using geometry::CandidatePatch;
 
-constexpr double deepest_penetration = 5;  // mm: deeper than anything elastic
 constexpr const char* nothing_below =
     "No part of the wheel is above the rail: there is no contact. Where one is meant, check position.y, track.gauge, "
     "flange_back_distance and flange_back_position of the wheelset, in mm.";
@@ -52,20 +51,7 @@ RightWheel::RightWheel(const WheelRailSetup& setup, const geometry::Profiles& pr
       position_(setup, profiles, state_, observer) {
     if (state_.Fx && !setup.friction)
         throw InvalidArgument("state.Fx", "is given, and there is no friction; without it there is no such force");
-    check_loads();
-}
-
-void RightWheel::check_loads() const {
-    const RailSprings springs = setup_.track.springs.value_or(RailSprings{});
-    const auto check = [](double force, const std::optional<double>& spring, const std::string& name) {
-        if (force != 0 && !spring)
-            throw InvalidArgument("state.rail.F" + name, "is " + number_text(force) +
-                                                             ", and the rail is rigid there; a force "
-                                                             "on it needs track.springs." +
-                                                             name);
-    };
-    check(state_.rail.Fy, springs.y, "y");
-    check(state_.rail.Fz, springs.z, "z");
+    check_rail_loads(setup_, state_.rail, "state.rail");
 }
 
 WheelRailSolution RightWheel::solve(Observer& observer) {

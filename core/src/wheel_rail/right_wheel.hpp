@@ -56,7 +56,6 @@ class RightWheel {
     WheelRailPatch solve(geometry::CandidatePatch& found, double z, Observer& observer) const;
     /// Returns the force by a simplified model, which does not depend on elements, and costs less than their arrays.
     double simplified_force(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
-    void check_loads() const;
     WheelRailSolution on_flexible_rail(Observer& observer);
     WheelRailSolution under_force(double Fz, Observer& observer);
     WheelRailSolution solve_for_Fx(double Fx, Observer& observer);

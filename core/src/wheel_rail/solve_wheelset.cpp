@@ -8,6 +8,7 @@
 #include "contactd/error.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "types/number_text.hpp"
+#include "wheel_rail/flexible_rail.hpp"
 #include "wheel_rail/rising_search.hpp"
 
 namespace contactd {
@@ -21,19 +22,6 @@ WheelRailState state_of(const WheelsetState& state, Side side, double roll) {
     return wheel;
 }
 
-void check_loads(const WheelRailSetup& setup, const RailDeviation& rail, const std::string& name) {
-    const RailSprings springs = setup.track.springs.value_or(RailSprings{});
-    const auto check = [&](double force, const std::optional<double>& spring, const char* direction) {
-        if (force != 0 && !spring)
-            throw InvalidArgument(name + ".F" + direction, "is " + number_text(force) +
-                                                               ", and the rail is rigid there; a force on it needs "
-                                                               "track.springs." +
-                                                               direction);
-    };
-    check(rail.Fy, springs.y, "y");
-    check(rail.Fz, springs.z, "z");
-}
-
 void check(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state) {
     if (left.setup().side != Side::left) throw InvalidArgument("left", "is the contact of a right wheel");
     if (right.setup().side != Side::right) throw InvalidArgument("right", "is the contact of a left wheel");
@@ -44,8 +32,8 @@ void check(const WheelRailContact& left, const WheelRailContact& right, const Wh
                                   ", and the right wheel runs on a " +
                                   (right.setup().track.roller_radius ? "roller" : "rail") +
                                   "; both wheels of a wheelset run on rails, or both on rollers");
-    check_loads(left.setup(), state.left_rail, "state.left_rail");
-    check_loads(right.setup(), state.right_rail, "state.right_rail");
+    check_rail_loads(left.setup(), state.left_rail, "state.left_rail");
+    check_rail_loads(right.setup(), state.right_rail, "state.right_rail");
 }
 
 /// The result of `solve` for one wheel, which refuses fields by the names that they have for both: "state.Fz" is
