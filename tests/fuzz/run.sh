@@ -23,13 +23,16 @@ status=0
 for target in "${targets[@]}"; do
     program=$work/bin/fuzz_$target
     [ -x "$program" ] || { echo "there is no target '$target'; there are $(basename -a "$work"/bin/fuzz_* | sed 's/^fuzz_//' | xargs)" >&2 && exit 2; }
-    kept=tests/fuzz/corpus/$target
-    mkdir -p "$work/corpus/$target" "$work/found" "$kept"
+    archive=tests/fuzz/corpus/$target.zip
+    kept=$work/kept/$target
+    rm -rf "$kept" && mkdir -p "$work/corpus/$target" "$work/found" "$kept"
+    [ ! -e "$archive" ] || python3 -m zipfile -e "$archive" "$kept"
     if [ $keep = yes ]; then
         new=$(mktemp -d "$work/kept.XXXXXX")
         "$program" -set_cover_merge=1 -use_counters=0 "${limits[@]}" "$new" "$work/seeds/$target" "$kept" "$work/corpus/$target" 2>/dev/null
-        rm -rf "$kept" && mv "$new" "$kept" && chmod 755 "$kept"
-        echo "$target: $(find "$kept" -type f | wc -l) inputs, $(du -sb "$kept" | cut -f1) bytes"
+        python3 tests/fuzz/pack.py "$new" "$archive"
+        echo "$target: $(find "$new" -type f | wc -l) inputs, an archive of $(stat -c %s "$archive") bytes"
+        rm -rf "$new"
         continue
     fi
     echo "==> fuzzing $target for $seconds s" >&2
