@@ -1,0 +1,125 @@
+"""A field that is new to a wheel on its rail is declared in its struct and its schema, and nowhere else by hand.
+
+The tree is copied, and a number, a word and a signed number of an answer are added there. From two files each follow
+lists, bounds, messages, mirrored wheels, paths of the C interface and variables of FMUs.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+COPIED = ["core/include", "core/types", "proto/schema", "proto/generate", "proto/include", "proto/src/codec", "client/fmu/variables"]
+PROGRAM = """
+#include <iostream>
+
+#include "contactd/error.hpp"
+#include "contactd/field_path.hpp"
+#include "contactd/fields/wheel_rail_setup.hpp"
+#include "contactd/fields/wheel_rail_solution.hpp"
+#include "field_codec.hpp"
+
+using namespace contactd;
+
+namespace contactd::proto {
+const FieldHook* hook_of(const FieldType&) { return nullptr; }
+double finite_field(double value, const char*) { return value; }
+}  // namespace contactd::proto
+
+int main() {
+    WheelRailSetup setup;
+    set_number(FieldPath(type_of<WheelRailSetup>(), "track.probe"), &setup, 3);
+    set_text(FieldPath(type_of<WheelRailSetup>(), "track.probe_kind"), &setup, "second");
+    const nlohmann::json written = proto::write_fields(setup.track, proto::MemberPath("track"));
+    Track read;
+    proto::read_fields(written, read, proto::MemberPath("track"));
+    std::cout << read.probe << " " << (read.probe_kind == ProbeKind::second) << " " << written["probe_kind"] << "\\n";
+    setup.track.probe = 6;
+    try {
+        check_bounds(setup);
+    } catch (const InvalidArgument& error) {
+        std::cout << error.what() << "\\n";
+    }
+    RailShift shift{1, 2, 3};
+    mirror_fields(shift);
+    std::cout << shift.y << " " << shift.z << " " << shift.probe << "\\n";
+}
+"""
+
+
+def replace(path: Path, old: str, new: str) -> None:
+    text = path.read_text()
+    assert text.count(old) == 1, f"{path}: {old!r}"
+    path.write_text(text.replace(old, new))
+
+
+def add_fields(tree: Path) -> None:
+    """What somebody would write by hand, two files for each field."""
+    headers = tree / "core" / "include" / "contactd"
+    replace(
+        headers / "wheel_rail_setup.hpp",
+        "struct Track {\n",
+        "enum class ProbeKind { first, second };\n\nstruct Track {\n    double probe = 1;\n    ProbeKind probe_kind = ProbeKind::first;\n",
+    )
+    replace(headers / "wheel_rail_solution.hpp", "struct RailShift {\n    double y = 0, z = 0;\n", "struct RailShift {\n    double y = 0, z = 0, probe = 0;\n")
+    path = tree / "proto" / "schema" / "definitions.json"
+    definitions = json.loads(path.read_text())
+    track = definitions["definitions"]["wheel_rail_setup"]["properties"]["track"]
+    number = {"description": "A number.", "x-unit": "mm", "x-fmu": "parameter", "type": "number", "minimum": 0, "maximum": 5, "default": 1}
+    track["properties"] = {
+        "probe": number,
+        "probe_kind": {"description": "A word.", "x-cpp": "ProbeKind", "enum": ["first", "second"], "default": "first"},
+        **track["properties"],
+    }
+    path.write_text(json.dumps(definitions))
+    path = tree / "proto" / "schema" / "wheelrail.solve.result.json"
+    result = json.loads(path.read_text())
+    signed = {"description": "A signed number.", "x-unit": "mm", "x-parity": "odd", "x-fmu": "output", "type": "number"}
+    result["properties"]["rail_shift"]["properties"]["probe"] = signed
+    path.write_text(json.dumps(result))
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(300)
+def test_a_new_field_follows_from_its_struct_and_its_schema(tmp_path: Path) -> None:
+    for folder in COPIED:
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    shutil.copy(ROOT / ".clang-format", tmp_path)
+    add_fields(tmp_path)
+    subprocess.run([sys.executable, "-B", "-m", "generate"], cwd=tmp_path / "proto", check=True)
+
+    variables = (tmp_path / "client" / "fmu" / "variables" / "wheel_fields.hpp").read_text()
+    assert '.path = "setup.track.probe"' in variables
+    assert '.path = "rail_shift.probe"' in variables
+    (tmp_path / "probe.cpp").write_text(PROGRAM)
+    sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
+    sources += [str(path.relative_to(tmp_path)) for path in (tmp_path / "core" / "types" / "fields").glob("*.cpp")]
+    include = [f"-I{folder}" for folder in ("core/include", "core/types", "proto/include", "proto/src/codec")]
+    made = subprocess.run(
+        ["c++", "-std=c++20", "-O0", "-Wall", "-Wextra", *include, *sources, "-o", "probe"],
+        cwd=tmp_path, capture_output=True, text=True,
+    )  # fmt: skip
+    assert made.returncode == 0, made.stderr[-3000:]
+    told = subprocess.run([tmp_path / "probe"], capture_output=True, text=True, check=True).stdout.splitlines()
+    assert told == ['3 1 "second"', "track.probe is 6; it must be zero or positive and at most 5 mm", "-1 2 -3"]
+
+
+def test_a_member_that_no_schema_declares_is_found(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "core" / "include", tmp_path / "core" / "include")
+    replace(
+        tmp_path / "core" / "include" / "contactd" / "wheel_rail_state.hpp",
+        "struct RailDeviation {\n",
+        "struct RailDeviation {\n    double forgotten = 0;\n",
+    )
+    source = ROOT / "core" / "types" / "fields" / "wheel_rail_state.cpp"
+    made = subprocess.run(
+        ["c++", "-std=c++20", "-fsyntax-only", f"-I{tmp_path}/core/include", source], capture_output=True, text=True
+    )
+    assert made.returncode != 0
+    assert "RailDeviation" in made.stderr
