@@ -108,7 +108,10 @@ void set_number(const FieldPath& path, void* root, double value) {
     const FieldType& type = path.type();
     const bool is_count = type.kind == FieldKind::integer || type.kind == FieldKind::flag;
     if (type.kind != FieldKind::number && !is_count)
-        refuse(path, has_text(type) ? "takes a word, not a number" : "is not a number; name one of its fields");
+        refuse(path, has_text(type)                   ? "takes a word, not a number"
+                     : type.kind == FieldKind::list   ? "is a list; name a field of its entries, as in mu[0].angle"
+                     : type.kind == FieldKind::custom ? "has no fields by paths; a function of its own sets it"
+                                                      : "is not a number; name one of its fields");
     if (type.kind == FieldKind::flag && value != 0 && value != 1)
         refuse(path, "is " + number_text(value) + "; it must be 0 or 1");
     if (is_count && !(std::trunc(value) == value && std::abs(value) <= 1e15))

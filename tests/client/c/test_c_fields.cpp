@@ -121,6 +121,8 @@ TEST_CASE("A path or a value that is wrong is refused at once, and changes nothi
     refused(contactd_set(w, "setup.track.cant", 3), w, "setup.track.cant", "it must lie in [-0.5, 0.5] rad");
     refused(contactd_set(w, "setup.track.cant", NAN), w, "setup.track.cant", "is nan");
     refused(contactd_set(w, "setup.track", 1), w, "setup.track", "name one of its fields");
+    refused(contactd_set(w, "setup.friction.mu", 0.3), w, "setup.friction.mu", "is a list");
+    refused(contactd_set(w, "setup.wheel", 1), w, "setup.wheel", "a function of its own");
     refused(contactd_set(w, "setup.model", 1), w, "setup.model", "takes a word");
     refused(contactd_set(w, "setup.force.max_iterations", 1.5), w, "setup.force.max_iterations", "a whole number");
     refused(contactd_set(w, "state.derivatives", 2), w, "state.derivatives", "0 or 1");
