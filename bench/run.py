@@ -22,7 +22,7 @@ from typing import Any
 
 import scaling
 import service
-from contactd.daemon import LocalDaemon
+from contactd.transport.daemon import LocalDaemon
 
 PROGRAMS = [
     "bench_core",

@@ -41,9 +41,9 @@ def python() -> str:
 
     parts = []
     for module, names in _exports(contactd).items():
-        said = ast.get_docstring(ast.parse((PACKAGE / f"{module}.py").read_text())) or ""
+        said = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
         objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in names)
-        parts.append(f"## {module}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(said)}\n\n{objects}\n```\n")
+        parts.append(f"## {module.rpartition('.')[2].replace('_', ' ')}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(said)}\n\n{objects}\n```\n")
     return "\n".join([*parts, "## contactd.wheel_rail\n\n" + _directive("automodule:: contactd.wheel_rail")])
 
 
@@ -54,7 +54,7 @@ def _exports(package: Any) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {module: [] for module in modules.values()}
     for name in [*modules, *sorted(set(package.__all__) - set(modules))]:
         if name in package.__all__ and not name.startswith("_"):
-            module = modules.get(name) or getattr(package, name).__module__.rpartition(".")[2]
+            module = modules.get(name) or getattr(package, name).__module__.removeprefix("contactd.")
             found.setdefault(module, []).append(name)
     return {module: names for module, names in found.items() if names}
 

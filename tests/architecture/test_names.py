@@ -13,7 +13,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 HEADERS = [*ROOT.glob("core/include/contactd/*.hpp"), *ROOT.glob("client/cpp/include/contactd/client/*.hpp")]
-MODULES = [*ROOT.glob("client/python/contactd/*.py")]
+MODULES = [*ROOT.glob("client/python/contactd/**/*.py")]
 
 #: Schema, place of the object in it, struct, class, or both that it may be; "" where it is spread over several, or a mapping.
 SAME = [

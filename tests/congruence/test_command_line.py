@@ -18,7 +18,7 @@ from congruence.driver import answers
 from contactctl.app import run
 from contactctl.codes import Code, code_of
 from contactctl.output import plain_json
-from contactd.arrays import decode
+from contactd.transport.frames import decode
 from integration.conftest import shared_daemon  # noqa: F401
 
 #: What a history has no words for.

@@ -13,7 +13,7 @@ import pytest
 import tomllib
 
 import contactd
-from contactd.programs import program_of
+from contactd.transport.programs import program_of
 from support.daemons import BIN
 
 ROOT = Path(__file__).parents[2]

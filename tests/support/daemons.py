@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from contactd import Client, LocalDaemon
-from contactd.messages import Reply, Request
+from contactd.transport.messages import Reply, Request
 
 from . import schemas
 from .patience import SLOWER

@@ -3,7 +3,7 @@
 import numpy as np
 
 from contactd import AnalyticIcs, Grid, IcEvidence, IcTable, Material
-from contactd.solution import IcSpec
+from contactd.values.tables import IcSpec
 
 NX, NY, DX, DY = 4, 3, 0.06, 0.11
 SIGNS = {(i, j): tuple(-1 if (i == a) != (j == a) else 1 for a in (0, 1)) for i in range(3) for j in range(3)}

@@ -9,7 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
-from contactd.whole_files import check_npy, read_whole
+from contactd.files.whole import check_npy, read_whole
 
 __all__ = ["read_array"]
 

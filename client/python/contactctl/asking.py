@@ -6,7 +6,7 @@ import time
 from typing import Any
 
 from contactd import Client, ContactdError, Job, Progress, StatusError, TimeoutExpired
-from contactd.waiting import may_build
+from contactd.calls.timeouts import may_build
 
 from .codes import Code, Ended
 from .interrupts import uninterrupted

@@ -15,7 +15,7 @@ from typer.core import TyperCommand, TyperGroup
 
 import contactd
 from contactd import Client, LocalDaemon
-from contactd.in_process import can_solve_here
+from contactd.transport.in_process import can_solve_here
 
 from .output import warned
 from .reporting import reported

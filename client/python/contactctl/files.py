@@ -11,8 +11,8 @@ from typing import Any
 
 import click
 
-from contactd.saving import write_whole
-from contactd.whole_files import read_whole
+from contactd.files.saved import write_whole
+from contactd.files.whole import read_whole
 
 from .array_files import read_array
 from .yaml_files import parse_yaml

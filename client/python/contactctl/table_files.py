@@ -11,12 +11,12 @@ import click
 import numpy as np
 
 from contactd import AnalyticIcs, Client, FemIcs, Grid, IcTable, Material, TableIcs, load_table, save_table
-from contactd.file_contents import file_of
-from contactd.hdf5 import imported_contents, stored_extent
-from contactd.reading import read
-from contactd.saving import write_whole
-from contactd.solution import IcSpec
-from contactd.whole_files import MOST_BYTES, read_whole
+from contactd.files.ic_contents import file_of
+from contactd.files.ic_files import imported_contents, stored_extent
+from contactd.files.saved import write_whole
+from contactd.files.whole import MOST_BYTES, read_whole
+from contactd.values.answers import read
+from contactd.values.tables import IcSpec
 
 from .asking import ask
 from .files import writable

@@ -20,8 +20,10 @@ Units are N and mm, or any consistent system. contactd.errors draws the tree of 
 from typing import TYPE_CHECKING, Any
 
 from ._version import __version__
+from .calls.answer_warnings import ContactWarning
+from .calls.contact_session import Session
+from .calls.wheel_rail_session import WheelRailSession
 from .client import Client
-from .daemon import LocalDaemon
 from .errors import (
     Aborted,
     Cancelled,
@@ -45,39 +47,26 @@ from .errors import (
     Unimplemented,
     Violation,
 )
-from .exchange import load_table, save_table
-from .friction import Friction, KineticFriction, Rolling, Shift
-from .gaps import Paraboloid, SemiAxes
-from .grid import Grid
-from .ics import AnalyticIcs, FemIcs, LineContact
+from .files.saved import load, save
+from .files.table_files import load_table, save_table
 from .local import local
-from .materials import Layer, LayeredBody, Material, RigidBody
-from .partial import PartialSolution
-from .plain_values import from_dict, to_dict
-from .problem import ContactColumns, ContactProblem, Estimate, SolverSettings
-from .recent import RecentPatch, RecentSolve
-from .saving import load, save
-from .session import SavedState, Session, SessionSummary
-from .solution import (
-    ContactSolution,
-    IcEvidence,
-    IcTable,
-    ImportedIc,
-    Job,
-    Limits,
-    Progress,
-    QuarantinedIc,
-    SectionEvidence,
-    ServerInfo,
-    SolverEvidence,
-    StoredIc,
-)
-from .steps import StepInput, StepSolution
-from .subsurface import LargestStress, StressBlock, SubsurfaceStress
-from .table_ics import TableIcs, combined_modulus
-from .warned import ContactWarning
-from .wheel_rail_session import WheelRailSession
-from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
+from .transport.daemon import LocalDaemon
+from .values.dictionaries import from_dict, to_dict
+from .values.evidence import ImportedIc, SolverEvidence
+from .values.friction import Friction, KineticFriction, Rolling, Shift
+from .values.gaps import Paraboloid, SemiAxes
+from .values.grid import Grid
+from .values.ics import AnalyticIcs, FemIcs, LineContact
+from .values.materials import Layer, LayeredBody, Material, RigidBody
+from .values.partial_solution import PartialSolution, StepInput, StepSolution
+from .values.problem import ContactColumns, ContactProblem, Estimate, SolverSettings
+from .values.records import RecentPatch, RecentSolve
+from .values.service import Job, Limits, Progress, QuarantinedIc, SavedState, ServerInfo, SessionSummary, StoredIc
+from .values.solution import ContactSolution
+from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
+from .values.table_ics import TableIcs, combined_modulus
+from .values.tables import IcEvidence, IcTable, SectionEvidence
+from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
     from .aio import AsyncClient, AsyncSession, AsyncWheelRailSession

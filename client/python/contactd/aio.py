@@ -8,21 +8,25 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, overload
 
-from .any_session import AnySession
-from .calls import Awaits, ContactCalls, ServerCalls, SessionCalls, TableCalls, WheelRailCalls, solved, solved_many
-from .calls.asking import Pause
+from .calls.any_session import AnySession
+from .calls.call import Awaits, Pause
 from .calls.caller import Caller, ProgressCallback
+from .calls.contact import ContactCalls, solved, solved_many
+from .calls.contact_session import AnyContactSession
+from .calls.server import ServerCalls
+from .calls.sessions import SessionCalls
+from .calls.step_many import stepped_sessions
+from .calls.tables import TableCalls
+from .calls.wheel_rail import WheelRailCalls
+from .calls.wheel_rail_session import AnyWheelRailSession
 from .errors import ConnectionFailed, ContactdError, StatusError
-from .exchanges import Exchanges
-from .many_steps import stepped_sessions
-from .messages import Reply, Request
-from .partial import Fields, PartialSolution
-from .problem import ContactProblem
-from .session import AnyContactSession
-from .solution import ContactSolution, StoredIc
-from .steps import StepInput, StepSolution
-from .wheel_rail_session import AnyWheelRailSession
-from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
+from .transport.event_loop import Exchanges
+from .transport.messages import Reply, Request
+from .values.partial_solution import Fields, PartialSolution, StepInput, StepSolution
+from .values.problem import ContactProblem
+from .values.service import StoredIc
+from .values.solution import ContactSolution
+from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack

@@ -8,21 +8,25 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, overload
 
-from .calls import ContactCalls, ServerCalls, SessionCalls, TableCalls, Waits, WheelRailCalls, solved, solved_many
-from .calls.asking import Pause
+from .calls.call import Pause, Waits
 from .calls.caller import Caller, ProgressCallback
-from .connections import Connections, Lender
+from .calls.contact import ContactCalls, solved, solved_many
+from .calls.contact_session import Session
+from .calls.server import ServerCalls
+from .calls.sessions import SessionCalls
+from .calls.step_many import stepped_sessions
+from .calls.tables import TableCalls
+from .calls.timeouts import spin_of
+from .calls.wheel_rail import WheelRailCalls
+from .calls.wheel_rail_session import WheelRailSession
 from .errors import StatusError, TimeoutExpired, Unauthenticated
-from .many_steps import stepped_sessions
-from .messages import Reply, Request
-from .partial import Fields, PartialSolution
-from .problem import ContactProblem
-from .session import Session
-from .solution import ContactSolution, StoredIc
-from .steps import StepInput, StepSolution
-from .waiting import spin_of
-from .wheel_rail_session import WheelRailSession
-from .wheel_rail_steps import WheelRailStepInput, WheelRailStepSolution
+from .transport.connections import Connections, Lender
+from .transport.messages import Reply, Request
+from .values.partial_solution import Fields, PartialSolution, StepInput, StepSolution
+from .values.problem import ContactProblem
+from .values.service import StoredIc
+from .values.solution import ContactSolution
+from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

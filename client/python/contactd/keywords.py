@@ -11,16 +11,25 @@ from typing import TypedDict
 
 import numpy.typing as npt
 
-from .friction import Friction
-from .gaps import Paraboloid, SemiAxes
-from .grid import Grid
-from .ics import Ics
-from .materials import LayeredBody, Material, RigidBody
-from .problem import ContactColumns, Estimate, Model, SolverSettings
-from .solution import ContactSolution
-from .table_ics import TableIcs
-from .wheel_rail import Conformal, PatchRules, RigidSlipKind, Side, Track, WheelRailFriction, Wheelset, WheelSurface
-from .wheel_rail_profiles import Profile
+from .values.friction import Friction
+from .values.gaps import Paraboloid, SemiAxes
+from .values.grid import Grid
+from .values.ics import Ics
+from .values.materials import LayeredBody, Material, RigidBody
+from .values.problem import ContactColumns, Estimate, Model, SolverSettings
+from .values.profiles import Profile
+from .values.solution import ContactSolution
+from .values.table_ics import TableIcs
+from .values.wheel_rail.setup import (
+    Conformal,
+    PatchRules,
+    RigidSlipKind,
+    Side,
+    Track,
+    WheelRailFriction,
+    Wheelset,
+    WheelSurface,
+)
 
 __all__ = ["ClientOptions", "ProblemFields", "WheelRailFields"]
 

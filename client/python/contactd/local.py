@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from .client import Client
-from .daemon import LocalDaemon, checked
 from .errors import DaemonFailed
-from .in_process import InProcessClient, can_solve_here
+from .transport.daemon import LocalDaemon, checked
+from .transport.in_process import InProcessClient, can_solve_here
 
 __all__ = ["local"]
 

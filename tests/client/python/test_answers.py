@@ -33,17 +33,11 @@ from contactd import (
     Unimplemented,
     Violation,
 )
-from contactd.reading import read
-from contactd.solution import (
-    ContactSolution,
-    Derivatives,
-    DerivativesOfAnswer,
-    Discretisation,
-    IcEvidence,
-    IcSpec,
-    ServerInfo,
-    SolverEvidence,
-)
+from contactd.values.answers import read
+from contactd.values.evidence import Discretisation, SolverEvidence
+from contactd.values.service import ServerInfo
+from contactd.values.solution import ContactSolution, Derivatives, DerivativesOfAnswer
+from contactd.values.tables import IcEvidence, IcSpec
 from support import answers
 from support.fake_server import FakeServer
 

@@ -33,7 +33,7 @@ from contactd import (
     TimeoutExpired,
     Unauthenticated,
 )
-from contactd.calls.asking import asks
+from contactd.calls.call import asks
 from support import answers
 from support.fake_server import FakeServer
 from support.processes import in_fork

@@ -23,8 +23,8 @@ from contactd import (
     SolverSettings,
     TableIcs,
 )
-from contactd.ics import table_params
-from contactd.problem_params import problem_params
+from contactd.values.contact_params import problem_params
+from contactd.values.ics import table_params
 
 STEEL = Material(G=82000, nu=0.28)
 GRID = Grid(3, 2, 0.5, 1.0)

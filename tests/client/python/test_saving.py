@@ -36,10 +36,10 @@ from contactd import (
     save,
     to_dict,
 )
-from contactd.arrays import decode
-from contactd.partial import read_solution
-from contactd.reading import read
-from contactd.solution import IcTable
+from contactd.transport.frames import decode
+from contactd.values.answers import read
+from contactd.values.partial_solution import read_solution
+from contactd.values.tables import IcTable
 from contactd.wheel_rail import (
     S1002,
     ConeProfile,

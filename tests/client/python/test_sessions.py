@@ -17,8 +17,8 @@ from contactd import (
     Session,
     StepSolution,
 )
-from contactd.reading import read
-from contactd.solution import Solution
+from contactd.values.answers import read
+from contactd.values.solution import Solution
 from support import answers
 from support.fake_server import FakeServer
 from support.sessions import NAME, STEP, opened

@@ -4,6 +4,7 @@ import dataclasses
 import inspect
 import pydoc
 import re
+import sys
 from html.parser import HTMLParser
 
 import numpy as np
@@ -22,16 +23,17 @@ from contactd import (
     SubsurfaceStress,
     TableIcs,
 )
-from contactd.reading import read
-from contactd.session import StepSolution
-from contactd.solution import ContactSolution, IcSpec
+from contactd.values.answers import read
+from contactd.values.partial_solution import StepSolution
+from contactd.values.solution import ContactSolution
+from contactd.values.tables import IcSpec
 from support import answers
 
-MODULES = (contactd.problem, contactd.friction, contactd.solution, contactd.partial, contactd.session, contactd.subsurface)
 DATA = sorted(
     {
         kind
-        for module in (*MODULES, contactd)
+        for name, module in sys.modules.items()
+        if name.startswith("contactd.values.")
         for kind in vars(module).values()
         if isinstance(kind, type) and dataclasses.is_dataclass(kind) and kind.__module__.startswith("contactd.")
     },

@@ -13,7 +13,7 @@ import pytest
 
 import contactd
 from contactd import AsyncClient, Client, ContactWarning
-from contactd.warned import _PARTS, sentences_in
+from contactd.calls.answer_warnings import _PARTS, sentences_in
 from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition
 from support.fake_server import FakeServer
 from support.problems import CATTANEO

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from contactd import InvalidArgument, KineticFriction, Material, ProtocolError, RigidBody, SolverSettings
+from contactd.values.wheel_rail.params import profile_params, setup_params, state_params, wheelset_state_params
+from contactd.values.wheel_rail.solution import read_wheel_rail, read_wheelset
 from contactd.wheel_rail import (
     S1002,
     ArcProfile,
@@ -27,8 +29,6 @@ from contactd.wheel_rail import (
     WheelsetPosition,
     WheelsetState,
 )
-from contactd.wheel_rail_params import profile_params, setup_params, state_params, wheelset_state_params
-from contactd.wheel_rail_solution import read_wheel_rail, read_wheelset
 from support import schemas
 
 SCHEMAS = Path(__file__).parents[3] / "proto" / "schema"

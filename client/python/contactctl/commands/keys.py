@@ -11,7 +11,7 @@ import typer
 import zmq
 import zmq.auth
 
-from contactd.whole_files import read_whole
+from contactd.files.whole import read_whole
 
 from ..common import Command, Group, setting
 from ..output import emit, facts

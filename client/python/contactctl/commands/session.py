@@ -15,8 +15,8 @@ import click
 import typer
 
 from contactd import Client, ContactdError, ContactWarning
-from contactd.warned import sentences_in
-from contactd.whole_files import read_whole
+from contactd.calls.answer_warnings import sentences_in
+from contactd.files.whole import read_whole
 
 from ..asking import ask
 from ..common import Command, connected, setting

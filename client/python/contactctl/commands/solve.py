@@ -9,8 +9,8 @@ import click
 import typer
 
 from contactd import ContactSolution, Grid, PartialSolution
-from contactd.partial import read_solution
-from contactd.reading import read
+from contactd.values.answers import read
+from contactd.values.partial_solution import read_solution
 
 from ..asking import ask
 from ..codes import Code, Ended

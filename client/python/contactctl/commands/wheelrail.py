@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 from rich.console import RenderableType
 
-from contactd.wheel_rail_solution import read_wheel_rail
+from contactd.values.wheel_rail.solution import read_wheel_rail
 
 from ..asking import ask
 from ..codes import Code, Ended

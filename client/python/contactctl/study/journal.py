@@ -15,7 +15,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from contactd.whole_files import read_whole
+from contactd.files.whole import read_whole
 
 from ..codes import Code, Ended
 from ..output import note

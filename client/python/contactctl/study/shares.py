@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from contactd.whole_files import read_whole
+from contactd.files.whole import read_whole
 
 from ..codes import Code, Ended
 from .journal import MOST_BYTES, rows_in

@@ -9,17 +9,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ..arrays import Frames, decode, encode, invalid
-from ..curve import load_curve_keys
 from ..errors import ProtocolError, TimeoutExpired
-from ..messages import CLIENT, PROTOCOL_VERSION, Reply, Request
-from ..progress_bar import progress_shown
-from ..reading import read
-from ..showing import Rows, Shown
-from ..solution import Limits, Progress, ServerInfo
-from ..waiting import may_build, say_that_the_build_goes_on, seconds_of
-from ..warned import sentences_in
-from .asking import Answering, Noted, asks
+from ..transport.curve import load_curve_keys
+from ..transport.frames import Frames, decode, encode, invalid
+from ..transport.messages import CLIENT, PROTOCOL_VERSION, Reply, Request
+from ..values.answers import read
+from ..values.representation import Rows, Shown
+from ..values.service import Limits, Progress, ServerInfo
+from .answer_warnings import sentences_in
+from .call import Answering, Noted, asks
+from .progress_bar import progress_shown
+from .timeouts import may_build, say_that_the_build_goes_on, seconds_of
 
 __all__ = ["Caller", "ProgressCallback", "check_shapes"]
 

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy.typing as npt
 
-from ..checks import check_type
 from ..errors import StatusError
-from ..outcomes import outcomes
-from ..partial import Fields, PartialSolution, names_of, read_solution
-from ..problem import ContactProblem, Estimate
-from ..problem_params import problem_params
-from ..reading import read
-from ..solution import ContactSolution
-from ..subsurface import StressBlock, SubsurfaceStress, subsurface_params
-from .asking import Answering, asks
+from ..refusals import check_type
+from ..transport.outcomes import outcomes
+from ..values.answers import read
+from ..values.contact_params import problem_params
+from ..values.partial_solution import Fields, PartialSolution, names_of, read_solution
+from ..values.problem import ContactProblem, Estimate
+from ..values.solution import ContactSolution
+from ..values.subsurface import StressBlock, SubsurfaceStress, subsurface_params
+from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
 
 if TYPE_CHECKING:

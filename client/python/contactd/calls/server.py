@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 from ..errors import ProtocolError
-from ..reading import read
-from ..recent import RecentPatch, RecentSolve
-from ..solution import Job, Progress, ServerInfo
-from .asking import Answering, asks
+from ..values.answers import read
+from ..values.records import RecentPatch, RecentSolve
+from ..values.service import Job, Progress, ServerInfo
+from .call import Answering, asks
 from .caller import Caller, check_shapes
 
 __all__ = ["ServerCalls"]

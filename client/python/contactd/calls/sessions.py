@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from ..arrays import invalid
-from ..checks import check_type
 from ..errors import ProtocolError
-from ..friction import Friction
-from ..grid import Grid
-from ..problem import ContactProblem
-from ..reading import read
-from ..session import AnyContactSession, SessionSummary, opening
-from ..waiting import wheel_may_build
-from ..wheel_rail import WheelRailSetup
-from ..wheel_rail_session import AnyWheelRailSession, wheel_rail_opening
-from .asking import Answering, asks
+from ..refusals import check_type
+from ..transport.frames import invalid
+from ..values.answers import read
+from ..values.friction import Friction
+from ..values.grid import Grid
+from ..values.problem import ContactProblem
+from ..values.service import SessionSummary
+from ..values.wheel_rail.setup import WheelRailSetup
+from .call import Answering, asks
 from .caller import Caller, ProgressCallback
+from .contact_session import AnyContactSession, opening
+from .timeouts import wheel_may_build
+from .wheel_rail_session import AnyWheelRailSession, wheel_rail_opening
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

@@ -6,16 +6,18 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..arrays import plain
 from ..errors import InvalidArgument, ProtocolError
-from ..grid import Grid
-from ..ics import Ics, table_params, table_shape
-from ..materials import LayeredBody, Material
-from ..pieces import fetch_in_pieces
-from ..reading import read
-from ..solution import IcTable, ImportedIc, QuarantinedIc, StoredIc
-from .asking import Answering, asks
+from ..transport.frames import plain
+from ..values.answers import read
+from ..values.evidence import ImportedIc
+from ..values.grid import Grid
+from ..values.ics import Ics, table_params, table_shape
+from ..values.materials import LayeredBody, Material
+from ..values.service import QuarantinedIc, StoredIc
+from ..values.tables import IcTable
+from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
+from .pieces import fetch_in_pieces
 
 __all__ = ["TableCalls"]
 
@@ -99,7 +101,7 @@ class TableCalls(Caller):
         """
         if not isinstance(file, bytes | bytearray | memoryview):
             raise TypeError(f"file is {file!r}; it must be the bytes of a file, such as Path(name).read_bytes()")
-        from ..hdf5 import import_params
+        from ..files.ic_files import import_params
 
         params = import_params(bytes(file))
         return read(ImportedIc, (yield from self.asked("ic.import", params, timeout=timeout)))

@@ -6,14 +6,21 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..errors import ProtocolError
-from ..partial import Fields, names_of
-from ..reading import read
-from ..wheel_rail import WheelRailSetup, WheelRailState, WheelsetState
-from ..wheel_rail_params import setup_params, state_params, wheelset_state_params
-from ..wheel_rail_places import WheelRailGeometry
-from ..wheel_rail_solution import WheelRailSolution, WheelsetSolution, read_wheel_rail, read_wheelset
-from ..wheelset_geometry import EquivalentConicity, ProfilesOfSides, WheelsetContacts, WheelsetRoll, read_profiles
-from .asking import Answering, asks
+from ..values.answers import read
+from ..values.partial_solution import Fields, names_of
+from ..values.wheel_rail.params import setup_params, state_params, wheelset_state_params
+from ..values.wheel_rail.places import WheelRailGeometry
+from ..values.wheel_rail.rigid_wheelset import (
+    EquivalentConicity,
+    ProfilesOfSides,
+    WheelsetContacts,
+    WheelsetRoll,
+    read_profiles,
+)
+from ..values.wheel_rail.setup import WheelRailSetup
+from ..values.wheel_rail.solution import WheelRailSolution, WheelsetSolution, read_wheel_rail, read_wheelset
+from ..values.wheel_rail.state import WheelRailState, WheelsetState
+from .call import Answering, asks
 from .caller import Caller, ProgressCallback
 
 __all__ = ["WheelRailCalls"]

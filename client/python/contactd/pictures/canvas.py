@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..grid import Array, Grid
+from ..values.grid import Array, Grid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

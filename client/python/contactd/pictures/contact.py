@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..grid import Grid
-from ..solution import Solution
+from ..values.grid import Grid
+from ..values.solution import Solution
 from .canvas import ADHESION, COLOURS, INK, axes_or_new, bare, edges, legend_below, map_over
 
 if TYPE_CHECKING:

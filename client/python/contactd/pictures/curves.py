@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
-from ..friction import Rolling
-from ..solution import Solution
+from ..values.friction import Rolling
+from ..values.solution import Solution
 from .canvas import COLOURS, axes_or_new, bare
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..subsurface import SubsurfaceStress
+from ..values.subsurface import SubsurfaceStress
 from .canvas import INK, aspect_of, axes_or_new, bare, colour_bar, warm
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..solution import IcTable
+from ..values.tables import IcTable
 from .canvas import COLOURS, axes_or_new, bare
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..wheel_rail_solution import WheelRailPatch, WheelRailSolution
+from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution
 from .canvas import COLOURS, INK, bare, legend_below, map_over, new_figure
 from .contact import draw_contact
 

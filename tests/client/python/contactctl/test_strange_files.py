@@ -13,7 +13,7 @@ import pytest
 
 from contactctl.files import read_object
 from contactd import SavedFileError, TableFileError, load, load_table
-from contactd.whole_files import read_whole
+from contactd.files.whole import read_whole
 
 BOMB = "a: &a [1,1,1,1,1,1,1,1,1]\n" + "".join(
     f"{name}: &{name} [{','.join(f'*{before}' for _ in range(9))}]\n" for before, name in zip("abcdefghi", "bcdefghij")

@@ -1,0 +1,154 @@
+"""What sessions have in common, whatever their steps are of (docs/sessions.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+
+from ..errors import ContactdError, ProtocolError
+from ..refusals import check_type
+from ..transport.messages import Request
+from ..values.representation import Rows, Shown
+from ..values.service import Progress, SavedState
+from .call import Answering, Pause, Waits, asks, insist
+from .steps import Steps
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from .caller import Caller
+
+__all__ = ["AnySession", "ProgressCallback", "SessionThatWaits", "lease_params", "told_number"]
+
+ProgressCallback = Callable[[Progress], None]
+T = TypeVar("T")
+
+
+def told_number(told: dict[str, Any], name: str, kind: Callable[[Any], T]) -> T:
+    """A number of the answer to session.open or session.info."""
+    try:
+        return kind(told[name])
+    except (KeyError, TypeError, ValueError):
+        raise ProtocolError("The answer to session.open or session.info lacks its session.") from None
+
+
+def lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
+    """What sessions of all kinds are opened with."""
+    params: dict[str, Any] = {} if lease is None else {"lease_seconds": lease}
+    return {**params, "accept_unconverged": True} if accept_unconverged else params
+
+
+class AnySession(Shown):
+    """The steps of a session, whatever they are of, and whether they are waited for or awaited."""
+
+    _joins: ClassVar[str]  #: the method of Client that joins such a session
+    _builds = False  #: whether a step may have to wait for tables by finite elements
+
+    def __init__(self, client: Caller, steps: Steps, told: dict[str, Any]) -> None:
+        self.lease_seconds = told_number(told, "lease_seconds", float)
+        self.bytes = told_number(told, "bytes", int)
+        self.retries = 1
+        self._client = client
+        self._steps = steps
+
+    @property
+    def name(self) -> str:
+        """The key to the session, for Client.join_session: who has it can take steps, and end it."""
+        return self._steps.session
+
+    @property
+    def step_number(self) -> int:
+        """Number of the last step, 0 before the first."""
+        return self._steps.number
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            f"a {type(self).__name__} cannot be pickled; hand on session.name, and join it by client.{self._joins}"
+        )
+
+    def _title(self) -> str:
+        return f"{type(self).__name__} {self.name[:6]}... of {self._client.endpoint}"  # no more of the key
+
+    def _rows(self) -> Rows:
+        return [("last step", self.step_number), *self._common(), ("lease", f"{self.lease_seconds:g} s")]
+
+    def _common(self) -> Rows:
+        """What all steps have in common."""
+        return []
+
+    @asks
+    def close(self, *, timeout: float | None = None) -> Answering[None]:
+        """Ends the session in the daemon. Raises NotFound when it has ended already."""
+        self._steps.check_process()
+        yield from self._client.asked("session.close", {"session": self.name}, timeout=timeout)
+
+    @asks
+    def save(self, *, timeout: float | None = None) -> Answering[SavedState]:
+        """Keeps where the session is, for restore()."""
+        with self._steps.alone():
+            result = yield from self._client.asked("session.save", {"session": self.name}, timeout=timeout)
+        return SavedState(str(result["state"]), int(result["step"]))
+
+    @asks
+    def restore(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
+        """Takes the session to a saved state, which stays: as often as wanted."""
+        check_type("state", state, SavedState)
+        with self._steps.alone():
+            result = yield from self._insist("session.restore", {"session": self.name, "state": state.name}, timeout)
+            self._steps.go_to(int(result["step"]))
+
+    @asks
+    def forget(self, state: SavedState, *, timeout: float | None = None) -> Answering[None]:
+        """Frees a saved state."""
+        check_type("state", state, SavedState)
+        self._steps.check_process()
+        yield from self._client.asked("session.forget", {"session": self.name, "state": state.name}, timeout=timeout)
+
+    def _step(
+        self,
+        step: Mapping[str, Any],
+        timeout: float | None,
+        on_progress: ProgressCallback | None,
+        progress: bool,
+    ) -> Answering[Any]:
+        with self._steps.alone():
+            params = self._steps.params(self._steps.number_of(step), step)
+            result = yield from self._insist("session.step", params, timeout, on_progress, progress, self._builds)
+            return self._steps.read(params, result)
+
+    def _insist(
+        self,
+        method: str,
+        params: dict[str, Any],
+        timeout: float | None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+        builds: bool = False,
+    ) -> Answering[dict[str, Any]]:
+        """Asks again when no answer came: the daemon tells a request that it has answered by its number."""
+
+        def ask() -> Answering[dict[str, Any]]:
+            return self._client.asked(
+                method, params, timeout=timeout, on_progress=on_progress, progress=progress, builds=builds
+            )
+
+        return insist(ask, self.retries)
+
+
+class SessionThatWaits(AnySession, Waits):
+    """A session whose calls wait, and which ends with its ``with`` block."""
+
+    def _carry_out(self, asked: Request | Pause) -> Any:
+        return self._client._carry_out(asked)  # type: ignore[attr-defined]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        try:
+            self.close()
+        except ContactdError:
+            pass  # the parent's to end, gone already, or out of reach: then its lease ends it

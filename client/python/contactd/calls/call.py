@@ -1,0 +1,147 @@
+"""Calls that are said once, and carried out in two ways: a thread waits for answers, or a coroutine awaits them.
+
+A call is a generator. It yields each Request it makes, is sent the Reply, or thrown what came instead, and returns its
+answer. It may also yield a Pause, or what an answer warns of.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import types
+from collections.abc import Callable, Coroutine, Generator
+from dataclasses import dataclass
+from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, overload
+
+from ..errors import ConnectionFailed, DeadlineExceeded, TimeoutExpired
+from ..transport.messages import Request
+from .answer_warnings import give
+
+__all__ = ["Answering", "Asked", "Awaits", "Noted", "Pause", "Waits", "asks", "insist"]
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Pause:
+    """A time in which nothing is asked (s)."""
+
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Noted:
+    """What an answer warns of: sentences, which are given as a warning of Python when the call has ended."""
+
+    sentences: tuple[str, ...]
+
+
+Asked = Request | Pause | Noted
+Answering = Generator[Asked, Any, T]
+
+
+def insist(ask: Callable[[], Answering[T]], retries: int) -> Answering[T]:
+    """Asks, and as often as `retries` says again when no answer came; for requests that may be answered twice."""
+    for _ in range(retries):
+        try:
+            return (yield from ask())
+        except DeadlineExceeded:
+            raise  # an answer
+        except (TimeoutExpired, ConnectionFailed):
+            yield Pause(0.05)
+    return (yield from ask())
+
+
+class Waits:
+    """What carries calls out in the thread that makes them."""
+
+    def _carry_out(self, asked: Request | Pause) -> Any:
+        """The Reply to a Request; None after a Pause."""
+        raise NotImplementedError
+
+    def _run(self, steps: Answering[T]) -> T:
+        noted: list[str] = []
+        try:
+            asked = next(steps)
+            while True:
+                if isinstance(asked, Noted):
+                    noted.extend(asked.sentences)
+                    asked = next(steps)
+                    continue
+                try:
+                    reply = self._carry_out(asked)
+                except BaseException as error:
+                    asked = steps.throw(error)
+                else:
+                    asked = steps.send(reply)
+        except StopIteration as end:
+            answer: T = end.value
+        give(noted)
+        return answer
+
+
+class Awaits:
+    """What carries calls out in an event loop."""
+
+    async def _carry_out(self, asked: Request | Pause) -> Any:
+        """The Reply to a Request; None after a Pause."""
+        raise NotImplementedError
+
+    async def _run(self, steps: Answering[T]) -> T:
+        noted: list[str] = []
+        try:
+            asked = next(steps)
+            while True:
+                if isinstance(asked, Noted):
+                    noted.extend(asked.sentences)
+                    asked = next(steps)
+                    continue
+                try:
+                    reply = await self._carry_out(asked)
+                except BaseException as error:
+                    asked = steps.throw(error)
+                else:
+                    asked = steps.send(reply)
+        except StopIteration as end:
+            answer: T = end.value
+        give(noted)
+        return answer
+
+
+class asks(Generic[P, T]):  # noqa: N801: a decorator
+    """A method that is such a generator: a call that waits in what Waits, and a coroutine in what Awaits."""
+
+    def __init__(self, steps: Callable[Concatenate[Any, P], Answering[T]]) -> None:
+        self.steps = steps
+        self.__doc__ = steps.__doc__
+
+        def waiting(self: Any, *args: P.args, **keywords: P.kwargs) -> T:
+            answer: T = self._run(steps(self, *args, **keywords))
+            return answer
+
+        async def awaiting(self: Any, *args: P.args, **keywords: P.kwargs) -> T:
+            answer: T = await self._run(steps(self, *args, **keywords))
+            return answer
+
+        self._waiting, self._awaiting = _shown_as(steps, waiting), _shown_as(steps, awaiting)
+
+    @overload
+    def __get__(self, of: None, kind: Any) -> Callable[Concatenate[Any, P], Any]: ...
+    @overload
+    def __get__(self, of: Waits, kind: Any) -> Callable[P, T]: ...
+    @overload
+    def __get__(self, of: Awaits, kind: Any) -> Callable[P, Coroutine[Any, Any, T]]: ...
+    def __get__(self, of: Any, kind: Any) -> Any:
+        function = self._awaiting if issubclass(kind, Awaits) else self._waiting
+        return function if of is None else types.MethodType(function, of)
+
+
+def _shown_as(steps: Callable[..., Any], function: Any) -> Any:
+    """`function` with name, docstring and signature of `steps`, but for the answer, which is that of the call."""
+    functools.update_wrapper(function, steps)
+    signature = inspect.signature(steps)
+    answer = str(signature.return_annotation).removeprefix("Answering[").removesuffix("]")
+    function.__signature__ = signature.replace(return_annotation=answer)
+    function.__annotations__ = {**steps.__annotations__, "return": answer}
+    return function

@@ -1,0 +1,34 @@
+"""A progress bar in the terminal, or in a notebook, for the calls that are told `progress=True`. Needs rich."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from ..values.service import Progress
+
+__all__ = ["progress_shown"]
+
+
+@contextmanager
+def progress_shown(method: str, wanted: bool) -> Iterator[Callable[[Progress], None]]:
+    """What to tell progress to while the block runs: a bar where one is `wanted`, and nothing where not."""
+    if not wanted:
+        yield lambda progress: None
+        return
+    try:
+        from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
+        from rich.progress import Progress as Bar
+    except ImportError:
+        raise ImportError('progress=True needs rich: pip install "contactd[progress]"', name="rich") from None
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.percentage:>3.0f} %"), TimeElapsedColumn())
+    with Bar(*columns, TextColumn("{task.fields[remark]}")) as bar:
+        task = bar.add_task(method, total=1.0, remark="")
+
+        def show(progress: Progress) -> None:
+            stage, _, remark = str(progress).partition(", ")
+            name = stage.rpartition(" ")[0].rpartition(" ")[0] if stage.endswith("%") else stage
+            bar.update(task, completed=progress.fraction, description=f"{method}: {name}", remark=remark)
+
+        yield show
+        bar.update(task, completed=1.0, description=method, remark="")

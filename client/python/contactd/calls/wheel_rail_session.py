@@ -1,0 +1,89 @@
+"""Sessions of a wheel on its rail (docs/sessions.md)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..values.partial_solution import Fields
+from ..values.representation import Rows
+from ..values.wheel_rail.params import setup_params
+from ..values.wheel_rail.setup import Side, WheelRailFriction, WheelRailSetup
+from ..values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
+from ..values.wheel_rail.state import WheelRailState
+from .any_session import AnySession, ProgressCallback, SessionThatWaits, lease_params, told_number
+from .call import Answering, asks
+from .wheel_rail_steps import WheelRailSteps
+
+if TYPE_CHECKING:
+    from .caller import Caller
+
+__all__ = ["AnyWheelRailSession", "WheelRailSession", "wheel_rail_opening"]
+
+
+def wheel_rail_opening(setup: WheelRailSetup, lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
+    """The parameters of session.open."""
+    opened = {"wheelrail": {"setup": setup_params(setup, "wheelrail.setup")}}
+    return opened | lease_params(lease, accept_unconverged)
+
+
+class AnyWheelRailSession(AnySession):
+    """The session of a wheel on its rail, whether its steps are waited for or awaited."""
+
+    _joins = "join_wheel_rail_session"
+
+    def __init__(self, client: Caller, name: str, told: dict[str, Any], side: Side, builds: bool = False) -> None:
+        super().__init__(client, WheelRailSteps(name, told_number(told, "step", int)), told)
+        self.side: Side = side
+        self._builds = builds
+
+    def _common(self) -> Rows:
+        return [("wheel", self.side)]
+
+    @asks
+    def step(
+        self,
+        state: WheelRailState,
+        *,
+        friction: WheelRailFriction | None = None,
+        fields: Fields = (),
+        gap: bool = False,
+        patches: bool = True,
+        again: bool = False,
+        timeout: float | None = None,
+        on_progress: ProgressCallback | None = None,
+        progress: bool = False,
+    ) -> Answering[WheelRailStepSolution]:
+        """Solves the next step: `state` says all of where the wheelset is and how it moves.
+
+        `friction` is that of this step, None: as the session was opened. `fields` names the arrays wanted back of each
+        patch, or the one; `gap` asks for the undeformed distances. Without `patches` the answer tells their number only:
+        simulations that take nothing but forces save most of the message.
+
+        With `again` the step that was asked for last is tried anew, as in Session.step.
+
+        Raises InvalidArgument naming ``wheelrail.state.position.z``, ..., and what Session.step raises.
+        """
+        step: WheelRailStepInput = {"state": state, "friction": friction, "fields": fields, "gap": gap, "patches": patches, "again": again}
+        solution: WheelRailStepSolution = yield from self._step(step, timeout, on_progress, progress)
+        return solution
+
+
+class WheelRailSession(AnyWheelRailSession, SessionThatWaits):
+    """The steps of a simulation, of a wheel on its rail.
+
+    ::
+
+        with client.wheel_rail_session(WheelRailSetup(side="left")) as wheel:
+            for state in states:
+                solution = wheel.step(state)
+
+    The set-up is sent and its profiles are read once. A step answers what `Client.wheel_rail` does: steady rolling knows
+    no history. It starts its searches and solvers from the step before, which changes its answer within their tolerances
+    only. Numbers, retries, saved states, the lease and what may share a session are as of a Session.
+
+    Attributes:
+        side: Which wheel.
+        lease_seconds: The session ends when unused for that long (s).
+        bytes: What it took of the daemon's memory when it was opened or joined.
+        retries: How often a step or a restore whose answer does not come is asked for again.
+    """

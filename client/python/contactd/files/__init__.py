@@ -1,0 +1,1 @@
+"""Values in files: problems and solutions, tables of influence coefficients."""

@@ -1,0 +1,171 @@
+"""Tables of contactd's IC files (docs/ic-tables.md). Needs h5py, which nothing else in this package does."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Callable
+from dataclasses import fields
+from typing import Any, TypeVar
+
+import numpy as np
+
+from ..errors import TableFileError
+from ..values.grid import Grid
+from ..values.ics import AnalyticIcs, FemIcs
+from ..values.materials import Layer, LayeredBody, Material, RigidBody
+from ..values.tables import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
+from .ic_contents import FileContents, contents_of, need_h5py
+from .whole import MOST_BYTES, read_whole
+
+__all__ = ["import_params", "imported_contents", "read_hdf5", "stored_extent"]
+
+_IMPORTED = "This table was imported from a file"
+_MOST_ELEMENTS = 4_000_000  #: of any grid
+
+
+T = TypeVar("T")
+
+
+def read_hdf5(path: str | os.PathLike[str]) -> IcTable:
+    """The table of an IC file: in mm^3/N when it came from Client.export_ic, for dx = 1 and G = 1 from the store."""
+    return _read(path, _table)
+
+
+def stored_extent(path: str | os.PathLike[str]) -> tuple[int, int]:
+    """(ny, nx) of what a file of the store holds: a table, a family of them, or the transform of a prism, which serves as
+    many elements along x as any grid has. Raises TableFileError, also for what is no file of a store."""
+    return _read(path, _stored_extent)
+
+
+def import_params(content: bytes) -> dict[str, Any]:
+    """The parameters of ic.import for the content of a file. Raises TableFileError."""
+    contents = contents_of(content, "the file")
+    datasets: dict[str, Any] = dict(contents.datasets)
+    if "transform" in datasets:
+        datasets.pop("influence_coefficients", None)  # follows from the transform
+    return {"attributes": contents.attributes, "datasets": datasets}
+
+
+def imported_contents(path: str | os.PathLike[str]) -> FileContents:
+    """What a file of another store holds, for a store that did not make it: its evidence says so. Raises TableFileError."""
+    contents = contents_of(read_whole(path, MOST_BYTES), os.fspath(path))
+    warnings = contents.attributes.get("evidence/warnings", [])
+    if not isinstance(warnings, list):
+        raise TableFileError(f"{os.fspath(path)}: evidence/warnings is no list")
+    kept = [str(warning) for warning in warnings if not str(warning).startswith(_IMPORTED)]
+    sentence = f"{_IMPORTED}; that its numbers are those of its builder nobody has checked."
+    contents.attributes |= {"evidence/imported": 1, "evidence/warnings": [*kept, sentence]}
+    return contents
+
+
+def _read(path: str | os.PathLike[str], read: Callable[[FileContents, str], T]) -> T:
+    need_h5py()  # what is missing is told before a file that is
+    name = os.fspath(path)
+    contents = contents_of(read_whole(path, MOST_BYTES), name)
+    try:
+        return read(contents, name)
+    except (KeyError, ValueError, TypeError, IndexError) as error:
+        if isinstance(error, TableFileError):
+            raise
+        raise TableFileError(f"{name} is no IC file that this version can read: {error}") from None
+
+
+def _table(file: FileContents, name: str) -> IcTable:
+    spec = file.at("spec")
+    if spec.get("any_nu"):
+        raise TableFileError(f"{name} holds a family of tables; ask the daemon for the one of a material (export_ic)")
+    is_prism = spec.get("body") == "prism"
+    if is_prism and "influence_coefficients" not in file.datasets:
+        raise TableFileError(f"{name} holds the transform of a prism; give it to a daemon (import_ic), which makes tables of it")
+    array = file.datasets["influence_coefficients"]
+    if array.ndim != 4 + is_prism or array.shape[:2] != (3, 3):
+        rows = "ny, ny, nx" if is_prism else "ny, nx"
+        raise TableFileError(f"{name}: the table has shape {list(array.shape)}; it must be [3, 3, {rows}]")
+    dx = spec.get("dx", 1.0)
+    grid = Grid(array.shape[-1], array.shape[-2], dx, spec.get("dy", dx * spec["dy_over_dx"]))
+    frames = _frames(file, grid, name) if is_prism else None
+    kind: type[Any] = FemIcs if spec["source"] == "fem" else AnalyticIcs
+    ics = kind(**{f.name: spec[f.name] for f in fields(kind) if f.name in spec and f.name != "any_nu"})
+    is_layered = file.has("spec/layers")
+    material = _layered(file.at("spec/layers")) if is_layered else Material(spec.get("G", 1.0), spec["nu"])
+    return IcTable("", "file", IcSpec(material, grid, ics), array, _evidence(file), frames)
+
+
+def _stored_extent(file: FileContents, name: str) -> tuple[int, int]:
+    spec = file.at("spec")
+    if "dx" in spec:
+        raise TableFileError(f"{name} is in mm^3/N, as ic.export writes it; a store's files are for dx = 1 and G = 1")
+    if spec.get("body") != "prism":
+        ny, nx = file.datasets["influence_coefficients"].shape[2:]
+        return ny, nx
+    transform, columns = file.datasets["transform"], len(file.datasets["frames"])
+    pairs = 3 * columns * (3 * columns + 1) // 2
+    if columns < 1 or transform.ndim != 2 or transform.shape[1] != pairs or not np.isfinite(transform).all():
+        raise TableFileError(f"{name} holds no transform of {columns} columns: of {pairs} finite numbers for each wavenumber")
+    return columns, _MOST_ELEMENTS // columns
+
+
+def _frames(file: FileContents, grid: Grid, name: str) -> Any:
+    """Of a prism's columns; in the file their places are over the width of a column."""
+    frames = file.datasets["frames"]
+    if frames.shape != (grid.ny, 3):
+        raise TableFileError(f"{name}: the frames have shape {list(frames.shape)}; they must be [ny, 3], ny = {grid.ny}")
+    return frames * [grid.dy, grid.dy, 1.0]
+
+
+def _layered(said: dict[str, Any]) -> LayeredBody:
+    layers = [Layer(*numbers) for numbers in zip(said["thickness"], said["G"], said["nu"], strict=True)]
+    return LayeredBody(layers, Material(said["base_G"], said["base_nu"]) if "base_G" in said else RigidBody())
+
+
+def _evidence(file: FileContents) -> IcEvidence:
+    said = file.at("evidence")
+    is_built = said["elements"] > 0  # the file has a place for all the rest, too, of a table that was not
+    stages = ("assembly", "setup", "solve", "total") if is_built else ()
+    places = (f"evidence/load_case_{n}" for n in range(len(file.attributes)))
+    cases = [file.at(place) for place in itertools.takewhile(file.has, places)]
+    mesh = file.at("evidence/mesh") if file.has("evidence/mesh") else None
+    return IcEvidence(
+        source=said["source"],
+        version=said["version"],
+        elements=said["elements"],
+        dofs=said["dofs"],
+        processes=said["processes"] if is_built else 0,
+        seconds={stage: said[f"{stage}_seconds"] for stage in stages},
+        load_cases=tuple(
+            LoadCase(
+                load="xyz"[case["load_axis"]],
+                iterations=case["iterations"],
+                residual=case["residual"],
+                converged=bool(case["converged"]),
+                seconds=case["seconds"],
+                update=case.get("update"),
+            )
+            for case in cases
+        ),
+        errors=_errors(said),
+        errors_estimated=bool(said["errors_estimated"]),
+        warnings=tuple(said.get("warnings", ())),
+        solver=said.get("solver"),
+        mesh=None if mesh is None else FemIcs(**{f.name: mesh[f.name] for f in fields(FemIcs) if f.name in mesh}),
+        family_nu=tuple(said.get("family_nu", ())),
+        interpolation_error=said.get("interpolation_error"),
+        modelling_error=said.get("modelling_error"),
+        section=_section(said),
+        imported=bool(said.get("imported", 0)),
+    )
+
+
+def _section(said: dict[str, Any]) -> SectionEvidence | None:
+    if "section_order" not in said:
+        return None
+    order, error = said["section_order"], said["section_error"]
+    return SectionEvidence(order=order, error=error, **{f.name: said[f.name] for f in fields(SectionEvidence) if f.name in said})
+
+
+def _errors(said: dict[str, Any]) -> IcErrors | None:
+    if "error_zz_origin" not in said:
+        return None
+    xx, yy, zz = (ComponentError(said[f"error_{c}_origin"], said[f"error_{c}_largest"]) for c in ("xx", "yy", "zz"))
+    return IcErrors(xx, yy, zz, said["scaled_error_xy"], said["scaled_error_xz"])

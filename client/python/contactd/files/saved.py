@@ -1,0 +1,167 @@
+"""Problems and solutions as files of HDF5 (needs h5py): a group for each value, its arrays as data sets, all else as
+attributes, so that other programs read them, too."""
+
+from __future__ import annotations
+
+import io
+import os
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from .._version import __version__
+from ..errors import ContactdError, SavedFileError
+from ..values.dictionaries import HasDict, from_dict, to_dict
+from .hdf5 import has_own_data, own_members
+from .whole import MOST_BYTES, read_whole
+
+__all__ = ["Saved", "load", "save", "write_whole"]
+
+PathLike = str | os.PathLike[str]
+V = TypeVar("V", bound="Saved")
+_FORMAT = 1
+_GROUP = "contactd_group"  #: whether a group is a mapping or a sequence
+_LARGEST_GAIN = 1100  #: of gzip, which packs no more than 1032 bytes into one
+_MOST_IN_ATTRIBUTE = 256  #: numbers; HDF5 takes 64 KiB
+
+
+def save(path: PathLike, value: Saved) -> None:
+    """Writes a problem, a solution, a step, stresses, or a set-up, state or solution of a wheel on a rail to a file.
+
+    The file is whole or not there: it is written under another name first.
+    """
+    if not isinstance(value, Saved):
+        raise TypeError(f"{value!r:.80} is a {type(value).__name__}; save() takes a problem, a solution or the like")
+    content = io.BytesIO()
+    with _h5py().File(content, "w") as file:
+        file.attrs["contactd_saved"] = _FORMAT
+        file.attrs["contactd_version"] = __version__
+        _write(file.create_group("value"), to_dict(value))
+    write_whole(path, lambda file: file.write(content.getbuffer()))
+
+
+def load(path: PathLike) -> Any:
+    """The value that `save` has written.
+
+    Raises SavedFileError when the file holds none, or a damaged one, and OSError when it cannot be read.
+    """
+    h5py, name, content = _h5py(), os.fspath(path), read_whole(path, MOST_BYTES)
+    try:
+        with h5py.File(io.BytesIO(content), "r") as file:
+            if (found := file.attrs.get("contactd_saved")) != _FORMAT:
+                other = "of contactd's problems and solutions" if found is None else f"of format {_FORMAT} but {found}"
+                raise SavedFileError(f"{name} is no file {other}; Client.export_ic's are read by load_table")
+            if not isinstance(file.get("value", getlink=True), h5py.HardLink):
+                raise SavedFileError(f"{name} has its value somewhere else; save() writes files that have all in them")
+            return from_dict(_read(file["value"], _LARGEST_GAIN * len(content)))
+    except (OSError, KeyError, ValueError, RuntimeError) as error:
+        if isinstance(error, SavedFileError):
+            raise
+        raise SavedFileError(f"{name} holds nothing that can be loaded: {error}") from None
+
+
+class Saved(HasDict):
+    """A value that is kept in files."""
+
+    def save(self, path: PathLike) -> None:
+        """Writes this to a file of HDF5 (needs h5py), which `load` reads; whole or not at all."""
+        save(path, self)
+
+    @classmethod
+    def load(cls: type[V], path: PathLike) -> V:
+        """The value of this class that `save` has written. Raises SavedFileError, also where it is another one."""
+        value = load(path)
+        if not isinstance(value, cls):
+            raise SavedFileError(f"{os.fspath(path)} holds a {type(value).__name__}, not a {cls.__name__}")
+        return value
+
+
+def write_whole(path: PathLike, write: Any) -> None:
+    """Writes a file under another name first, so that nobody finds half of it. A link goes on pointing where it does, and
+    what is no ordinary file, such as /dev/stdout, is written to as it is."""
+    place = Path(path)
+    if place.exists() and not place.is_file():
+        with place.open("wb") as file:
+            write(file)
+        return
+    place = Path(os.path.realpath(place))
+    part = Path(f"{place}.part")
+    try:
+        with part.open("wb") as file:
+            write(file)
+        part.replace(place)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _h5py() -> Any:
+    try:
+        import h5py
+    except ImportError:
+        raise ContactdError(
+            "Files of HDF5 need the package h5py: pip install \"contactd[hdf5]\", or on Debian python3-h5py."
+        ) from None
+    return h5py
+
+
+def _write(group: Any, value: Any) -> None:
+    """A dictionary, or the items of a list by their numbers."""
+    items = value.items() if isinstance(value, dict) else enumerate(value)
+    group.attrs[_GROUP] = "mapping" if isinstance(value, dict) else "sequence"
+    for key, item in items:
+        name = str(key)
+        array = item if isinstance(item, np.ndarray) else _as_array(item) if isinstance(item, list) else None
+        if isinstance(item, dict) or (isinstance(item, list) and array is None):
+            _write(group.create_group(name), item)
+        elif array is not None and (isinstance(item, np.ndarray) or array.size > _MOST_IN_ATTRIBUTE):
+            group.create_dataset(name, data=array, **({"compression": "gzip"} if array.size > 1000 else {}))
+        elif array is not None:
+            group.attrs[name] = array
+        else:
+            group.attrs[name] = _h5py().Empty("f8") if item is None else item
+
+
+def _as_array(items: list[Any]) -> Any:
+    """A list of numbers, None among them as NaN, or of lists of numbers, as an array; None of anything else."""
+    flat = [number for item in items for number in (item if isinstance(item, list) else [item])]
+    if not flat or not all(number is None or type(number) in (int, float) for number in flat):
+        return None
+    try:
+        holds_none = any(number is None for number in flat)
+        return np.array(items, dtype=float if holds_none else None)
+    except ValueError:
+        return None  # lists of different lengths
+
+
+def _read(group: Any, most_bytes: int) -> Any:
+    """Refuses data that lie in other files, or that the file cannot have packed."""
+    h5py = _h5py()
+    found = {name: _of_attribute(value) for name, value in group.attrs.items() if name != _GROUP}
+    for name, member in own_members(h5py, group):
+        if isinstance(member, h5py.Group):
+            found[name] = _read(member, most_bytes)
+        elif not has_own_data(h5py, member) or member.nbytes > most_bytes:
+            raise ValueError(f"{name} keeps its data in other files, or is larger than this file can have packed")
+        else:
+            found[name] = member[()]
+    if group.attrs[_GROUP] == "sequence":
+        return [found[str(number)] for number in range(len(found))]
+    for array in found.values():
+        if isinstance(array, np.ndarray):
+            array.flags.writeable = False
+    return found
+
+
+def _of_attribute(value: Any) -> Any:
+    if isinstance(value, _h5py().Empty):
+        return None
+    if isinstance(value, np.ndarray):
+        return _without_nan(value.tolist())
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _without_nan(item: Any) -> Any:
+    if isinstance(item, list):
+        return [_without_nan(part) for part in item]
+    return None if item != item else item

@@ -1,0 +1,166 @@
+"""Tables as files, by the end of their name (docs/ic-tables.md, Exchange):
+
+========  ====================================  ==========================================================
+``.npz``  IcTable or TableIcs                   numpy's archive: the array, and what it is as JSON
+``.txt``  TableIcs (IcTable: two such bodies)   what the CONTACT program reads
+``.h5``   IcTable, loading only (needs h5py)    contactd's IC file; `Client.export_ic` gives its bytes
+========  ====================================  ==========================================================
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import os
+import zipfile
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import ProtocolError, TableFileError
+from ..values.answers import read
+from ..values.ics import table_params
+from ..values.table_ics import TableIcs, check_finite
+from ..values.tables import IcEvidence, IcSpec, IcTable
+from .saved import write_whole
+from .whole import MOST_BYTES, check_npy, read_whole
+
+__all__ = ["load_table", "save_table"]
+
+PathLike = str | os.PathLike[str]
+_ONE_ARRAY = b"\x93NUMPY"  #: how a file of one array begins, .npy, which is no archive
+
+
+def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = None) -> None:
+    """Writes `table` to a file `.npz` or `.txt`; `G`, for the latter, as in TableIcs.to_contact_text.
+
+    The file is whole or not there: it is written under another name first.
+    """
+    suffix = _suffix(path)
+    if isinstance(table, IcTable) and table.frames is not None and suffix == ".txt":
+        raise ValueError(f"{os.fspath(path)!r} would be a text of offsets along x and y, which a prism has none of: take .npz")
+    if suffix == ".npz":
+        return write_whole(path, lambda file: np.savez(file, **_members(table)))
+    if suffix == ".txt":
+        pair = table if isinstance(table, TableIcs) else TableIcs.from_table(table)
+        text = pair.to_contact_text(G)
+        return write_whole(path, lambda file: file.write(text.encode("ascii")))
+    raise ValueError(
+        f"{os.fspath(path)!r} would be an HDF5 file, which the daemon writes: save the bytes of "
+        'Client.export_ic(material, grid, ics, "hdf5").'
+    )
+
+
+def load_table(path: PathLike, *, G: float | None = None) -> IcTable | TableIcs:
+    """Reads what save_table or Client.export_ic wrote; `G`, for `.txt`, as in TableIcs.from_contact_text.
+
+    Raises TableFileError when the file holds no table, or a damaged one, and OSError when it cannot be read.
+    """
+    suffix = _suffix(path)
+    if suffix == ".txt":
+        return TableIcs.from_contact_text(path, G)
+    if suffix == ".npz":
+        return _read_npz(path)
+    from .ic_files import read_hdf5
+
+    table = read_hdf5(path)
+    _check(table.array, table.spec, os.fspath(path))
+    return table
+
+
+def _suffix(path: PathLike) -> str:
+    suffix = Path(path).suffix.lower()
+    if suffix not in (".npz", ".txt", ".h5"):
+        raise ValueError(f"{os.fspath(path)!r} must end in .npz, .txt or .h5, which says what the file is.")
+    return suffix
+
+
+def _members(table: IcTable | TableIcs) -> dict[str, Any]:
+    if isinstance(table, TableIcs):
+        pair = {"dx": table.dx, "dy": table.dy, "G": table.G}
+        return {"array": table.array, "pair": json.dumps(pair)}
+    spec = table_params(table.spec.material, table.spec.grid, table.spec.ics)
+    evidence = asdict(table.evidence)
+    members = {"array": table.array, "key": table.key, "spec": json.dumps(spec), "evidence": json.dumps(evidence)}
+    return members if table.frames is None else {**members, "frames": table.frames}
+
+
+def _read_npz(path: PathLike) -> IcTable | TableIcs:
+    name = os.fspath(path)
+    content = io.BytesIO(read_whole(path, MOST_BYTES))
+    try:
+        members = {} if content.getvalue().startswith(_ONE_ARRAY) else _members_of(content)
+    except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
+        raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
+    array = members.get("array")
+    frames = members.get("frames")
+    shape = "[3, 3, ny, nx]" if frames is None else "[3, 3, ny, ny, nx], with frames"
+    if array is None or array.dtype.kind != "f" or array.ndim != 4 + (frames is not None) or array.shape[:2] != (3, 3):
+        raise TableFileError(f'{name} holds no table; there must be an array "array" of shape {shape}')
+    if "pair" in members:
+        pair = _json(members, "pair", name)
+        try:
+            dx, dy, G = float(pair["dx"]), float(pair["dy"]), pair.get("G")
+            G = None if G is None else float(G)
+        except (KeyError, TypeError, ValueError, AttributeError):
+            raise TableFileError(f'{name}: "pair" must hold dx and dy, and G or null') from None
+        try:
+            return TableIcs(array, dx, dy, G)
+        except ValueError as error:
+            raise TableFileError(f"{name}: {error}") from None
+    try:
+        spec = read(IcSpec, _json(members, "spec", name), "spec")
+        evidence = read(IcEvidence, _json(members, "evidence", name), "evidence")
+    except ProtocolError as error:
+        raise TableFileError(f"{name}: {str(error).replace('answer', 'file')}") from None
+    if array.shape[-2:] != spec.grid.shape or (frames is not None and array.shape[2] != spec.grid.ny):
+        raise TableFileError(f"{name}: array has shape {list(array.shape)}; spec.grid says {list(spec.grid.shape)}")
+    if frames is not None and (frames.dtype.kind != "f" or frames.shape != (spec.grid.ny, 3) or not np.isfinite(frames).all()):
+        raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
+    _check(array, spec, name)
+    return IcTable(str(members.get("key", "")), "file", spec, array, evidence, frames)
+
+
+def _members_of(content: io.BytesIO) -> dict[str, np.ndarray[Any, Any]]:
+    _check_archive(content)
+    content.seek(0)
+    archive = np.load(content, allow_pickle=False)
+    return {member: archive[member] for member in archive.files}
+
+
+def _check_archive(content: io.BytesIO) -> None:
+    """Raises, before memory is taken for it, where a member is not the array that its header promises, or where all take far
+    more than the file: numbers are not compressed a hundredfold."""
+    with zipfile.ZipFile(content) as archive:
+        members = archive.infolist()
+        if sum(member.file_size for member in members) > 1_000_000 + 100 * content.getbuffer().nbytes:
+            raise ValueError("it would take more than a hundred times its size")
+        for member in members:
+            with archive.open(member) as file:
+                check_npy(file, member.file_size, "fiubU")
+
+
+def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:
+    """Raises TableFileError where a file holds numbers that no table has."""
+    sizes = {"dx": spec.grid.dx, "dy": spec.grid.dy, "G": spec.material.G}
+    for field, size in sizes.items():
+        if not (math.isfinite(size) and size > 0):
+            raise TableFileError(f"{name}: spec has {field} = {size}; it must be positive and finite")
+    if not 0 <= spec.material.nu <= 0.5:
+        raise TableFileError(f"{name}: spec has nu = {spec.material.nu}; it must lie in [0, 0.5]")
+    try:
+        check_finite(array)
+    except ValueError as error:
+        raise TableFileError(f"{name}: {error}") from None
+
+
+def _json(members: dict[str, Any], member: str, name: str) -> Any:
+    if member not in members:
+        raise TableFileError(f'{name} lacks "{member}", JSON that says what the array is')
+    try:
+        return json.loads(str(members[member]))
+    except ValueError:
+        raise TableFileError(f'{name}: "{member}" is no JSON') from None

@@ -1,0 +1,145 @@
+"""Values of Python and numpy to the JSON and array frames of docs/protocol.md, and back."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from ..errors import InvalidArgument, ProtocolError, Violation
+from .messages import Buffer
+
+__all__ = ["Frames", "array_of", "decode", "encode", "invalid", "plain", "whole"]
+
+# What may come back: double precision and bytes. Both are little-endian on every machine.
+_DTYPES: dict[str, np.dtype[Any]] = {"<f8": np.dtype("<f8"), "|u1": np.dtype("u1")}
+
+_JSON = frozenset({int, str, bool, type(None)})  # floats, too, where they are finite
+
+
+def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidArgument:
+    """An InvalidArgument for one field, worded as the daemon words it."""
+    return InvalidArgument(f"{field} {problem}", reason=reason, violations=(Violation(field, problem),))
+
+
+def plain(value: Any) -> dict[str, Any]:
+    """The fields of a dataclass that are not None, as the wire names them."""
+    return {name: item for name in _names(value.__class__) if (item := getattr(value, name)) is not None}
+
+
+@functools.cache
+def _names(kind: type) -> tuple[str, ...]:
+    """Of the fields of a dataclass, looked at once: steps are told thousands of times a second."""
+    return tuple(field.name for field in fields(kind))
+
+
+def array_of(value: Any) -> np.ndarray[Any, Any]:
+    """`value` as an array that still has its mask, should it have one, for `encode` to refuse."""
+    if isinstance(value, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in value):
+        masked: np.ndarray[Any, Any] = np.ma.array(value)
+        return masked
+    return np.asanyarray(value)
+
+
+def whole(array: np.ndarray[Any, Any], field: str) -> np.ndarray[Any, Any]:
+    """`array`; raises InvalidArgument where elements are masked, since contact has no word for what is not there."""
+    if np.ma.is_masked(array):
+        problem = f"has {np.count_nonzero(np.ma.getmaskarray(array))} masked values; every value must be there, as in array.filled(...)"
+        raise invalid(field, problem, "ARRAY_INVALID")
+    return array
+
+
+class Frames(list[bytes]):
+    """The array frames of a request. Arrays that are the same memory, such as the table of many problems, are one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._numbers: dict[Any, int] = {}
+
+    def number_of(self, array: np.ndarray[Any, Any], field: str) -> int:
+        """The frame that holds `array`, which must live as long as this; raises InvalidArgument naming `field`."""
+        memory = array.__array_interface__["data"][0], array.dtype.str, array.shape, array.strides
+        if memory not in self._numbers:
+            self.append(_bytes_of(array, field))
+            self._numbers[memory] = len(self)
+        return self._numbers[memory]
+
+
+def encode(value: Any, field: str, frames: Frames) -> Any:
+    """`value` as JSON. An array of any real dtype, byte order or memory layout goes to `frames`, and so do
+    the bytes of a file.
+
+    Numbers that are not finite are refused: JSON has no word for them, and no contact problem has a use for them.
+    """
+    if isinstance(value, np.ndarray):
+        return _encode_array(value, field, frames)
+    if isinstance(value, bytes):
+        frames.append(value)
+        return {"$array": {"frame": len(frames), "dtype": "|u1", "shape": [len(value)]}}
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, (dict, Mapping)):  # dict first: most are, and Mapping takes its time
+        return {
+            key: item if _is_json(item) else encode(item, f"{field}.{key}" if field else str(key), frames)
+            for key, item in value.items()
+        }
+    if isinstance(value, (list, tuple)):
+        return [item if _is_json(item) else encode(item, f"{field}[{i}]", frames) for i, item in enumerate(value)]
+    if isinstance(value, float) and not math.isfinite(value):
+        raise invalid(field, f"is {value}; it must be finite")
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    raise invalid(field, f"is a {type(value).__name__}, which has no form in JSON")
+
+
+def _is_json(value: Any) -> bool:
+    """Whether a value, as most of a request are, is JSON as it is: its path need not be told."""
+    kind = type(value)
+    return math.isfinite(value) if kind is float else kind in _JSON
+
+
+def _encode_array(array: np.ndarray[Any, Any], field: str, frames: Frames) -> Any:
+    array = np.asarray(whole(array, field))
+    return {"$array": {"frame": frames.number_of(array, field), "dtype": "<f8", "shape": list(array.shape)}}
+
+
+def _bytes_of(array: np.ndarray[Any, Any], field: str) -> bytes:
+    if array.dtype.kind not in "fiub":
+        raise invalid(field, f"has dtype {array.dtype}; it must hold real numbers", "ARRAY_INVALID")
+    data = np.ascontiguousarray(array, dtype="<f8")
+    finite = np.isfinite(data)
+    if not finite.all():
+        first = tuple(int(i) for i in np.argwhere(~finite)[0])
+        raise invalid(field, f"holds {data[first]} at {list(first)}; every value must be finite", "ARRAY_INVALID")
+    return data.tobytes()
+
+
+def decode(value: Any, frames: Sequence[Buffer]) -> Any:
+    """The inverse of `encode` for answers: each reference to a frame becomes a read-only array on its bytes."""
+    if isinstance(value, dict):
+        if value.keys() == {"$array"}:
+            return _decode_array(value["$array"], frames)
+        return {key: decode(item, frames) for key, item in value.items()}
+    if isinstance(value, list):
+        return [decode(item, frames) for item in value]
+    return value
+
+
+def _decode_array(reference: Any, frames: Sequence[Buffer]) -> np.ndarray[Any, Any]:
+    try:
+        number, dtype, shape = reference["frame"], _DTYPES[reference["dtype"]], reference["shape"]
+        if not all(type(n) is int and n >= 0 for n in [number, *shape]):
+            raise ValueError
+    except (KeyError, TypeError, ValueError):
+        raise ProtocolError(f"The answer holds an array reference that cannot be read: {reference!r:.200}") from None
+    if not 1 <= number <= len(frames):
+        raise ProtocolError(f"The answer refers to array frame {number}; it came with {len(frames)}.")
+    frame, needed = frames[number - 1], math.prod(shape) * dtype.itemsize
+    if len(frame) != needed:
+        raise ProtocolError(f"Array frame {number} holds {len(frame)} bytes; its shape {shape} needs {needed}.")
+    array: np.ndarray[Any, Any] = np.frombuffer(frame, dtype=dtype).reshape(shape)
+    return array

@@ -1,0 +1,165 @@
+"""The engine in this process, where the extension contactd_local is installed: a client without a daemon."""
+
+from __future__ import annotations
+
+import atexit
+import json
+import logging
+import os
+import shutil
+import tempfile
+import weakref
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ..client import Client
+from ..errors import ConnectionFailed, DaemonFailed
+from .connections import Lender
+from .daemon import laid_over
+from .messages import Reply, Request, parsed, reply_of
+from .programs import program_of
+
+__all__ = ["InProcessClient", "can_solve_here"]
+
+_LOG = logging.getLogger("contactd.local")
+_LOG.addHandler(logging.NullHandler())  # silent unless the program says where to
+
+
+def can_solve_here() -> bool:
+    """Whether the extension is installed. Raises DaemonFailed where it is, and cannot be loaded."""
+    try:
+        import contactd_local  # noqa: F401
+    except ModuleNotFoundError as error:
+        if error.name == "contactd_local":
+            return False
+        raise DaemonFailed(f"contactd_local is installed and cannot be loaded: {error}.") from error
+    except ImportError as error:
+        raise DaemonFailed(f"contactd_local is installed and cannot be loaded: {error}.") from error
+    return True
+
+
+def _builder() -> str:
+    program = program_of("contactd-ic")
+    return shutil.which(program) or program
+
+
+class _Engine:
+    """What Connections is to a daemon: lends each call a way to ask, which is one and the same. Thread-safe.
+
+    Belongs to the process that made it. One that was forked has none of its threads and sessions, and is told so.
+    """
+
+    def __init__(self, folder: Path | None, config: Mapping[str, Any]) -> None:
+        from contactd_local import Error, Service
+
+        self._owner = os.getpid()
+        self.is_closed = False
+        self._temporary = tempfile.mkdtemp(prefix="contactd-") if folder is None else None
+        store = str(folder.absolute() / "store") if folder is not None else self._temporary
+        builder = {"program": os.environ.get("CONTACTD_IC") or _builder()}
+        # Ctrl-C at a terminal is for this process, not for what it builds meanwhile.
+        launcher = {"launcher": ["setsid"]} if shutil.which("setsid") else {}
+        own = {"store": {"folder": store}, "builds": {**builder, **launcher}}
+        try:
+            self._service = Service(json.dumps(laid_over(own, config)))
+        except Error as error:
+            self._remove_temporary()
+            raise DaemonFailed(str(error)) from None
+        except BaseException:
+            self._remove_temporary()
+            raise
+        self._log()
+        _ALL.add(self)
+
+    @property
+    def is_of_this_process(self) -> bool:
+        return self._owner == os.getpid()
+
+    def _check_process(self) -> None:
+        if not self.is_of_this_process:
+            raise ConnectionFailed(
+                f"This client solves in process {self._owner}, from which this one was forked; "
+                "open another here: contactd.local()."
+            )
+
+    def take(self) -> _Engine:
+        """Raises ConnectionFailed."""
+        self._check_process()
+        if self.is_closed:
+            raise ConnectionFailed("The client is closed.")
+        return self
+
+    def give_back(self, connection: Any, usable: bool = True) -> None:
+        """Nothing to do, as nothing was taken away."""
+
+    def exchange(self, asked: Request) -> Reply:
+        """As Connection.exchange. It is the envelope's `timeout_ms` that ends it."""
+        request = None  # an interrupt may come as soon as it is made; one that is let go of ends, too
+        try:
+            envelope, *frames = asked.message()
+            request = self._ask(envelope, frames)
+            while True:
+                message = request.next()
+                answer = parsed(message[0])
+                if "status" in answer:
+                    return reply_of(answer, message[1:])
+                if asked.on_progress is not None:
+                    asked.on_progress(answer["progress"])
+                    self._check_process()  # a callback that has forked returns here, too
+        except BaseException:
+            if request is not None and self.is_of_this_process:
+                request.cancel()
+            raise
+        finally:
+            if self.is_of_this_process:
+                self._log()
+
+    def _ask(self, envelope: bytes, frames: Sequence[bytes]) -> Any:
+        try:
+            return self._service.ask(envelope, list(frames))
+        except RuntimeError as error:  # closed by another thread, just now
+            raise ConnectionFailed(str(error)) from None
+
+    def close(self) -> None:
+        """May be called twice; does nothing in a forked process."""
+        if self.is_closed or not self.is_of_this_process:
+            return
+        self.is_closed = True
+        try:
+            self._service.close()
+            self._log()
+        finally:
+            self._remove_temporary()
+
+    def _log(self) -> None:
+        for level, sentence in self._service.take_log():
+            _LOG.log(level, sentence)
+
+    def _remove_temporary(self) -> None:
+        if self._temporary is not None:
+            shutil.rmtree(self._temporary, ignore_errors=True)
+
+
+class InProcessClient(Client):
+    """A client that asks the engine in its own process. `folder` and `config` are those of contactd.local()."""
+
+    def __init__(self, folder: str | Path | None = None, config: Mapping[str, Any] | None = None) -> None:
+        self._folder, self._config = None if folder is None else Path(folder), config or {}
+        super().__init__("local")
+
+    def _lender(self) -> Lender:
+        return _Engine(self._folder, self._config)
+
+    def __getstate__(self) -> dict[str, Any]:
+        raise TypeError("a client that solves in process cannot be pickled; one of a LocalDaemon can: daemon.client()")
+
+
+_ALL: weakref.WeakSet[_Engine] = weakref.WeakSet()
+
+
+@atexit.register
+def _close_all() -> None:
+    """Threads must not outlive the interpreter that their answers are for."""
+    for engine in list(_ALL):
+        engine.close()

@@ -1,0 +1,116 @@
+"""Requests and answers as they go over the wire (docs/protocol.md), whoever carries them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .._version import __version__
+from ..errors import ProtocolError, StatusError, Violation, status_error
+
+__all__ = ["CLIENT", "PROTOCOL_VERSION", "Buffer", "Reply", "Request", "cancellation", "parsed", "reply_of", "status_error_of"]
+
+PROTOCOL_VERSION = 1
+CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
+
+
+Buffer = bytes | memoryview  #: what arrays and envelopes come in
+
+
+@dataclass(frozen=True)
+class Request:
+    """What a call asks the daemon, and how long it waits for the answer.
+
+    Attributes:
+        envelope: JSON, in which arrays are references to frames.
+        frames: The arrays, as bytes.
+        deadline: When the wait ends, a time of time.monotonic().
+        connect_timeout: How long to wait for a daemon that listens (s).
+        on_progress: What takes the progress that comes before the answer, as JSON.
+    """
+
+    envelope: dict[str, Any]
+    frames: Sequence[bytes]
+    deadline: float
+    connect_timeout: float
+    on_progress: Callable[[dict[str, Any]], None] | None = None
+
+    @property
+    def id(self) -> str:
+        """What tells its answers from others."""
+        return str(self.envelope["id"])
+
+    @property
+    def method(self) -> str:
+        """The method of the daemon."""
+        return str(self.envelope["method"])
+
+    def message(self) -> list[bytes]:
+        """All frames."""
+        return [json.dumps(self.envelope, allow_nan=False).encode(), *self.frames]
+
+
+@dataclass(frozen=True)
+class Reply:
+    """The answer to one request: the JSON of its `result` and the array frames behind it.
+
+    Attributes:
+        result: JSON, in which arrays are references to frames.
+        frames: The arrays, as bytes.
+    """
+
+    result: dict[str, Any]
+    frames: Sequence[Buffer]
+
+
+def cancellation(name: str) -> bytes:
+    """Tells the daemon that nobody waits for the request with this id any more."""
+    params = {"id": name}
+    request = {"contactd": PROTOCOL_VERSION, "id": f"{name}-cancel", "method": "request.cancel", "params": params}
+    return json.dumps(request).encode()
+
+
+def parsed(text: Buffer) -> dict[str, Any]:
+    """The envelope of an answer. Raises ProtocolError."""
+    try:
+        answer = json.loads(bytes(text))
+    except (ValueError, RecursionError):
+        raise ProtocolError(f"The answer is no JSON: {bytes(text[:80])!r}") from None
+    version = answer.get("contactd") if isinstance(answer, dict) else None
+    if type(version) is not int:
+        raise ProtocolError(f"The answer is no message of contactd's protocol: {bytes(text[:80])!r}")
+    if version != PROTOCOL_VERSION:
+        side = "client (the Python package contactd)" if version > PROTOCOL_VERSION else "daemon"
+        raise ProtocolError(
+            f"The daemon answers in version {version} of the protocol; this client speaks {PROTOCOL_VERSION}: "
+            f"upgrade the {side}."
+        )
+    return dict(answer)
+
+
+def reply_of(answer: dict[str, Any], frames: Sequence[Buffer]) -> Reply:
+    """What an envelope with a status and its frames say. Raises StatusError or ProtocolError."""
+    if (error := status_error_of(answer["status"])) is not None:
+        raise error
+    if not isinstance(answer.get("result"), dict):
+        raise _unreadable(answer)
+    return Reply(answer["result"], frames)
+
+
+def status_error_of(status: Any) -> StatusError | None:
+    """The exception that a status stands for; None when it is OK. Raises ProtocolError when it is no status."""
+    try:
+        if status["code"] == 0:
+            return None
+        details = status.get("details", {})
+        violations = [Violation(str(v["field"]), str(v["description"])) for v in details.get("violations", [])]
+        reason, delay = str(details.get("reason", "")), float(details.get("retry_delay_ms", 0)) / 1000
+        return status_error(status["code"], status["message"], reason=reason, violations=violations, retry_delay=delay)
+    except (KeyError, TypeError, AttributeError, ValueError):
+        raise _unreadable(status) from None
+
+
+def _unreadable(part: Any) -> ProtocolError:
+    return ProtocolError(f"The answer's status or result cannot be read: {part!r:.200}")

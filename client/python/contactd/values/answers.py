@@ -1,0 +1,237 @@
+"""JSON answers to the dataclasses of solution.py. What an answer lacks, or holds in the wrong type, is a ProtocolError;
+fields this version does not know are ignored, so that a newer daemon can be asked."""
+
+from __future__ import annotations
+
+import collections.abc
+import dataclasses
+import functools
+import operator
+import types
+from collections.abc import Callable
+from typing import Any, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from ..errors import ProtocolError
+from .friction import Motion, Rolling, Shift
+from .ics import AnalyticIcs, FemIcs, Ics
+from .materials import LayeredBody, Material, RigidBody
+
+__all__ = ["read"]
+
+T = TypeVar("T")
+Convert = Callable[[Any], Any]
+
+
+@functools.cache
+def _hints(kind: Any) -> dict[str, Any]:
+    """The types of the fields; what a generic base leaves open is as the class says."""
+    hints = get_type_hints(kind)
+    for base in getattr(kind, "__orig_bases__", ()):
+        meant = dict(zip(getattr(get_origin(base), "__parameters__", ()), get_args(base), strict=False))
+        hints = {name: meant.get(hint, hint) for name, hint in hints.items()}
+    return hints
+
+
+class _Unreadable(Exception):
+    """What is wrong, and where: those who read what is around it say so as it comes by, so that no path is made of what
+    can be read."""
+
+    def __init__(self, problem: str, path: str = "") -> None:
+        super().__init__(problem, path)
+        self.problem, self.path = problem, path
+
+    def within(self, part: str) -> _Unreadable:
+        return _Unreadable(self.problem, part + self.path)
+
+
+def read(kind: type[T], value: Any, path: str = "result") -> T:
+    """`value` (decoded JSON with its arrays in place) as the dataclass `kind`."""
+    try:
+        made: T = _reader(cast(Any, kind))(value)
+    except _Unreadable as error:
+        raise ProtocolError(f"The answer's {path}{error.path} {error.problem}.") from None
+    return made
+
+
+class _Field(NamedTuple):
+    """How a field of a dataclass is read."""
+
+    name: str
+    convert: Convert
+    has_default: bool
+    may_be_none: bool
+
+
+@functools.cache
+def _fields(kind: Any) -> tuple[_Field, ...]:
+    missing = dataclasses.MISSING
+    return tuple(
+        _Field(
+            field.name,
+            _converter(hint := _hints(kind)[field.name]),
+            field.default is not missing or field.default_factory is not missing,
+            type(None) in get_args(hint),
+        )
+        for field in dataclasses.fields(kind)
+    )
+
+
+@functools.cache
+def _reader(kind: Any) -> Convert:
+    of_wire, make = getattr(kind, "of_wire", None), _maker(kind)
+
+    def read_object(value: Any) -> Any:
+        if not isinstance(value, dict):
+            raise _Unreadable(f"is a {type(value).__name__} instead of an object")
+        if of_wire is not None:
+            value = of_wire(value)
+        found: dict[str, Any] = {}
+        for name, convert, has_default, may_be_none in _fields(kind):  # not before: types that no answer has stay unknown
+            if name in value:
+                told = value[name]
+                if type(told) is float and convert is _read_float:  # as most are
+                    found[name] = told
+                    continue
+                try:
+                    found[name] = convert(told)
+                except _Unreadable as error:
+                    raise error.within(f".{name}") from None
+            elif not has_default:
+                if not may_be_none:
+                    raise _Unreadable(f"lacks {name}")
+                found[name] = None
+        return make(found)
+
+    return read_object
+
+
+def _maker(kind: Any) -> Callable[[dict[str, Any]], Any]:
+    """What makes a value of some of its fields, the others being as by default. The __init__ of a frozen dataclass sets each
+    field by a call of its own. Where it does nothing else, this does the same at once: answers are hundreds of fields."""
+    fields = dataclasses.fields(kind)
+    if hasattr(kind, "__post_init__") or any(field.default_factory is not dataclasses.MISSING for field in fields):
+        return lambda found: kind(**found)
+    defaults = {field.name: field.default for field in fields if field.default is not dataclasses.MISSING}
+
+    def make(found: dict[str, Any]) -> Any:
+        made = object.__new__(kind)
+        object.__setattr__(made, "__dict__", {**defaults, **found} if defaults else found)
+        return made
+
+    return make
+
+
+def _misplaced(value: Any) -> _Unreadable:
+    return _Unreadable(f"is a {type(value).__name__}, which does not belong there")
+
+
+@functools.cache
+def _converter(hint: Any) -> Convert:
+    """What reads a value of this type: looked at once, as answers are read again and again."""
+    hint = getattr(hint, "__value__", hint)  # what the name of a type stands for, such as numpy's NDArray where it is one
+    if hint == Ics:
+        return _read_ics
+    if hint in (Material | LayeredBody, Material | LayeredBody | RigidBody, Material | RigidBody):
+        return _read_body
+    if hint == Motion:
+        return _read_motion
+    if hint is Any:
+        return _as_it_is
+    if dataclasses.is_dataclass(hint):
+        return _reader(cast(Any, hint))
+    origin, inner = get_origin(hint), get_args(hint)
+    if origin in (Union, types.UnionType):
+        return _optional(_converter(functools.reduce(operator.or_, (t for t in inner if t is not type(None)))))
+    if origin is tuple:
+        return _tuple_of(_converter(inner[0]))
+    if origin is collections.abc.Mapping:
+        return _mapping_to(_converter(inner[1]))
+    if origin is np.ndarray:
+        return _instance_of(np.ndarray)
+    if origin is Literal:
+        return _instance_of(str)  # a newer daemon may know more words
+    return _read_float if hint is float else _exactly(hint)
+
+
+def _read_ics(value: Any) -> Any:
+    return _reader(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs)(value)
+
+
+def _read_body(value: Any) -> Any:
+    if isinstance(value, dict) and "rigid" in value:
+        return RigidBody()
+    return _reader(LayeredBody if isinstance(value, dict) and "layers" in value else Material)(value)
+
+
+def _read_motion(value: Any) -> Any:
+    return _reader(Shift if isinstance(value, dict) and "rigid_shift" in value else Rolling)(value)
+
+
+def _read_float(value: Any) -> float:
+    if type(value) not in (int, float):
+        raise _misplaced(value)
+    return float(value)
+
+
+def _as_it_is(value: Any) -> Any:
+    return value
+
+
+def _optional(convert: Convert) -> Convert:
+    def read_optional(value: Any) -> Any:
+        # A closed-form table says {} of its errors: it has none to speak of.
+        if value is None or (isinstance(value, dict) and not value):
+            return None
+        return convert(value)
+
+    return read_optional
+
+
+def _tuple_of(convert: Convert) -> Convert:
+    def read_tuple(value: Any) -> Any:
+        if not isinstance(value, list):
+            raise _misplaced(value)
+        found: list[Any] = []
+        try:
+            for item in value:
+                found.append(convert(item))
+        except _Unreadable as error:
+            raise error.within(f"[{len(found)}]") from None
+        return tuple(found)
+
+    return read_tuple
+
+
+def _mapping_to(convert: Convert) -> Convert:
+    def read_mapping(value: Any) -> Any:
+        if not isinstance(value, dict):
+            raise _misplaced(value)
+        found: dict[str, Any] = {}
+        for name, item in value.items():
+            try:
+                found[name] = convert(item)
+            except _Unreadable as error:
+                raise error.within(f".{name}") from None
+        return found
+
+    return read_mapping
+
+
+def _instance_of(kind: type) -> Convert:
+    def read_instance(value: Any) -> Any:
+        if not isinstance(value, kind):
+            raise _misplaced(value)
+        return value
+
+    return read_instance
+
+
+def _exactly(kind: Any) -> Convert:
+    def read_exactly(value: Any) -> Any:
+        if kind not in (int, str, bool) or type(value) is not kind:
+            raise _misplaced(value)
+        return value
+
+    return read_exactly

@@ -1,0 +1,212 @@
+"""Influence coefficients: where they come from, and how tables of them are asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from ..refusals import check_type
+from ..transport.frames import plain
+from .grid import Grid
+from .materials import LayeredBody, Material
+from .table_ics import TableIcs
+
+__all__ = [
+    "AnalyticIcs",
+    "Body",
+    "Diagonal",
+    "FarBoundary",
+    "FemIcs",
+    "FemSolver",
+    "Ics",
+    "LineContact",
+    "LoadShape",
+    "MeshKind",
+    "Preset",
+    "Sampling",
+    "StopTest",
+]
+
+Body = Literal["half_space", "block", "prism"]
+LoadShape = Literal["constant", "bilinear"]
+Preset = Literal[
+    "paper-test1", "paper-test2", "paper-test3", "paper-mesh2-test1", "paper-mesh2-test2", "paper-mesh2-test3"
+]
+MeshKind = Literal["hex", "prism", "adaptive"]
+Diagonal = Literal["outward", "across"]
+FarBoundary = Literal["clamped", "half_space"]
+Sampling = Literal["fem", "linear", "linear_nodes"]
+FemSolver = Literal["auto", "amg_pcg", "direct"]
+StopTest = Literal["residual", "update"]
+
+
+@dataclass(frozen=True)
+class LineContact:
+    """A contact that does not change along y nor end there: plane strain (anti-plane strain for what points along y).
+
+    The grid has ny = 1, and its dy is the length that forces are counted over: Fn/dy is the force per length.
+    Displacements of the plane are known up to a constant only, which `datum` fixes. The approach and the rigid shift
+    depend on it; under prescribed forces, and in steady rolling, nothing else does.
+
+    Attributes:
+        datum: Distance from a load, along the surface, at which its displacements xx, yy and zz vanish (mm), at least the
+            length of the grid.
+    """
+
+    datum: float
+
+
+@dataclass(frozen=True)
+class AnalyticIcs:
+    """Influence coefficients of the elastic half-space in closed form.
+
+    Attributes:
+        body: "half_space" (default), or "prism": half-spaces that are turned from column to column of `section`
+            (docs/sections.md); "layered" is what answers say of a LayeredBody.
+        load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
+            (1 - |x|/dx) (1 - |y|/dy).
+        line_contact: A contact that does not change along y; None: elements end along y.
+        section: Of a prism, as FemIcs.section.
+    """
+
+    body: Literal["half_space", "layered", "prism"] | None = None
+    load_shape: LoadShape | None = None
+    line_contact: LineContact | None = None
+    section: Mapping[str, Any] | None = None
+
+    def __post_init__(self) -> None:
+        if self.line_contact is not None:
+            check_type("line_contact", self.line_contact, LineContact)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FemIcs:
+    """Influence coefficients computed with finite elements; what is None takes the daemon's default.
+
+    There are two ways to ask (docs/ic-tables.md). Either for an accuracy, and the daemon chooses mesh and solver::
+
+        FemIcs(accuracy=1e-3)
+        FemIcs(accuracy=1e-3, body="block", L_over_h=20, load_shape="bilinear", any_nu=True)
+
+    or for a mesh, by one of the paper's presets, by fields, or both (fields win)::
+
+        FemIcs("paper-test3", L_over_h=1280)
+
+    ``FemIcs()`` asks for an accuracy of 1e-3. Lengths are ratios to the element size h of the grid (paper, Table 2), so
+    that a table serves every element size.
+
+    Attributes:
+        preset: A test of the paper's Table 2 on its Mesh1 or Mesh2: sets mesh, order, l_over_h, h_over_hs, f, and
+            far_boundary "clamped"; does not go with accuracy.
+        L_over_h: Size L of the mesh over h, default 640; of a block that of the body, which goes with accuracy too.
+        accuracy: Largest error, 1e-4 to 0.1: of xx, yy, zz relative, of the others times 2 pi G rho / (dx dy). Of the
+            other fields any_nu, body, load_shape and (of a block) L_over_h go with it.
+        any_nu: True: one build for every Poisson's ratio from 0 to 0.49; material.nu is the value to interpolate to.
+        body: "half_space" (default), "block": [-L, L]^2 x [-L, 0], u = 0 on all faces but the top, or "prism": a body
+            that is uniform along x, for which an accuracy is asked for.
+        load_shape: Traction of the loaded element: "constant" (default), or "bilinear", the tent
+            (1 - |x|/dx) (1 - |y|/dy).
+        l_over_h: Of meshes "hex" and "prism": size of the uniform cube around the load over h, 0.5 to 64; default 1.
+        h_over_hs: Of meshes "hex" and "prism": elements of the cube per element of the grid, even; l_over_h times it is
+            whole; default 4.
+        f: Of meshes "hex" and "prism": growth of the layers outside the cube, 1 to 10; default 1.2.
+        t1_over_hs: Of meshes "hex" and "prism": first layer's thickness over the cube's element size; default 0, which
+            means f.
+        order: Polynomial order of the displacement, 1 to 6; default 2.
+        mesh: "hex" (default, the paper's Mesh1), "prism" (its Mesh2) or "adaptive".
+        diagonal: Of mesh "prism": the diagonal that halves a quadrilateral starts "outward" (default) from its corner
+            nearest to the load, or runs "across".
+        max_dofs: Of mesh "adaptive": no refinement beyond, 1000 to 5000000; default 60000.
+        far_boundary: On the mesh's far faces: "clamped" (u = 0; with a preset, and for a block), or "half_space" (the
+            displacements of the half-space under the load; the default otherwise).
+        sampling: How displacements are read at the element centres: "fem" (default, the finite-element function), or
+            linear between the vertices ("linear") or all nodes ("linear_nodes") of the surface mesh.
+        solver: "auto" (default, the faster one), "amg_pcg" (with a preset) or "direct" (sparse Cholesky).
+        stop_test: Compared with tolerance: the true relative "residual" (default), or the relative "update" (the
+            paper's).
+        tolerance: Of the stop test, 1e-13 to 1; default 1e-8.
+        max_iterations: Of conjugate gradients, per load case; default 1000.
+        strength_threshold: Of BoomerAMG, 0 to 1; chosen for the mesh when left out.
+        section: Of a prism: its cross-section as the wire has it (docs/protocol.md, docs/sections.md), for example
+            {"rail_60e1": {"from": 2}} or {"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, or
+            {"profile_section": {"kind": "rail", "profile": ProfilePoints(...), "depth": 60}} of contactd.wheel_rail. Its
+            columns are the rows of the grid, dy wide along the outline.
+    """
+
+    preset: Preset | None = field(default=None, kw_only=False)
+    L_over_h: float | None = field(default=None, kw_only=False)
+
+    accuracy: float | None = None
+    any_nu: bool | None = None
+    body: Body | None = None
+    load_shape: LoadShape | None = None
+
+    l_over_h: float | None = None
+    h_over_hs: float | None = None
+    f: float | None = None
+    t1_over_hs: float | None = None
+    order: int | None = None
+    mesh: MeshKind | None = None
+    diagonal: Diagonal | None = None
+    max_dofs: int | None = None
+    far_boundary: FarBoundary | None = None
+    sampling: Sampling | None = None
+    solver: FemSolver | None = None
+    stop_test: StopTest | None = None
+    tolerance: float | None = None
+    max_iterations: int | None = None
+    strength_threshold: float | None = None
+    section: Mapping[str, Any] | None = None
+
+
+Ics = AnalyticIcs | FemIcs
+
+
+def ics_params(ics: Ics) -> dict[str, Any]:
+    """`ics` of ic.get, ic.export and contact.solve."""
+    source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
+    given = plain(ics)
+    if given.get("body") == "layered":
+        raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
+    if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
+        given["line_contact"] = plain(ics.line_contact)
+    if ics.section is not None:
+        given["section"] = _section_params(ics.section)
+    return {"source": source, **given}
+
+
+def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
+    said = section.get("profile_section")
+    if not isinstance(said, Mapping) or "profile" not in said or isinstance(said["profile"], Mapping):
+        return section
+    from .wheel_rail.params import profile_params
+
+    profile = profile_params(said["profile"], "ics.section.profile_section.profile")
+    return {**section, "profile_section": {**said, "profile": profile}}
+
+
+def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
+    """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
+    if isinstance(ics, TableIcs):
+        raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
+    said = plain(ics) if isinstance(ics, FemIcs) else ics_params(replace(ics, body=None))
+    kept: dict[str, Any] = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
+    return {"source": "analytic", **kept, **body.params()}
+
+
+def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
+    """Of one component: [ny, nx], of a prism [ny, ny, nx]: the observed column, the loaded one, and the x offset."""
+    return grid.shape if ics.section is None else (grid.ny, *grid.shape)
+
+
+def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict[str, Any]:
+    """The parameters of ic.get; where the grid lies does not matter to a table."""
+    check_type("material", material, Material, LayeredBody)
+    check_type("grid", grid, Grid)
+    check_type("ics", ics, AnalyticIcs, FemIcs)
+    extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
+    if isinstance(material, LayeredBody):
+        return {"grid": extent, "ics": layered_params(material, ics)}
+    return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}

@@ -1,0 +1,119 @@
+"""Solutions that have the arrays that were asked for: which these are, and that they came."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any, Literal, TypedDict, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import ProtocolError
+from .answers import read
+from .friction import Force, Friction, RollingKind
+from .gaps import Paraboloid, SemiAxes
+from .grid import Array, Grid
+from .representation import with_inherited_attributes
+from .solution import ContactSolution, Solution
+
+__all__ = [
+    "ALL_FIELDS",
+    "Field",
+    "Fields",
+    "PartialSolution",
+    "StepInput",
+    "StepSolution",
+    "check_arrays",
+    "names_of",
+    "on_grid",
+    "read_solution",
+]
+
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
+Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
+
+S = TypeVar("S", bound=Solution[Any, Any])
+_SLIP = ("slip_x", "slip_y")  # not there without friction
+ALL_FIELDS = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP)
+
+
+@with_inherited_attributes
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class PartialSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
+    """A solution with the arrays that `fields` named; the others are None."""
+
+
+def names_of(fields: Fields) -> list[str]:
+    """What is no name of an array is the daemon's to refuse."""
+    return [fields] if isinstance(fields, str) else list(fields)
+
+
+def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:
+    """Raises ProtocolError where one of the arrays is missing or has not the shape of the grid."""
+    for name in names:
+        array = getattr(solution, name)
+        if array is None and name in _SLIP:
+            continue
+        if array is None:
+            raise ProtocolError(f"The answer lacks {name}, which was asked for.")
+        if array.shape != grid.shape:
+            raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(grid.shape)}.")
+
+
+def on_grid(solution: S, grid: Grid) -> S:
+    """The solution just read, which is told its grid: answers leave it out, as who asks knows it."""
+    object.__setattr__(solution, "grid", grid)
+    return solution
+
+
+def read_solution(
+    grid: Grid, names: list[str] | None, result: Any, path: str = "result"
+) -> ContactSolution | PartialSolution:
+    """The solution of a problem that was asked for the arrays `names`; None: for all."""
+    solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
+    check_arrays(solution, ALL_FIELDS if names is None else names, grid)
+    return on_grid(solution, grid)
+
+
+class StepInput(TypedDict, total=False):
+    """What a step says: the keywords of Session.step, for Client.step_many, as in ``{"Fn": 9e3, "xi": 1e-3}``."""
+
+    approach: float | None
+    Fn: float | None
+    gap: Paraboloid | SemiAxes | npt.ArrayLike | None
+    friction: Friction | None
+    mu: float | npt.ArrayLike | None
+    force: Force | None
+    rigid_shift: tuple[float, float] | None
+    rotation: float | None
+    duration: float | None
+    rigid_slip: tuple[npt.ArrayLike, npt.ArrayLike] | None
+    xi: float | None
+    eta: float | None
+    phi: float | None
+    chi: float | None
+    dq: float | None
+    spin_offset: float | None
+    kind: RollingKind | None
+    steps: int | None
+    velocity: float | None
+    derivatives: bool | None
+    fields: Fields
+    again: bool
+
+
+@with_inherited_attributes
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class StepSolution(PartialSolution):
+    """The solution of a step. Arrays are None unless `fields` named them; `converged` is False only in a session that
+    accepts it.
+
+    Attributes:
+        step: Number of the step.
+    """
+
+    step: int
+
+    def _title(self) -> str:
+        return f"StepSolution {self.step}"

@@ -1,0 +1,152 @@
+"""Where a wheel touches its rail, as profiles and positions tell it. Lengths in mm, angles in rad."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..grid import Grid
+
+__all__ = [
+    "ContactPlace",
+    "ContactRadii",
+    "ContactReference",
+    "ContactRow",
+    "Creepages",
+    "OverlapRegion",
+    "WheelRailGeometry",
+]
+
+
+@dataclass(frozen=True)
+class ContactReference:
+    """The reference of a contact, on the rail in track coordinates. Contact coordinates have their origin there: x
+    forwards, y along the rail's surface to the right, z into the rail.
+
+    Attributes:
+        x: Forwards (mm).
+        y: To the right (mm).
+        z: Down (mm).
+        angle: By which the track's axes are turned about x (rad): positive where the rail falls to the right.
+    """
+
+    x: float
+    y: float
+    z: float
+    angle: float
+
+
+@dataclass(frozen=True)
+class OverlapRegion:
+    """Where the undeformed profiles overlap, seen from above.
+
+    Attributes:
+        reference: Its weighted centre.
+        x: Its ends forwards, in track coordinates (mm).
+        y: Its ends to the right (mm).
+        z: The rail's z there (mm).
+        penetration: Largest vertical one (mm).
+        size: Integral of the vertical penetration squared (mm^4).
+    """
+
+    reference: ContactReference
+    x: tuple[float, float]
+    y: tuple[float, float]
+    z: tuple[float, float]
+    penetration: float
+    size: float
+
+
+@dataclass(frozen=True)
+class Creepages:
+    """Velocities of the rail over those of the wheel, by the rolling velocity, in contact coordinates.
+
+    Attributes:
+        xi: Longitudinal creepage.
+        eta: Lateral creepage.
+        phi: Spin (rad/mm).
+        chi: Rolling direction (rad): 0 forwards, pi backwards.
+        velocity: Rolling velocity (mm/s); 0: the wheel does not roll.
+    """
+
+    xi: float
+    eta: float
+    phi: float
+    chi: float
+    velocity: float
+
+
+@dataclass(frozen=True)
+class ContactRadii:
+    """Radii of curvature at the reference (mm), positive where convex; None where straight.
+
+    Attributes:
+        wheel_along: Of the wheel along x.
+        wheel_across: Of the wheel along y.
+        rail_along: Of the rail along x.
+        rail_across: Of the rail along y.
+    """
+
+    wheel_along: float | None = None
+    wheel_across: float | None = None
+    rail_along: float | None = None
+    rail_across: float | None = None
+
+
+@dataclass(frozen=True)
+class ContactRow:
+    """A row of elements of a contact that is curved across the track, half-way between rail and wheel.
+
+    Attributes:
+        y: Its middle in track coordinates (mm).
+        z: The same down (mm).
+        angle: Its inclination (rad): tractions are along axes turned about x by it.
+    """
+
+    y: float
+    z: float
+    angle: float
+
+
+@dataclass(frozen=True)
+class ContactPlace:
+    """One place where wheel and rail are in contact.
+
+    Attributes:
+        reference: Its origin and plane.
+        regions: From the right to the left; more than one feel a share of each other.
+        shares: What each region feels of the displacements of each, row by row; 1 on the diagonal.
+        grid: The potential contact area, in contact coordinates.
+        approach: Penetration along z, the largest at the elements (mm).
+        penetration: Vertical, the largest (mm).
+        creepages: By the motion of the wheelset.
+        radii: Of wheel and rail.
+        rows: Of the grid, where the contact is curved; empty where it is plane.
+    """
+
+    reference: ContactReference
+    regions: tuple[OverlapRegion, ...]
+    shares: tuple[float, ...]
+    grid: Grid
+    approach: float
+    penetration: float
+    creepages: Creepages
+    radii: ContactRadii
+    rows: tuple[ContactRow, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class WheelRailGeometry:
+    """What the profiles and a position tell without a solve.
+
+    Attributes:
+        z: Of the wheelset (mm).
+        places: From the right to the left; none where wheel and rail do not overlap.
+        clearance: Least vertical distance of wheel and rail (mm), negative where they overlap; None where they are not
+            above each other.
+        warnings: Sentences.
+    """
+
+    z: float
+    places: tuple[ContactPlace, ...]
+    clearance: float | None = None
+    warnings: tuple[str, ...] = ()

@@ -1,0 +1,123 @@
+"""Where a wheelset is, and how it moves. Lengths in mm, angles in rad, forces in N."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...files.saved import Saved
+
+__all__ = ["RailDeviation", "WheelRailState", "WheelsetPosition", "WheelsetState", "WheelsetVelocity"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelsetPosition:
+    """Of the wheelset's centre, from where it stands in the middle with its tape circles on the plane of the track.
+
+    Attributes:
+        y: To the right (mm).
+        z: Down (mm); where Fz is given, only where to start.
+        roll: From y to z (rad).
+        yaw: From x to y (rad), turned first.
+        x: Along the track (mm), where the rail varies; forces and references are told from there on.
+        pitch: How far it has turned about its axle (rad), where a wheel is not round; any number of turns.
+    """
+
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    yaw: float = 0.0
+    x: float = 0.0
+    pitch: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelsetVelocity:
+    """Of the wheelset's centre in track coordinates (mm/s), and about its own axes (rad/s).
+
+    Attributes:
+        x: Forwards.
+        y: To the right.
+        z: Down.
+        roll: About x.
+        yaw: About z.
+        pitch: About y: rolling forwards is negative, near -x/nominal_radius.
+    """
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    yaw: float = 0.0
+    pitch: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class RailDeviation:
+    """Of the rail from where track and gauge have it, in track coordinates also for a left one.
+
+    Attributes:
+        y: To the right (mm).
+        z: Down (mm).
+        roll: From y to z (rad).
+        y_velocity: (mm/s).
+        z_velocity: (mm/s).
+        roll_velocity: (rad/s).
+        Fy: On a rail on springs to the right (N), beside the forces of the wheel and of the springs.
+        Fz: The same downwards (N).
+    """
+
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    y_velocity: float = 0.0
+    z_velocity: float = 0.0
+    roll_velocity: float = 0.0
+    Fy: float = 0.0
+    Fz: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelRailState(Saved):
+    """Where the wheelset is, and how it moves.
+
+    Attributes:
+        position: Of its centre.
+        velocity: Of its centre.
+        rail: Deviation of the rail.
+        roller_pitch: Pitch rate of a roller (rad/s): positive where the wheel on it turns as when rolling forwards.
+        Fz: Vertical force of this wheel on the rail (N), > 0, which position.z is found for; None: that is prescribed.
+        Fx: Longitudinal force on the rail along the wheelset's x axis (N), which velocity.pitch is found for; None: that
+            is prescribed.
+        derivatives: Whether the solution has derivatives of the forces by position and velocity.
+    """
+
+    position: WheelsetPosition = WheelsetPosition()
+    velocity: WheelsetVelocity = WheelsetVelocity()
+    rail: RailDeviation = RailDeviation()
+    roller_pitch: float = 0.0
+    Fz: float | None = None
+    Fx: float | None = None
+    derivatives: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelsetState(Saved):
+    """Where a wheelset is that is free to roll, and how it moves.
+
+    Attributes:
+        Fz_left: Vertical force of the left wheel on its rail (N), > 0.
+        Fz_right: Vertical force of the right wheel on its rail (N), > 0.
+        position: Of its centre; z and roll are found, and only tell where to start.
+        velocity: Of its centre.
+        left_rail: Deviation of the left rail, in track coordinates: y to the right.
+        right_rail: Deviation of the right rail.
+        roller_pitch: Pitch rate of rollers (rad/s): positive where the wheels turn as when rolling forwards.
+    """
+
+    Fz_left: float
+    Fz_right: float
+    position: WheelsetPosition = WheelsetPosition()
+    velocity: WheelsetVelocity = WheelsetVelocity()
+    left_rail: RailDeviation = RailDeviation()
+    right_rail: RailDeviation = RailDeviation()
+    roller_pitch: float = 0.0

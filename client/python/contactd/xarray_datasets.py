@@ -1,0 +1,85 @@
+"""Answers as arrays of xarray, with names, coordinates and units: ``pip install "contactd[xarray]"``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .values.grid import Grid
+from .values.solution import Solution
+from .values.subsurface import SubsurfaceStress
+from .values.tables import IcTable
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["labelled_solution", "labelled_stress", "labelled_table"]
+
+_ARRAYS = {
+    "element_division": ("0 exterior, 1 adhesion, 2 slip", "1"),
+    "pressure": ("pressure", "N/mm^2"),
+    "traction_x": ("traction along x on the upper body", "N/mm^2"),
+    "traction_y": ("traction along y on the upper body", "N/mm^2"),
+    "slip_x": ("slip of the upper body over the lower, along x", ""),
+    "slip_y": ("slip of the upper body over the lower, along y", ""),
+}
+_NUMBERS = {"Fn": "N", "Fx": "N", "Fy": "N", "Mz": "N mm", "approach": "mm", "pmax": "N/mm^2"}
+
+
+def _xarray() -> Any:
+    try:
+        import xarray
+    except ImportError:
+        raise ImportError('to_xarray() needs xarray: pip install "contactd[xarray]"', name="xarray") from None
+    return xarray
+
+
+def _length(dimension: str | tuple[str, ...], values: Any) -> Any:
+    return (dimension, np.asarray(values, dtype=float), {"units": "mm"})
+
+
+def _places(grid: Grid) -> dict[str, Any]:
+    return {"y": _length("y", grid.y), "x": _length("x", grid.x)}
+
+
+def labelled_solution(solution: Solution[Any, Any]) -> xarray.Dataset:
+    """What Solution.to_xarray returns."""
+    if solution.grid is None:
+        raise ValueError("grid is None; a solution with coordinates must be one of a client, which knows its grid")
+    arrays: dict[str, Any] = {
+        name: (("y", "x"), values, {"long_name": words, **({"units": unit} if unit else {})})
+        for name, (words, unit) in _ARRAYS.items()
+        if (values := getattr(solution, name)) is not None
+    }
+    arrays |= {name: ((), getattr(solution, name), {"units": unit}) for name, unit in _NUMBERS.items()}
+    attributes = {"converged": int(solution.converged), "warnings": list(solution.warnings)}
+    dataset: xarray.Dataset = _xarray().Dataset(arrays, _places(solution.grid), attributes)
+    return dataset
+
+
+def labelled_table(table: IcTable) -> xarray.DataArray:
+    """What IcTable.to_xarray returns."""
+    grid, axes = table.spec.grid, list("xyz")
+    offsets = {"dy": _length("dy", np.arange(grid.ny) * grid.dy), "dx": _length("dx", np.arange(grid.nx) * grid.dx)}
+    labelled: xarray.DataArray = _xarray().DataArray(
+        table.array, {"displacement": axes, "load": axes, **offsets}, ("displacement", "load", "dy", "dx"),
+        "influence_coefficients", {"units": "mm^3/N", "key": table.key, "origin": table.origin},
+    )  # fmt: skip
+    return labelled
+
+
+def labelled_stress(stress: SubsurfaceStress) -> xarray.Dataset:
+    """What SubsurfaceStress.to_xarray returns."""
+    if stress.block is not None:
+        dimensions: tuple[str, ...] = ("z", "y", "x")
+        places = {name: _length(name, np.atleast_1d(getattr(stress.block, name))) for name in dimensions}
+    elif stress.points is not None:
+        dimensions = ("point",)
+        places = {name: _length("point", stress.points[:, i]) for i, name in enumerate("xyz")}
+    else:
+        raise ValueError("block and points are None; stresses with coordinates must be those of a client")
+    names = ("xx", "yy", "zz", "xy", "xz", "yz", "von_mises")
+    arrays = {name: (dimensions, getattr(stress, name), {"units": "N/mm^2"}) for name in names}
+    dataset: xarray.Dataset = _xarray().Dataset(arrays, places, {"largest_von_mises": stress.largest.von_mises})
+    return dataset
