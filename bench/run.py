@@ -22,7 +22,7 @@ from typing import Any
 
 import scaling
 import service
-from contactd.transport.daemon import LocalDaemon
+from contactd import LocalDaemon
 
 PROGRAMS = [
     "bench_core",

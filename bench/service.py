@@ -24,7 +24,7 @@ import zmq
 import in_process
 import many_solves
 import many_steps
-from contactd.transport.daemon import LocalDaemon
+from contactd import LocalDaemon
 from session_steps import motion, problem
 
 #: One and two workers are measured in turns, so that what else the machine does disturbs both alike.

@@ -6,7 +6,7 @@ import contactd_local
 
 import contactd
 from contactd import FemIcs, Grid, LocalDaemon, Material, Paraboloid
-from contactd.transport.in_process import InProcessClient
+from contactd.local import InProcessClient
 
 RUBBER, STEEL = Material(G=200, nu=0.42), Material(G=82000, nu=0.28)
 GRID = Grid(6, 6, 0.8, 0.8)

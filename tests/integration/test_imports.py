@@ -13,7 +13,7 @@ import pytest
 from contactctl.table_files import import_files
 from contactd import ContactProblem, Friction, Grid, InvalidArgument, Paraboloid, TableFileError
 from contactd.files.ic_files import import_params
-from contactd.values.ics import table_params
+from contactd.values.contact_params import table_params
 from support.problems import GRID, QUICK, STEEL
 
 HEADER = b"contactd ic table, format 1, sha256 of the bytes after this block: "

@@ -3,7 +3,7 @@ time."""
 
 import pytest
 
-from contactd.transport.daemon import laid_over
+from contactd.transport.programs import laid_over
 from load import large_load, load, random_messages
 from load.workload import SMALL
 

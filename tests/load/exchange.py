@@ -12,7 +12,7 @@ from typing import Any
 
 import zmq
 
-from contactd.transport.daemon import LocalDaemon
+from contactd import LocalDaemon
 from load.messages import SESSION, Message
 
 PATIENCE_MS = 60_000

@@ -12,7 +12,7 @@ from typing import Any
 
 import zmq
 
-from contactd.transport.daemon import LocalDaemon
+from contactd import LocalDaemon
 from load.exchange import Outcome, by_dealer, connected, describe, expect_silence, open_session
 from load.large_messages import LargeMessages, templates
 from load.watch import Watched, watching

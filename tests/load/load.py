@@ -20,7 +20,7 @@ from typing import Any
 
 import zmq
 
-from contactd.transport.daemon import LocalDaemon
+from contactd import LocalDaemon
 from load import clients
 from load.bad_citizens import BAD_CITIZENS
 from load.process import resident_bytes

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import zmq
 
-from contactd.transport.daemon import LocalDaemon
+from contactd import LocalDaemon
 from load import large_load
 from load.exchange import Outcome, Wrong, by_dealer, by_req, connected, describe, expect_silence, open_session
 from load.messages import Messages

@@ -11,8 +11,7 @@ from typing import Any
 
 import click
 
-from contactd.files.saved import write_whole
-from contactd.files.whole import read_whole
+from contactd.files.whole import read_whole, write_whole
 
 from .array_files import read_array
 from .yaml_files import parse_yaml

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from contactd import ContactSolution, PartialSolution
-from contactd.files.saved import write_whole
+from contactd.files.whole import write_whole
 from contactd.wheel_rail import WheelRailSolution
 
 from .files import writable, write_text

@@ -13,8 +13,7 @@ import numpy as np
 from contactd import AnalyticIcs, Client, FemIcs, Grid, IcTable, Material, TableIcs, load_table, save_table
 from contactd.files.ic_contents import file_of
 from contactd.files.ic_files import imported_contents, stored_extent
-from contactd.files.saved import write_whole
-from contactd.files.whole import MOST_BYTES, read_whole
+from contactd.files.whole import MOST_BYTES, read_whole, write_whole
 from contactd.values.answers import read
 from contactd.values.tables import IcSpec
 

@@ -47,25 +47,24 @@ from .errors import (
     Unimplemented,
     Violation,
 )
+from .extras import FUNCTIONS
 from .files.saved import load, save
 from .files.table_files import load_table, save_table
-from .local import local
-from .transport.daemon import LocalDaemon
+from .local import LocalDaemon, local
 from .values.dictionaries import from_dict, to_dict
-from .values.evidence import ImportedIc, SolverEvidence
+from .values.evidence import IcEvidence, SectionEvidence, SolverEvidence, SolverSettings
 from .values.friction import Friction, KineticFriction, Rolling, Shift
-from .values.gaps import Paraboloid, SemiAxes
-from .values.grid import Grid
+from .values.grid import Grid, Paraboloid, SemiAxes
 from .values.ics import AnalyticIcs, FemIcs, LineContact
 from .values.materials import Layer, LayeredBody, Material, RigidBody
 from .values.partial_solution import PartialSolution, StepInput, StepSolution
-from .values.problem import ContactColumns, ContactProblem, Estimate, SolverSettings
-from .values.records import RecentPatch, RecentSolve
-from .values.service import Job, Limits, Progress, QuarantinedIc, SavedState, ServerInfo, SessionSummary, StoredIc
+from .values.problem import ContactColumns, ContactProblem, Estimate
+from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
+from .values.registry import register
+from .values.service import Job, Limits, Progress, SavedState, ServerInfo, SessionSummary
 from .values.solution import ContactSolution
 from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
-from .values.table_ics import TableIcs, combined_modulus
-from .values.tables import IcEvidence, IcTable, SectionEvidence
+from .values.tables import IcTable, TableIcs, combined_modulus
 from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
@@ -154,6 +153,8 @@ __all__ = [
     "save_table",
     "to_dict",
 ]
+
+register(FUNCTIONS)
 
 
 def __getattr__(name: str) -> Any:

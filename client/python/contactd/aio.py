@@ -22,16 +22,16 @@ from .calls.wheel_rail_session import AnyWheelRailSession
 from .errors import ConnectionFailed, ContactdError, StatusError
 from .transport.event_loop import Exchanges
 from .transport.messages import Reply, Request
-from .values.partial_solution import Fields, PartialSolution, StepInput, StepSolution
+from .values.partial_solution import PartialSolution, StepInput, StepSolution
 from .values.problem import ContactProblem
-from .values.service import StoredIc
-from .values.solution import ContactSolution
+from .values.records import StoredIc
+from .values.solution import ContactSolution, Fields
 from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
-    from .keywords import ProblemFields
+    from .values.problem import ProblemFields
 
 __all__ = ["AsyncClient", "AsyncSession", "AsyncWheelRailSession"]
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypedDict, overload
 
 from .calls.call import Pause, Waits
 from .calls.caller import Caller, ProgressCallback
@@ -22,18 +22,18 @@ from .calls.wheel_rail_session import WheelRailSession
 from .errors import StatusError, TimeoutExpired, Unauthenticated
 from .transport.connections import Connections, Lender
 from .transport.messages import Reply, Request
-from .values.partial_solution import Fields, PartialSolution, StepInput, StepSolution
+from .values.partial_solution import PartialSolution, StepInput, StepSolution
 from .values.problem import ContactProblem
-from .values.service import StoredIc
-from .values.solution import ContactSolution
+from .values.records import StoredIc
+from .values.solution import ContactSolution, Fields
 from .values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .keywords import ProblemFields
+    from .values.problem import ProblemFields
 
-__all__ = ["Client"]
+__all__ = ["Client", "ClientOptions"]
 
 
 class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls[Session, WheelRailSession], Waits):
@@ -269,3 +269,14 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
             raise
         self._connections.give_back(connection)
         return reply
+
+
+class ClientOptions(TypedDict, total=False):
+    """Of Client, beside the endpoint."""
+
+    timeout: float | None
+    build_timeout: float | None
+    connect_timeout: float | None
+    server_key: str | Path | None
+    own_key: str | Path | None
+    spin: float

@@ -62,6 +62,7 @@ __all__ = [
     "Unimplemented",
     "UnknownError",
     "Violation",
+    "invalid",
     "status_error",
 ]
 
@@ -238,3 +239,8 @@ def status_error(
     """The exception of a status code; a code without a class becomes UnknownError."""
     kind = _BY_CODE.get(code, UnknownError)
     return kind(message, reason=reason, violations=violations, retry_delay=retry_delay)
+
+
+def invalid(field: str, problem: str, reason: str = "FIELD_INVALID") -> InvalidArgument:
+    """An InvalidArgument for one field, worded as the daemon words it."""
+    return InvalidArgument(f"{field} {problem}", reason=reason, violations=(Violation(field, problem),))

@@ -34,10 +34,10 @@ from contactd import (
     Violation,
 )
 from contactd.values.answers import read
-from contactd.values.evidence import Discretisation, SolverEvidence
+from contactd.values.evidence import Discretisation, IcEvidence, SolverEvidence
 from contactd.values.service import ServerInfo
 from contactd.values.solution import ContactSolution, Derivatives, DerivativesOfAnswer
-from contactd.values.tables import IcEvidence, IcSpec
+from contactd.values.tables import IcSpec
 from support import answers
 from support.fake_server import FakeServer
 

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from contactd import ContactProblem, Estimate, Friction, Grid, InvalidArgument, Material, ProtocolError
-from contactd.transport.frames import Frames, array_of, decode, encode
+from contactd.transport.frames import Frames, decode, encode
 from contactd.values.contact_params import problem_params
+from contactd.values.params import array_of
 
 VALUES = np.arange(6.0).reshape(2, 3)
 

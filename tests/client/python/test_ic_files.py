@@ -26,9 +26,8 @@ from contactd import (
     load_table,
     save_table,
 )
-from contactd.values.contact_params import problem_params
-from contactd.values.ics import table_params
-from contactd.values.tables import ComponentError, IcErrors, LoadCase
+from contactd.values.contact_params import problem_params, table_params
+from contactd.values.evidence import ComponentError, IcErrors, LoadCase
 from support.tables import DX, DY, NX, NY, ic_table, made_up
 
 PAIR = TableIcs(made_up(), DX, DY, 320)

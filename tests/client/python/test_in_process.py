@@ -31,7 +31,7 @@ from contactd import (
     Rolling,
     Unavailable,
 )
-from contactd.transport.in_process import InProcessClient
+from contactd.local import InProcessClient
 from support.daemons import BIN
 from support.patience import SLOWER
 from support.problems import CATTANEO, ENDLESS, GRID, QUICK, STEEL

@@ -21,7 +21,7 @@ from contactd import (
     ProtocolError,
     StepSolution,
 )
-from contactd.values.partial_solution import Field
+from contactd.values.solution import Field
 from support import answers
 from support.fake_server import FakeServer
 

@@ -23,8 +23,7 @@ from contactd import (
     SolverSettings,
     TableIcs,
 )
-from contactd.values.contact_params import problem_params
-from contactd.values.ics import table_params
+from contactd.values.contact_params import problem_params, table_params
 
 STEEL = Material(G=82000, nu=0.28)
 GRID = Grid(3, 2, 0.5, 1.0)

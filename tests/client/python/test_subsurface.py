@@ -23,7 +23,7 @@ from contactd import (
     StressBlock,
     TableIcs,
 )
-from contactd.values.subsurface import subsurface_params
+from contactd.values.contact_params import subsurface_params
 from support import answers
 from support.fake_server import FakeServer
 

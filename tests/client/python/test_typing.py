@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from contactd import Client, ContactProblem
-from contactd.keywords import ClientOptions, ProblemFields, WheelRailFields
+from contactd.client import ClientOptions
+from contactd.values.problem import ProblemFields
+from contactd.values.wheel_rail.setup import WheelRailFields
 from contactd.wheel_rail import WheelRailSetup
 
 ROOT = Path(__file__).parents[3]

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from contactd import InvalidArgument, KineticFriction, Material, ProtocolError, RigidBody, SolverSettings
-from contactd.values.wheel_rail.params import profile_params, setup_params, state_params, wheelset_state_params
+from contactd.values.profiles import profile_params
+from contactd.values.wheel_rail.params import setup_params, state_params, wheelset_state_params
 from contactd.values.wheel_rail.solution import read_wheel_rail, read_wheelset
 from contactd.wheel_rail import (
     S1002,

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from .caller import Caller
 
-__all__ = ["AnySession", "ProgressCallback", "SessionThatWaits", "lease_params", "told_number"]
+__all__ = ["AnySession", "ProgressCallback", "SessionThatWaits", "told_number"]
 
 ProgressCallback = Callable[[Progress], None]
 T = TypeVar("T")
@@ -31,12 +31,6 @@ def told_number(told: dict[str, Any], name: str, kind: Callable[[Any], T]) -> T:
         return kind(told[name])
     except (KeyError, TypeError, ValueError):
         raise ProtocolError("The answer to session.open or session.info lacks its session.") from None
-
-
-def lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
-    """What sessions of all kinds are opened with."""
-    params: dict[str, Any] = {} if lease is None else {"lease_seconds": lease}
-    return {**params, "accept_unconverged": True} if accept_unconverged else params
 
 
 class AnySession(Shown):

@@ -9,9 +9,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ..errors import ProtocolError, TimeoutExpired
+from ..errors import ProtocolError, TimeoutExpired, invalid
 from ..transport.curve import load_curve_keys
-from ..transport.frames import Frames, decode, encode, invalid
+from ..transport.frames import Frames, decode, encode
 from ..transport.messages import CLIENT, PROTOCOL_VERSION, Reply, Request
 from ..values.answers import read
 from ..values.representation import Rows, Shown

@@ -11,18 +11,18 @@ import numpy.typing as npt
 
 from ..errors import StatusError
 from ..refusals import check_type
-from ..transport.outcomes import outcomes
+from ..transport.messages import outcomes
 from ..values.answers import read
-from ..values.contact_params import problem_params
-from ..values.partial_solution import Fields, PartialSolution, names_of, read_solution
+from ..values.contact_params import problem_params, subsurface_params
+from ..values.partial_solution import PartialSolution, read_solution
 from ..values.problem import ContactProblem, Estimate
-from ..values.solution import ContactSolution
-from ..values.subsurface import StressBlock, SubsurfaceStress, subsurface_params
+from ..values.solution import ContactSolution, Fields, names_of
+from ..values.subsurface import StressBlock, SubsurfaceStress
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
 
 if TYPE_CHECKING:
-    from ..keywords import ProblemFields
+    from ..values.problem import ProblemFields
 
 __all__ = ["ContactCalls", "solved", "solved_many"]
 

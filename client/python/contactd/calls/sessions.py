@@ -2,39 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from ..errors import ProtocolError
+from ..errors import ProtocolError, invalid
 from ..refusals import check_type
-from ..transport.frames import invalid
 from ..values.answers import read
+from ..values.contact_params import opening_params
 from ..values.friction import Friction
 from ..values.grid import Grid
-from ..values.problem import ContactProblem
+from ..values.problem import ContactProblem, ProblemFields, check_field_types
 from ..values.service import SessionSummary
-from ..values.wheel_rail.setup import WheelRailSetup
+from ..values.wheel_rail.params import setup_params
+from ..values.wheel_rail.setup import Side, WheelRailSetup
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback
-from .contact_session import AnyContactSession, opening
 from .timeouts import wheel_may_build
-from .wheel_rail_session import AnyWheelRailSession, wheel_rail_opening
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ..keywords import ProblemFields
-
 __all__ = ["SessionCalls"]
 
-S = TypeVar("S", bound=AnyContactSession)
-W = TypeVar("W", bound=AnyWheelRailSession)
+S = TypeVar("S")  #: a session of a contact that waits, or awaits
+W = TypeVar("W")  #: the same of a wheel on its rail
 
 
 class SessionCalls(Caller, Generic[S, W]):
     """The methods session.* of the daemon, which give sessions that wait, or await, as their client."""
 
-    _session_kind: type[S]
-    _wheel_rail_session_kind: type[W]
+    _session_kind: Callable[[Caller, str, dict[str, Any], Grid, bool], S]
+    _wheel_rail_session_kind: Callable[[Caller, str, dict[str, Any], Side, bool], W]
 
     @asks
     def session(
@@ -59,7 +57,7 @@ class SessionCalls(Caller, Generic[S, W]):
             if fields:
                 raise TypeError(f"session() takes a ContactProblem or its fields, not both: {', '.join(fields)}")
         said: dict[str, Any] = vars(problem) if problem is not None else dict(fields)
-        params = opening(said, lease, accept_unconverged)
+        params = _opening(said, lease, accept_unconverged)
         told = yield from self.asked(
             "session.open", params, timeout=timeout, on_progress=on_progress, progress=progress
         )
@@ -95,7 +93,7 @@ class SessionCalls(Caller, Generic[S, W]):
 
         Raises InvalidArgument naming ``wheelrail.setup.track.gauge``, ...
         """
-        params = wheel_rail_opening(setup, lease, accept_unconverged)
+        params = _wheel_rail_opening(setup, lease, accept_unconverged)
         told = yield from self.asked("session.open", params, timeout=timeout)
         builds = wheel_may_build(params["wheelrail"]["setup"])
         return self._wheel_rail_session_kind(self, _name_in(told), told, setup.side or "right", builds)
@@ -108,7 +106,7 @@ class SessionCalls(Caller, Generic[S, W]):
         told = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if (side := told.get("side")) not in ("left", "right"):
             raise invalid("name", "is that of the session of a contact; take join_session")
-        return self._wheel_rail_session_kind(self, name, told, side)
+        return self._wheel_rail_session_kind(self, name, told, side, False)
 
     @asks
     def sessions(self, *, timeout: float | None = None) -> Answering[tuple[SessionSummary, ...]]:
@@ -123,3 +121,24 @@ def _name_in(told: dict[str, Any]) -> str:
     if not isinstance(name := told.get("session"), str):
         raise ProtocolError("The answer to session.open lacks its session.")
     return name
+
+
+def _lease_params(lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
+    """What sessions of all kinds are opened with."""
+    params: dict[str, Any] = {} if lease is None else {"lease_seconds": lease}
+    return {**params, "accept_unconverged": True} if accept_unconverged else params
+
+
+def _opening(fields: dict[str, Any], lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
+    """The parameters of session.open."""
+    given = {name: value for name, value in fields.items() if value is not None}
+    check_field_types(given)
+    if given.keys() >= {"approach", "Fn"}:
+        raise TypeError("session() takes either approach or Fn")
+    return opening_params(given) | _lease_params(lease, accept_unconverged)
+
+
+def _wheel_rail_opening(setup: WheelRailSetup, lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
+    """The parameters of session.open."""
+    opened = {"wheelrail": {"setup": setup_params(setup, "wheelrail.setup")}}
+    return opened | _lease_params(lease, accept_unconverged)

@@ -7,8 +7,8 @@ from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from ..transport.frames import invalid
-from ..transport.outcomes import outcomes
+from ..errors import invalid
+from ..transport.messages import outcomes
 from .any_session import AnySession
 from .call import Answering, insist
 

@@ -5,21 +5,14 @@ from __future__ import annotations
 import os
 import threading
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
 from ..errors import ContactdError
-from ..values.answers import read
-from ..values.friction import coefficient_param, slip_param
-from ..values.gaps import gap_params
-from ..values.grid import Grid
-from ..values.partial_solution import StepInput, StepSolution, check_arrays, names_of, on_grid
+from ..values.solution import names_of
 
-__all__ = ["ContactSteps", "Steps"]
-
-_ROLLING = ("xi", "eta", "phi", "chi", "dq", "spin_offset", "kind", "steps", "velocity")
-_SHIFT = ("rigid_shift", "rotation", "duration")
+__all__ = ["Steps"]
 
 
 class Steps(ABC):
@@ -87,56 +80,3 @@ class Steps(ABC):
     @abstractmethod
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> Any:
         """The answer to the step with the parameters `asked`, with which the session has moved on."""
-
-
-class ContactSteps(Steps):
-    """The steps of a contact.
-
-    Attributes:
-        grid: The potential contact area.
-    """
-
-    words = frozenset(StepInput.__annotations__)
-
-    def __init__(self, session: str, grid: Grid, rolls: bool, number: int) -> None:
-        super().__init__(session, number)
-        self.grid = grid
-        self._rolls = rolls
-
-    def _said(self, step: StepInput) -> dict[str, Any]:
-        params: dict[str, Any] = {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
-        if (gap := step.get("gap")) is not None:
-            params["gap"] = gap_params(gap)
-        if friction := self._friction(step):
-            params["friction"] = friction
-        if (derivatives := step.get("derivatives")) is not None:
-            params["derivatives"] = derivatives
-        return params
-
-    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> StepSolution:
-        solution = read(StepSolution, result, path)
-        check_arrays(solution, asked.get("fields", ()), self.grid)
-        self.number = solution.step
-        return on_grid(solution, self.grid)
-
-    def _friction(self, step: StepInput) -> dict[str, Any]:
-        friction = step.get("friction")
-        changes = friction.params() if friction is not None else {}
-        if (mu := step.get("mu")) is not None:
-            changes["mu"] = coefficient_param(mu)
-        given = {name: value for name, value in step.items() if value is not None}
-        shift = {name: _listed(given[name]) for name in _SHIFT if name in given}
-        rolling = {name: given[name] for name in _ROLLING if name in given}
-        rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)
-        if "force" in given:
-            (rolling if rolls else shift)["force"] = _listed(given["force"])
-        if rolling:
-            changes["rolling"] = {**changes.get("rolling", {}), **rolling}
-        if (slip := step.get("rigid_slip")) is not None:
-            changes["rigid_slip"] = slip_param(slip)
-        return {**changes, **shift}
-
-
-def _listed(value: Any) -> Any:
-    """A pair as a list, whatever sequence it is. What is no sequence is the daemon's to refuse, by name."""
-    return list(value) if isinstance(value, Iterable) else value

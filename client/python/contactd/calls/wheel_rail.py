@@ -7,7 +7,7 @@ from typing import Any
 
 from ..errors import ProtocolError
 from ..values.answers import read
-from ..values.partial_solution import Fields, names_of
+from ..values.solution import Fields, names_of
 from ..values.wheel_rail.params import setup_params, state_params, wheelset_state_params
 from ..values.wheel_rail.places import WheelRailGeometry
 from ..values.wheel_rail.rigid_wheelset import (

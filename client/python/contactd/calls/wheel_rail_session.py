@@ -4,26 +4,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..values.partial_solution import Fields
+from ..errors import ProtocolError
+from ..refusals import check_type
 from ..values.representation import Rows
-from ..values.wheel_rail.params import setup_params
-from ..values.wheel_rail.setup import Side, WheelRailFriction, WheelRailSetup
-from ..values.wheel_rail.solution import WheelRailStepInput, WheelRailStepSolution
+from ..values.solution import Fields
+from ..values.wheel_rail.params import friction_params, state_params
+from ..values.wheel_rail.setup import Side, WheelRailFriction
+from ..values.wheel_rail.solution import (
+    WheelRailStepInput,
+    WheelRailStepSolution,
+    read_wheel_rail_as,
+    read_wheel_rail_without_patches,
+)
 from ..values.wheel_rail.state import WheelRailState
-from .any_session import AnySession, ProgressCallback, SessionThatWaits, lease_params, told_number
+from .any_session import AnySession, ProgressCallback, SessionThatWaits, told_number
 from .call import Answering, asks
-from .wheel_rail_steps import WheelRailSteps
+from .steps import Steps
 
 if TYPE_CHECKING:
     from .caller import Caller
 
-__all__ = ["AnyWheelRailSession", "WheelRailSession", "wheel_rail_opening"]
-
-
-def wheel_rail_opening(setup: WheelRailSetup, lease: float | None, accept_unconverged: bool) -> dict[str, Any]:
-    """The parameters of session.open."""
-    opened = {"wheelrail": {"setup": setup_params(setup, "wheelrail.setup")}}
-    return opened | lease_params(lease, accept_unconverged)
+__all__ = ["AnyWheelRailSession", "WheelRailSession", "WheelRailSteps"]
 
 
 class AnyWheelRailSession(AnySession):
@@ -87,3 +88,34 @@ class WheelRailSession(AnyWheelRailSession, SessionThatWaits):
         bytes: What it took of the daemon's memory when it was opened or joined.
         retries: How often a step or a restore whose answer does not come is asked for again.
     """
+
+
+class WheelRailSteps(Steps):
+    """The steps of a wheel on its rail."""
+
+    words = frozenset(WheelRailStepInput.__annotations__)
+
+    def _said(self, step: WheelRailStepInput) -> dict[str, Any]:
+        if "state" not in step:
+            raise TypeError("a step of a wheel on its rail needs its state")
+        said: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
+        if (friction := step.get("friction")) is not None:
+            check_type("wheelrail.friction", friction, WheelRailFriction)
+            said["friction"] = friction_params(friction)
+        if step.get("gap"):
+            said["gap"] = True
+        if not step.get("patches", True):
+            said["patches"] = False
+        return {"wheelrail": said}
+
+    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> WheelRailStepSolution:
+        if not isinstance(result, dict) or not isinstance(told := result.get("wheelrail"), dict):
+            raise ProtocolError("The answer to the step of a wheel on its rail lacks its wheelrail.")
+        told = {**told, "step": result.get("step")}
+        if asked["wheelrail"].get("patches", True):
+            names, gap = asked.get("fields", ()), asked["wheelrail"].get("gap", False)
+            solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, told, path)
+        else:
+            solution = read_wheel_rail_without_patches(WheelRailStepSolution, told, path)
+        self.number = solution.step
+        return solution

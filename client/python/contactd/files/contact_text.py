@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NoReturn
@@ -10,11 +11,12 @@ from typing import TYPE_CHECKING, NoReturn
 import numpy as np
 
 from ..errors import TableFileError
+from .whole import MOST_BYTES, read_whole
 
 if TYPE_CHECKING:
     from ..values.grid import Array
 
-__all__ = ["format_text", "parse_text"]
+__all__ = ["format_text", "parse_text", "read_text"]
 
 _ORDER = 312  # of the columns: z (normal), x, y
 _COLUMNS = [(i, j) for i in (2, 0, 1) for j in (2, 0, 1)]
@@ -43,6 +45,14 @@ def format_text(array: Array, dx: float, dy: float, G: float) -> str:
         for ix, row in enumerate(rows.tolist()):
             lines.append(f"{ix:5d} {ix * dx:23.16e}" + "".join(f" {value:23.16e}" for value in row))
     return "\n".join([*lines, ""])
+
+
+def read_text(path: str | os.PathLike[str], G: float | None, tolerance: float) -> tuple[Array, float, float, float]:
+    """What parse_text says of the text of a file. Raises TableFileError naming the file and the line."""
+    try:
+        return parse_text(read_whole(path, MOST_BYTES).decode("ascii", "replace"), G, tolerance)
+    except TableFileError as error:
+        raise TableFileError(f"{os.fspath(path)}, {error}") from None
 
 
 def parse_text(text: str, G: float | None, tolerance: float) -> tuple[Array, float, float, float]:

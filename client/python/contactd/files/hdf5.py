@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["has_own_data", "own_members"]
+from ..errors import ContactdError
+
+__all__ = ["has_own_data", "need_h5py", "own_members"]
 
 
 def own_members(h5py: Any, group: Any) -> Iterator[tuple[str, Any]]:
@@ -23,3 +25,15 @@ def has_own_data(h5py: Any, dataset: Any) -> bool:
     """Whether its data lie in the file itself."""
     how = dataset.id.get_create_plist()
     return bool(how.get_external_count() == 0 and how.get_layout() != h5py.h5d.VIRTUAL)
+
+
+def need_h5py() -> Any:
+    """The package. Raises ContactdError where it is missing."""
+    try:
+        import h5py
+    except ImportError:
+        raise ContactdError(
+            "Reading HDF5 files needs the package h5py: pip install h5py, or on Debian python3-h5py. "
+            "Files .npz and .txt can be read without it."
+        ) from None
+    return h5py

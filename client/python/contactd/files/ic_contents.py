@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ContactdError, TableFileError
-from .hdf5 import has_own_data, own_members
+from ..errors import TableFileError
+from .hdf5 import has_own_data, need_h5py, own_members
 
-__all__ = ["FileContents", "contents_of", "file_of", "need_h5py"]
+__all__ = ["FileContents", "contents_of", "file_of"]
 
 _USER_BLOCK = 512
 _MAGIC = re.compile(rb"contactd ic table, format (\d{1,9})")
@@ -50,18 +50,6 @@ class FileContents:
     def has(self, path: str) -> bool:
         """Whether the group has an attribute."""
         return any(name.startswith(path + "/") for name in self.attributes)
-
-
-def need_h5py() -> Any:
-    """The package. Raises ContactdError where it is missing."""
-    try:
-        import h5py
-    except ImportError:
-        raise ContactdError(
-            "Reading HDF5 files needs the package h5py: pip install h5py, or on Debian python3-h5py. "
-            "Files .npz and .txt can be read without it."
-        ) from None
-    return h5py
 
 
 def contents_of(content: bytes, name: str) -> FileContents:

@@ -11,11 +11,13 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..errors import TableFileError
+from ..values.evidence import ComponentError, IcErrors, IcEvidence, LoadCase, SectionEvidence
 from ..values.grid import Grid
 from ..values.ics import AnalyticIcs, FemIcs
 from ..values.materials import Layer, LayeredBody, Material, RigidBody
-from ..values.tables import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
-from .ic_contents import FileContents, contents_of, need_h5py
+from ..values.tables import IcSpec, IcTable
+from .hdf5 import need_h5py
+from .ic_contents import FileContents, contents_of
 from .whole import MOST_BYTES, read_whole
 
 __all__ = ["import_params", "imported_contents", "read_hdf5", "stored_extent"]

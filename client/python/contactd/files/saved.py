@@ -5,21 +5,19 @@ from __future__ import annotations
 
 import io
 import os
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from .._version import __version__
 from ..errors import ContactdError, SavedFileError
-from ..values.dictionaries import HasDict, from_dict, to_dict
+from ..values.dictionaries import Saved, from_dict, to_dict
 from .hdf5 import has_own_data, own_members
-from .whole import MOST_BYTES, read_whole
+from .whole import MOST_BYTES, read_whole, write_whole
 
-__all__ = ["Saved", "load", "save", "write_whole"]
+__all__ = ["load", "save"]
 
 PathLike = str | os.PathLike[str]
-V = TypeVar("V", bound="Saved")
 _FORMAT = 1
 _GROUP = "contactd_group"  #: whether a group is a mapping or a sequence
 _LARGEST_GAIN = 1100  #: of gzip, which packs no more than 1032 bytes into one
@@ -59,40 +57,6 @@ def load(path: PathLike) -> Any:
         if isinstance(error, SavedFileError):
             raise
         raise SavedFileError(f"{name} holds nothing that can be loaded: {error}") from None
-
-
-class Saved(HasDict):
-    """A value that is kept in files."""
-
-    def save(self, path: PathLike) -> None:
-        """Writes this to a file of HDF5 (needs h5py), which `load` reads; whole or not at all."""
-        save(path, self)
-
-    @classmethod
-    def load(cls: type[V], path: PathLike) -> V:
-        """The value of this class that `save` has written. Raises SavedFileError, also where it is another one."""
-        value = load(path)
-        if not isinstance(value, cls):
-            raise SavedFileError(f"{os.fspath(path)} holds a {type(value).__name__}, not a {cls.__name__}")
-        return value
-
-
-def write_whole(path: PathLike, write: Any) -> None:
-    """Writes a file under another name first, so that nobody finds half of it. A link goes on pointing where it does, and
-    what is no ordinary file, such as /dev/stdout, is written to as it is."""
-    place = Path(path)
-    if place.exists() and not place.is_file():
-        with place.open("wb") as file:
-            write(file)
-        return
-    place = Path(os.path.realpath(place))
-    part = Path(f"{place}.part")
-    try:
-        with part.open("wb") as file:
-            write(file)
-        part.replace(place)
-    finally:
-        part.unlink(missing_ok=True)
 
 
 def _h5py() -> Any:

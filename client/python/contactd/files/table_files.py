@@ -22,11 +22,10 @@ import numpy as np
 
 from ..errors import ProtocolError, TableFileError
 from ..values.answers import read
-from ..values.ics import table_params
-from ..values.table_ics import TableIcs, check_finite
-from ..values.tables import IcEvidence, IcSpec, IcTable
-from .saved import write_whole
-from .whole import MOST_BYTES, check_npy, read_whole
+from ..values.contact_params import table_params
+from ..values.evidence import IcEvidence
+from ..values.tables import IcSpec, IcTable, TableIcs, check_finite
+from .whole import MOST_BYTES, check_npy, read_whole, write_whole
 
 __all__ = ["load_table", "save_table"]
 

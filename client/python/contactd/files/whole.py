@@ -1,4 +1,4 @@
-"""Files that somebody names, read whole: of a kind that ends, and of a size that memory has room for."""
+"""Files that somebody names, read whole: of a kind that ends, and of a size that memory has room for. And written whole."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import IO, Any
 
 import numpy as np
 
-__all__ = ["MOST_BYTES", "check_npy", "read_whole"]
+__all__ = ["MOST_BYTES", "check_npy", "read_whole", "write_whole"]
 
 MOST_BYTES = 1 << 34  #: of tables and solutions
 _KINDS = ((stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"),
@@ -73,3 +73,21 @@ def check_npy(file: IO[bytes], size: int, kinds: str = "fiub") -> None:
     promised, there = math.prod(shape) * dtype.itemsize, size - file.tell()
     if promised != there:
         raise ValueError(f"its header says {promised} bytes of shape {list(shape)}, and {there} follow")
+
+
+def write_whole(path: str | os.PathLike[str], write: Any) -> None:
+    """Writes a file under another name first, so that nobody finds half of it. A link goes on pointing where it does, and
+    what is no ordinary file, such as /dev/stdout, is written to as it is."""
+    place = Path(path)
+    if place.exists() and not place.is_file():
+        with place.open("wb") as file:
+            write(file)
+        return
+    place = Path(os.path.realpath(place))
+    part = Path(f"{place}.part")
+    try:
+        with part.open("wb") as file:
+            write(file)
+        part.replace(place)
+    finally:
+        part.unlink(missing_ok=True)

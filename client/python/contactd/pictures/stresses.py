@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..values.subsurface import SubsurfaceStress
+from ..values.subsurface import Component, SubsurfaceStress
 from .canvas import INK, aspect_of, axes_or_new, bare, colour_bar, warm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["Component", "draw_stress"]
+__all__ = ["draw_stress"]
 
-Component = Literal["von_mises", "xx", "yy", "zz", "xy", "xz", "yz"]
+
 _AXES = "zyx"  #: of the arrays
 
 

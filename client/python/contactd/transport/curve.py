@@ -1,28 +1,17 @@
-"""Encrypted connections: the key files of CURVE, and what a handshake that failed says."""
+"""The keys of encrypted connections: the files of CURVE."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import zmq
 import zmq.auth
 
-from ..errors import ConnectionFailed, Unauthenticated
 from ..files.whole import read_whole
 
-if TYPE_CHECKING:
-    from .sockets import Event
+__all__ = ["CurveKeys", "load_curve_keys"]
 
-__all__ = ["HANDSHAKE_EVENTS", "CurveKeys", "Handshakes", "load_curve_keys"]
-
-#: What a socket tells of the handshakes of its connection.
-HANDSHAKE_EVENTS = (
-    zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL | zmq.EVENT_HANDSHAKE_FAILED_NO_DETAIL
-)
-#: A daemon that cannot read what a client says hangs up without a word, and so does one that is ending, once.
-SILENT_ENDS = 3
 _MOST_BYTES = 1 << 16  #: of a key file
 
 
@@ -78,33 +67,3 @@ def _load(path: str | Path) -> tuple[bytes, bytes | None]:
         if key is not None and len(key) != 40:
             raise ValueError(f"The key file {path} holds no key of 40 characters of Z85.")
     return public, secret
-
-
-class Handshakes:
-    """Judges why a socket gets no connection, from the events of its monitor."""
-
-    def __init__(self, endpoint: str, encrypted: bool) -> None:
-        self._endpoint, self._encrypted, self._silent_ends = endpoint, encrypted, 0
-
-    def judge(self, event: Event) -> Unauthenticated | ConnectionFailed | None:
-        """The exception that an event amounts to, or None while there is hope."""
-        if event.kind == zmq.EVENT_HANDSHAKE_FAILED_AUTH:
-            return self._refused("the daemon does not know this client's key; ask who runs it to allow own_key")
-        if event.kind == zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL:
-            if event.value != zmq.PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH:
-                return ConnectionFailed(f"What listens at {self._endpoint} is no contactd daemon.")
-            if self._encrypted:
-                return self._refused("the daemon does not use encryption; leave server_key and own_key out")
-            return self._refused("the daemon takes encrypted connections only; give server_key and own_key")
-        self._silent_ends += 1
-        if self._silent_ends < SILENT_ENDS:
-            return None
-        if self._encrypted:
-            return self._refused(
-                "it cannot read what this client says; either server_key is not the daemon's key, or the daemon does "
-                "not use encryption"
-            )
-        return self._refused("it hangs up; if it takes encrypted connections only, give server_key and own_key")
-
-    def _refused(self, why: str) -> Unauthenticated:
-        return Unauthenticated(f"No connection to {self._endpoint}: {why}.", reason="HANDSHAKE_FAILED")

@@ -12,10 +12,11 @@ from copy import copy
 import zmq
 
 from ..errors import ConnectionFailed, ContactdError, ProtocolError, StatusError
-from .curve import CurveKeys, Handshakes
+from .curve import CurveKeys
 from .messages import Buffer, Reply, Request, parsed, reply_of
 from .sockets import (
     Event,
+    Handshakes,
     ZmqContext,
     close,
     connected_socket,

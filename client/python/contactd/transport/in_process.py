@@ -13,14 +13,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ..client import Client
 from ..errors import ConnectionFailed, DaemonFailed
-from .connections import Lender
-from .daemon import laid_over
 from .messages import Reply, Request, parsed, reply_of
-from .programs import program_of
+from .programs import laid_over, program_of
 
-__all__ = ["InProcessClient", "can_solve_here"]
+__all__ = ["Engine", "can_solve_here"]
 
 _LOG = logging.getLogger("contactd.local")
 _LOG.addHandler(logging.NullHandler())  # silent unless the program says where to
@@ -44,7 +41,7 @@ def _builder() -> str:
     return shutil.which(program) or program
 
 
-class _Engine:
+class Engine:
     """What Connections is to a daemon: lends each call a way to ask, which is one and the same. Thread-safe.
 
     Belongs to the process that made it. One that was forked has none of its threads and sessions, and is told so.
@@ -83,7 +80,7 @@ class _Engine:
                 "open another here: contactd.local()."
             )
 
-    def take(self) -> _Engine:
+    def take(self) -> Engine:
         """Raises ConnectionFailed."""
         self._check_process()
         if self.is_closed:
@@ -141,21 +138,7 @@ class _Engine:
             shutil.rmtree(self._temporary, ignore_errors=True)
 
 
-class InProcessClient(Client):
-    """A client that asks the engine in its own process. `folder` and `config` are those of contactd.local()."""
-
-    def __init__(self, folder: str | Path | None = None, config: Mapping[str, Any] | None = None) -> None:
-        self._folder, self._config = None if folder is None else Path(folder), config or {}
-        super().__init__("local")
-
-    def _lender(self) -> Lender:
-        return _Engine(self._folder, self._config)
-
-    def __getstate__(self) -> dict[str, Any]:
-        raise TypeError("a client that solves in process cannot be pickled; one of a LocalDaemon can: daemon.client()")
-
-
-_ALL: weakref.WeakSet[_Engine] = weakref.WeakSet()
+_ALL: weakref.WeakSet[Engine] = weakref.WeakSet()
 
 
 @atexit.register

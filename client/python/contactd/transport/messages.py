@@ -5,12 +5,23 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from .._version import __version__
 from ..errors import ProtocolError, StatusError, Violation, status_error
 
-__all__ = ["CLIENT", "PROTOCOL_VERSION", "Buffer", "Reply", "Request", "cancellation", "parsed", "reply_of", "status_error_of"]
+__all__ = [
+    "CLIENT",
+    "PROTOCOL_VERSION",
+    "Buffer",
+    "Reply",
+    "Request",
+    "cancellation",
+    "outcomes",
+    "parsed",
+    "reply_of",
+    "status_error_of",
+]
 
 PROTOCOL_VERSION = 1
 CLIENT = f"contactd-python {__version__}"  #: as the daemon's log names this client
@@ -114,3 +125,21 @@ def status_error_of(status: Any) -> StatusError | None:
 
 def _unreadable(part: Any) -> ProtocolError:
     return ProtocolError(f"The answer's status or result cannot be read: {part!r:.200}")
+
+
+T = TypeVar("T")
+
+
+def outcomes(
+    method: str, result: dict[str, Any], name: str, readers: Sequence[Callable[[Any, str], T]]
+) -> list[T | StatusError]:
+    """`result[name]`, the answer of each part to `method`, read by the reader of that part, which is told its path."""
+    parts = result.get(name)
+    if not isinstance(parts, list) or len(parts) != len(readers):
+        raise ProtocolError(f"The answer to {method} lacks its {len(readers)} {name}.")
+    return [_outcome(part, reader, f"result.{name}[{i}].result") for i, (part, reader) in enumerate(zip(parts, readers))]
+
+
+def _outcome(part: Any, reader: Callable[[Any, str], T], path: str) -> T | StatusError:
+    error = status_error_of(part.get("status") if isinstance(part, dict) else None)
+    return reader(part.get("result"), path) if error is None else error

@@ -7,12 +7,13 @@ from typing import NamedTuple
 
 import zmq
 
-from ..errors import ConnectionFailed, TimeoutExpired
-from .curve import HANDSHAKE_EVENTS, CurveKeys
+from ..errors import ConnectionFailed, TimeoutExpired, Unauthenticated
+from .curve import CurveKeys
 from .messages import Buffer, cancellation
 
 __all__ = [
     "Event",
+    "Handshakes",
     "ZmqContext",
     "ZmqSocket",
     "close",
@@ -28,7 +29,14 @@ __all__ = [
 ZmqSocket = zmq.Socket[bytes]
 ZmqContext = zmq.Context[ZmqSocket]
 _CANCEL_LINGER_MS = 200
-_EVENTS = zmq.EVENT_DISCONNECTED | zmq.EVENT_HANDSHAKE_SUCCEEDED | HANDSHAKE_EVENTS
+#: What a socket tells of the handshakes of its connection.
+_HANDSHAKE_EVENTS = (
+    zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL | zmq.EVENT_HANDSHAKE_FAILED_NO_DETAIL
+)
+_EVENTS = zmq.EVENT_DISCONNECTED | zmq.EVENT_HANDSHAKE_SUCCEEDED | _HANDSHAKE_EVENTS
+
+#: A daemon that cannot read what a client says hangs up without a word, and so does one that is ending, once.
+_SILENT_ENDS = 3
 
 
 class Event(NamedTuple):
@@ -116,3 +124,33 @@ def went_away(endpoint: str, method: str) -> ConnectionFailed:
 def too_late(endpoint: str, method: str) -> TimeoutExpired:
     """The time of a call is over."""
     return TimeoutExpired(f"{method} was not answered in time by {endpoint}.")
+
+
+class Handshakes:
+    """Judges why a socket gets no connection, from the events of its monitor."""
+
+    def __init__(self, endpoint: str, encrypted: bool) -> None:
+        self._endpoint, self._encrypted, self._silent_ends = endpoint, encrypted, 0
+
+    def judge(self, event: Event) -> Unauthenticated | ConnectionFailed | None:
+        """The exception that an event amounts to, or None while there is hope."""
+        if event.kind == zmq.EVENT_HANDSHAKE_FAILED_AUTH:
+            return self._refused("the daemon does not know this client's key; ask who runs it to allow own_key")
+        if event.kind == zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL:
+            if event.value != zmq.PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH:
+                return ConnectionFailed(f"What listens at {self._endpoint} is no contactd daemon.")
+            if self._encrypted:
+                return self._refused("the daemon does not use encryption; leave server_key and own_key out")
+            return self._refused("the daemon takes encrypted connections only; give server_key and own_key")
+        self._silent_ends += 1
+        if self._silent_ends < _SILENT_ENDS:
+            return None
+        if self._encrypted:
+            return self._refused(
+                "it cannot read what this client says; either server_key is not the daemon's key, or the daemon does "
+                "not use encryption"
+            )
+        return self._refused("it hangs up; if it takes encrypted connections only, give server_key and own_key")
+
+    def _refused(self, why: str) -> Unauthenticated:
+        return Unauthenticated(f"No connection to {self._endpoint}: {why}.", reason="HANDSHAKE_FAILED")

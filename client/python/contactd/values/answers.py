@@ -6,7 +6,6 @@ from __future__ import annotations
 import collections.abc
 import dataclasses
 import functools
-import operator
 import types
 from collections.abc import Callable
 from typing import Any, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin, get_type_hints
@@ -14,9 +13,6 @@ from typing import Any, Literal, NamedTuple, TypeVar, Union, cast, get_args, get
 import numpy as np
 
 from ..errors import ProtocolError
-from .friction import Motion, Rolling, Shift
-from .ics import AnalyticIcs, FemIcs, Ics
-from .materials import LayeredBody, Material, RigidBody
 
 __all__ = ["read"]
 
@@ -131,19 +127,15 @@ def _misplaced(value: Any) -> _Unreadable:
 def _converter(hint: Any) -> Convert:
     """What reads a value of this type: looked at once, as answers are read again and again."""
     hint = getattr(hint, "__value__", hint)  # what the name of a type stands for, such as numpy's NDArray where it is one
-    if hint == Ics:
-        return _read_ics
-    if hint in (Material | LayeredBody, Material | LayeredBody | RigidBody, Material | RigidBody):
-        return _read_body
-    if hint == Motion:
-        return _read_motion
     if hint is Any:
         return _as_it_is
     if dataclasses.is_dataclass(hint):
         return _reader(cast(Any, hint))
     origin, inner = get_origin(hint), get_args(hint)
     if origin in (Union, types.UnionType):
-        return _optional(_converter(functools.reduce(operator.or_, (t for t in inner if t is not type(None)))))
+        kinds = [kind for kind in inner if kind is not type(None)]
+        found = _converter(kinds[0]) if len(kinds) == 1 else _one_of(kinds)
+        return found if len(kinds) == len(inner) else _optional(found)
     if origin is tuple:
         return _tuple_of(_converter(inner[0]))
     if origin is collections.abc.Mapping:
@@ -155,18 +147,16 @@ def _converter(hint: Any) -> Convert:
     return _read_float if hint is float else _exactly(hint)
 
 
-def _read_ics(value: Any) -> Any:
-    return _reader(FemIcs if isinstance(value, dict) and value.get("source") == "fem" else AnalyticIcs)(value)
+def _one_of(kinds: list[Any]) -> Convert:
+    """Of dataclasses the first that knows `value` for its own, by its `_is_told`; else the one that does not say."""
+    telling = [(kind._is_told, _reader(kind)) for kind in kinds if hasattr(kind, "_is_told")]
+    (otherwise,) = [_reader(kind) for kind in kinds if not hasattr(kind, "_is_told")]
 
+    def read_one(value: Any) -> Any:
+        mine = [reader for is_told, reader in telling if isinstance(value, dict) and is_told(value)]
+        return (mine[0] if mine else otherwise)(value)
 
-def _read_body(value: Any) -> Any:
-    if isinstance(value, dict) and "rigid" in value:
-        return RigidBody()
-    return _reader(LayeredBody if isinstance(value, dict) and "layers" in value else Material)(value)
-
-
-def _read_motion(value: Any) -> Any:
-    return _reader(Shift if isinstance(value, dict) and "rigid_shift" in value else Rolling)(value)
+    return read_one
 
 
 def _read_float(value: Any) -> float:

@@ -1,22 +1,40 @@
-"""A contact problem in the words of the wire: the parameters of contact.solve, and what sessions have of them."""
+"""A contact problem in the words of the wire: the parameters of contact.solve, what sessions, tables and stresses have of
+them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import Any, Literal
 
-from ..transport.frames import array_of, plain
-from .gaps import gap_params
-from .grid import Grid
-from .ics import AnalyticIcs, Ics, ics_params, layered_params
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import invalid
+from ..refusals import check_type
+from .grid import Grid, gap_params
+from .ics import AnalyticIcs, FemIcs, Ics
 from .materials import LayeredBody, Material, RigidBody
+from .params import array_of, plain
 from .problem import ContactProblem, Estimate
-from .table_ics import TableIcs
+from .profiles import profile_params
+from .solution import ContactSolution
+from .subsurface import StressBlock
+from .tables import TableIcs
 
-if TYPE_CHECKING:
-    from .solution import ContactSolution
+__all__ = [
+    "body_params",
+    "coefficient_params",
+    "ics_params",
+    "layered_params",
+    "opening_params",
+    "problem_params",
+    "subsurface_params",
+    "table_params",
+    "table_shape",
+    "traction_params",
+]
 
-__all__ = ["body_params", "coefficient_params", "opening_params", "problem_params", "traction_params"]
 
 def problem_params(problem: ContactProblem, fields: list[str] | None = None) -> dict[str, Any]:
     """The parameters of contact.solve; `fields` are the arrays wanted back, None: all."""
@@ -88,3 +106,119 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
             "which they are zero"
         )
     return {name: array_of(array) for name, array in arrays.items() if array is not None}
+
+
+def ics_params(ics: Ics) -> dict[str, Any]:
+    """`ics` of ic.get, ic.export and contact.solve."""
+    source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
+    given = plain(ics)
+    if given.get("body") == "layered":
+        raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
+    if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
+        given["line_contact"] = plain(ics.line_contact)
+    if ics.section is not None:
+        given["section"] = _section_params(ics.section)
+    return {"source": source, **given}
+
+
+def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
+    said = section.get("profile_section")
+    if not isinstance(said, Mapping) or "profile" not in said or isinstance(said["profile"], Mapping):
+        return section
+    profile = profile_params(said["profile"], "ics.section.profile_section.profile")
+    return {**section, "profile_section": {**said, "profile": profile}}
+
+
+def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
+    """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
+    if isinstance(ics, TableIcs):
+        raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
+    said = plain(ics) if isinstance(ics, FemIcs) else ics_params(replace(ics, body=None))
+    kept: dict[str, Any] = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
+    return {"source": "analytic", **kept, **body.params()}
+
+
+def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
+    """Of one component: [ny, nx], of a prism [ny, ny, nx]: the observed column, the loaded one, and the x offset."""
+    return grid.shape if ics.section is None else (grid.ny, *grid.shape)
+
+
+def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict[str, Any]:
+    """The parameters of ic.get; where the grid lies does not matter to a table."""
+    check_type("material", material, Material, LayeredBody)
+    check_type("grid", grid, Grid)
+    check_type("ics", ics, AnalyticIcs, FemIcs)
+    extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
+    if isinstance(material, LayeredBody):
+        return {"grid": extent, "ics": layered_params(material, ics)}
+    return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}
+
+
+def subsurface_params(
+    problem: ContactProblem,
+    solution: ContactSolution | Estimate,
+    body: Literal["lower", "upper"],
+    points: npt.ArrayLike | None,
+    block: StressBlock | None,
+    nu: float | None,
+) -> tuple[dict[str, Any], tuple[int, ...]]:
+    """The parameters of contact.subsurface and the shape of its stresses."""
+    tractions = traction_params(solution, "solution")
+    if "pressure" not in tractions:
+        raise invalid("pressure", "is missing; it must be that of a solution")
+    params = {"grid": plain(problem.grid), **_ics_of(problem, body), "body": body, **tractions}
+    if nu is not None and isinstance(_material_of(problem, body), LayeredBody):
+        raise invalid("nu", f"is {nu}, and body {body!r} has layers; layers have their own")
+    params["nu"] = _nu_of(problem, body) if nu is None else nu
+    if (points is None) == (block is None):
+        raise TypeError("subsurface() takes either points or block")
+    if block is not None:
+        check_type("block", block, StressBlock)
+        axes = {name: np.atleast_1d(array_of(getattr(block, name))) for name in "xyz"}
+        for name, values in axes.items():
+            if values.ndim != 1:
+                raise invalid(f"block.{name}", f"has shape {list(values.shape)}; it must be one axis", "ARRAY_INVALID")
+        return {**params, "block": axes}, block.shape
+    array = array_of(points)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise invalid("points", f"has shape {list(array.shape)}; it must be [n, 3]", "ARRAY_INVALID")
+    return {**params, "points": array}, array.shape[:1]
+
+
+def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
+    """What tells the daemon of bodies that are no half-spaces."""
+    if problem.columns is not None:
+        raise invalid(
+            "columns",
+            "are curved; the closed form of the stresses is that of the half-space, under a plane, and says nothing of "
+            "what is below them",
+        )
+    own = problem.upper_ics if body == "upper" else problem.lower_ics
+    name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
+    if problem.model not in (None, "full"):  # of half-spaces by their theory
+        line = getattr(ics, "line_contact", None)
+        return {} if line is None else {"ics": {"source": "analytic", "line_contact": plain(line)}}
+    if isinstance(ics, TableIcs):
+        raise invalid(
+            name,
+            "is a table of one's own, which may be of any body; the closed form of the stresses is that of the "
+            "half-space. If it is one, ask with problem.replace(ics=AnalyticIcs(), upper=..., lower=...)",
+        )
+    material = _material_of(problem, body)
+    params = layered_params(material, ics) if isinstance(material, LayeredBody) else ics_params(ics)
+    return {} if params == {"source": "analytic"} else {"ics": params}
+
+
+def _material_of(problem: ContactProblem, body: str) -> Material | RigidBody | LayeredBody | None:
+    return problem.upper if body == "upper" or problem.lower is None else problem.lower
+
+
+def _nu_of(problem: ContactProblem, body: Literal["lower", "upper"]) -> float:
+    if body not in ("lower", "upper"):
+        raise invalid("body", f'is {body!r}; it must be "lower" or "upper"')
+    material = _material_of(problem, body)
+    if isinstance(material, RigidBody):
+        raise invalid("body", f"is {body!r}, which is rigid; only an elastic body has stresses to be computed")
+    assert material is not None  # only with a table, which is refused
+    return material.layers[0].nu if isinstance(material, LayeredBody) else material.nu

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["HasDict", "from_dict", "to_dict"]
+from ..errors import SavedFileError
+from .registry import extra
 
-_VALUES = __package__ + "."  #: how the modules are named whose values can be made from dictionaries; contactd loads all
+__all__ = ["HasDict", "Saved", "from_dict", "to_dict"]
+
+#: How modules are named whose values can be made from dictionaries. Who imports contactd has them all.
+_VALUES = f"{__package__}."
 
 
 def to_dict(value: Any) -> Any:
@@ -72,3 +77,22 @@ class HasDict:
         """
         told: dict[str, Any] = to_dict(self)
         return told
+
+
+V = TypeVar("V", bound="Saved")
+
+
+class Saved(HasDict):
+    """A value that is kept in files."""
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes this to a file of HDF5 (needs h5py), which `load` reads; whole or not at all."""
+        extra("Saved.save")(path, self)
+
+    @classmethod
+    def load(cls: type[V], path: str | os.PathLike[str]) -> V:
+        """The value of this class that `save` has written. Raises SavedFileError, also where it is another one."""
+        value = extra("Saved.load")(path)
+        if not isinstance(value, cls):
+            raise SavedFileError(f"{os.fspath(path)} holds a {type(value).__name__}, not a {cls.__name__}")
+        return value

@@ -4,10 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
-from .tables import IcEvidence, IcSpec
+from .ics import FemIcs
 
-__all__ = ["ContactEvidence", "Discretisation", "IcUse", "ImportedIc", "OperatorUse", "SolverEvidence"]
+__all__ = [
+    "ComponentError",
+    "ContactEvidence",
+    "Discretisation",
+    "IcErrors",
+    "IcEvidence",
+    "IcUse",
+    "LoadCase",
+    "Model",
+    "OperatorUse",
+    "SectionEvidence",
+    "SolverEvidence",
+    "SolverSettings",
+]
 
 
 @dataclass(frozen=True)
@@ -84,21 +98,6 @@ class IcUse:
 
 
 @dataclass(frozen=True)
-class ImportedIc:
-    """What import_ic has put into the daemon's store.
-
-    Attributes:
-        spec: What the file is a table of; of a prism dx and nx mean nothing, any are served.
-        ics: The table that you are served now: its origin is "file", or "disk" where there was one already.
-        new: Whether the table of the file was kept; one that you were served already stays.
-    """
-
-    spec: IcSpec
-    ics: IcUse
-    new: bool
-
-
-@dataclass(frozen=True)
 class ContactEvidence:
     """How a contact problem was solved; `tangential` is None without friction, `outer` and `force` where they did not run.
 
@@ -128,3 +127,145 @@ class ContactEvidence:
     discretisation: Discretisation | None = None
     derivatives: SolverEvidence | None = None
     operators: OperatorUse | None = None
+
+
+Model = Literal["full", "hertz", "fastsim"]
+
+
+@dataclass(frozen=True)
+class SolverSettings:
+    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2).
+
+    Attributes:
+        tolerance: Bound of the figure that the stop test compares; None: 1e-6, of `normal` 1e-8.
+        max_iterations: Bound of the iterations; None: 1000, of `outer` 100.
+    """
+
+    tolerance: float | None = None
+    max_iterations: int | None = None
+
+
+@dataclass(frozen=True)
+class LoadCase:
+    """One solve of the finite-element problem.
+
+    Attributes:
+        load: Direction of the load: "x", "y" or "z".
+        iterations: Of the linear solver.
+        residual: True relative residual ||b - A u|| / ||b||.
+        converged: Whether the stop test was met.
+        seconds: Time spent (s).
+        update: Relative update of the last iteration, where that is the stop test.
+    """
+
+    load: str
+    iterations: int
+    residual: float
+    converged: bool
+    seconds: float
+    update: float | None = None
+
+
+@dataclass(frozen=True)
+class ComponentError:
+    """Relative error: signed at the origin (paper, (3.1)), and the largest size over the table.
+
+    Attributes:
+        origin: Signed, at the origin.
+        largest: Largest size over the table.
+    """
+
+    origin: float
+    largest: float
+
+
+@dataclass(frozen=True)
+class IcErrors:
+    """Errors against the closed form, or estimated ones (IcEvidence.errors_estimated).
+
+    xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy).
+
+    Attributes:
+        xx: Relative errors of xx.
+        yy: Relative errors of yy.
+        zz: Relative errors of zz.
+        scaled_xy: Largest scaled error of xy over the table.
+        scaled_xz: Largest scaled error of xz over the table.
+    """
+
+    xx: ComponentError
+    yy: ComponentError
+    zz: ComponentError
+    scaled_xy: float
+    scaled_xz: float
+
+
+@dataclass(frozen=True)
+class SectionEvidence:
+    """How the transform of a prism's coefficients was computed.
+
+    Errors are over zz of the half-space under an element as long as a column is wide.
+
+    Attributes:
+        order: Of the elements.
+        wavenumbers: How many it was computed at.
+        error: Of any coefficient: the sum of the three below.
+        mesh_error: Of the mesh, from elements of the next order.
+        wavenumber_error: Of interpolation between wavenumbers.
+        end_error: Of what lies beyond the last wavenumber.
+        reciprocity_defect: Of coefficients before they were made symmetric.
+    """
+
+    order: int
+    wavenumbers: int
+    error: float
+    mesh_error: float
+    wavenumber_error: float
+    end_error: float
+    reciprocity_defect: float
+
+
+@dataclass(frozen=True)
+class IcEvidence:
+    """How a table was made. A closed-form one has no elements, no solves and no errors.
+
+    Read `warnings` first. `errors` is None where nothing is known of them: of a block on a mesh that was named.
+
+    Attributes:
+        source: "analytic" or "fem".
+        version: Of the contactd that made it.
+        elements: Of the mesh.
+        dofs: Unknowns of the finite-element problem.
+        processes: MPI processes that built it.
+        seconds: Time spent (s) on "assembly", "setup", "solve" and "total".
+        load_cases: The solves, by direction of the load.
+        errors: Of its components, where known.
+        errors_estimated: Of a block, by half of the difference to a coarser mesh.
+        warnings: Sentences, e.g. that the mesh is outside of the ranges the paper recommends.
+        solver: "amg_pcg", "direct" or, of a block of an accuracy, "tensor_pcg".
+        mesh: What was chosen for an accuracy; not of a block.
+        family_nu: Of a family: Poisson's ratios of its tables.
+        interpolation_error: Of a family: what interpolation between them adds at most, estimated.
+        section: Of a prism by finite elements.
+        modelling_error: Of a block: how far a load in the corner of the elements is from the table, which is that of one
+            in the middle; in the measures of `FemIcs.accuracy`.
+        imported: Somebody has imported the table: all of this is the importer's word.
+    """
+
+    source: str
+    version: str = ""
+    elements: int = 0
+    dofs: int = 0
+    processes: int = 0
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    load_cases: tuple[LoadCase, ...] = ()
+    errors: IcErrors | None = None
+    errors_estimated: bool = False
+    warnings: tuple[str, ...] = ()
+    solver: str | None = None
+    mesh: FemIcs | None = None
+    family_nu: tuple[float, ...] = ()
+    interpolation_error: float | None = None
+    section: SectionEvidence | None = None
+    modelling_error: float | None = None
+    imported: bool = False

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ..transport.frames import array_of, plain
+from .params import array_of, plain
 
 __all__ = ["Force", "Friction", "KineticFriction", "Motion", "Rolling", "RollingKind", "Shift", "SlipLaw"]
 
@@ -89,6 +89,10 @@ class Shift:
     rotation: float = 0.0
     duration: float = 1.0
     force: Force | None = None
+
+    @staticmethod
+    def _is_told(told: dict[str, Any]) -> bool:
+        return "rigid_shift" in told
 
 
 Motion = Shift | Rolling

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from ..refusals import check_type
-from ..transport.frames import plain
-from .grid import Grid
-from .materials import LayeredBody, Material
-from .table_ics import TableIcs
 
 __all__ = [
     "AnalyticIcs",
@@ -159,54 +155,9 @@ class FemIcs:
     strength_threshold: float | None = None
     section: Mapping[str, Any] | None = None
 
+    @staticmethod
+    def _is_told(told: dict[str, Any]) -> bool:
+        return told.get("source") == "fem"
+
 
 Ics = AnalyticIcs | FemIcs
-
-
-def ics_params(ics: Ics) -> dict[str, Any]:
-    """`ics` of ic.get, ic.export and contact.solve."""
-    source: Literal["analytic", "fem"] = "fem" if isinstance(ics, FemIcs) else "analytic"
-    given = plain(ics)
-    if given.get("body") == "layered":
-        raise TypeError("the ics of layers say no more than load_shape; give the layers as a LayeredBody")
-    if isinstance(ics, AnalyticIcs) and ics.line_contact is not None:
-        given["line_contact"] = plain(ics.line_contact)
-    if ics.section is not None:
-        given["section"] = _section_params(ics.section)
-    return {"source": source, **given}
-
-
-def _section_params(section: Mapping[str, Any]) -> Mapping[str, Any]:
-    """With the profile of a `profile_section` as the wire has it, should it be one of contactd.wheel_rail."""
-    said = section.get("profile_section")
-    if not isinstance(said, Mapping) or "profile" not in said or isinstance(said["profile"], Mapping):
-        return section
-    from .wheel_rail.params import profile_params
-
-    profile = profile_params(said["profile"], "ics.section.profile_section.profile")
-    return {**section, "profile_section": {**said, "profile": profile}}
-
-
-def layered_params(body: LayeredBody, ics: Ics | TableIcs) -> dict[str, Any]:
-    """`ics` of a body of layers; they take the load shape of the other body's, and what they refuse of closed forms."""
-    if isinstance(ics, TableIcs):
-        raise TypeError("a table says all of a body; give it with a Material instead of a LayeredBody")
-    said = plain(ics) if isinstance(ics, FemIcs) else ics_params(replace(ics, body=None))
-    kept: dict[str, Any] = {name: said[name] for name in ("load_shape", "line_contact") if name in said}
-    return {"source": "analytic", **kept, **body.params()}
-
-
-def table_shape(grid: Grid, ics: Ics) -> tuple[int, ...]:
-    """Of one component: [ny, nx], of a prism [ny, ny, nx]: the observed column, the loaded one, and the x offset."""
-    return grid.shape if ics.section is None else (grid.ny, *grid.shape)
-
-
-def table_params(material: Material | LayeredBody, grid: Grid, ics: Ics) -> dict[str, Any]:
-    """The parameters of ic.get; where the grid lies does not matter to a table."""
-    check_type("material", material, Material, LayeredBody)
-    check_type("grid", grid, Grid)
-    check_type("ics", ics, AnalyticIcs, FemIcs)
-    extent = {"nx": grid.nx, "ny": grid.ny, "dx": grid.dx, "dy": grid.dy}
-    if isinstance(material, LayeredBody):
-        return {"grid": extent, "ics": layered_params(material, ics)}
-    return {"material": plain(material), "grid": extent, "ics": ics_params(ics)}

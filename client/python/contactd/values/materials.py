@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from numbers import Real
 from typing import Any
 
+from ..errors import invalid
 from ..refusals import check_type
-from ..transport.frames import invalid, plain
+from .params import plain
 
 __all__ = ["Layer", "LayeredBody", "Material", "RigidBody"]
 
@@ -59,6 +60,10 @@ def _shear_modulus(E: float, nu: float) -> float:
 @dataclass(frozen=True)
 class RigidBody:
     """A body that does not deform; the other one must be elastic. Influence coefficients mean nothing to it."""
+
+    @staticmethod
+    def _is_told(told: dict[str, Any]) -> bool:
+        return "rigid" in told
 
 
 @dataclass(frozen=True)
@@ -113,6 +118,10 @@ class LayeredBody:
     def nu(self) -> float:
         """Poisson's ratio at the surface."""
         return self.layers[0].nu
+
+    @staticmethod
+    def _is_told(told: dict[str, Any]) -> bool:
+        return "layers" in told
 
     def params(self) -> dict[str, Any]:
         """What `ics` of the body say of it."""

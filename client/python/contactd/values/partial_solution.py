@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal, TypedDict, TypeVar
+from typing import Any, TypedDict, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -12,26 +12,20 @@ import numpy.typing as npt
 from ..errors import ProtocolError
 from .answers import read
 from .friction import Force, Friction, RollingKind
-from .gaps import Paraboloid, SemiAxes
-from .grid import Array, Grid
+from .grid import Array, Grid, Paraboloid, SemiAxes
 from .representation import with_inherited_attributes
-from .solution import ContactSolution, Solution
+from .solution import ContactSolution, Fields, Solution
 
 __all__ = [
     "ALL_FIELDS",
-    "Field",
-    "Fields",
     "PartialSolution",
     "StepInput",
     "StepSolution",
     "check_arrays",
-    "names_of",
     "on_grid",
     "read_solution",
 ]
 
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
-Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
 
 S = TypeVar("S", bound=Solution[Any, Any])
 _SLIP = ("slip_x", "slip_y")  # not there without friction
@@ -42,11 +36,6 @@ ALL_FIELDS = ("element_division", "pressure", "traction_x", "traction_y", *_SLIP
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PartialSolution(Solution[Array | None, npt.NDArray[np.uint8] | None]):
     """A solution with the arrays that `fields` named; the others are None."""
-
-
-def names_of(fields: Fields) -> list[str]:
-    """What is no name of an array is the daemon's to refuse."""
-    return [fields] if isinstance(fields, str) else list(fields)
 
 
 def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:

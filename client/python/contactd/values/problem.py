@@ -10,42 +10,26 @@ import reprlib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from dataclasses import fields as dataclass_fields
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy.typing as npt
 
-from ..files.saved import Saved
 from ..refusals import check_type
-from ..transport.frames import array_of
+from .dictionaries import Saved
+from .evidence import Model, SolverSettings
 from .friction import Friction
-from .gaps import Paraboloid, SemiAxes
-from .grid import Array, Grid
+from .grid import Array, Grid, Paraboloid, SemiAxes
 from .ics import AnalyticIcs, FemIcs, Ics
 from .materials import LayeredBody, Material, RigidBody
-from .table_ics import TableIcs
+from .params import array_of
+from .tables import TableIcs
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ..keywords import ProblemFields
     from .solution import ContactSolution
 
-__all__ = ["ContactColumns", "ContactProblem", "Estimate", "Model", "SolverSettings"]
-
-Model = Literal["full", "hertz", "fastsim"]
-
-
-@dataclass(frozen=True)
-class SolverSettings:
-    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2).
-
-    Attributes:
-        tolerance: Bound of the figure that the stop test compares; None: 1e-6, of `normal` 1e-8.
-        max_iterations: Bound of the iterations; None: 1000, of `outer` 100.
-    """
-
-    tolerance: float | None = None
-    max_iterations: int | None = None
+__all__ = ["ContactColumns", "ContactProblem", "Estimate", "ProblemFields"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,3 +158,26 @@ def check_field_types(fields: Mapping[str, Any]) -> None:
     for name in ("initial", "previous"):
         if (tractions := fields.get(name)) is not None and not hasattr(tractions, "pressure"):
             raise TypeError(f"{name} is {reprlib.repr(tractions)}; it must be a solution or an Estimate")
+
+
+class ProblemFields(TypedDict, total=False):
+    """Of ContactProblem. Which of them must be there is told when it is made."""
+
+    grid: Grid
+    upper: Material | RigidBody | LayeredBody | None
+    gap: Paraboloid | SemiAxes | npt.ArrayLike
+    approach: float | None
+    lower: Material | RigidBody | LayeredBody | None
+    ics: Ics | TableIcs
+    friction: Friction | None
+    normal: SolverSettings | None
+    tangential: SolverSettings | None
+    initial: Estimate | ContactSolution | None
+    Fn: float | None
+    model: Model | None
+    previous: Estimate | ContactSolution | None
+    outer: SolverSettings | None
+    upper_ics: Ics | TableIcs | None
+    lower_ics: Ics | TableIcs | None
+    derivatives: bool
+    columns: ContactColumns | None

@@ -4,10 +4,15 @@ flange of a wheel and the gauge face of a rail at y < 0 (mm)."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy.typing as npt
 
-__all__ = ["S1002", "ArcProfile", "ConeProfile", "Profile", "ProfilePoints", "Rail60E1"]
+from ..errors import invalid
+from ..refusals import check_type
+from .params import array_of, plain
+
+__all__ = ["S1002", "ArcProfile", "ConeProfile", "Profile", "ProfilePoints", "Rail60E1", "profile_params"]
 
 
 @dataclass(frozen=True)
@@ -75,3 +80,21 @@ class ProfilePoints:
 
 
 Profile = S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints
+
+
+def profile_params(profile: Profile, field: str) -> dict[str, Any]:
+    """A profile as the wire has it; `field` is where it stands."""
+    check_type(field, profile, S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints)
+    given = plain(profile)
+    if isinstance(profile, S1002):
+        return {"s1002": True}
+    if isinstance(profile, Rail60E1):
+        return {"rail_60e1": given}
+    if isinstance(profile, ProfilePoints):
+        points = array_of(profile.points)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise invalid(f"{field}.points", f"has shape {list(points.shape)}; it must be [n, 2]", "ARRAY_INVALID")
+        return {**given, "points": points}
+    if profile.ends is not None:
+        given["ends"] = list(profile.ends)
+    return {"arc" if isinstance(profile, ArcProfile) else "cone": given}

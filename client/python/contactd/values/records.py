@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from .evidence import IcEvidence, IcUse
 from .grid import Array, Grid
+from .tables import IcSpec
 
-__all__ = ["RecentPatch", "RecentSolve"]
+__all__ = ["ImportedIc", "QuarantinedIc", "RecentPatch", "RecentSolve", "StoredIc"]
 
 
 @dataclass(frozen=True)
@@ -62,3 +64,58 @@ class RecentPatch:
     grid: Grid
     pressure: Array
     element_division: npt.NDArray[np.uint8]
+
+
+@dataclass(frozen=True)
+class ImportedIc:
+    """What import_ic has put into the daemon's store.
+
+    Attributes:
+        spec: What the file is a table of; of a prism dx and nx mean nothing, any are served.
+        ics: The table that you are served now: its origin is "file", or "disk" where there was one already.
+        new: Whether the table of the file was kept; one that you were served already stays.
+    """
+
+    spec: IcSpec
+    ics: IcUse
+    new: bool
+
+
+@dataclass(frozen=True)
+class StoredIc:
+    """A table in the daemon's store.
+
+    Attributes:
+        key: What delete_ic takes.
+        nx: Offsets along x.
+        ny: Offsets along y.
+        bytes: Size of its file.
+        evidence: How it was made, where that was asked for and its file can be read; else None.
+    """
+
+    key: str
+    nx: int
+    ny: int
+    bytes: int
+    evidence: IcEvidence | None = None
+
+
+@dataclass(frozen=True)
+class QuarantinedIc:
+    """A table whose builds failed too often; it and larger ones with its key are not tried again for now.
+
+    Attributes:
+        key: What delete_ic takes, which ends the quarantine.
+        nx: Offsets along x.
+        ny: Offsets along y.
+        failures: How many builds failed.
+        message: How the last build failed.
+        seconds: Until it may be tried again.
+    """
+
+    key: str
+    nx: int
+    ny: int
+    failures: int
+    message: str
+    seconds: float

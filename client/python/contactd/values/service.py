@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .tables import IcEvidence
-
-__all__ = ["Job", "Limits", "Progress", "QuarantinedIc", "SavedState", "ServerInfo", "SessionSummary", "StoredIc"]
+__all__ = ["Job", "Limits", "Progress", "SavedState", "ServerInfo", "SessionSummary"]
 
 
 @dataclass(frozen=True)
@@ -122,46 +120,6 @@ class ServerInfo:
     queue: Mapping[str, int]
     uptime_seconds: float
     protocol_versions: tuple[int, ...] = ()
-
-
-@dataclass(frozen=True)
-class StoredIc:
-    """A table in the daemon's store.
-
-    Attributes:
-        key: What delete_ic takes.
-        nx: Offsets along x.
-        ny: Offsets along y.
-        bytes: Size of its file.
-        evidence: How it was made, where that was asked for and its file can be read; else None.
-    """
-
-    key: str
-    nx: int
-    ny: int
-    bytes: int
-    evidence: IcEvidence | None = None
-
-
-@dataclass(frozen=True)
-class QuarantinedIc:
-    """A table whose builds failed too often; it and larger ones with its key are not tried again for now.
-
-    Attributes:
-        key: What delete_ic takes, which ends the quarantine.
-        nx: Offsets along x.
-        ny: Offsets along y.
-        failures: How many builds failed.
-        message: How the last build failed.
-        seconds: Until it may be tried again.
-    """
-
-    key: str
-    nx: int
-    ny: int
-    failures: int
-    message: str
-    seconds: float
 
 
 @dataclass(frozen=True)

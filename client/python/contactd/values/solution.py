@@ -1,23 +1,23 @@
-"""What is answered: tables, contact solutions and the evidence for both, as plain, immutable values.
+"""What is answered of a contact, as plain, immutable values.
 
 Arrays are read-only; copy one to change it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from ..files.saved import Saved
-from .evidence import ContactEvidence, Discretisation, IcUse, ImportedIc, OperatorUse, SolverEvidence
+from .dictionaries import Saved
+from .evidence import ContactEvidence
 from .friction import Motion
 from .grid import Array, Grid
+from .registry import extra
 from .representation import Rows, Shown, with_inherited_attributes
-from .service import Job, Limits, Progress, QuarantinedIc, ServerInfo, StoredIc
-from .tables import ComponentError, IcErrors, IcEvidence, IcSpec, IcTable, LoadCase, SectionEvidence
 
 if TYPE_CHECKING:
     import xarray
@@ -25,32 +25,16 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Areas",
-    "ComponentError",
-    "ContactEvidence",
     "ContactSolution",
     "Counts",
     "Derivatives",
     "DerivativesOfAnswer",
-    "Discretisation",
+    "Field",
+    "Fields",
     "Forces",
-    "IcErrors",
-    "IcEvidence",
-    "IcSpec",
-    "IcTable",
-    "IcUse",
-    "ImportedIc",
-    "Job",
-    "Limits",
-    "LoadCase",
-    "OperatorUse",
-    "Progress",
-    "QuarantinedIc",
     "Resultant",
-    "SectionEvidence",
-    "ServerInfo",
     "Solution",
-    "SolverEvidence",
-    "StoredIc",
+    "names_of",
 ]
 
 
@@ -234,21 +218,18 @@ class Solution(Saved, Shown, Generic[Floats, Bytes]):
 
         Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
         """
-        from ..pictures.contact import draw_contact
-
-        return draw_contact(self, axes)
+        drawn: Axes = extra("Solution.plot")(self, axes)
+        return drawn
 
     def plot_section(self, y: float = 0.0, axes: Axes | None = None) -> Axes:
         """Draws pressure and tractions along x, in the row of elements nearest to `y` (mm); else as `plot`."""
-        from ..pictures.contact import draw_section
-
-        return draw_section(self, y, axes)
+        drawn: Axes = extra("Solution.plot_section")(self, y, axes)
+        return drawn
 
     def to_xarray(self) -> xarray.Dataset:
         """Arrays over x and y, forces, pmax and the approach, with their units. Needs xarray ("contactd[xarray]")."""
-        from ..xarray_datasets import labelled_solution
-
-        return labelled_solution(self)
+        labelled: xarray.Dataset = extra("Solution.to_xarray")(self)
+        return labelled
 
     def _rows(self) -> Rows:
         division = f"{self.elements.contact} elements: {self.elements.adhesion} in adhesion, {self.elements.slip} in slip"
@@ -294,3 +275,14 @@ class ContactSolution(Solution[Array, npt.NDArray[np.uint8]]):
     def _title(self) -> str:
         ny, nx = self.pressure.shape
         return f"ContactSolution on {nx} x {ny} elements"
+
+
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"]
+
+
+Fields = Iterable[Field] | Field  #: what `fields` of a call may be: names, or the one
+
+
+def names_of(fields: Fields) -> list[str]:
+    """What is no name of an array is the daemon's to refuse."""
+    return [fields] if isinstance(fields, str) else list(fields)

@@ -2,155 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+import math
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .dictionaries import HasDict
+from .evidence import IcEvidence
 from .grid import Array, Grid
 from .ics import FemIcs, Ics
 from .materials import LayeredBody, Material
+from .params import array_of, whole
+from .registry import extra
 from .representation import Rows, Shown, number
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-__all__ = [
-    "ComponentError",
-    "IcErrors",
-    "IcEvidence",
-    "IcSpec",
-    "IcTable",
-    "LoadCase",
-    "SectionEvidence",
-]
-
-
-@dataclass(frozen=True)
-class LoadCase:
-    """One solve of the finite-element problem.
-
-    Attributes:
-        load: Direction of the load: "x", "y" or "z".
-        iterations: Of the linear solver.
-        residual: True relative residual ||b - A u|| / ||b||.
-        converged: Whether the stop test was met.
-        seconds: Time spent (s).
-        update: Relative update of the last iteration, where that is the stop test.
-    """
-
-    load: str
-    iterations: int
-    residual: float
-    converged: bool
-    seconds: float
-    update: float | None = None
-
-
-@dataclass(frozen=True)
-class ComponentError:
-    """Relative error: signed at the origin (paper, (3.1)), and the largest size over the table.
-
-    Attributes:
-        origin: Signed, at the origin.
-        largest: Largest size over the table.
-    """
-
-    origin: float
-    largest: float
-
-
-@dataclass(frozen=True)
-class IcErrors:
-    """Errors against the closed form, or estimated ones (IcEvidence.errors_estimated).
-
-    xy and xz vanish on the axes, so theirs are scaled by 2 pi G rho / (dx dy).
-
-    Attributes:
-        xx: Relative errors of xx.
-        yy: Relative errors of yy.
-        zz: Relative errors of zz.
-        scaled_xy: Largest scaled error of xy over the table.
-        scaled_xz: Largest scaled error of xz over the table.
-    """
-
-    xx: ComponentError
-    yy: ComponentError
-    zz: ComponentError
-    scaled_xy: float
-    scaled_xz: float
-
-
-@dataclass(frozen=True)
-class SectionEvidence:
-    """How the transform of a prism's coefficients was computed.
-
-    Errors are over zz of the half-space under an element as long as a column is wide.
-
-    Attributes:
-        order: Of the elements.
-        wavenumbers: How many it was computed at.
-        error: Of any coefficient: the sum of the three below.
-        mesh_error: Of the mesh, from elements of the next order.
-        wavenumber_error: Of interpolation between wavenumbers.
-        end_error: Of what lies beyond the last wavenumber.
-        reciprocity_defect: Of coefficients before they were made symmetric.
-    """
-
-    order: int
-    wavenumbers: int
-    error: float
-    mesh_error: float
-    wavenumber_error: float
-    end_error: float
-    reciprocity_defect: float
-
-
-@dataclass(frozen=True)
-class IcEvidence:
-    """How a table was made. A closed-form one has no elements, no solves and no errors.
-
-    Read `warnings` first. `errors` is None where nothing is known of them: of a block on a mesh that was named.
-
-    Attributes:
-        source: "analytic" or "fem".
-        version: Of the contactd that made it.
-        elements: Of the mesh.
-        dofs: Unknowns of the finite-element problem.
-        processes: MPI processes that built it.
-        seconds: Time spent (s) on "assembly", "setup", "solve" and "total".
-        load_cases: The solves, by direction of the load.
-        errors: Of its components, where known.
-        errors_estimated: Of a block, by half of the difference to a coarser mesh.
-        warnings: Sentences, e.g. that the mesh is outside of the ranges the paper recommends.
-        solver: "amg_pcg", "direct" or, of a block of an accuracy, "tensor_pcg".
-        mesh: What was chosen for an accuracy; not of a block.
-        family_nu: Of a family: Poisson's ratios of its tables.
-        interpolation_error: Of a family: what interpolation between them adds at most, estimated.
-        section: Of a prism by finite elements.
-        modelling_error: Of a block: how far a load in the corner of the elements is from the table, which is that of one
-            in the middle; in the measures of `FemIcs.accuracy`.
-        imported: Somebody has imported the table: all of this is the importer's word.
-    """
-
-    source: str
-    version: str = ""
-    elements: int = 0
-    dofs: int = 0
-    processes: int = 0
-    seconds: Mapping[str, float] = field(default_factory=dict)
-    load_cases: tuple[LoadCase, ...] = ()
-    errors: IcErrors | None = None
-    errors_estimated: bool = False
-    warnings: tuple[str, ...] = ()
-    solver: str | None = None
-    mesh: FemIcs | None = None
-    family_nu: tuple[float, ...] = ()
-    interpolation_error: float | None = None
-    section: SectionEvidence | None = None
-    modelling_error: float | None = None
-    imported: bool = False
+__all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 
 
 @dataclass(frozen=True)
@@ -234,18 +107,16 @@ class IcTable(HasDict, Shown):
 
         Into `axes`, or a figure of its own; returns the axes. Needs matplotlib ("contactd[pictures]").
         """
-        from ..pictures.tables import draw_table
-
-        return draw_table(self, components, axes)
+        drawn: Axes = extra("IcTable.plot")(self, components, axes)
+        return drawn
 
     def to_xarray(self) -> xarray.DataArray:
         """The table over displacement, load and offsets (mm), as ``table.to_xarray().sel(displacement="x", load="z")``.
 
         Needs xarray ("contactd[xarray]").
         """
-        from ..xarray_datasets import labelled_table
-
-        return labelled_table(self)
+        labelled: xarray.DataArray = extra("IcTable.to_xarray")(self)
+        return labelled
 
     def __getitem__(self, component: str) -> Array:
         """One component, shape [ny, nx]: ``table["xz"]`` is the displacement along x for a load along z."""
@@ -262,3 +133,136 @@ def _recipe(ics: Ics) -> str:
     names = ("preset", "accuracy", "body", "mesh", "order", "L_over_h")
     given = [f"{name} {number(value)}" for name in names if (value := getattr(ics, name)) is not None]
     return " ".join(["finite elements,", *given]) if given else "finite elements"
+
+
+#: What to do with the table of a prism.
+_IMPORT = (
+    "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
+    "section asks for it"
+)
+#: Largest relative difference of element sizes that counts as rounding.
+_SIZE_TOLERANCE = 1e-6
+
+
+def combined_modulus(upper: Material | LayeredBody, lower: Material | LayeredBody | None = None) -> float:
+    """The modulus that CONTACT multiplies the coefficients of a pair by: 1/G = (1/G_upper + 1/G_lower)/2 (N/mm^2)."""
+    if lower is None or lower.G == upper.G:
+        return upper.G
+    return 2 / (1 / upper.G + 1 / lower.G)
+
+
+def check_finite(array: Array) -> None:
+    """Raises ValueError naming the first coefficient that is no finite number."""
+    for at in np.argwhere(~np.isfinite(array))[:1]:
+        i, j, *rows, k = at
+        place = f"the offset ({k}, {rows[0]})" if len(rows) == 1 else f"the columns {rows[0]} and {rows[1]}, offset {k}"
+        raise ValueError(f"array holds {array[tuple(at)]} for {_AXES[i] + _AXES[j]} at {place}; every coefficient must be finite")
+
+
+def _require_offsets(table: IcTable) -> None:
+    if table.frames is not None:
+        raise ValueError(f"the table is a prism's, of columns instead of offsets; {_IMPORT}")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class TableIcs(Shown):
+    """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then. Or of one
+    body, for `upper_ics` or `lower_ics`: then `array` is as that of an IcTable (see `of_body`).
+
+    `array[i, j, l, k]` (mm^3/N) is the difference (upper less lower body) of the displacements along axis i at an element
+    whose offset from the loaded element is (k dx, l dy), for unit tractions along axis j, positive on the upper body;
+    axes x, y, z with z from the lower to the upper body. For bodies whose own tables (IcTable) are U and L this is L + U,
+    but L - U for xz, zx, yz and zy. Offsets start at 0; at least as many as the grid has elements are needed.
+
+    Where xz, zx, yz and zy are below 1e-6 of zz at the origin they are taken for rounding; larger ones couple normal and
+    tangential contact.
+
+    Attributes:
+        array: Shape [3, 3, ny, nx].
+        dx: Element size along x that the table is for (mm); that of the grid, to 1e-6.
+        dy: Element size along y (mm).
+        G: Combined_modulus of the bodies (N/mm^2): for writing CONTACT's text only.
+    """
+
+    array: Array
+    dx: float
+    dy: float
+    G: float | None = None
+
+    def __post_init__(self) -> None:
+        array = np.asarray(whole(array_of(self.array), "array"), dtype=np.float64)
+        if array.ndim == 5:
+            raise ValueError(f"array has shape {list(array.shape)}, that of a prism's columns; {_IMPORT}")
+        if array.ndim != 4 or array.shape[:2] != (3, 3) or 0 in array.shape:
+            raise ValueError(f"array has shape {list(array.shape)}; it must be [3, 3, ny, nx]")
+        for name, size in (("dx", self.dx), ("dy", self.dy), ("G", 1.0 if self.G is None else self.G)):
+            if not (math.isfinite(size) and size > 0):
+                raise ValueError(f"{name} is {size}; it must be positive and finite")
+        check_finite(array)
+        object.__setattr__(self, "array", array)
+
+    def _title(self) -> str:
+        return f"TableIcs of {self.shape[1]} x {self.shape[0]} offsets"
+
+    def _rows(self) -> Rows:
+        rows: Rows = [("dx", self.dx), ("dy", self.dy), ("zz at the origin", float(self["zz"][0, 0]))]
+        return rows if self.G is None else [("G", self.G), *rows]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Extent (ny, nx) of the offsets."""
+        return (self.array.shape[2], self.array.shape[3])
+
+    def __getitem__(self, component: str) -> Array:
+        """One component, shape [ny, nx]: ``ics["zx"]`` is the displacement along z for a load along x."""
+        if len(component) != 2 or not set(component) <= set(_AXES):
+            raise KeyError(f"{component!r} is no component; one is two of the letters x, y and z.")
+        part: Array = self.array[_AXES.index(component[0]), _AXES.index(component[1])]
+        return part
+
+    @classmethod
+    def from_table(cls, upper: IcTable, lower: IcTable | None = None) -> TableIcs:
+        """The pair of two bodies with these tables; two equal ones when `lower` is left out.
+
+        Where the extents differ the smaller one counts.
+        """
+        lower = upper if lower is None else lower
+        for table in (upper, lower):
+            _require_offsets(table)
+        grid, other = upper.spec.grid, lower.spec.grid
+        for name in ("dx", "dy"):
+            size, of_other = getattr(grid, name), getattr(other, name)
+            if abs(size - of_other) > _SIZE_TOLERANCE * size:
+                raise ValueError(f"the tables have different {name}, {size} and {of_other}; a pair must have the same")
+        ny = min(upper.array.shape[2], lower.array.shape[2])
+        nx = min(upper.array.shape[3], lower.array.shape[3])
+        array = lower.array[:, :, :ny, :nx] + upper.array[:, :, :ny, :nx]
+        for i, j in ((0, 2), (2, 0), (1, 2), (2, 1)):
+            array[i, j] = lower.array[i, j, :ny, :nx] - upper.array[i, j, :ny, :nx]
+        return cls(array, grid.dx, grid.dy, combined_modulus(upper.spec.material, lower.spec.material))
+
+    @classmethod
+    def of_body(cls, table: IcTable) -> TableIcs:
+        """One body with this table, for `ContactProblem.upper_ics` or `lower_ics`."""
+        _require_offsets(table)
+        return cls(table.array, table.spec.grid.dx, table.spec.grid.dy)
+
+    @classmethod
+    def from_contact_text(
+        cls, path: str | os.PathLike[str], G: float | None = None, *, tolerance: float = 1e-6
+    ) -> TableIcs:
+        """Reads the text in which the CONTACT program takes numerical influence coefficients.
+
+        `G` is the combined modulus of CONTACT's two materials (N/mm^2), by which the values are multiplied; texts of
+        contactd tell it themselves. What contradicts the symmetry of the bodies in y by more than `tolerance` (of the
+        largest coefficient) is refused. Raises TableFileError naming the line.
+        """
+        return cls(*extra("TableIcs.from_contact_text")(path, G, tolerance))
+
+    def to_contact_text(self, G: float | None = None) -> str:
+        """That text, in 17 digits: what is read back differs by the rounding of the product with G. `G` as there."""
+        modulus = self.G if G is None else G
+        if modulus is None:
+            raise ValueError("G is None; CONTACT's text holds coefficients times the combined modulus of the bodies")
+        text: str = extra("TableIcs.to_contact_text")(self.array, self.dx, self.dy, modulus)
+        return text

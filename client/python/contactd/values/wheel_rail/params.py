@@ -7,31 +7,13 @@ from typing import Any
 import numpy as np
 
 from ...refusals import check_type
-from ...transport.frames import array_of, invalid, plain
 from ..materials import Material, RigidBody
-from ..profiles import S1002, ArcProfile, ConeProfile, Profile, ProfilePoints, Rail60E1
+from ..params import plain
+from ..profiles import profile_params
 from .setup import Track, WheelRailFriction, WheelRailSetup
 from .state import WheelRailState, WheelsetState
 
-__all__ = ["friction_params", "profile_params", "setup_params", "state_params", "wheelset_state_params"]
-
-
-def profile_params(profile: Profile, field: str) -> dict[str, Any]:
-    """A profile as the wire has it; `field` is where it stands."""
-    check_type(field, profile, S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints)
-    given = plain(profile)
-    if isinstance(profile, S1002):
-        return {"s1002": True}
-    if isinstance(profile, Rail60E1):
-        return {"rail_60e1": given}
-    if isinstance(profile, ProfilePoints):
-        points = array_of(profile.points)
-        if points.ndim != 2 or points.shape[1] != 2:
-            raise invalid(f"{field}.points", f"has shape {list(points.shape)}; it must be [n, 2]", "ARRAY_INVALID")
-        return {**given, "points": points}
-    if profile.ends is not None:
-        given["ends"] = list(profile.ends)
-    return {"arc" if isinstance(profile, ArcProfile) else "cone": given}
+__all__ = ["friction_params", "setup_params", "state_params", "wheelset_state_params"]
 
 
 def setup_params(setup: WheelRailSetup, field: str = "setup") -> dict[str, Any]:

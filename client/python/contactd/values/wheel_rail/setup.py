@@ -7,27 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypedDict
 
-from ...files.saved import Saved
+from ..dictionaries import Saved
+from ..evidence import Model, SolverSettings
 from ..friction import KineticFriction
 from ..materials import Material, RigidBody
-from ..problem import Model, SolverSettings
 from ..profiles import Profile
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ...keywords import WheelRailFields
 
-__all__ = [
-    "PatchRules",
-    "RailSprings",
-    "Track",
-    "WheelRailFriction",
-    "WheelRailSetup",
-    "Wheelset",
-]
+__all__ = ["PatchRules", "RailSprings", "Track", "WheelRailFields", "WheelRailFriction", "WheelRailSetup", "Wheelset"]
 
 Side = Literal["left", "right"]
 WheelSurface = Literal["exact", "bilinear"]
@@ -190,3 +182,30 @@ class WheelRailSetup(Saved):
     def replace(self, **changes: Unpack[WheelRailFields]) -> WheelRailSetup:
         """A copy with some fields changed."""
         return replace(self, **changes)
+
+
+class WheelRailFields(TypedDict, total=False):
+    """Of WheelRailSetup."""
+
+    side: Side | None
+    wheel: Profile | None
+    rail: Profile | None
+    rail_slices: Sequence[tuple[float, Profile]] | None
+    wheel_slices: Sequence[tuple[float, Profile]] | None
+    track: Track | None
+    wheelset: Wheelset | None
+    upper: Material | RigidBody | None
+    lower: Material | RigidBody | None
+    model: Model | None
+    friction: WheelRailFriction | None
+    dx: float | None
+    dy: float | None
+    dq: float | None
+    patches: PatchRules | None
+    wheel_surface: WheelSurface | None
+    rigid_slip: RigidSlipKind | None
+    conformal: Conformal | None
+    normal: SolverSettings | None
+    tangential: SolverSettings | None
+    outer: SolverSettings | None
+    force: SolverSettings | None

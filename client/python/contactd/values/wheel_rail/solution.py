@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from ...errors import ProtocolError
-from ...files.saved import Saved
 from ..answers import read
+from ..dictionaries import Saved
 from ..evidence import SolverEvidence
 from ..grid import Array
-from ..partial_solution import ALL_FIELDS, Fields, PartialSolution, check_arrays, on_grid
+from ..partial_solution import ALL_FIELDS, PartialSolution, check_arrays, on_grid
+from ..registry import extra
 from ..representation import Rows, Shown, with_inherited_attributes
+from ..solution import Fields
 from .forces import WheelRailDerivatives, WheelRailForces
 from .places import ContactPlace
 from .setup import WheelRailFriction
@@ -119,9 +121,8 @@ class WheelRailSolution(Saved, Shown):
 
         Returns the figure. Needs matplotlib ("contactd[pictures]").
         """
-        from ...pictures.wheel_rail import draw_wheel_rail
-
-        return draw_wheel_rail(self)
+        drawn: Figure = extra("WheelRailSolution.plot")(self)
+        return drawn
 
     def _rows(self) -> Rows:
         track = self.forces.track

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...files.saved import Saved
+from ..dictionaries import Saved
 
 __all__ = ["RailDeviation", "WheelRailState", "WheelsetPosition", "WheelsetState", "WheelsetVelocity"]
 

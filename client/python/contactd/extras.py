@@ -1,0 +1,21 @@
+"""What values do by pictures, xarray and files: the one place that knows both sides."""
+
+from __future__ import annotations
+
+__all__ = ["FUNCTIONS"]
+
+#: Method of a value, and the function that does it. Most need a library that is an extra, and say so where it is missing.
+FUNCTIONS = {
+    "IcTable.plot": "contactd.pictures.tables:draw_table",
+    "IcTable.to_xarray": "contactd.xarray_datasets:labelled_table",
+    "Saved.load": "contactd.files.saved:load",
+    "Saved.save": "contactd.files.saved:save",
+    "Solution.plot": "contactd.pictures.contact:draw_contact",
+    "Solution.plot_section": "contactd.pictures.contact:draw_section",
+    "Solution.to_xarray": "contactd.xarray_datasets:labelled_solution",
+    "SubsurfaceStress.plot": "contactd.pictures.stresses:draw_stress",
+    "SubsurfaceStress.to_xarray": "contactd.xarray_datasets:labelled_stress",
+    "TableIcs.from_contact_text": "contactd.files.contact_text:read_text",
+    "TableIcs.to_contact_text": "contactd.files.contact_text:format_text",
+    "WheelRailSolution.plot": "contactd.pictures.wheel_rail:draw_wheel_rail",
+}
