@@ -20,6 +20,7 @@ from .calls.tables import TableCalls
 from .calls.wheel_rail import WheelRailCalls
 from .calls.wheel_rail_session import AnyWheelRailSession
 from .errors import ConnectionFailed, ContactdError, StatusError
+from .refusals import public
 from .transport.event_loop import Exchanges
 from .transport.messages import Reply, Request
 from .values.partial_solution import PartialSolution, StepInput, StepSolution
@@ -90,6 +91,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
     _session_kind = AsyncSession
     _wheel_rail_session_kind = AsyncWheelRailSession
 
+    @public
     def __init__(
         self,
         endpoint: str,
@@ -152,11 +154,11 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
 
         With `evidence` each says how it was made, which takes its file to be read: asked for a hundred at a time.
         """
-        tables, after = await self._run(self.stored_asked(None, evidence, timeout))
+        tables, after = await self._page_of_stored_ics(None, evidence, timeout)
         for table in tables:
             yield table
         while after is not None:
-            tables, after = await self._run(self.stored_asked(after, evidence, timeout))
+            tables, after = await self._page_of_stored_ics(after, evidence, timeout)
             for table in tables:
                 yield table
 
@@ -184,6 +186,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
     ) -> PartialSolution: ...
+    @public
     async def solve(
         self,
         problem: ContactProblem | None = None,
@@ -218,6 +221,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> list[PartialSolution | StatusError]: ...
+    @public
     async def solve_many(
         self,
         problems: Iterable[ContactProblem],
@@ -245,6 +249,7 @@ class AsyncClient(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, Session
         *,
         timeout: float | None = None,
     ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
+    @public
     async def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
         """As Client.step_many."""
         return await self._run(stepped_sessions(self, steps, timeout))

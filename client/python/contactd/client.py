@@ -20,6 +20,7 @@ from .calls.timeouts import spin_of
 from .calls.wheel_rail import WheelRailCalls
 from .calls.wheel_rail_session import WheelRailSession
 from .errors import StatusError, TimeoutExpired, Unauthenticated
+from .refusals import public
 from .transport.connections import Connections, Lender
 from .transport.messages import Reply, Request
 from .values.partial_solution import PartialSolution, StepInput, StepSolution
@@ -63,6 +64,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
     _session_kind = Session
     _wheel_rail_session_kind = WheelRailSession
 
+    @public
     def __init__(
         self,
         endpoint: str,
@@ -117,10 +119,10 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
 
         With `evidence` each says how it was made, which takes its file to be read: asked for a hundred at a time.
         """
-        tables, after = self._run(self.stored_asked(None, evidence, timeout))
+        tables, after = self._page_of_stored_ics(None, evidence, timeout)
         yield from tables
         while after is not None:
-            tables, after = self._run(self.stored_asked(after, evidence, timeout))
+            tables, after = self._page_of_stored_ics(after, evidence, timeout)
             yield from tables
 
     @overload
@@ -147,6 +149,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
     ) -> PartialSolution: ...
+    @public
     def solve(
         self,
         problem: ContactProblem | None = None,
@@ -185,6 +188,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
     ) -> list[PartialSolution | StatusError]: ...
+    @public
     def solve_many(
         self,
         problems: Iterable[ContactProblem],
@@ -228,6 +232,7 @@ class Client(ServerCalls, TableCalls, ContactCalls, WheelRailCalls, SessionCalls
         *,
         timeout: float | None = None,
     ) -> list[StepSolution | WheelRailStepSolution | StatusError]: ...
+    @public
     def step_many(self, steps: Iterable[Any], *, timeout: float | None = None) -> list[Any]:
         """Takes the next step of 1 to 1000 sessions of this client in one message, on all workers of the daemon: of all
         contacts of a vehicle. Each is told as the session and the keywords of its step::

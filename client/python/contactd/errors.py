@@ -70,6 +70,8 @@ __all__ = [
 class ContactdError(Exception):
     """Base of every exception of this package."""
 
+    is_defect = False  #: of contactd or of a builder; of others tracebacks show the caller's line only
+
 
 class ConnectionFailed(ContactdError, ConnectionError):
     """Nobody listens at the endpoint, or the connection broke while an answer was awaited."""
@@ -203,6 +205,7 @@ class InternalError(StatusError):
     """A builder failed (reason BUILD_FAILED), or contactd has a defect."""
 
     code, name = 13, "INTERNAL"
+    is_defect = True
 
 
 class Unavailable(StatusError):

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from .client import Client, ClientOptions
 from .errors import DaemonFailed
+from .refusals import public
 from .transport.connections import Lender
 from .transport.in_process import Engine, can_solve_here
 from .transport.lifeline import Lifeline
@@ -51,6 +52,7 @@ def _client_like(state: dict[str, Any]) -> Client:
     return Client(**state)
 
 
+@public
 def local(
     program: str | Path | None = None,
     *,
@@ -113,6 +115,7 @@ class LocalDaemon:
     use the daemon, but do not end it.
     """
 
+    @public
     def __init__(
         self,
         program: str | Path | None = None,
@@ -170,6 +173,7 @@ class LocalDaemon:
         """A new client of this daemon; `options` as of Client."""
         return Client(self.endpoint, **options)
 
+    @public
     def stop(self, timeout: float = 30.0) -> int:
         """Asks the daemon to end in order (SIGTERM) and returns its exit status.
 

@@ -1,10 +1,26 @@
-"""What is checked here, before the daemon sees it: that a value is of the kind that is meant."""
+"""How this package refuses what it is given: checks of types, and tracebacks that end where the caller's line is."""
 
 from __future__ import annotations
 
+import functools
+import inspect
+import os
 import reprlib
+import sys
+from collections.abc import Callable
+from types import FrameType
+from typing import Any, TypeVar, cast
 
-__all__ = ["check_type"]
+__all__ = ["check_type", "package_of", "public"]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+#: What refuses, beside the exceptions of this package. All else that leaves a call is a defect, or the caller's own.
+_REFUSALS = (TypeError, ValueError, OSError, ImportError, Warning)
+#: Packages whose frames tell a caller nothing: this one, and the library of Python that it calls.
+_INSIDE = {__name__.partition(".")[0], *sys.stdlib_module_names}
+_SWITCH = "CONTACTD_TRACEBACK"  #: "full" leaves tracebacks as they are
+
 
 def check_type(name: str, value: object, *types: type, optional: bool = False) -> None:
     """Raises TypeError when `value` is of none of the types; what is in it is the daemon's business."""
@@ -12,3 +28,53 @@ def check_type(name: str, value: object, *types: type, optional: bool = False) -
         return
     words = " or ".join(kind.__name__ for kind in types)
     raise TypeError(f"{name} is {reprlib.repr(value)}; it must be of type {words}")
+
+
+def public(call: F) -> F:
+    """A function, coroutine or class that users call: the traceback of what it refuses ends at the line that called it.
+
+    Frames of the caller's own, such as those of a progress callback, stay. So does the whole traceback of a defect.
+    """
+    if isinstance(call, type):
+        kind: Any = call
+        kind.__init__ = public(kind.__init__)
+        return cast(F, kind)
+    if inspect.iscoroutinefunction(call):
+
+        @functools.wraps(call)
+        async def awaited(*args: Any, **keywords: Any) -> Any:
+            try:
+                return await call(*args, **keywords)
+            except Exception as error:
+                _shorten_traceback(error)
+                raise  # which adds no frame; before Python 3.11 it brings back those that were there
+
+        return cast(F, awaited)
+
+    @functools.wraps(call)
+    def called(*args: Any, **keywords: Any) -> Any:
+        try:
+            return call(*args, **keywords)
+        except Exception as error:
+            _shorten_traceback(error)
+            raise
+
+    return cast(F, called)
+
+
+def package_of(frame: FrameType) -> str:
+    """The package, or the module outside of packages, whose code a frame runs."""
+    return str(frame.f_globals.get("__name__", "")).partition(".")[0]
+
+
+def _shorten_traceback(error: Exception) -> None:
+    """Takes off the frames down to the first that is neither of this package nor of Python."""
+    is_defect = getattr(error, "is_defect", not isinstance(error, _REFUSALS))
+    if is_defect or os.environ.get(_SWITCH) == "full":
+        return
+    rest = error.__traceback__
+    while rest is not None and package_of(rest.tb_frame) in _INSIDE:
+        rest = rest.tb_next
+    if rest is None:
+        error.__suppress_context__ = True  # what was handled here meanwhile; a cause that was named stays
+    error.__traceback__ = rest

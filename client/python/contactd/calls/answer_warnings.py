@@ -7,6 +7,8 @@ import warnings
 from collections.abc import Iterable
 from typing import Any
 
+from ..refusals import package_of
+
 __all__ = ["ContactWarning", "give", "sentences_in"]
 
 #: Methods that tell what lies in the store, and use none of it.
@@ -76,6 +78,6 @@ def give(sentences: Iterable[str]) -> None:
 def _level_of_caller() -> int:
     """For `give` to call warnings.warn with."""
     frame, level = sys._getframe(1), 1
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "contactd":
+    while frame.f_back is not None and package_of(frame) == "contactd":
         frame, level = frame.f_back, level + 1
     return level

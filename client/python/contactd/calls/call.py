@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, overload
 
 from ..errors import ConnectionFailed, DeadlineExceeded, TimeoutExpired
+from ..refusals import public
 from ..transport.messages import Request
 from .answer_warnings import give
 
@@ -124,7 +125,7 @@ class asks(Generic[P, T]):  # noqa: N801: a decorator
             answer: T = await self._run(steps(self, *args, **keywords))
             return answer
 
-        self._waiting, self._awaiting = _shown_as(steps, waiting), _shown_as(steps, awaiting)
+        self._waiting, self._awaiting = _shown_as(steps, public(waiting)), _shown_as(steps, public(awaiting))
 
     @overload
     def __get__(self, of: None, kind: Any) -> Callable[Concatenate[Any, P], Any]: ...

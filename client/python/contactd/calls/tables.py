@@ -107,7 +107,8 @@ class TableCalls(Caller):
         params = import_params(bytes(file))
         return read(ImportedIc, (yield from self.asked("ic.import", params, timeout=timeout)))
 
-    def stored_asked(
+    @asks
+    def _page_of_stored_ics(
         self, after: str | None, evidence: bool, timeout: float | None
     ) -> Answering[tuple[list[StoredIc], str | None]]:
         """A thousand tables of the store that follow `after`, and what the next ones follow; None: there are none."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from .._version import __version__
 from ..errors import ContactdError, SavedFileError
+from ..refusals import public
 from ..values.dictionaries import Saved, from_dict, to_dict
 from .hdf5 import has_own_data, own_members
 from .whole import MOST_BYTES, read_whole, write_whole
@@ -24,6 +25,7 @@ _LARGEST_GAIN = 1100  #: of gzip, which packs no more than 1032 bytes into one
 _MOST_IN_ATTRIBUTE = 256  #: numbers; HDF5 takes 64 KiB
 
 
+@public
 def save(path: PathLike, value: Saved) -> None:
     """Writes a problem, a solution, a step, stresses, or a set-up, state or solution of a wheel on a rail to a file.
 
@@ -39,6 +41,7 @@ def save(path: PathLike, value: Saved) -> None:
     write_whole(path, lambda file: file.write(content.getbuffer()))
 
 
+@public
 def load(path: PathLike) -> Any:
     """The value that `save` has written.
 

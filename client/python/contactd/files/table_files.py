@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ProtocolError, TableFileError
+from ..refusals import public
 from ..values.answers import read
 from ..values.contact_params import table_params
 from ..values.evidence import IcEvidence
@@ -33,6 +34,7 @@ PathLike = str | os.PathLike[str]
 _ONE_ARRAY = b"\x93NUMPY"  #: how a file of one array begins, .npy, which is no archive
 
 
+@public
 def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = None) -> None:
     """Writes `table` to a file `.npz` or `.txt`; `G`, for the latter, as in TableIcs.to_contact_text.
 
@@ -53,6 +55,7 @@ def save_table(path: PathLike, table: IcTable | TableIcs, *, G: float | None = N
     )
 
 
+@public
 def load_table(path: PathLike, *, G: float | None = None) -> IcTable | TableIcs:
     """Reads what save_table or Client.export_ic wrote; `G`, for `.txt`, as in TableIcs.from_contact_text.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy.typing as npt
 
+from ..refusals import public
 from ..values.friction import Rolling
 from ..values.solution import Solution
 from .canvas import COLOURS, axes_or_new, bare
@@ -21,6 +22,7 @@ _STYLES = ("o-", "s--", "^:", "d-.")
 Solutions = Sequence[Solution[Any, Any]]
 
 
+@public
 def plot_creep_curves(
     solutions: Solutions | Mapping[str, Solutions],
     by: str = "xi",

@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..errors import SavedFileError
+from ..refusals import public
 from .registry import extra
 
 __all__ = ["HasDict", "Saved", "from_dict", "to_dict"]
@@ -40,10 +41,15 @@ def to_dict(value: Any) -> Any:
     raise TypeError(f"{value!r:.80} is a {type(value).__name__}, which is no value of contactd")
 
 
+@public
 def from_dict(told: Any, path: str = "") -> Any:
     """The value that `told`, made by to_dict, stands for. Raises ValueError naming what it cannot be made of."""
+    return _value_of(told, path)
+
+
+def _value_of(told: Any, path: str) -> Any:
     if isinstance(told, Mapping):
-        parts = {name: from_dict(item, f"{path}.{name}" if path else name) for name, item in told.items() if name != "type"}
+        parts = {name: _value_of(item, f"{path}.{name}" if path else name) for name, item in told.items() if name != "type"}
         if "type" not in told:
             return parts
         kind = _kinds().get(told["type"])
@@ -56,7 +62,7 @@ def from_dict(told: Any, path: str = "") -> Any:
         except TypeError as error:
             raise ValueError(f"{path or 'the value'} is no {told['type']}: {error}") from None
     if isinstance(told, list):
-        return tuple(from_dict(item, f"{path}[{i}]") for i, item in enumerate(told))
+        return tuple(_value_of(item, f"{path}[{i}]") for i, item in enumerate(told))
     return told
 
 
@@ -85,11 +91,13 @@ V = TypeVar("V", bound="Saved")
 class Saved(HasDict):
     """A value that is kept in files."""
 
+    @public
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes this to a file of HDF5 (needs h5py), which `load` reads; whole or not at all."""
         extra("Saved.save")(path, self)
 
     @classmethod
+    @public
     def load(cls: type[V], path: str | os.PathLike[str]) -> V:
         """The value of this class that `save` has written. Raises SavedFileError, also where it is another one."""
         value = extra("Saved.load")(path)

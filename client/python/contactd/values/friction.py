@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from ..refusals import public
 from .params import array_of, plain
 
 __all__ = ["Force", "Friction", "KineticFriction", "Motion", "Rolling", "RollingKind", "Shift", "SlipLaw"]
@@ -98,6 +99,7 @@ class Shift:
 Motion = Shift | Rolling
 
 
+@public
 @dataclass(frozen=True, eq=False)
 class Friction:
     """Coulomb friction and a motion: a shift (by `rigid_shift`, `force` or both), or `rolling`.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from ..refusals import check_type
+from ..refusals import check_type, public
 
 __all__ = [
     "AnalyticIcs",
@@ -53,6 +53,7 @@ class LineContact:
     datum: float
 
 
+@public
 @dataclass(frozen=True)
 class AnalyticIcs:
     """Influence coefficients of the elastic half-space in closed form.

@@ -9,7 +9,7 @@ from numbers import Real
 from typing import Any
 
 from ..errors import invalid
-from ..refusals import check_type
+from ..refusals import check_type, public
 from .params import plain
 
 __all__ = ["Layer", "LayeredBody", "Material", "RigidBody"]
@@ -31,6 +31,7 @@ class Material:
     G: float
     nu: float
 
+    @public
     def __init__(self, G: float | None = None, nu: float | None = None, *, E: float | None = None) -> None:
         if nu is None:
             raise TypeError("Material() lacks nu")
@@ -101,6 +102,7 @@ class LayeredBody:
     layers: tuple[Layer, ...]
     base: Material | RigidBody
 
+    @public
     def __init__(self, layers: Iterable[Layer], base: Material | RigidBody) -> None:
         found = tuple(layers)
         for i, layer in enumerate(found):

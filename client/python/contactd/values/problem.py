@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy.typing as npt
 
-from ..refusals import check_type
+from ..refusals import check_type, public
 from .dictionaries import Saved
 from .evidence import Model, SolverSettings
 from .friction import Friction
@@ -77,6 +77,7 @@ class ContactColumns:
         return {"frames": array_of(self.frames), "direction": self.direction, "origin": list(self.origin)}
 
 
+@public
 @dataclass(frozen=True, eq=False)
 class ContactProblem(Saved):
     """Normal contact with either the approach or the normal force prescribed; with `friction`, tangential contact too.
@@ -132,6 +133,7 @@ class ContactProblem(Saved):
             raise TypeError("ContactProblem() takes either approach or Fn")
         check_field_types(vars(self))
 
+    @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
         """The same problem with some fields changed; Fn takes the place of the approach, and the other way round."""
         if changes.get("Fn") is not None:

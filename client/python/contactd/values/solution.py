@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Generic, Literal, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from ..refusals import public
 from .dictionaries import Saved
 from .evidence import ContactEvidence
 from .friction import Motion
@@ -213,6 +214,7 @@ class Solution(Saved, Shown, Generic[Floats, Bytes]):
     resultant: Resultant | None = None
     grid: Grid | None = None
 
+    @public
     def plot(self, axes: Axes | None = None) -> Axes:
         """Draws pressures over the grid, the edges of contact and adhesion, and arrows of the tractions on the upper body.
 
@@ -221,11 +223,13 @@ class Solution(Saved, Shown, Generic[Floats, Bytes]):
         drawn: Axes = extra("Solution.plot")(self, axes)
         return drawn
 
+    @public
     def plot_section(self, y: float = 0.0, axes: Axes | None = None) -> Axes:
         """Draws pressure and tractions along x, in the row of elements nearest to `y` (mm); else as `plot`."""
         drawn: Axes = extra("Solution.plot_section")(self, y, axes)
         return drawn
 
+    @public
     def to_xarray(self) -> xarray.Dataset:
         """Arrays over x and y, forces, pmax and the approach, with their units. Needs xarray ("contactd[xarray]")."""
         labelled: xarray.Dataset = extra("Solution.to_xarray")(self)

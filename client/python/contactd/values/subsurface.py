@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 import numpy.typing as npt
 
+from ..refusals import public
 from .dictionaries import Saved
 from .grid import Array
 from .registry import extra
@@ -95,6 +96,7 @@ class SubsurfaceStress(Saved, Shown):
     block: StressBlock | None = None
     points: Array | None = None
 
+    @public
     def plot(
         self,
         component: Component = "von_mises",
@@ -112,6 +114,7 @@ class SubsurfaceStress(Saved, Shown):
         drawn: Axes = extra("SubsurfaceStress.plot")(self, component, x=x, y=y, z=z, axes=axes)
         return drawn
 
+    @public
     def to_xarray(self) -> xarray.Dataset:
         """Stresses over x, y and z of a block, or over points. Needs xarray ("contactd[xarray]")."""
         labelled: xarray.Dataset = extra("SubsurfaceStress.to_xarray")(self)

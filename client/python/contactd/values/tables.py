@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..refusals import public
 from .dictionaries import HasDict
 from .evidence import IcEvidence
 from .grid import Array, Grid
@@ -102,6 +103,7 @@ class IcTable(HasDict, Shown):
     def _remarks(self) -> tuple[str, ...]:
         return self.evidence.warnings
 
+    @public
     def plot(self, components: Iterable[str] = ("xx", "yy", "zz", "xz"), axes: Axes | None = None) -> Axes:
         """Draws sizes of the components over the distance from the load, along x and along y, on a logarithmic scale.
 
@@ -110,6 +112,7 @@ class IcTable(HasDict, Shown):
         drawn: Axes = extra("IcTable.plot")(self, components, axes)
         return drawn
 
+    @public
     def to_xarray(self) -> xarray.DataArray:
         """The table over displacement, load and offsets (mm), as ``table.to_xarray().sel(displacement="x", load="z")``.
 
@@ -164,6 +167,7 @@ def _require_offsets(table: IcTable) -> None:
         raise ValueError(f"the table is a prism's, of columns instead of offsets; {_IMPORT}")
 
 
+@public
 @dataclass(frozen=True, eq=False, repr=False)
 class TableIcs(Shown):
     """A table of influence coefficients of a pair of bodies, for `ContactProblem.ics`; materials are not needed then. Or of one
@@ -221,6 +225,7 @@ class TableIcs(Shown):
         return part
 
     @classmethod
+    @public
     def from_table(cls, upper: IcTable, lower: IcTable | None = None) -> TableIcs:
         """The pair of two bodies with these tables; two equal ones when `lower` is left out.
 
@@ -242,12 +247,14 @@ class TableIcs(Shown):
         return cls(array, grid.dx, grid.dy, combined_modulus(upper.spec.material, lower.spec.material))
 
     @classmethod
+    @public
     def of_body(cls, table: IcTable) -> TableIcs:
         """One body with this table, for `ContactProblem.upper_ics` or `lower_ics`."""
         _require_offsets(table)
         return cls(table.array, table.spec.grid.dx, table.spec.grid.dy)
 
     @classmethod
+    @public
     def from_contact_text(
         cls, path: str | os.PathLike[str], G: float | None = None, *, tolerance: float = 1e-6
     ) -> TableIcs:
@@ -259,6 +266,7 @@ class TableIcs(Shown):
         """
         return cls(*extra("TableIcs.from_contact_text")(path, G, tolerance))
 
+    @public
     def to_contact_text(self, G: float | None = None) -> str:
         """That text, in 17 digits: what is read back differs by the rounding of the product with G. `G` as there."""
         modulus = self.G if G is None else G

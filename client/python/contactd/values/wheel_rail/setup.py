@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, TypedDict
 
+from ...refusals import public
 from ..dictionaries import Saved
 from ..evidence import Model, SolverSettings
 from ..friction import KineticFriction
@@ -179,6 +180,7 @@ class WheelRailSetup(Saved):
     outer: SolverSettings | None = None
     force: SolverSettings | None = None
 
+    @public
     def replace(self, **changes: Unpack[WheelRailFields]) -> WheelRailSetup:
         """A copy with some fields changed."""
         return replace(self, **changes)

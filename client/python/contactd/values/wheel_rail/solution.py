@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from ...errors import ProtocolError
+from ...refusals import public
 from ..answers import read
 from ..dictionaries import Saved
 from ..evidence import SolverEvidence
@@ -116,6 +117,7 @@ class WheelRailSolution(Saved, Shown):
                 raise AttributeError("patches were left out of this answer, as its step said by patches=False")
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
+    @public
     def plot(self) -> Figure:
         """Draws the contacts and forces across the track, and beside them the pressures of each patch that has them.
 
