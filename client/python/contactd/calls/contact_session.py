@@ -14,7 +14,6 @@ from ..values.friction import Force, Friction, RollingKind, coefficient_param, s
 from ..values.grid import Grid, Paraboloid, SemiAxes, gap_params
 from ..values.partial_solution import StepInput, StepSolution, check_arrays, on_grid
 from ..values.representation import Rows
-from ..values.service import SavedState
 from ..values.solution import Fields
 from .any_session import AnySession, ProgressCallback, SessionThatWaits, told_number
 from .call import Answering, asks
@@ -23,7 +22,58 @@ from .steps import Steps
 if TYPE_CHECKING:
     from .caller import Caller
 
-__all__ = ["AnyContactSession", "SavedState", "Session", "StepSolution"]
+__all__ = ["AnyContactSession", "ContactSteps", "Session"]
+
+_ROLLING = ("xi", "eta", "phi", "chi", "dq", "spin_offset", "kind", "steps", "velocity")
+_SHIFT = ("rigid_shift", "rotation", "duration")
+
+
+class ContactSteps(Steps):
+    """The steps of a contact.
+
+    Attributes:
+        grid: The potential contact area.
+    """
+
+    words = frozenset(StepInput.__annotations__)
+
+    def __init__(self, session: str, grid: Grid, rolls: bool, number: int) -> None:
+        super().__init__(session, number)
+        self.grid = grid
+        self._rolls = rolls
+
+    def _said(self, step: StepInput) -> dict[str, Any]:
+        params: dict[str, Any] = {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
+        if (gap := step.get("gap")) is not None:
+            params["gap"] = gap_params(gap)
+        if friction := self._friction(step):
+            params["friction"] = friction
+        if (derivatives := step.get("derivatives")) is not None:
+            params["derivatives"] = derivatives
+        return params
+
+    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> StepSolution:
+        solution = read(StepSolution, result, path)
+        check_arrays(solution, asked.get("fields", ()), self.grid)
+        self.number = solution.step
+        return on_grid(solution, self.grid)
+
+    def _friction(self, step: StepInput) -> dict[str, Any]:
+        friction = step.get("friction")
+        changes = friction.params() if friction is not None else {}
+        if (mu := step.get("mu")) is not None:
+            changes["mu"] = coefficient_param(mu)
+        given = {name: value for name, value in step.items() if value is not None}
+        shift = {name: _listed(given[name]) for name in _SHIFT if name in given}
+        rolling = {name: given[name] for name in _ROLLING if name in given}
+        rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)
+        if "force" in given:
+            (rolling if rolls else shift)["force"] = _listed(given["force"])
+        if rolling:
+            changes["rolling"] = {**changes.get("rolling", {}), **rolling}
+        if (slip := step.get("rigid_slip")) is not None:
+            changes["rigid_slip"] = slip_param(slip)
+        return {**changes, **shift}
 
 
 class AnyContactSession(AnySession):
@@ -127,60 +177,6 @@ class Session(AnyContactSession, SessionThatWaits):
         ics: Where the influence coefficients came from, as in ContactEvidence.
         retries: How often a step or a restore whose answer does not come is asked for again.
     """
-
-
-_ROLLING = ("xi", "eta", "phi", "chi", "dq", "spin_offset", "kind", "steps", "velocity")
-
-
-_SHIFT = ("rigid_shift", "rotation", "duration")
-
-
-class ContactSteps(Steps):
-    """The steps of a contact.
-
-    Attributes:
-        grid: The potential contact area.
-    """
-
-    words = frozenset(StepInput.__annotations__)
-
-    def __init__(self, session: str, grid: Grid, rolls: bool, number: int) -> None:
-        super().__init__(session, number)
-        self.grid = grid
-        self._rolls = rolls
-
-    def _said(self, step: StepInput) -> dict[str, Any]:
-        params: dict[str, Any] = {name: load for name in ("approach", "Fn") if (load := step.get(name)) is not None}
-        if (gap := step.get("gap")) is not None:
-            params["gap"] = gap_params(gap)
-        if friction := self._friction(step):
-            params["friction"] = friction
-        if (derivatives := step.get("derivatives")) is not None:
-            params["derivatives"] = derivatives
-        return params
-
-    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> StepSolution:
-        solution = read(StepSolution, result, path)
-        check_arrays(solution, asked.get("fields", ()), self.grid)
-        self.number = solution.step
-        return on_grid(solution, self.grid)
-
-    def _friction(self, step: StepInput) -> dict[str, Any]:
-        friction = step.get("friction")
-        changes = friction.params() if friction is not None else {}
-        if (mu := step.get("mu")) is not None:
-            changes["mu"] = coefficient_param(mu)
-        given = {name: value for name, value in step.items() if value is not None}
-        shift = {name: _listed(given[name]) for name in _SHIFT if name in given}
-        rolling = {name: given[name] for name in _ROLLING if name in given}
-        rolls = bool(rolling) or "rolling" in changes or (self._rolls and not shift and friction is None)
-        if "force" in given:
-            (rolling if rolls else shift)["force"] = _listed(given["force"])
-        if rolling:
-            changes["rolling"] = {**changes.get("rolling", {}), **rolling}
-        if (slip := step.get("rigid_slip")) is not None:
-            changes["rigid_slip"] = slip_param(slip)
-        return {**changes, **shift}
 
 
 def _listed(value: Any) -> Any:

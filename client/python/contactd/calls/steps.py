@@ -1,4 +1,4 @@
-"""Steps of a session: what one says, which number it has, and what it answers."""
+"""The order of the steps of a session: their numbers, and who may take one."""
 
 from __future__ import annotations
 

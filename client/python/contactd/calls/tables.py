@@ -22,6 +22,9 @@ from .caller import Caller, ProgressCallback, check_shapes
 
 __all__ = ["TableCalls", "fetch_in_pieces"]
 
+_BYTES = 8
+_COMPONENTS = tuple(load + axis for load in "xyz" for axis in "xyz")
+
 
 class TableCalls(Caller):
     """The methods ic.* of the daemon."""
@@ -139,10 +142,6 @@ class TableCalls(Caller):
         if not isinstance(removed, int):
             raise ProtocolError("The answer to ic.delete lacks the number of tables.")
         return removed
-
-
-_BYTES = 8
-_COMPONENTS = tuple(load + axis for load in "xyz" for axis in "xyz")
 
 
 def fetch_in_pieces(

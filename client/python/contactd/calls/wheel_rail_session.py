@@ -27,6 +27,37 @@ if TYPE_CHECKING:
 __all__ = ["AnyWheelRailSession", "WheelRailSession", "WheelRailSteps"]
 
 
+class WheelRailSteps(Steps):
+    """The steps of a wheel on its rail."""
+
+    words = frozenset(WheelRailStepInput.__annotations__)
+
+    def _said(self, step: WheelRailStepInput) -> dict[str, Any]:
+        if "state" not in step:
+            raise TypeError("a step of a wheel on its rail needs its state")
+        said: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
+        if (friction := step.get("friction")) is not None:
+            check_type("wheelrail.friction", friction, WheelRailFriction)
+            said["friction"] = friction_params(friction)
+        if step.get("gap"):
+            said["gap"] = True
+        if not step.get("patches", True):
+            said["patches"] = False
+        return {"wheelrail": said}
+
+    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> WheelRailStepSolution:
+        if not isinstance(result, dict) or not isinstance(told := result.get("wheelrail"), dict):
+            raise ProtocolError("The answer to the step of a wheel on its rail lacks its wheelrail.")
+        told = {**told, "step": result.get("step")}
+        if asked["wheelrail"].get("patches", True):
+            names, gap = asked.get("fields", ()), asked["wheelrail"].get("gap", False)
+            solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, told, path)
+        else:
+            solution = read_wheel_rail_without_patches(WheelRailStepSolution, told, path)
+        self.number = solution.step
+        return solution
+
+
 class AnyWheelRailSession(AnySession):
     """The session of a wheel on its rail, whether its steps are waited for or awaited."""
 
@@ -88,34 +119,3 @@ class WheelRailSession(AnyWheelRailSession, SessionThatWaits):
         bytes: What it took of the daemon's memory when it was opened or joined.
         retries: How often a step or a restore whose answer does not come is asked for again.
     """
-
-
-class WheelRailSteps(Steps):
-    """The steps of a wheel on its rail."""
-
-    words = frozenset(WheelRailStepInput.__annotations__)
-
-    def _said(self, step: WheelRailStepInput) -> dict[str, Any]:
-        if "state" not in step:
-            raise TypeError("a step of a wheel on its rail needs its state")
-        said: dict[str, Any] = {"state": state_params(step["state"], "wheelrail.state")}
-        if (friction := step.get("friction")) is not None:
-            check_type("wheelrail.friction", friction, WheelRailFriction)
-            said["friction"] = friction_params(friction)
-        if step.get("gap"):
-            said["gap"] = True
-        if not step.get("patches", True):
-            said["patches"] = False
-        return {"wheelrail": said}
-
-    def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> WheelRailStepSolution:
-        if not isinstance(result, dict) or not isinstance(told := result.get("wheelrail"), dict):
-            raise ProtocolError("The answer to the step of a wheel on its rail lacks its wheelrail.")
-        told = {**told, "step": result.get("step")}
-        if asked["wheelrail"].get("patches", True):
-            names, gap = asked.get("fields", ()), asked["wheelrail"].get("gap", False)
-            solution = read_wheel_rail_as(WheelRailStepSolution, names, gap, told, path)
-        else:
-            solution = read_wheel_rail_without_patches(WheelRailStepSolution, told, path)
-        self.number = solution.step
-        return solution

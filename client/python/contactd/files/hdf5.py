@@ -1,4 +1,5 @@
-"""What HDF5 does for whoever reads a file of a stranger, and no file of contactd asks for: reading other files."""
+"""The library of HDF5, and what it does for whoever reads a file of a stranger, and no file of contactd asks for: reading
+other files."""
 
 from __future__ import annotations
 

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_stress"]
 
-
 _AXES = "zyx"  #: of the arrays
 
 

@@ -1,4 +1,4 @@
-"""Requests and answers as they go over the wire (docs/protocol.md), whoever carries them."""
+"""Requests and answers, whole or in parts, as they go over the wire (docs/protocol.md), whoever carries them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""How a contact problem was solved, and what that is worth."""
+"""How a contact problem is solved, and what that is worth: models, settings of the solvers, and evidence of theirs and of
+tables of influence coefficients."""
 
 from __future__ import annotations
 
@@ -22,6 +23,21 @@ __all__ = [
     "SolverEvidence",
     "SolverSettings",
 ]
+
+Model = Literal["full", "hertz", "fastsim"]
+
+
+@dataclass(frozen=True)
+class SolverSettings:
+    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2).
+
+    Attributes:
+        tolerance: Bound of the figure that the stop test compares; None: 1e-6, of `normal` 1e-8.
+        max_iterations: Bound of the iterations; None: 1000, of `outer` 100.
+    """
+
+    tolerance: float | None = None
+    max_iterations: int | None = None
 
 
 @dataclass(frozen=True)
@@ -127,22 +143,6 @@ class ContactEvidence:
     discretisation: Discretisation | None = None
     derivatives: SolverEvidence | None = None
     operators: OperatorUse | None = None
-
-
-Model = Literal["full", "hertz", "fastsim"]
-
-
-@dataclass(frozen=True)
-class SolverSettings:
-    """Stop test and bound of one iterative solver (paper, sections 4.1 and 4.2).
-
-    Attributes:
-        tolerance: Bound of the figure that the stop test compares; None: 1e-6, of `normal` 1e-8.
-        max_iterations: Bound of the iterations; None: 1000, of `outer` 100.
-    """
-
-    tolerance: float | None = None
-    max_iterations: int | None = None
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The potential contact area, and arrays over it."""
+"""The potential contact area, arrays over it, and undeformed distances, such as the paraboloid of a Hertzian contact."""
 
 from __future__ import annotations
 

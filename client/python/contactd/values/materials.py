@@ -14,6 +14,7 @@ from .params import plain
 
 __all__ = ["Layer", "LayeredBody", "Material", "RigidBody"]
 
+
 @dataclass(frozen=True, init=False)
 class Material:
     """A homogeneous, isotropic, linearly elastic material, given by its shear modulus or by Young's.

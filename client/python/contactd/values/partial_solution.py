@@ -1,4 +1,4 @@
-"""Solutions that have the arrays that were asked for: which these are, and that they came."""
+"""Solutions with the arrays that were asked for, and the steps of a session, of which each has one."""
 
 from __future__ import annotations
 
@@ -25,7 +25,6 @@ __all__ = [
     "on_grid",
     "read_solution",
 ]
-
 
 S = TypeVar("S", bound=Solution[Any, Any])
 _SLIP = ("slip_x", "slip_y")  # not there without friction

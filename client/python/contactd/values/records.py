@@ -1,4 +1,4 @@
-"""The last solves of a daemon, as plain, immutable values."""
+"""What a daemon keeps, as plain, immutable values: tables in its store, and its last solves."""
 
 from __future__ import annotations
 

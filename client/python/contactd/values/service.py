@@ -1,4 +1,4 @@
-"""What a daemon tells of itself and of its work, as plain, immutable values."""
+"""What a daemon tells of itself, of its work and of sessions, as plain, immutable values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Tables of influence coefficients as they are answered, and the evidence for them. Arrays are read-only."""
+"""Tables of influence coefficients: those of a body, as they are answered, and those that the caller brings along instead
+of asking the daemon for them. Arrays are read-only."""
 
 from __future__ import annotations
 
@@ -26,6 +27,15 @@ if TYPE_CHECKING:
 
 __all__ = ["IcSpec", "IcTable", "TableIcs", "check_finite", "combined_modulus"]
 
+_AXES = "xyz"
+#: What to do with the table of a prism.
+_IMPORT = (
+    "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
+    "section asks for it"
+)
+#: Largest relative difference of element sizes that counts as rounding.
+_SIZE_TOLERANCE = 1e-6
+
 
 @dataclass(frozen=True)
 class IcSpec:
@@ -48,9 +58,6 @@ class IcSpec:
         if not isinstance(ics, dict) or "layers" not in ics:
             return spec
         return {**spec, "material": {name: ics[name] for name in ("layers", "base") if name in ics}}
-
-
-_AXES = "xyz"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -136,15 +143,6 @@ def _recipe(ics: Ics) -> str:
     names = ("preset", "accuracy", "body", "mesh", "order", "L_over_h")
     given = [f"{name} {number(value)}" for name in names if (value := getattr(ics, name)) is not None]
     return " ".join(["finite elements,", *given]) if given else "finite elements"
-
-
-#: What to do with the table of a prism.
-_IMPORT = (
-    "export it where it was built (export_ic) and give the file to the daemon that solves (import_ic), where FemIcs with its "
-    "section asks for it"
-)
-#: Largest relative difference of element sizes that counts as rounding.
-_SIZE_TOLERANCE = 1e-6
 
 
 def combined_modulus(upper: Material | LayeredBody, lower: Material | LayeredBody | None = None) -> float:

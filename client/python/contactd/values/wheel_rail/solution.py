@@ -38,7 +38,6 @@ __all__ = [
     "read_wheelset",
 ]
 
-
 S = TypeVar("S", bound="WheelRailSolution")
 
 
