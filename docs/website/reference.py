@@ -43,12 +43,15 @@ def python() -> str:
     for module, names in _exports(contactd).items():
         said = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
         objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in names)
-        parts.append(f"## {module.rpartition('.')[2].replace('_', ' ')}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(said)}\n\n{objects}\n```\n")
+        title = module.partition(".")[2] or module  # without the folder
+        title = title.replace(".", " ").replace("_", " ")
+        parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(said)}\n\n{objects}\n```\n")
     return "\n".join([*parts, "## contactd.wheel_rail\n\n" + _directive("automodule:: contactd.wheel_rail")])
 
 
 def _exports(package: Any) -> dict[str, list[str]]:
-    """By modules, in the order in which __init__.py imports them; last those that it imports when they are first wanted."""
+    """By modules, those of the package itself before those of its folders, each in the order in which __init__.py imports them;
+    among them last those that it imports when they are first wanted."""
     imports = [item for item in ast.parse((PACKAGE / "__init__.py").read_text()).body if isinstance(item, ast.ImportFrom)]
     modules = {alias.name: item.module or "" for item in imports if item.level == 1 for alias in item.names}
     found: dict[str, list[str]] = {module: [] for module in modules.values()}
@@ -56,7 +59,7 @@ def _exports(package: Any) -> dict[str, list[str]]:
         if name in package.__all__ and not name.startswith("_"):
             module = modules.get(name) or getattr(package, name).__module__.removeprefix("contactd.")
             found.setdefault(module, []).append(name)
-    return {module: names for module, names in found.items() if names}
+    return {module: found[module] for module in sorted(found, key=lambda module: module.count(".")) if found[module]}
 
 
 def _lead(docstring: str) -> str:
