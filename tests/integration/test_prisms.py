@@ -272,7 +272,7 @@ def test_a_file_that_somebody_wrote_is_held_against_its_section(shared):
     header = b"contactd ic table, format 1, sha256 of the bytes after this block: "
     digest = hashlib.sha256(content.getvalue()).hexdigest().encode()
     written = (header + digest + b"\n").ljust(512, b"\0") + content.getvalue()
-    with pytest.raises(InvalidArgument, match="frames of columns that are not those of its section"):
+    with pytest.raises(InvalidArgument, match="frames of strips that are not those of its section"):
         shared.import_ic(written)
 
 
