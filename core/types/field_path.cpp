@@ -133,9 +133,10 @@ void set_text(const FieldPath& path, void* root, std::string_view text) {
     }
     const auto found = std::ranges::find(type.keywords, text);
     if (found == type.keywords.end()) {
-        std::string words;
-        for (const std::string_view word : type.keywords) words += (words.empty() ? "" : ", ") + std::string(word);
-        refuse(path, "is \"" + std::string(text) + "\"; it must be one of " + words);
+        std::string keywords;
+        for (const std::string_view keyword : type.keywords)
+            keywords += (keywords.empty() ? "" : ", ") + std::string(keyword);
+        refuse(path, "is \"" + std::string(text) + "\"; it must be one of " + keywords);
     }
     type.set_integer(path.make(root), found - type.keywords.begin());
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <format>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -78,14 +79,16 @@ void IcBuilds::queue(QueueTicket ticket, TableBuild build) {
 void IcBuilds::run(const TableBuild& build) {
     Job& job = *build.job;
     if (job.cancelled()) return;  // while it was queued; its callers know
-    const BuildClock clock(counters_, resilient_store_.store().folder());
     try {
+        // Ended before anybody hears of the end, so that who asks then is told of this build, too.
+        std::optional<BuildClock> clock(std::in_place, counters_, resilient_store_.store().folder());
         job.set_running();
         TableLock lock(resilient_store_.store().lock_of(build.key));
         wait_for_lock(build, lock);
         // While this build waited for its turn, another one, of this daemon or of another, may have made the table.
         if (auto found = resilient_store_.find(build.spec)) {
             ++counters_.disk_hits;
+            clock.reset();
             return build.done(std::make_shared<const IcRecord>(std::move(*found)), "disk");
         }
         ++counters_.builds_started;
@@ -93,7 +96,8 @@ void IcBuilds::run(const TableBuild& build) {
         auto record = run_builder(build, lock);
         quarantine_.note_success(build.key, build.spec);
         ++counters_.builds_finished;
-        log_.info(std::format("{} finished after {:.2f} s: {}", job.name, clock.seconds(), summary(record->evidence)));
+        log_.info(std::format("{} finished after {:.2f} s: {}", job.name, clock->seconds(), summary(record->evidence)));
+        clock.reset();
         build.done(std::move(record), "built");
     } catch (const Cancelled&) {
         ++counters_.builds_cancelled;

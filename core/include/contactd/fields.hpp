@@ -37,6 +37,14 @@ struct Bounds {
 /// What a number becomes in the mirror image of a wheel, of which y points to the other side: `odd` turns its sign.
 enum class MirrorParity { even, odd };
 
+/// What a list says of a field beside its name and its member.
+struct FieldNotes {
+    Bounds bounds{};
+    std::string_view unit{};
+    MirrorParity parity = MirrorParity::even;
+    bool required = false;
+};
+
 struct FieldType;
 
 /// One field of a struct, whose address is `owner` in what follows.
@@ -69,18 +77,22 @@ struct FieldType {
     void (*empty)(void* list) = {};
 };
 
+/// The type of a member's value, which may stand in an optional.
+template <class T>
+struct FieldValue {
+    using type = T;
+};
+template <class T>
+struct FieldValue<std::optional<T>> {
+    using type = T;
+};
+
 namespace fields {
 
 template <class T>
-struct optional_value {
-    using type = T;
-    static constexpr bool is_optional = false;
-};
+inline constexpr bool is_optional = false;
 template <class T>
-struct optional_value<std::optional<T>> {
-    using type = T;
-    static constexpr bool is_optional = true;
-};
+inline constexpr bool is_optional<std::optional<T>> = true;
 
 template <class T>
 inline constexpr bool is_list = false;
@@ -150,24 +162,16 @@ FieldType make_type() {
     }
 }
 
-/// What a field is beside its name and its place.
-struct Notes {
-    Bounds bounds{};
-    std::string_view unit{};
-    MirrorParity parity = MirrorParity::even;
-    bool required = false;
-};
-
 template <auto member>
-Field field_of_type(std::string_view name, const FieldType& (*type)(), const Notes& notes) {
+Field field_of_type(std::string_view name, const FieldType& (*type)(), const FieldNotes& notes) {
     using Owner = typename member_of<member>::Owner;
-    using Optional = optional_value<typename member_of<member>::Value>;
+    using Value = typename member_of<member>::Value;
     Field field{name, type, {}, {}, {}};
     field.bounds = notes.bounds;
     field.unit = notes.unit;
     field.parity = notes.parity;
     field.required = notes.required;
-    if constexpr (Optional::is_optional) {
+    if constexpr (is_optional<Value>) {
         field.find = [](const void* owner) -> const void* {
             const auto& value = static_cast<const Owner*>(owner)->*member;
             return value ? &*value : nullptr;
@@ -181,23 +185,23 @@ Field field_of_type(std::string_view name, const FieldType& (*type)(), const Not
     } else {
         field.find = [](const void* owner) -> const void* { return &(static_cast<const Owner*>(owner)->*member); };
         field.make = [](void* owner) -> void* { return &(static_cast<Owner*>(owner)->*member); };
-        if constexpr (is_list<typename Optional::type>) field.present_by_default = !(Owner{}.*member).empty();
+        if constexpr (is_list<Value>) field.present_by_default = !(Owner{}.*member).empty();
     }
     return field;
 }
 
 template <auto member>
-using ValueOf = typename optional_value<typename member_of<member>::Value>::type;
+using ValueOf = typename FieldValue<typename member_of<member>::Value>::type;
 
 /// The field that `member` points at; its value may stand in an optional.
 template <auto member>
-Field field(std::string_view name, const Notes& notes = {}) {
+Field field(std::string_view name, const FieldNotes& notes = {}) {
     return field_of_type<member>(name, &type_of<ValueOf<member>>, notes);
 }
 
 /// One whose type has no list of fields.
 template <auto member>
-Field custom_field(std::string_view name, const Notes& notes = {}) {
+Field custom_field(std::string_view name, const FieldNotes& notes = {}) {
     return field_of_type<member>(name, &custom_type<ValueOf<member>>, notes);
 }
 
