@@ -154,7 +154,7 @@ CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
 CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* word);
 /* Leaves a field out again that may be: "setup.friction": without friction; "state.Fz": z is prescribed. */
 CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
-/* Of the last solve or step. Of a list its length. CONTACTD_NOT_FOUND: the solution does not have it. */
+/* Reads the last solve or step; a list gives its length. CONTACTD_NOT_FOUND: the solution does not have it. */
 CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value);
 /* `text`, of `length` bytes with its end. */
 CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);

@@ -1,4 +1,6 @@
 // contactd.h: fields of contacts and wheels by their paths.
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +17,7 @@ using contactd::FieldType;
 
 namespace {
 
-/// What a result holds beside the fields of its solution.
+/// These follow from a solution, or from the search for the roll; a result has them beside the solution's fields.
 struct WheelTotals {
     bool converged = false;
     std::optional<double> frictional_power{};

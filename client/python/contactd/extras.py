@@ -1,4 +1,4 @@
-"""What values do by pictures, xarray and files: the one place that knows both sides."""
+"""Values reach pictures, xarray and files through the functions named here: the one place that knows both sides."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ __all__ = ["check_type", "package_of", "public"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-#: What refuses, beside the exceptions of this package. All else that leaves a call is a defect, or the caller's own.
+#: These types refuse, beside the exceptions of this package. All else that leaves a call is a defect, or the caller's own.
 _REFUSALS = (TypeError, ValueError, OSError, ImportError, Warning)
 #: Packages whose frames tell a caller nothing: this one, and the library of Python that it calls.
 _INSIDE = {__name__.partition(".")[0], *sys.stdlib_module_names}
