@@ -29,7 +29,7 @@ for target in "${targets[@]}"; do
     [ ! -e "$archive" ] || python3 -m zipfile -e "$archive" "$kept"
     if [ $keep = yes ]; then
         new=$(mktemp -d "$work/kept.XXXXXX")
-        "$program" -set_cover_merge=1 -use_counters=0 "${limits[@]}" "$new" "$work/seeds/$target" "$kept" "$work/corpus/$target" 2>/dev/null
+        "$program" -set_cover_merge=1 -use_counters=0 "${limits[@]}" -artifact_prefix="$work/found/$target-" "$new" "$work/seeds/$target" "$kept" "$work/corpus/$target" 2>/dev/null
         python3 tests/fuzz/pack.py "$new" "$archive"
         echo "$target: $(find "$new" -type f | wc -l) inputs, an archive of $(stat -c %s "$archive") bytes"
         rm -rf "$new"
