@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/ic_spec.hpp"
 
 namespace contactd {
 namespace {

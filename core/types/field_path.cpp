@@ -98,6 +98,8 @@ void FieldPath::clear(void* root) const {
     const auto& [field, index] = steps_.back();
     if (field->clear != nullptr && !index)
         field->clear(root);
+    else if (!std::isnan(field->none) && !index)
+        *static_cast<double*>(field->make(root)) = field->none;
     else if (type_->kind == FieldKind::list && !index)
         type_->empty(field->make(root));
     else
@@ -146,7 +148,8 @@ std::optional<double> number_at(const FieldPath& path, const void* root) {
     const void* value = path.find(root);
     switch (type.kind) {
         case FieldKind::number:
-            return value == nullptr ? std::optional<double>() : *static_cast<const double*>(value);
+            if (value == nullptr || *static_cast<const double*>(value) == path.field().none) return {};
+            return *static_cast<const double*>(value);
         case FieldKind::integer:
         case FieldKind::flag:
             return value == nullptr ? std::optional<double>() : static_cast<double>(type.integer(value));

@@ -45,6 +45,7 @@ void check_field(const Field& field, const void* value) {
 }  // namespace
 
 void check_number(const Field& field, double number, const std::string& name) {
+    if (number == field.none) return;
     if (!field.bounds.contain(number))
         throw InvalidArgument(name, "is " + number_text(number) + "; it must " + must(field.bounds, field.unit));
 }

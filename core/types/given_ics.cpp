@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/axis.hpp"
 #include "magnitude.hpp"
 #include "number_text.hpp"
 

@@ -9,6 +9,7 @@
 #include "contactd/below.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem_fields.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/grid.hpp"
 #include "contactd/uniform_elements.hpp"
 #include "number_text.hpp"

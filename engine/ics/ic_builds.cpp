@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/axis.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "engine/ics/store/store_folder.hpp"
 
 namespace contactd::engine {

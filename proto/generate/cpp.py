@@ -20,6 +20,8 @@ def cpp_files(declarations: Declarations) -> dict[Path, str]:
     homes = _homes()
     by_header: dict[str, list[Struct | Enum]] = {}
     for declared in [*declarations.enums.values(), *declarations.structs.values()]:
+        if isinstance(declared, Struct) and declared.owners:
+            homes[declared.name] = _home(declared.owners[-1], homes)
         by_header.setdefault(_home(declared.name, homes), []).append(declared)
     files = {}
     for header, declared in by_header.items():
@@ -28,7 +30,7 @@ def cpp_files(declarations: Declarations) -> dict[Path, str]:
         used = {_home(field.type, homes) for struct in structs for field in struct.fields if field.type and not field.is_custom}
         files[INCLUDE / "fields" / header] = formatted(_header(header, sorted(used - {header}), enums, structs))
         if structs:
-            files[SOURCES / f"{Path(header).stem}.cpp"] = formatted(_source(header, structs))
+            files[SOURCES / f"{Path(header).stem}.cpp"] = formatted(_source(header, structs, declarations.structs))
     return files
 
 
@@ -43,8 +45,8 @@ def _homes() -> dict[str, str]:
     """The header of each struct and enum of core."""
     homes: dict[str, str] = {}
     for path in sorted(INCLUDE.glob("*.hpp")):
-        for name in re.findall(r"^(?:struct|enum class) (\w+)(?: : [\w:]+)? \{", path.read_text(), re.MULTILINE):
-            homes[name] = path.name
+        for name in re.findall(r"^(?:struct|enum class|using) (\w+)(?: : [\w:, ]+)?(?: \{|;| =)", path.read_text(), re.MULTILINE):
+            homes.setdefault(name, path.name)
     return homes
 
 
@@ -57,29 +59,70 @@ def _header(header: str, used: list[str], enums: list[Enum], structs: list[Struc
         for value, word in enumerate(enum.keywords):
             lines.append(f"static_assert(static_cast<int>({enum.name}::{RESERVED.get(word, word)}) == {value});")
         lines.append("")
-    lines += [f"template <>\nconst FieldType& type_of<{struct.name}>();" for struct in structs]
+    for struct in structs:
+        if _is_view(struct):
+            lines += [f"/// Fields that are members of {' and of '.join(struct.owners)}.", f"template <class Owner>\nstruct {struct.name};"]
+        lines += [f"template <>\nconst FieldType& type_of<{key}>();" for _, key in _owners(struct)]
     return "\n".join([*lines, "\n}  // namespace contactd\n"])
 
 
-def _source(header: str, structs: list[Struct]) -> str:
-    lines = [NOTE, f'#include "contactd/fields/{header}"\n', "#include <array>", "\nnamespace contactd {", "namespace {\n"]
-    lines.append("// A member that the schema does not declare makes the number of these names wrong.")
+def _is_view(struct: Struct) -> bool:
+    return bool(struct.owners) and struct.owners != (struct.name,)
+
+
+def _owners(struct: Struct) -> list[tuple[str, str]]:
+    """The structs that have the fields, and the types that their lists go by."""
+    if not _is_view(struct):
+        return [(struct.name, struct.name)]
+    return [(owner, f"{struct.name}<{owner}>") for owner in struct.owners]
+
+
+def _source(header: str, structs: list[Struct], all_structs: dict[str, Struct]) -> str:
+    lines = [NOTE, f'#include "contactd/fields/{header}"\n', "#include <array>", "\nnamespace contactd {"]
+    if whole := [struct for struct in structs if struct.is_whole]:
+        lines += ["namespace {\n", "// A member that the schema does not declare makes the number of these names wrong."]
+        for struct in whole:
+            members = [field.name for field in struct.fields] + list(struct.other_members)
+            names = ", ".join(f"{name}_" for name in members)
+            lines += [f"[[maybe_unused]] void all_of(const {struct.name}& all) {{", f"[[maybe_unused]] const auto& [{names}] = all;", "}"]
+        lines.append("\n}  // namespace\n")
     for struct in structs:
-        members = [field.name for field in struct.fields] + list(struct.other_members)
-        names = ", ".join(f"{name}_" for name in members)
-        lines += [f"[[maybe_unused]] void all_of(const {struct.name}& all) {{", f"[[maybe_unused]] const auto& [{names}] = all;", "}"]
-    lines.append("\n}  // namespace\n")
-    for struct in structs:
-        lines += ["template <>", f"const FieldType& type_of<{struct.name}>() {{", "static const auto list = std::to_array<Field>({"]
-        lines += [f"{_field(struct.name, field)}," for field in struct.fields]
-        lines += ["});", "static const FieldType type = fields::object_type(list);", "return type;", "}\n"]
+        for owner, key in _owners(struct):
+            lines += ["template <>", f"const FieldType& type_of<{key}>() {{", "static const auto list = std::to_array<Field>({"]
+            lines += [f"{_field(owner, struct, field, all_structs)}," for field in struct.fields]
+            kind = "tuple" if struct.is_tuple else "object"
+            lines += ["});", f"static const FieldType type = fields::{kind}_type(list);", "return type;", "}\n"]
     return "\n".join([*lines, "}  // namespace contactd\n"])
 
 
-def _field(struct: str, field: Field) -> str:
-    call = "custom_field" if field.is_custom else "field"
+def _field(owner: str, struct: Struct, field: Field, structs: dict[str, Struct]) -> str:
     notes = ", ".join(_notes(field))
-    return f'fields::{call}<&{struct}::{field.name}>("{field.name}"{", {" + notes + "}" if notes else ""})'
+    end = f', {{{notes}}})' if notes else ")"
+    of = structs.get(field.type or "")
+    if of and _is_view(of):
+        view = f"{of.name}<{owner}>"
+        optional = (field.at or "").removesuffix("..").removesuffix("/")
+        place = f"field_beside<{owner}, &{owner}::{optional}>" if optional else f"field_within<{owner}>"
+        return f'fields::{place}("{field.name}", &type_of<{view}>)'
+    kind = "custom_field" if field.is_custom else "field"
+    if not struct.owners and field.at is None:
+        return f'fields::{kind}<&{struct.name}::{field.name}>("{field.name}"{end}'
+    steps = ", ".join([owner, *_steps(owner, field)])
+    if field.is_custom and field.type:
+        return f'fields::field_as<{steps}>("{field.name}", &custom_type<{field.type}>{end}'
+    return f'fields::{kind}_along<{steps}>("{field.name}"{end}'
+
+
+def _steps(owner: str, field: Field) -> list[str]:
+    """The way to the field's member, as arguments of templates."""
+    steps, at = [], owner
+    for step in (field.at or field.name).split("/"):
+        if step.startswith("<"):
+            at = step[1:-1]
+            steps.append(f"fields::alternative<{at}>")
+        else:
+            steps.append(f"&{step}" if "::" in step else f"&{at}::{step}")
+    return steps
 
 
 def _notes(field: Field) -> list[str]:
@@ -89,6 +132,8 @@ def _notes(field: Field) -> list[str]:
         ends = [f".{end} = {number_text(value)}" for end, value in [("least", bounds.least), ("most", bounds.most)] if value is not None]
         ends += [f".{end}_excluded = true" for end in ("least", "most") if getattr(bounds, f"{end}_excluded")]
         notes.append(f".bounds = {{{', '.join(ends)}}}")
+    if field.none is not None:
+        notes.append(f".none = {'std::numeric_limits<double>::infinity()' if field.none == 'infinity' else field.none}")
     if field.unit:
         notes.append(f'.unit = "{field.unit}"')
     if field.parity != "even":

@@ -3,12 +3,18 @@
 A schema that stands for a type of C++ names it in `x-cpp`: an object a struct, a list of words an enum. What else is
 named there has a form of its own on the wire, and so has an object with fields of which none is named.
 
-`x-unit`     of a number
-`x-parity`   odd: the mirror image of a wheel turns its sign
-`x-fmu`      what a number is in FMUs: parameter, input or output
-`x-derived`  a field that follows from others, and is no member of the struct
-`x-cpp-only` members of the struct that are no fields
-`x-partial`  an object that has some fields only of the struct that it names
+`x-unit`      of a number
+`x-parity`    odd: the mirror image of a wheel turns its sign
+`x-fmu`       what a number is in FMUs: parameter, input or output
+`x-derived`   a field that follows from others, and is no member of the struct
+`x-cpp-only`  members of the struct that are no fields
+`x-cpp-at`    the way to a field's member where that is not the member of its name: members, of other structs as
+              Struct::name, and <Type> for an alternative of a variant, with slashes; "name/.." for an object whose fields are members of the struct
+              itself, and which is there while the optional member `name` is
+`x-cpp-items` of a list of so many numbers, the names of the struct's members
+`x-cpp-none`  the value of a number's member that the wire leaves out: 0 or infinity
+`x-cpp-owner` the structs that have an object's fields, where it is not a struct of its own; x-cpp names a view, then
+`x-partial`   an object that has some fields only of the struct that it names
 """
 
 from __future__ import annotations
@@ -40,11 +46,14 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Field:
-    """A member of a struct. `type` is the struct or enum that it is made of, as `x-cpp` names it, or None."""
+    """A member of a struct. `type` is the struct or enum that it is made of, as `x-cpp` names it, or None; `at` the way
+    to the member, where that is not the one of its name."""
 
     name: str
     type: str | None
     is_custom: bool
+    at: str | None
+    none: float | str | None
     bounds: Bounds
     unit: str
     parity: str
@@ -53,9 +62,19 @@ class Field:
 
 @dataclass(frozen=True)
 class Struct:
+    """`owners` are the structs that have the fields, where these are not a struct of their own. The wire has a tuple as
+    the list of its fields."""
+
     name: str
     fields: tuple[Field, ...]
-    other_members: tuple[str, ...]
+    other_members: tuple[str, ...] = ()
+    owners: tuple[str, ...] = ()
+    is_tuple: bool = False
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether every member of a struct of this name is a field, or named as none."""
+        return not self.owners and all(field.at is None for field in self.fields)
 
 
 @dataclass(frozen=True)
@@ -77,14 +96,15 @@ class Declarations:
                     self._declare(self.resolved(schema))
 
     def resolved(self, schema: Schema) -> Schema:
-        """What a reference leads to, with what stands beside it."""
+        """What a reference leads to, with what stands beside it; the way to a member is that of one place."""
         if "$ref" not in schema:
             return schema
         file, _, pointer = schema["$ref"].partition("#")
         target: Any = self._documents[file]
         for step in filter(None, pointer.split("/")):
             target = target[step]
-        return {**self.resolved(target), **{key: value for key, value in schema.items() if key != "$ref"}}
+        there = {key: value for key, value in self.resolved(target).items() if key != "x-cpp-at"}
+        return {**there, **{key: value for key, value in schema.items() if key != "$ref"}}
 
     def _declare(self, schema: Schema) -> None:
         name = schema["x-cpp"]
@@ -93,14 +113,19 @@ class Declarations:
             if self.enums.setdefault(name, found) != found:
                 raise DeclarationError(f"{name} has the words {found.keywords} here and others there")
             return
-        if "properties" not in schema:
+        if "x-cpp-items" in schema:
+            fields = tuple(self._field(field, schema["items"], False) for field in schema["x-cpp-items"])
+            self._add(Struct(name, fields, owners=tuple(schema.get("x-cpp-owner", ())), is_tuple=True))
+        if not _has_fields(schema):
             return
         properties = {field: self.resolved(part) for field, part in schema["properties"].items()}
         required = schema.get("required", [])
         fields = tuple(self._field(field, part, field in required) for field, part in properties.items() if "x-derived" not in part)
-        struct = Struct(name, fields, tuple(schema.get("x-cpp-only", ())))
-        if self.structs.setdefault(name, struct) != struct:
-            raise DeclarationError(f"{name} is declared twice, and differently: {struct}, {self.structs[name]}")
+        self._add(Struct(name, fields, tuple(schema.get("x-cpp-only", ())), tuple(schema.get("x-cpp-owner", ()))))
+
+    def _add(self, struct: Struct) -> None:
+        if self.structs.setdefault(struct.name, struct) != struct:
+            raise DeclarationError(f"{struct.name} is declared twice, and differently: {struct}, {self.structs[struct.name]}")
 
     def _field(self, name: str, schema: Schema, required: bool) -> Field:
         is_list = "array" in _types(schema) and "x-cpp" not in schema
@@ -113,6 +138,8 @@ class Declarations:
             name,
             value.get("x-cpp"),
             _is_custom(value),
+            schema.get("x-cpp-at"),
+            schema.get("x-cpp-none"),
             Bounds(**bounds),
             schema.get("x-unit", ""),
             schema.get("x-parity", "even"),
@@ -123,8 +150,15 @@ class Declarations:
 def _is_custom(schema: Schema) -> bool:
     """Whether a value has another form on the wire than that of a plain one, or of the fields of a struct."""
     if "x-cpp" in schema:
-        return "enum" not in schema and "properties" not in schema
+        return not {"enum", "const", "x-cpp-items"} & set(schema) and not _has_fields(schema)
+    if "enum" in schema:
+        return False
     return not _types(schema) or bool(_types(schema) - {"number", "integer", "boolean", "string"})
+
+
+def _has_fields(schema: Schema) -> bool:
+    """Whether it is an object of fields; that of an array refers to a frame."""
+    return "properties" in schema and "$array" not in schema["properties"]
 
 
 def _types(schema: Schema) -> set[str]:

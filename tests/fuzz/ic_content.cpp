@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../../core/src/store/hdf5_image.hpp"
+#include "contactd/fields/axis.hpp"
 #include "contactd/ic_contents.hpp"
 #include "input.hpp"
 

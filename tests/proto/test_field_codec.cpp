@@ -6,9 +6,14 @@
 
 #include "codec/field_codec.hpp"
 #include "contactd/error.hpp"
+#include "contactd/fields/conicity.hpp"
 #include "contactd/fields/contact_setup.hpp"
 #include "contactd/fields/friction.hpp"
+#include "contactd/fields/gap.hpp"
+#include "contactd/fields/ic_spec.hpp"
+#include "contactd/fields/ic_table.hpp"
 #include "contactd/fields/profile_spec.hpp"
+#include "contactd/fields/session.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
@@ -21,14 +26,67 @@ using nlohmann::json;
 
 TEMPLATE_TEST_CASE("Every field comes back from the wire as it was", "[fields]", WheelRailSetup, WheelRailState,
                    WheelsetState, WheelRailFriction, KineticFriction, ContactSettings, PatchRules, Track,
-                   ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailShift, Discretisation) {
+                   ContactReference, Creepages, ContactRow, Wrench, WheelRailDerivatives, RailShift, Discretisation,
+                   Rolling, RigidContact, WheelsetContacts, ConicityRequest, FemSpec, Extent) {
     const auto value = with_random_fields<TestType>(GENERATE(range(0u, 20u)));
     ArrayWriter arrays(ArrayEncoding::list);
-    const json written = write_fields(value, MemberPath("value"), &arrays);
+    const json written = write_fields(value, MemberPath("value"), {&arrays});
     TestType read;
     REQUIRE(read != value);
     read_fields(json::parse(written.dump()), read, MemberPath("value"));
     CHECK(read == value);
+}
+
+TEMPLATE_TEST_CASE("Every field of what cannot be compared is written again as it was read", "[fields]", ContactProblem,
+                   StepInput, IcEvidence) {
+    auto value = with_random_fields<TestType>(GENERATE(range(0u, 20u)));
+    const Grid grid{3, 2, 0.5, 0.25, 7, -1};
+    if constexpr (std::is_same_v<TestType, ContactProblem>) {
+        value.grid = grid;
+        value.columns->frames = {{1, 2, 3}, {4, 5, 6}};
+    }
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json written = write_fields(value, MemberPath("value"), {&arrays, &grid});
+    TestType read;
+    read_fields(json::parse(written.dump()), read, MemberPath("value"), {{}, &grid});
+    CHECK(write_fields(read, MemberPath("value"), {&arrays, &grid}) == written);
+    CHECK(written != write_fields(TestType{}, MemberPath("value"), {&arrays, &grid}));
+}
+
+TEST_CASE("Arrays of a problem have the shape of its grid", "[fields]") {
+    ContactProblem problem;
+    problem.grid = Grid::centred(2, 1, 1, 1);
+    problem.gap = std::vector<double>{0, 0.5};
+    problem.friction = FrictionLaw{{0.2, 0.3}};
+    problem.rigid_slip = {{1, 2}, {3, 4}};
+    problem.previous.traction_x = {5, 6};
+    ArrayWriter arrays(ArrayEncoding::list);
+    const json written = write_fields(problem, MemberPath(""), {&arrays, &problem.grid});
+    CHECK(written["gap"] == json{{"array", {{0, 0.5}}}});
+    CHECK(written["friction"]["mu"] == json{{0.2, 0.3}});
+    CHECK(written["previous"] == json{{"traction_x", {{5, 6}}}});
+    CHECK_FALSE(written.contains("initial"));
+    ContactProblem read;
+    read_fields(written, read, MemberPath(""), {{}, &read.grid});
+    CHECK(std::get<std::vector<double>>(*read.gap) == std::vector<double>{0, 0.5});
+    CHECK(read.friction == problem.friction);
+    CHECK(read.rigid_slip == problem.rigid_slip);
+    CHECK(read.previous == problem.previous);
+}
+
+TEST_CASE("What a number is where it is left out stands in no message", "[fields]") {
+    CHECK(write_fields(Rolling{}, MemberPath("rolling")).contains("dq") == false);
+    CHECK(write_fields(Rolling{.dq = 0.5}, MemberPath("rolling"))["dq"] == 0.5);
+    CHECK(write_fields(Paraboloid{.Rx = 460}, MemberPath("gap")) == json{{"Rx", 460.0}});
+}
+
+TEST_CASE("A force of which one component is prescribed is a pair with null", "[fields]") {
+    const json written = write_fields(Rolling{.force = {.Fy = 3}}, MemberPath("rolling"));
+    CHECK(written["force"] == json{nullptr, 3.0});
+    Rolling read{.force = {.Fx = 1}};
+    read_fields(written, read, MemberPath("rolling"));
+    CHECK(read.force == Force{.Fy = 3});
+    CHECK_FALSE(write_fields(Rolling{}, MemberPath("rolling")).contains("force"));
 }
 
 TEMPLATE_TEST_CASE("What an optional field was set to can be unset by the wire", "[fields]", WheelRailSetup,
@@ -39,7 +97,7 @@ TEMPLATE_TEST_CASE("What an optional field was set to can be unset by the wire",
         if (field.clear) field.clear(&value);
     ArrayWriter arrays(ArrayEncoding::list);
     TestType read;
-    read_fields(write_fields(value, MemberPath("value"), &arrays), read, MemberPath("value"));
+    read_fields(write_fields(value, MemberPath("value"), {&arrays}), read, MemberPath("value"));
     CHECK(read == value);
 }
 
@@ -69,7 +127,7 @@ TEMPLATE_TEST_CASE("Every number that is out of its bounds is refused by its pat
 TEST_CASE("A random set-up and a random state conform to their schema", "[fields]") {
     const unsigned seed = GENERATE(range(0u, 20u));
     ArrayWriter arrays(ArrayEncoding::list);
-    const json params{{"setup", write_fields(with_random_fields<WheelRailSetup>(seed), MemberPath("setup"), &arrays)},
+    const json params{{"setup", write_fields(with_random_fields<WheelRailSetup>(seed), MemberPath("setup"), {&arrays})},
                       {"state", write_fields(with_random_fields<WheelRailState>(seed), MemberPath("state"))}};
     CHECK_NOTHROW(check_params("wheelrail.solve", params));
 }
@@ -79,7 +137,7 @@ TEST_CASE("A number that is not finite cannot be written, and is named by its pa
     setup.track.springs = RailSprings{1e4, std::numeric_limits<double>::infinity()};
     ArrayWriter arrays(ArrayEncoding::list);
     try {
-        write_fields(setup, MemberPath("setup"), &arrays);
+        write_fields(setup, MemberPath("setup"), {&arrays});
         FAIL("It was written.");
     } catch (const InvalidArgument& error) {
         CHECK(error.field() == "setup.track.springs.z");

@@ -8,6 +8,7 @@
 #include "accurate_build.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/half_space.hpp"
 #include "modelling_error.hpp"
 

@@ -6,6 +6,8 @@
 
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/fields/axis.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/half_space.hpp"
 #include "modelling_error.hpp"
 #include "system/sampling.hpp"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "geometry/section/section_geometry.hpp"
 #include "mesh_build.hpp"
 #include "section/section_outline.hpp"

@@ -1,13 +1,9 @@
 // The directions x, y and z (the outward normal), and what turning one round does to influence coefficients.
 #pragma once
 
-#include <string_view>
-
 namespace contactd {
 
 enum class Axis { x = 0, y = 1, z = 2 };
-std::string_view name_of(Axis value);                ///< "x", "y", "z"
-bool from_name(std::string_view name, Axis& value);  ///< sets `value` and returns true, or returns false
 
 /// Mathematical parity of A[i,j](k,l) in the offsets (design: xx, yy, zz even/even; xy, yx odd/odd; xz, zx odd/even;
 /// yz, zy even/odd): +1 or -1 along x and along y.

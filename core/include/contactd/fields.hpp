@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "contactd/enum_words.hpp"
@@ -37,9 +39,13 @@ struct Bounds {
 /// What a number becomes in the mirror image of a wheel, of which y points to the other side: `odd` turns its sign.
 enum class MirrorParity { even, odd };
 
+/// No number equals it.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 /// What a list says of a field beside its name and its member.
 struct FieldNotes {
     Bounds bounds{};
+    double none = no_number;
     std::string_view unit{};
     MirrorParity parity = MirrorParity::even;
     bool required = false;
@@ -59,6 +65,7 @@ struct Field {
     bool present_by_default = false;
     bool required = false;  ///< a message without it is wrong, also where it is an empty list
     Bounds bounds{};
+    double none = no_number;  ///< a number that is this is not there: messages leave it out
     std::string_view unit{};
     MirrorParity parity = MirrorParity::even;
 };
@@ -66,6 +73,7 @@ struct Field {
 /// What a type of C++ is on the wire. There is one object a type, whose address is that of no other type.
 struct FieldType {
     FieldKind kind = FieldKind::custom;
+    bool is_tuple = false;                                ///< of an object: the wire has a list of its fields' values
     std::span<const Field> fields{};                      ///< of an object
     std::span<const std::string_view> keywords{};         ///< of a keyword, by the enumerators' values
     std::int64_t (*integer)(const void* value) = {};      ///< of integers, flags and keywords
@@ -129,6 +137,14 @@ FieldType integer_type(FieldKind kind) {
     return type;
 }
 
+/// What has no members is told by being there: the wire has `true` for it.
+inline FieldType presence_type() {
+    FieldType type{FieldKind::flag};
+    type.integer = [](const void*) { return std::int64_t{1}; };
+    type.set_integer = [](void*, std::int64_t) {};
+    return type;
+}
+
 template <class List>
 FieldType list_type() {
     FieldType type{FieldKind::list};
@@ -152,6 +168,8 @@ FieldType make_type() {
         return integer_type<T>(FieldKind::integer);
     } else if constexpr (std::is_same_v<T, std::string>) {
         return {FieldKind::text};
+    } else if constexpr (std::is_empty_v<T>) {
+        return presence_type();
     } else if constexpr (HasWords<T>) {
         FieldType type = integer_type<T>(FieldKind::keyword);
         type.keywords = enum_words<T>;
@@ -162,52 +180,155 @@ FieldType make_type() {
     }
 }
 
-template <auto member>
-Field field_of_type(std::string_view name, const FieldType& (*type)(), const FieldNotes& notes) {
-    using Owner = typename member_of<member>::Owner;
-    using Value = typename member_of<member>::Value;
+/// A step to one alternative of a variant: absent while another one holds, and made by replacing that.
+template <class T>
+struct Alternative {};
+template <class T>
+inline constexpr Alternative<T> alternative{};
+
+template <class Value>
+auto* find_value(Value& value) {
+    if constexpr (is_optional<std::remove_const_t<Value>>)
+        return value ? &*value : nullptr;
+    else
+        return &value;
+}
+template <class Value>
+auto* make_value(Value& value) {
+    if constexpr (is_optional<Value>)
+        return value ? &*value : &value.emplace();
+    else
+        return &value;
+}
+
+template <class Value, class Member, class Owner>
+auto* find_next(Value& value, Member Owner::* member) {
+    return &(value.*member);
+}
+template <class Value, class T>
+auto* find_next(Value& value, Alternative<T>) {
+    return std::get_if<T>(&value);
+}
+template <class Value, class Member, class Owner>
+auto* make_next(Value& value, Member Owner::* member) {
+    return &(value.*member);
+}
+template <class Value, class T>
+auto* make_next(Value& value, Alternative<T>) {
+    T* found = std::get_if<T>(&value);
+    return found ? found : &value.template emplace<T>();
+}
+/// The value at the end of the steps from `value` on; null where it is absent. Optionals on the way are steps of none.
+template <auto step, auto... more, class Value>
+auto* find_along(Value& value) {
+    auto* from = find_value(value);
+    auto* next = from ? find_next(*from, step) : decltype(find_next(*from, step)){};
+    if constexpr (sizeof...(more) == 0)
+        return next;
+    else
+        return next ? find_along<more...>(*next) : decltype(find_along<more...>(*next)){};
+}
+
+template <auto step, auto... more, class Value>
+auto* make_along(Value& value) {
+    auto* next = make_next(*make_value(value), step);
+    if constexpr (sizeof...(more) == 0)
+        return next;
+    else
+        return make_along<more...>(*next);
+}
+
+/// The type of the member at the end of the steps, which may be an optional.
+template <class Owner, auto... steps>
+using MemberAlong = std::remove_pointer_t<decltype(make_along<steps...>(std::declval<Owner&>()))>;
+
+template <class Owner, auto... steps>
+Field field_as(std::string_view name, const FieldType& (*type)(), const FieldNotes& notes = {}) {
+    using Member = MemberAlong<Owner, steps...>;
     Field field{name, type, {}, {}, {}};
     field.bounds = notes.bounds;
+    field.none = notes.none;
     field.unit = notes.unit;
     field.parity = notes.parity;
     field.required = notes.required;
-    if constexpr (is_optional<Value>) {
-        field.find = [](const void* owner) -> const void* {
-            const auto& value = static_cast<const Owner*>(owner)->*member;
-            return value ? &*value : nullptr;
+    field.find = [](const void* owner) -> const void* {
+        const auto* member = find_along<steps...>(*static_cast<const Owner*>(owner));
+        return member ? find_value(*member) : nullptr;
+    };
+    field.make = [](void* owner) -> void* { return make_value(*make_along<steps...>(*static_cast<Owner*>(owner))); };
+    if constexpr (is_optional<Member>)
+        field.clear = [](void* owner) {
+            if (auto* member = find_along<steps...>(*static_cast<Owner*>(owner))) member->reset();
         };
-        field.make = [](void* owner) -> void* {
-            auto& value = static_cast<Owner*>(owner)->*member;
-            return value ? &*value : &value.emplace();
-        };
-        field.clear = [](void* owner) { (static_cast<Owner*>(owner)->*member).reset(); };
-        field.present_by_default = (Owner{}.*member).has_value();
-    } else {
-        field.find = [](const void* owner) -> const void* { return &(static_cast<const Owner*>(owner)->*member); };
-        field.make = [](void* owner) -> void* { return &(static_cast<Owner*>(owner)->*member); };
-        if constexpr (is_list<Value>) field.present_by_default = !(Owner{}.*member).empty();
+    // An alternative that holds by default is no more than one of several.
+    if constexpr (std::is_member_pointer_v<decltype((steps, ...))> && sizeof...(steps) == 1) {
+        const Owner defaults{};
+        const auto* value = find_value(*find_along<steps...>(defaults));
+        if constexpr (is_optional<Member>)
+            field.present_by_default = value != nullptr;
+        else if constexpr (is_list<Member>)
+            field.present_by_default = !value->empty();
     }
     return field;
 }
 
-template <auto member>
-using ValueOf = typename FieldValue<typename member_of<member>::Value>::type;
+/// The type of a field's value, without the optional around it.
+template <class Owner, auto... steps>
+using ValueAlong = typename FieldValue<MemberAlong<Owner, steps...>>::type;
 
-/// The field that `member` points at; its value may stand in an optional.
-template <auto member>
-Field field(std::string_view name, const FieldNotes& notes = {}) {
-    return field_of_type<member>(name, &type_of<ValueOf<member>>, notes);
+/// The field at the end of the steps from Owner on; its value may stand in an optional.
+template <class Owner, auto... steps>
+Field field_along(std::string_view name, const FieldNotes& notes = {}) {
+    return field_as<Owner, steps...>(name, &type_of<ValueAlong<Owner, steps...>>, notes);
 }
 
 /// One whose type has no list of fields.
+template <class Owner, auto... steps>
+Field custom_field_along(std::string_view name, const FieldNotes& notes = {}) {
+    return field_as<Owner, steps...>(name, &custom_type<ValueAlong<Owner, steps...>>, notes);
+}
+
+/// The field that `member` points at.
+template <auto member>
+Field field(std::string_view name, const FieldNotes& notes = {}) {
+    return field_along<typename member_of<member>::Owner, member>(name, notes);
+}
 template <auto member>
 Field custom_field(std::string_view name, const FieldNotes& notes = {}) {
-    return field_of_type<member>(name, &custom_type<ValueOf<member>>, notes);
+    return custom_field_along<typename member_of<member>::Owner, member>(name, notes);
+}
+
+/// A field of which messages have members of Owner itself below its name.
+template <class Owner>
+Field field_within(std::string_view name, const FieldType& (*type)()) {
+    Field field{name, type, {}, {}, {}};
+    field.find = [](const void* owner) { return owner; };
+    field.make = [](void* owner) { return owner; };
+    return field;
+}
+
+/// One that is absent while the optional `member` is.
+template <class Owner, auto member>
+Field field_beside(std::string_view name, const FieldType& (*type)()) {
+    Field field = field_within<Owner>(name, type);
+    field.find = [](const void* owner) { return static_cast<const Owner*>(owner)->*member ? owner : nullptr; };
+    field.make = [](void* owner) {
+        make_value(static_cast<Owner*>(owner)->*member);
+        return owner;
+    };
+    field.clear = [](void* owner) { (static_cast<Owner*>(owner)->*member).reset(); };
+    return field;
 }
 
 inline FieldType object_type(std::span<const Field> fields) {
     FieldType type{FieldKind::object};
     type.fields = fields;
+    return type;
+}
+
+inline FieldType tuple_type(std::span<const Field> fields) {
+    FieldType type = object_type(fields);
+    type.is_tuple = true;
     return type;
 }
 

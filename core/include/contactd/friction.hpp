@@ -86,6 +86,9 @@ struct RigidSlip {
     bool operator==(const RigidSlip&) const = default;
 };
 
+/// The form of FrictionLaw::mu in messages: one number for all elements, or an array over the grid.
+struct ElementwiseCoefficient;
+
 /// Coulomb friction: |p_t| <= mu p_n, in slip equal and opposite to the slip.
 struct FrictionLaw {
     std::vector<double> mu{0};  ///< (static) coefficient, >= 0: one for all elements, or shape [ny, nx]

@@ -7,12 +7,13 @@
 #include <tuple>
 #include <vector>
 
-#include "contactd/enum_words.hpp"
 #include "contactd/layers.hpp"
 #include "contactd/material.hpp"
 #include "contactd/section.hpp"
 
 namespace contactd {
+
+/// The words of these on the wire and in files are in contactd/fields/ic_spec.hpp.
 
 /// The elastic body: the half-space z <= 0, the block [-L,L]^2 x [-L,0] with u = 0 on all faces but the top, layers, or
 /// a longitudinally uniform body: whatever its cross-section is, uniform along x.
@@ -40,27 +41,6 @@ enum class StopTest { residual, update };
 /// The diagonal of Mesh2 that divides a quadrilateral of the cross-section into triangles. `outward` runs from the
 /// corner nearest to the origin to the farthest one, `across` joins the other two.
 enum class Diagonal { outward, across };
-
-/// Names of these for name_of and from_name, on the wire and in files.
-template <>
-inline constexpr auto enum_words<BodyShape> =
-    std::to_array<std::string_view>({"half_space", "block", "layered", "prism"});
-template <>
-inline constexpr auto enum_words<LoadShape> = std::to_array<std::string_view>({"constant", "bilinear"});
-template <>
-inline constexpr auto enum_words<IcSource> = std::to_array<std::string_view>({"analytic", "fem"});
-template <>
-inline constexpr auto enum_words<MeshKind> = std::to_array<std::string_view>({"hex", "prism", "adaptive"});
-template <>
-inline constexpr auto enum_words<FarBoundary> = std::to_array<std::string_view>({"clamped", "half_space"});
-template <>
-inline constexpr auto enum_words<Sampling> = std::to_array<std::string_view>({"fem", "linear", "linear_nodes"});
-template <>
-inline constexpr auto enum_words<Solver> = std::to_array<std::string_view>({"auto", "amg_pcg", "direct"});
-template <>
-inline constexpr auto enum_words<StopTest> = std::to_array<std::string_view>({"residual", "update"});
-template <>
-inline constexpr auto enum_words<Diagonal> = std::to_array<std::string_view>({"outward", "across"});
 
 /// Mesh and solver of a finite-element table. Lengths are ratios to the element size: along x and y the loaded cube
 /// is (l/h) dx by (l/h) dy, in depth (l/h) sqrt(dx dy); L is (L/h) max(dx, dy). Mesh adaptive starts from a mesh of its

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +51,9 @@ struct Creepages {
 /// Radii of curvature at the reference (mm): of the wheel and the rail across the track, of both along it. Positive
 /// where convex; infinite where straight.
 struct ContactRadii {
-    double wheel_along = 0, wheel_across = 0;
-    double rail_along = 0, rail_across = 0;
+    static constexpr double straight = std::numeric_limits<double>::infinity();
+    double wheel_along = straight, wheel_across = straight;
+    double rail_along = straight, rail_across = straight;
 
     bool operator==(const ContactRadii&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/rotated_strips.hpp"
 #include "contactd/version.hpp"

@@ -1,5 +1,6 @@
 // Group `spec`: what a table is.
 #include "contactd/fem_fields.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contents_parts.hpp"
 #include "section_numbers.hpp"
 

@@ -1,5 +1,6 @@
 // Writing tables for others.
 #include "contactd/ic_exchange.hpp"
+#include "contactd/fields/axis.hpp"
 
 #include <array>
 #include <cstdio>

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "contactd/fem_fields.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/ic_store.hpp"
 #include "section_numbers.hpp"
 #include "sha256.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/axis.hpp"
 #include "contactd/half_space.hpp"
 #include "types/number_text.hpp"
 

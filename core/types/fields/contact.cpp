@@ -36,6 +36,28 @@ namespace {
 }  // namespace
 
 template <>
+const FieldType& type_of<ContactProblem>() {
+    static const auto list = std::to_array<Field>({
+        fields::field_along<ContactProblem, &ContactProblem::grid>("grid", {.required = true}),
+        fields::field_along<ContactProblem, &ContactProblem::gap>("gap", {.required = true}),
+        fields::field_along<ContactProblem, &ContactProblem::approach>(
+            "approach", {.bounds = {.least = -1e+12, .most = 1e+12}, .unit = "mm"}),
+        fields::field_along<ContactProblem, &ContactProblem::Fn>("Fn",
+                                                                 {.bounds = {.least = 0, .most = 1e+18}, .unit = "N"}),
+        fields::field_along<ContactProblem, &ContactProblem::model>("model"),
+        fields::field_beside<ContactProblem, &ContactProblem::friction>("friction",
+                                                                        &type_of<FrictionFields<ContactProblem>>),
+        fields::field_along<ContactProblem, &ContactProblem::previous>("previous"),
+        fields::field_along<ContactProblem, &ContactProblem::columns>("columns"),
+        fields::field_along<ContactProblem, &ContactProblem::settings>("settings"),
+        fields::field_along<ContactProblem, &ContactProblem::initial>("initial"),
+        fields::field_along<ContactProblem, &ContactProblem::derivatives>("derivatives"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
 const FieldType& type_of<ContactSolution>() {
     static const auto list = std::to_array<Field>({
         fields::field<&ContactSolution::approach>("approach", {.unit = "mm", .required = true}),

@@ -11,6 +11,18 @@ namespace {
 [[maybe_unused]] void all_of(const KineticFriction& all) {
     [[maybe_unused]] const auto& [law_, mu_, slip_velocity_] = all;
 }
+[[maybe_unused]] void all_of(const RigidShift& all) {
+    [[maybe_unused]] const auto& [x_, y_] = all;
+}
+[[maybe_unused]] void all_of(const RigidSlip& all) {
+    [[maybe_unused]] const auto& [x_, y_] = all;
+}
+[[maybe_unused]] void all_of(const Force& all) {
+    [[maybe_unused]] const auto& [Fx_, Fy_] = all;
+}
+[[maybe_unused]] void all_of(const Rolling& all) {
+    [[maybe_unused]] const auto& [xi_, eta_, phi_, chi_, dq_, spin_offset_, kind_, steps_, velocity_, force_] = all;
+}
 
 }  // namespace
 
@@ -22,6 +34,56 @@ const FieldType& type_of<KineticFriction>() {
         fields::field<&KineticFriction::slip_velocity>(
             "slip_velocity",
             {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s", .required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<RigidShift>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&RigidShift::x>("x", {.bounds = {.least = -1e+12, .most = 1e+12}}),
+        fields::field<&RigidShift::y>("y", {.bounds = {.least = -1e+12, .most = 1e+12}}),
+    });
+    static const FieldType type = fields::tuple_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<RigidSlip>() {
+    static const auto list = std::to_array<Field>({
+        fields::custom_field<&RigidSlip::x>("x", {.required = true}),
+        fields::custom_field<&RigidSlip::y>("y", {.required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Force>() {
+    static const auto list = std::to_array<Field>({
+        fields::custom_field<&Force::Fx>("Fx", {.bounds = {.least = -1e+18, .most = 1e+18}}),
+        fields::custom_field<&Force::Fy>("Fy", {.bounds = {.least = -1e+18, .most = 1e+18}}),
+    });
+    static const FieldType type = fields::tuple_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Rolling>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Rolling::xi>("xi", {.bounds = {.least = -1e+12, .most = 1e+12}}),
+        fields::field<&Rolling::eta>("eta", {.bounds = {.least = -1e+12, .most = 1e+12}}),
+        fields::field<&Rolling::phi>("phi", {.bounds = {.least = -1e+12, .most = 1e+12}, .unit = "rad/mm"}),
+        fields::field<&Rolling::chi>("chi", {.bounds = {.least = -1e+12, .most = 1e+12}, .unit = "rad"}),
+        fields::field<&Rolling::dq>(
+            "dq", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .none = 0, .unit = "mm"}),
+        fields::field<&Rolling::spin_offset>("spin_offset", {.bounds = {.least = 0, .most = 1}}),
+        fields::field<&Rolling::kind>("kind"),
+        fields::field<&Rolling::steps>("steps", {.bounds = {.least = 1, .most = 100000}}),
+        fields::field<&Rolling::velocity>(
+            "velocity", {.bounds = {.least = 0, .most = 1e+12, .least_excluded = true}, .unit = "mm/s"}),
+        fields::field<&Rolling::force>("force"),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -8,11 +8,89 @@ namespace contactd {
 namespace {
 
 // A member that the schema does not declare makes the number of these names wrong.
+[[maybe_unused]] void all_of(const Rail60E1& all) {
+    [[maybe_unused]] const auto& [inclination_] = all;
+}
 [[maybe_unused]] void all_of(const ProfilePoint& all) {
     [[maybe_unused]] const auto& [y_, z_] = all;
 }
 
 }  // namespace
+
+template <>
+const FieldType& type_of<ProfileSpec>() {
+    static const auto list = std::to_array<Field>({
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<S1002>>("s1002"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<Rail60E1>>("rail_60e1"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ArcProfile>>("arc"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ConeProfile>>("cone"),
+        fields::custom_field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
+                                   &ProfilePoints::points>("points"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>, &ProfilePoints::unit>(
+            "unit", {.bounds = {.least = 1e-06, .most = 1e+06}}),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
+                            &ProfilePoints::mirror_y>("mirror_y"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
+                            &ProfilePoints::mirror_z>("mirror_z"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
+                            &ProfilePoints::smoothing_length>("smoothing_length",
+                                                              {.bounds = {.least = 0, .most = 1000}, .unit = "mm"}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Rail60E1>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Rail60E1::inclination>("inclination", {.bounds = {.least = -0.2, .most = 0.2}}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ArcProfile>() {
+    static const auto list = std::to_array<Field>({
+        fields::field_along<ArcProfile, &ArcProfile::radius>(
+            "radius", {.bounds = {.least = -100000, .most = 100000}, .unit = "mm", .required = true}),
+        fields::field_along<ArcProfile, &ArcProfile::slope>("slope", {.bounds = {.least = -3, .most = 3}}),
+        fields::field_within<ArcProfile>("ends", &type_of<ProfileEnds<ArcProfile>>),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ProfileEnds<ArcProfile>>() {
+    static const auto list = std::to_array<Field>({
+        fields::field_along<ArcProfile, &ArcProfile::from>("from", {.bounds = {.least = -1000, .most = 1000}}),
+        fields::field_along<ArcProfile, &ArcProfile::to>("to", {.bounds = {.least = -1000, .most = 1000}}),
+    });
+    static const FieldType type = fields::tuple_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ProfileEnds<ConeProfile>>() {
+    static const auto list = std::to_array<Field>({
+        fields::field_along<ConeProfile, &ConeProfile::from>("from", {.bounds = {.least = -1000, .most = 1000}}),
+        fields::field_along<ConeProfile, &ConeProfile::to>("to", {.bounds = {.least = -1000, .most = 1000}}),
+    });
+    static const FieldType type = fields::tuple_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ConeProfile>() {
+    static const auto list = std::to_array<Field>({
+        fields::field_along<ConeProfile, &ConeProfile::slope>("slope",
+                                                              {.bounds = {.least = -3, .most = 3}, .required = true}),
+        fields::field_within<ConeProfile>("ends", &type_of<ProfileEnds<ConeProfile>>),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
 
 template <>
 const FieldType& type_of<ProfilePoint>() {

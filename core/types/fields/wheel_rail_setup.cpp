@@ -68,8 +68,8 @@ template <>
 const FieldType& type_of<WheelRailSetup>() {
     static const auto list = std::to_array<Field>({
         fields::field<&WheelRailSetup::side>("side"),
-        fields::custom_field<&WheelRailSetup::wheel>("wheel"),
-        fields::custom_field<&WheelRailSetup::rail>("rail"),
+        fields::field<&WheelRailSetup::wheel>("wheel"),
+        fields::field<&WheelRailSetup::rail>("rail"),
         fields::field<&WheelRailSetup::rail_slices>("rail_slices"),
         fields::field<&WheelRailSetup::wheel_slices>("wheel_slices"),
         fields::field<&WheelRailSetup::track>("track"),
@@ -95,7 +95,7 @@ template <>
 const FieldType& type_of<RailSlice>() {
     static const auto list = std::to_array<Field>({
         fields::field<&RailSlice::x>("x", {.bounds = {.least = -1e+09, .most = 1e+09}, .unit = "mm", .required = true}),
-        fields::custom_field<&RailSlice::profile>("profile", {.required = true}),
+        fields::field<&RailSlice::profile>("profile", {.required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;
@@ -107,7 +107,7 @@ const FieldType& type_of<WheelSlice>() {
         fields::field<&WheelSlice::angle>(
             "angle",
             {.bounds = {.least = -6.283185307179586, .most = 6.283185307179586}, .unit = "rad", .required = true}),
-        fields::custom_field<&WheelSlice::profile>("profile", {.required = true}),
+        fields::field<&WheelSlice::profile>("profile", {.required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

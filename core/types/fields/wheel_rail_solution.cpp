@@ -33,6 +33,9 @@ namespace {
 [[maybe_unused]] void all_of(const OverlapRegion& all) {
     [[maybe_unused]] const auto& [reference_, x_, y_, z_, penetration_, size_] = all;
 }
+[[maybe_unused]] void all_of(const Extent& all) {
+    [[maybe_unused]] const auto& [from_, to_] = all;
+}
 [[maybe_unused]] void all_of(const Creepages& all) {
     [[maybe_unused]] const auto& [xi_, eta_, phi_, chi_, velocity_] = all;
 }
@@ -156,13 +159,23 @@ template <>
 const FieldType& type_of<OverlapRegion>() {
     static const auto list = std::to_array<Field>({
         fields::field<&OverlapRegion::reference>("reference", {.required = true}),
-        fields::custom_field<&OverlapRegion::x>("x", {.required = true}),
-        fields::custom_field<&OverlapRegion::y>("y", {.required = true}),
-        fields::custom_field<&OverlapRegion::z>("z", {.required = true}),
+        fields::field<&OverlapRegion::x>("x", {.required = true}),
+        fields::field<&OverlapRegion::y>("y", {.required = true}),
+        fields::field<&OverlapRegion::z>("z", {.required = true}),
         fields::field<&OverlapRegion::penetration>("penetration", {.unit = "mm", .required = true}),
         fields::field<&OverlapRegion::size>("size", {.unit = "mm^4", .required = true}),
     });
     static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<Extent>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&Extent::from>("from"),
+        fields::field<&Extent::to>("to"),
+    });
+    static const FieldType type = fields::tuple_type(list);
     return type;
 }
 
@@ -182,10 +195,14 @@ const FieldType& type_of<Creepages>() {
 template <>
 const FieldType& type_of<ContactRadii>() {
     static const auto list = std::to_array<Field>({
-        fields::field<&ContactRadii::wheel_along>("wheel_along"),
-        fields::field<&ContactRadii::wheel_across>("wheel_across"),
-        fields::field<&ContactRadii::rail_along>("rail_along"),
-        fields::field<&ContactRadii::rail_across>("rail_across"),
+        fields::field<&ContactRadii::wheel_along>("wheel_along",
+                                                  {.none = std::numeric_limits<double>::infinity(), .unit = "mm"}),
+        fields::field<&ContactRadii::wheel_across>("wheel_across",
+                                                   {.none = std::numeric_limits<double>::infinity(), .unit = "mm"}),
+        fields::field<&ContactRadii::rail_along>("rail_along",
+                                                 {.none = std::numeric_limits<double>::infinity(), .unit = "mm"}),
+        fields::field<&ContactRadii::rail_across>("rail_across",
+                                                  {.none = std::numeric_limits<double>::infinity(), .unit = "mm"}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -1,6 +1,7 @@
 // `bodies` and `ics` of a request: the bodies' own coefficients, or a shorthand for both beside them.
 #include "codec_parts.hpp"
 #include "codec_section.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 

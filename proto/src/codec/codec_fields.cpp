@@ -1,36 +1,26 @@
 // The arrays of a solution, of which a request may want some.
+#include <algorithm>
+
 #include "codec_parts.hpp"
+#include "contactd/fields/contact.hpp"
 #include "contactd/proto/codec.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
 
-constexpr Words<SolutionField, 6> field_names{{{"element_division", SolutionField::element_division},
-                                               {"pressure", SolutionField::pressure},
-                                               {"traction_x", SolutionField::traction_x},
-                                               {"traction_y", SolutionField::traction_y},
-                                               {"slip_x", SolutionField::slip_x},
-                                               {"slip_y", SolutionField::slip_y}}};
+const Field& field_of(std::string_view array) {
+    return *std::ranges::find(type_of<ContactSolution>().fields, array, &Field::name);
+}
 
-/// An array of doubles of a solution; Solution may be const.
-template <class Solution>
-auto* array_of(SolutionField field, Solution& solution) {
-    switch (field) {
-        case SolutionField::pressure:
-            return &solution.pressure;
-        case SolutionField::traction_x:
-            return &solution.traction_x;
-        case SolutionField::traction_y:
-            return &solution.traction_y;
-        case SolutionField::slip_x:
-            return &solution.slip_x;
-        case SolutionField::slip_y:
-            return &solution.slip_y;
-        default:
-            throw Error("Bytes are no doubles.");
-    }
+/// The numbers of an array that is not of bytes.
+std::vector<double>& numbers_of(std::string_view array, ContactSolution& solution) {
+    return *static_cast<std::vector<double>*>(field_of(array).make(&solution));
+}
+const std::vector<double>& numbers_of(std::string_view array, const ContactSolution& solution) {
+    return *static_cast<const std::vector<double>*>(field_of(array).find(&solution));
 }
 
 std::vector<unsigned char> bytes_of(const std::vector<ElementState>& states) {
@@ -55,16 +45,14 @@ std::vector<ElementState> states_of(const std::vector<unsigned char>& bytes) {
 }  // namespace
 
 json encode_fields(const SolutionFields& fields) {
-    json names = json::array();
-    for (const SolutionField field : fields) names.push_back(word_for(field_names, field));
-    return names;
+    return write_fields(fields, MemberPath("fields"));
 }
 
 SolutionFields decode_fields(const json& params, const SolutionFields& otherwise) {
     const auto named = params.find("fields");
     if (named == params.end()) return otherwise;
     SolutionFields fields;
-    for (const json& name : *named) fields.push_back(meaning_of(name, field_names));
+    read_fields(*named, fields, MemberPath("fields"));
     return fields;
 }
 
@@ -77,21 +65,21 @@ json encode_problem(const ContactProblem& problem, ArrayWriter& arrays, const So
 void encode_arrays(const ContactSolution& solution, const SolutionFields& fields, const Grid& grid, ArrayWriter& arrays,
                    json& result) {
     for (const SolutionField field : fields) {
-        const std::string name(word_for(field_names, field));
+        const std::string name(name_of(field));
         if (result.contains(name)) continue;  // asked for twice
         if (field == SolutionField::element_division) {
             const std::vector<unsigned char> division = bytes_of(solution.element_division);
             result[name] = arrays.write(std::span<const unsigned char>(division), shape_of(grid));
-        } else if (const auto* values = array_of(field, solution); !values->empty()) {  // slip needs friction
-            result[name] = arrays.write(std::span<const double>(*values), shape_of(grid));
+        } else if (const auto& values = numbers_of(name, solution); !values.empty()) {  // slip needs friction
+            result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
         }
     }
 }
 
 void decode_arrays(const json& result, const Frames& frames, std::vector<std::size_t> shape,
                    ContactSolution& solution) {
-    for (const auto& [word, field] : field_names) {
-        const std::string name(word);
+    for (const SolutionField field : all_solution_fields) {
+        const std::string name(name_of(field));
         if (!result.contains(name)) continue;
         if (shape.empty()) shape = claimed_shape(result[name], 2);
         if (shape.size() != 2)
@@ -100,7 +88,7 @@ void decode_arrays(const json& result, const Frames& frames, std::vector<std::si
         if (field == SolutionField::element_division)
             solution.element_division = states_of(read_byte_array(result[name], frames, shape, name));
         else
-            *array_of(field, solution) = read_array(result[name], frames, shape, name);
+            numbers_of(name, solution) = read_array(result[name], frames, shape, name);
     }
 }
 

@@ -68,8 +68,8 @@ json encode_frames(const std::vector<StripFrame>& columns, ArrayWriter& arrays) 
     return arrays.write(std::span<const double>(values), {columns.size(), 3});
 }
 
-std::vector<StripFrame> decode_frames(const json& source, const Frames& frames, int columns) {
-    const std::vector<double> values = read_array(source, frames, {static_cast<std::size_t>(columns), 3}, "frames");
+std::vector<StripFrame> decode_frames(const json& source, const Frames& frames, int strips, const std::string& field) {
+    const std::vector<double> values = read_array(source, frames, {static_cast<std::size_t>(strips), 3}, field);
     std::vector<StripFrame> result;
     for (std::size_t at = 0; at + 2 < values.size(); at += 3)
         result.push_back({values[at], values[at + 1], values[at + 2]});
@@ -95,7 +95,7 @@ IcReply decode_ic_reply(const json& result, const Frames& frames) {
     reply.table.ny = table_rows(reply.spec);
     reply.table.values = read_unset_array(result["table"], frames, table_shape(reply.spec), "table");
     reply.evidence = decode_evidence(result["evidence"]);
-    if (result.contains("frames")) reply.frames = decode_frames(result["frames"], frames, reply.spec.ny);
+    if (result.contains("frames")) reply.frames = decode_frames(result["frames"], frames, reply.spec.ny, "frames");
     return reply;
 }
 

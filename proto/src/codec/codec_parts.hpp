@@ -55,9 +55,6 @@ double finite(double value, const char* what);
 /// The same of a field of a request. Throws InvalidArgument naming it.
 double finite_field(double value, const char* field);
 
-nlohmann::json encode_columns(const ContactColumns& columns, ArrayWriter& arrays);
-ContactColumns decode_columns(const nlohmann::json& source, const Frames& frames, const Grid& grid);
-
 /// nx or ny of a grid. Throws StatusError when no grid has so many elements.
 int decode_count(const nlohmann::json& grid, const char* name);
 
@@ -72,9 +69,10 @@ nlohmann::json encode_ics(const Ics& ics);
 /// Applies preset and defaults.
 Ics decode_ics(const nlohmann::json& json);
 
-/// Columns of a prism as an array [columns, 3]: y, z (mm), angle (rad).
-nlohmann::json encode_frames(const std::vector<StripFrame>& columns, ArrayWriter& arrays);
-std::vector<StripFrame> decode_frames(const nlohmann::json& source, const Frames& frames, int columns);
+/// Strips of a longitudinally uniform body as an array [strips, 3]: y, z (mm), angle (rad). `field` is where it stands.
+nlohmann::json encode_frames(const std::vector<StripFrame>& frames, ArrayWriter& arrays);
+std::vector<StripFrame> decode_frames(const nlohmann::json& source, const Frames& frames, int strips,
+                                      const std::string& field);
 
 /// The fields of a mesh and its solver.
 nlohmann::json encode_fem(const FemSpec& fem);
@@ -83,9 +81,6 @@ void decode_fem(const nlohmann::json& json, FemSpec& fem);
 
 nlohmann::json encode_derivatives(const Derivatives& derivatives);
 Derivatives decode_derivatives(const nlohmann::json& json);
-
-nlohmann::json encode_gap(const Gap& gap, const Grid& grid, ArrayWriter& arrays);
-Gap decode_gap(const nlohmann::json& json, const Frames& frames, const Grid& grid);
 
 /// Coefficients that the request itself holds, which cover `grid`. Throws StatusError (ARRAY_INVALID).
 /// `field` is where they stand.
@@ -101,24 +96,6 @@ nlohmann::json encode_opening(const ContactProblem& problem, ArrayWriter& arrays
 ContactProblem decode_opening(const nlohmann::json& params, const Frames& frames);
 
 nlohmann::json encode_use(const IcUse& use);
-
-/// `settings` of a request. Defaults are left out: what is not sent need not be read.
-void encode_settings(const ContactSettings& settings, nlohmann::json& params);
-ContactSettings decode_settings(const nlohmann::json& params);
-
-/// `friction.kinetic` of a request.
-nlohmann::json encode_kinetic(const KineticFriction& kinetic);
-KineticFriction decode_kinetic(const nlohmann::json& source);
-
-/// What a request says of friction: each part is absent, or empty, where it is not said.
-struct FrictionParts {
-    std::optional<FrictionLaw> law;
-    std::optional<Motion> motion;
-    RigidSlip rigid_slip;
-};
-nlohmann::json encode_friction(const FrictionParts& parts, const Grid& grid, ArrayWriter& arrays);
-/// Lays `friction` of a request over the problem's, which stays as it is in fields that are not there.
-void decode_friction(const nlohmann::json& json, const Frames& frames, ContactProblem& problem);
 
 /// What a result holds of a solution, but for its arrays. Throws Error for numbers that are not finite.
 nlohmann::json encode_summary(const ContactSolution& solution, const Grid& grid);

@@ -4,80 +4,20 @@
 #include <utility>
 
 #include "codec_parts.hpp"
-#include "contactd/proto/object.hpp"
+#include "contactd/fields/profile_spec.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
 
 using nlohmann::json;
 
-json encode_ends(double from, double to) {
-    return {finite(from, "An end of a profile"), finite(to, "An end of a profile")};
-}
-
-json encode(const S1002&, ArrayWriter&) {
-    return {{"s1002", true}};
-}
-
-json encode(const Rail60E1& rail, ArrayWriter&) {
-    return object({{"rail_60e1", object({{"inclination", finite(rail.inclination, "inclination")}})}});
-}
-
-json encode(const ArcProfile& arc, ArrayWriter&) {
-    return object({{"arc", object({{"radius", finite(arc.radius, "radius")},
-                                   {"slope", finite(arc.slope, "slope")},
-                                   {"ends", encode_ends(arc.from, arc.to)}})}});
-}
-
-json encode(const ConeProfile& cone, ArrayWriter&) {
-    return object(
-        {{"cone", object({{"slope", finite(cone.slope, "slope")}, {"ends", encode_ends(cone.from, cone.to)}})}});
-}
-
-json encode(const ProfilePoints& points, ArrayWriter& arrays) {
-    return object({{"points", encode_pairs(points.points, arrays)},
-                   {"unit", finite(points.unit, "unit")},
-                   {"mirror_y", points.mirror_y},
-                   {"mirror_z", points.mirror_z},
-                   {"smoothing_length", finite(points.smoothing_length, "smoothing_length")}});
-}
-
-/// Of an arc or a cone.
-template <class Shape>
-void decode_ends(const json& source, const std::string& field, Shape& shape) {
-    shape.slope = source.value("slope", shape.slope);
-    if (!source.contains("ends")) return;
-    shape.from = source["ends"][0].get<double>();
-    shape.to = source["ends"][1].get<double>();
-    if (!(shape.to >= shape.from + 1))
+void check_ends(const json& curve, const std::string& field) {
+    if (!curve.contains("ends")) return;
+    const json& ends = curve["ends"];
+    if (!(ends[1].get<double>() >= ends[0].get<double>() + 1))
         throw invalid_field(field + ".ends",
-                            "are " + source["ends"].dump() + "; the second must be at least 1 mm above the first");
-}
-
-ProfilePoints decode_points(const json& source, const Frames& frames, const std::string& field) {
-    ProfilePoints points;
-    points.points = decode_pairs(source["points"], frames, field + ".points");
-    points.unit = source.value("unit", points.unit);
-    points.mirror_y = source.value("mirror_y", points.mirror_y);
-    points.mirror_z = source.value("mirror_z", points.mirror_z);
-    points.smoothing_length = source.value("smoothing_length", points.smoothing_length);
-    return points;
-}
-
-ProfileShape decode_shape(const json& source, const Frames& frames, const std::string& field) {
-    if (source.contains("s1002")) return S1002{};
-    if (source.contains("rail_60e1")) return Rail60E1{source["rail_60e1"].value("inclination", 0.0)};
-    if (source.contains("arc")) {
-        ArcProfile arc{source["arc"]["radius"].get<double>()};
-        decode_ends(source["arc"], field + ".arc", arc);
-        return arc;
-    }
-    if (source.contains("cone")) {
-        ConeProfile cone;
-        decode_ends(source["cone"], field + ".cone", cone);
-        return cone;
-    }
-    return decode_points(source, frames, field);
+                            "are " + ends.dump() + "; the second must be at least 1 mm above the first");
 }
 
 }  // namespace
@@ -105,11 +45,21 @@ std::vector<ProfilePoint> decode_pairs(const json& source, const Frames& frames,
 }
 
 json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays) {
-    return std::visit([&](const auto& shape) { return encode(shape, arrays); }, profile.shape);
+    return write_object(type_of<ProfileSpec>(), &profile, MemberPath("profile"), {&arrays});
 }
 
-ProfileSpec decode_profile(const json& source, ProfileKind kind, const Frames& frames, const std::string& field) {
-    return {kind, decode_shape(source, frames, field)};
+// Parameters that are left out are those of a new shape, not of one that is there by default. A formula says all.
+void decode_profile(const json& source, ProfileSpec& profile, const Frames& frames, const std::string& field) {
+    profile.shape = {};
+    for (const char* curve : {"arc", "cone"})
+        if (source.contains(curve)) check_ends(source[curve], field + "." + curve);
+    const auto read = [&](const json& shape) {
+        read_object(shape, type_of<ProfileSpec>(), &profile, MemberPath(field), {frames});
+    };
+    if (source.contains("points")) return read(source);
+    json formula = source;
+    for (const char* of_points : {"unit", "mirror_y", "mirror_z", "smoothing_length"}) formula.erase(of_points);
+    read(formula);
 }
 
 }  // namespace contactd::proto

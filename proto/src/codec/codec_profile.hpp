@@ -12,10 +12,9 @@
 namespace contactd::proto {
 
 nlohmann::json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays);
-/// `field` is where it stands. Throws StatusError for points that are too many or no pairs, and for ends in the wrong
-/// order.
-ProfileSpec decode_profile(const nlohmann::json& source, ProfileKind kind, const Frames& frames,
-                           const std::string& field);
+/// Replaces the shape; which of both bodies the profile is of stays. `field` is where it stands. Throws StatusError for
+/// points that are too many or no pairs, and for ends in the wrong order.
+void decode_profile(const nlohmann::json& source, ProfileSpec& profile, const Frames& frames, const std::string& field);
 
 /// Points as an array [n, 2] of y and z.
 nlohmann::json encode_pairs(const std::vector<ProfilePoint>& points, ArrayWriter& arrays);

@@ -69,9 +69,8 @@ class Reader {
     explicit Reader(const Frames& frames) : frames_(frames) {}
 
     void get(const json& source, const std::string& field, ProfileSection& section) const {
-        ProfileKind kind{};
-        read_name(source["kind"], kind);
-        section.profile = decode_profile(source["profile"], kind, frames_, field + ".profile");
+        read_name(source["kind"], section.profile.kind);
+        decode_profile(source["profile"], section.profile, frames_, field + ".profile");
         section.depth = source["depth"].get<double>();
         section.from = source.value("from", section.from);
     }

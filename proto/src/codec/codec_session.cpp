@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "codec_parts.hpp"
+#include "contactd/fields/session.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/proto/status.hpp"
+#include "field_codec.hpp"
 
 namespace contactd::proto {
 namespace {
@@ -37,7 +39,9 @@ void apply_friction(const json& params, const Frames& frames, ContactProblem& pr
     if (!problem.friction && !friction.contains("mu"))
         throw invalid_field("friction.mu",
                             "is missing; a step that names friction must say it where session.open named none");
-    decode_friction(friction, frames, problem);
+    if (!problem.friction) problem.friction.emplace();
+    read_fields(friction, type_of<FrictionFields<ContactProblem>>(), &problem, MemberPath("friction"),
+                {frames, &problem.grid});
 }
 
 }  // namespace
@@ -102,17 +106,11 @@ json encode_step(const std::string& session, long long step, const StepInput& in
     json params{{"session", session}, {"step", step}};
     if (input.Fn && input.approach)
         throw InvalidArgument("Fn", "stands beside an approach; a step takes only one of the two");
-    if (input.Fn) params["Fn"] = finite_field(*input.Fn, "Fn");
-    if (input.approach) params["approach"] = finite_field(*input.approach, "approach");
-    if (input.gap) params["gap"] = encode_gap(*input.gap, grid, arrays);
-    if (input.friction || input.motion || !input.rigid_slip.empty()) {
-        json friction = encode_friction({input.friction, input.motion, input.rigid_slip}, grid, arrays);
-        if (input.motion) say_force(friction.contains("rolling") ? friction["rolling"] : friction);
-        params["friction"] = std::move(friction);
+    params.update(write_fields(input, MemberPath(""), {&arrays, &grid}));
+    if (input.motion) {
+        json& friction = params["friction"];
+        say_force(friction.contains("rolling") ? friction["rolling"] : friction);
     }
-    if (input.again) params["again"] = true;
-    if (input.derivatives) params["derivatives"] = *input.derivatives;
-    if (!input.fields.empty()) params["fields"] = encode_fields(input.fields);
     return params;
 }
 
@@ -127,7 +125,7 @@ void apply_step(const json& params, const Frames& frames, const std::optional<Mo
         throw invalid_field("approach", "is missing; session.open named neither it nor Fn, so every step must");
     }
     if (params.contains("gap"))
-        problem.gap = decode_gap(params["gap"], frames, problem.grid);
+        read_fields(params["gap"], problem.gap.emplace(), MemberPath("gap"), {frames, &problem.grid});
     else if (!problem.gap)
         throw invalid_field("gap", "is missing; session.open named none, so every step must");
     if (params.contains("friction")) apply_friction(params, frames, problem);

@@ -1,8 +1,8 @@
 // `setup` of wheelrail.*.
 #include <span>
 
-#include "codec_conicity.hpp"
 #include "codec_parts.hpp"
+#include "contactd/fields/conicity.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/wheel_rail.hpp"
@@ -14,12 +14,12 @@ namespace {
 using nlohmann::json;
 
 json encode_setup(const WheelRailSetup& setup, ArrayWriter& arrays, const char* name = "setup") {
-    return write_fields(setup, MemberPath(name), &arrays);
+    return write_fields(setup, MemberPath(name), {&arrays});
 }
 
 WheelRailSetup decode_setup(const json& params, const char* name, const Frames& frames) {
     WheelRailSetup setup;
-    if (params.contains(name)) read_fields(params[name], setup, MemberPath(name), frames);
+    if (params.contains(name)) read_fields(params[name], setup, MemberPath(name), {frames});
     return setup;
 }
 
@@ -73,13 +73,13 @@ json encode_geometry_request(const WheelRailSetup& setup, std::span<const WheelR
 
 json encode_conicity_request(const WheelsetSetup& setup, const ConicityRequest& wanted, ArrayWriter& arrays) {
     json params = encode_setups(setup, arrays);
-    params["conicity"] = encode_conicity(wanted);
+    params["conicity"] = write_fields(wanted, MemberPath("conicity"));
     return params;
 }
 
 json encode_contacts_request(const WheelsetSetup& setup, const ContactsRequest& wanted, ArrayWriter& arrays) {
     json params = encode_setups(setup, arrays);
-    params["contacts"] = encode_contacts_request(wanted);
+    params["contacts"] = write_fields(wanted, MemberPath("contacts"));
     return params;
 }
 

@@ -17,49 +17,55 @@ json write_number(double number, const MemberPath& path) {
 
 bool is_left_to_the_message(const FieldType& type) {
     const FieldHook* hook = hook_of(type);
-    return hook != nullptr && hook->write == nullptr;
+    return hook != nullptr && hook->write == nullptr && hook->read == nullptr;
 }
 
 bool is_empty_list(const FieldType& type, const void* value) {
     return type.kind == FieldKind::list && type.size(value) == 0;
 }
 
-json write_object(const FieldType& type, const void* owner, const MemberPath& path, ArrayWriter* arrays) {
-    json::object_t object;
-    for (const Field& field : type.fields) {
-        if (is_left_to_the_message(field.type())) continue;
-        const void* value = field.find(owner);
-        if (value == nullptr) {
-            if (field.present_by_default) object.emplace(field.name, nullptr);
-        } else if (field.present_by_default || field.required || !is_empty_list(field.type(), value)) {
-            object.emplace(field.name, write_fields(field.type(), value, MemberPath(path, field.name), arrays));
-        }
-    }
-    return object;
+/// Whether a field that is there says nothing all the same.
+bool is_none(const Field& field, const void* value) {
+    const FieldType& type = field.type();
+    if (type.kind == FieldKind::number) return *static_cast<const double*>(value) == field.none;
+    if (field.present_by_default || field.required) return false;
+    return is_empty_list(type, value) ||
+           (type.kind == FieldKind::text && static_cast<const std::string*>(value)->empty());
 }
 
-json write_list(const FieldType& type, const void* list, const MemberPath& path, ArrayWriter* arrays) {
+json write_list(const FieldType& type, const void* list, const MemberPath& path, const Writing& with) {
     json result = json::array();
     for (std::size_t i = 0; i < type.size(list); ++i)
-        result.push_back(write_fields(type.element(), type.at(list, i), MemberPath(path, i), arrays));
+        result.push_back(write_fields(type.element(), type.at(list, i), MemberPath(path, i), with));
     return result;
 }
 
-void read_object(const json& source, const FieldType& type, void* owner, const MemberPath& path, const Frames& frames) {
+/// Discarded where none of the values is there.
+json write_tuple(const FieldType& type, const void* owner, const MemberPath& path) {
+    json result = json::array();
+    bool any = false;
     for (const Field& field : type.fields) {
-        const auto given = source.find(field.name);
-        if (given == source.end() || is_left_to_the_message(field.type())) continue;
-        if (given->is_null() && field.clear)
+        const void* value = field.find(owner);
+        any = any || value != nullptr;
+        result.push_back(value == nullptr ? json() : write_number(*static_cast<const double*>(value), path));
+    }
+    return any ? result : json(json::value_t::discarded);
+}
+
+void read_tuple(const json& source, const FieldType& type, void* owner) {
+    for (std::size_t i = 0; i < type.fields.size(); ++i) {
+        const Field& field = type.fields[i];
+        if (source[i].is_null())
             field.clear(owner);
         else
-            read_fields(*given, field.type(), field.make(owner), MemberPath(path, field.name), frames);
+            *static_cast<double*>(field.make(owner)) = source[i].get<double>();
     }
 }
 
-void read_list(const json& source, const FieldType& type, void* list, const MemberPath& path, const Frames& frames) {
+void read_list(const json& source, const FieldType& type, void* list, const MemberPath& path, const Reading& with) {
     type.empty(list);
     for (std::size_t i = 0; i < source.size(); ++i)
-        read_fields(source[i], type.element(), type.add(list), MemberPath(path, i), frames);
+        read_fields(source[i], type.element(), type.add(list), MemberPath(path, i), with);
 }
 
 std::int64_t value_of_keyword(const json& word, const FieldType& type) {
@@ -77,8 +83,27 @@ std::string MemberPath::text() const {
     return above.empty() ? std::string(name_) : above + "." + std::string(name_);
 }
 
-json write_fields(const FieldType& type, const void* value, const MemberPath& path, ArrayWriter* arrays) {
-    if (const FieldHook* hook = hook_of(type)) return hook->write(value, path, arrays);
+// An object that says nothing is left out where its field is always there, and required of nobody.
+json write_object(const FieldType& type, const void* owner, const MemberPath& path, const Writing& with) {
+    json::object_t object;
+    for (const Field& field : type.fields) {
+        if (is_left_to_the_message(field.type())) continue;
+        const void* value = field.find(owner);
+        if (value == nullptr) {
+            if (field.present_by_default) object.emplace(field.name, nullptr);
+            continue;
+        }
+        if (is_none(field, value)) continue;
+        json written = write_fields(field.type(), value, MemberPath(path, field.name), with);
+        const bool says_nothing = written.is_object() && written.empty() && !field.clear && !field.required;
+        if (!written.is_discarded() && !says_nothing) object.emplace(field.name, std::move(written));
+    }
+    return object;
+}
+
+json write_fields(const FieldType& type, const void* value, const MemberPath& path, const Writing& with) {
+    const FieldHook* hook = hook_of(type);
+    if (hook != nullptr && hook->write != nullptr) return hook->write(value, path, with);
     switch (type.kind) {
         case FieldKind::number:
             return write_number(*static_cast<const double*>(value), path);
@@ -91,17 +116,29 @@ json write_fields(const FieldType& type, const void* value, const MemberPath& pa
         case FieldKind::keyword:
             return type.keywords[static_cast<std::size_t>(type.integer(value))];
         case FieldKind::list:
-            return write_list(type, value, path, arrays);
+            return write_list(type, value, path, with);
         case FieldKind::object:
-            return write_object(type, value, path, arrays);
+            return type.is_tuple ? write_tuple(type, value, path) : write_object(type, value, path, with);
         case FieldKind::custom:
             break;
     }
     throw Error("The field " + path.text() + " has no form on the wire.");
 }
 
-void read_fields(const json& source, const FieldType& type, void* value, const MemberPath& path, const Frames& frames) {
-    if (const FieldHook* hook = hook_of(type)) return hook->read(source, value, path, frames);
+void read_object(const json& source, const FieldType& type, void* owner, const MemberPath& path, const Reading& with) {
+    for (const Field& field : type.fields) {
+        const auto given = source.find(field.name);
+        if (given == source.end() || is_left_to_the_message(field.type())) continue;
+        if (given->is_null() && field.clear)
+            field.clear(owner);
+        else
+            read_fields(*given, field.type(), field.make(owner), MemberPath(path, field.name), with);
+    }
+}
+
+void read_fields(const json& source, const FieldType& type, void* value, const MemberPath& path, const Reading& with) {
+    const FieldHook* hook = hook_of(type);
+    if (hook != nullptr && hook->read != nullptr) return hook->read(source, value, path, with);
     switch (type.kind) {
         case FieldKind::number:
             *static_cast<double*>(value) = source.get<double>();
@@ -116,9 +153,9 @@ void read_fields(const json& source, const FieldType& type, void* value, const M
         case FieldKind::keyword:
             return type.set_integer(value, value_of_keyword(source, type));
         case FieldKind::list:
-            return read_list(source, type, value, path, frames);
+            return read_list(source, type, value, path, with);
         case FieldKind::object:
-            return read_object(source, type, value, path, frames);
+            return type.is_tuple ? read_tuple(source, type, value) : read_object(source, type, value, path, with);
         case FieldKind::custom:
             break;
     }

@@ -11,6 +11,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/fields.hpp"
+#include "contactd/grid.hpp"
 #include "contactd/proto/message.hpp"
 
 namespace contactd::proto {
@@ -31,30 +32,47 @@ class MemberPath {
     std::size_t index_ = 0;
 };
 
-/// The form on the wire of values of one type. `arrays` may be null where a message has none. Without functions a field
-/// of this type is passed over: what the message holds of it depends on more than its value.
+/// What a message is written with: arrays over the grid are left out where there is no grid.
+struct Writing {
+    ArrayWriter* arrays = nullptr;  ///< null where a message has none
+    const Grid* grid = nullptr;
+};
+
+struct Reading {
+    const Frames& frames;
+    const Grid* grid = nullptr;
+};
+
+/// The form on the wire of values of one type. What `write` returns discarded is left out. Without functions a field of
+/// this type is passed over: what the message holds of it depends on more than its value. Without one of them its
+/// fields say all.
 struct FieldHook {
     const FieldType* type;
-    nlohmann::json (*write)(const void* value, const MemberPath& path, ArrayWriter* arrays);
-    void (*read)(const nlohmann::json& source, void* value, const MemberPath& path, const Frames& frames);
+    nlohmann::json (*write)(const void* value, const MemberPath& path, const Writing& with);
+    void (*read)(const nlohmann::json& source, void* value, const MemberPath& path, const Reading& with);
 };
 
 /// Null where the fields of a type say all.
 const FieldHook* hook_of(const FieldType& type);
 
 /// Throws InvalidArgument naming the path of a number that is not finite.
-nlohmann::json write_fields(const FieldType& type, const void* value, const MemberPath& path, ArrayWriter* arrays);
+nlohmann::json write_fields(const FieldType& type, const void* value, const MemberPath& path, const Writing& with);
+/// Likewise, without the type's own hook.
+nlohmann::json write_object(const FieldType& type, const void* owner, const MemberPath& path, const Writing& with);
 /// `source` has passed its schema.
 void read_fields(const nlohmann::json& source, const FieldType& type, void* value, const MemberPath& path,
-                 const Frames& frames);
+                 const Reading& with);
+/// Likewise, without the type's own hook.
+void read_object(const nlohmann::json& source, const FieldType& type, void* owner, const MemberPath& path,
+                 const Reading& with);
 
 template <class T>
-nlohmann::json write_fields(const T& value, const MemberPath& path, ArrayWriter* arrays = nullptr) {
-    return write_fields(type_of<T>(), &value, path, arrays);
+nlohmann::json write_fields(const T& value, const MemberPath& path, const Writing& with = {}) {
+    return write_fields(type_of<T>(), &value, path, with);
 }
 template <class T>
-void read_fields(const nlohmann::json& source, T& value, const MemberPath& path, const Frames& frames = {}) {
-    read_fields(source, type_of<T>(), &value, path, frames);
+void read_fields(const nlohmann::json& source, T& value, const MemberPath& path, const Reading& with = {{}}) {
+    read_fields(source, type_of<T>(), &value, path, with);
 }
 
 /// write_fields of what was computed: a number that is not finite is an Error, not a refusal of what was asked.

@@ -9,6 +9,7 @@
 
 #include "codec_parts.hpp"
 #include "codec_profile.hpp"
+#include "codec_section.hpp"
 #include "contactd/body.hpp"
 #include "contactd/fields/grid.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
@@ -33,26 +34,24 @@ T& as(void* value) {
 }
 
 // --- profiles --------------------------------------------------------------------------------------------------------
-json write_profile(const void* value, const MemberPath&, ArrayWriter* arrays) {
-    return encode_profile(as<ProfileSpec>(value), *arrays);
+json write_profile(const void* value, const MemberPath&, const Writing& with) {
+    return encode_profile(as<ProfileSpec>(value), *with.arrays);
 }
 
-/// Which of both bodies a profile is of is where it stands.
-void read_profile(const json& source, void* value, const MemberPath& path, const Frames& frames) {
-    auto& profile = as<ProfileSpec>(value);
-    profile = decode_profile(source, profile.kind, frames, path.text());
+void read_profile(const json& source, void* value, const MemberPath& path, const Reading& with) {
+    decode_profile(source, as<ProfileSpec>(value), with.frames, path.text());
 }
 
 /// One frame may be the points of many slices, each of which has its own: they are counted as they are read.
 template <class Slice>
-void read_slices(const json& source, void* value, const MemberPath& path, const Frames& frames) {
+void read_slices(const json& source, void* value, const MemberPath& path, const Reading& with) {
     constexpr std::size_t most_points_of_slices = 10 * most_profile_points;
     auto& slices = as<std::vector<Slice>>(value);
     slices.clear();
     std::size_t points = 0;
     for (const json& slice : source) {
         const MemberPath place(path, slices.size());
-        read_fields(slice, slices.emplace_back(), place, frames);
+        read_fields(slice, slices.emplace_back(), place, with);
         if (const auto* given = std::get_if<ProfilePoints>(&slices.back().profile.shape))
             points += given->points.size();
         if (points > most_points_of_slices)
@@ -64,10 +63,10 @@ void read_slices(const json& source, void* value, const MemberPath& path, const 
 }
 
 template <class Slice>
-json write_slices(const void* value, const MemberPath& path, ArrayWriter* arrays) {
+json write_slices(const void* value, const MemberPath& path, const Writing& with) {
     json result = json::array();
     for (const Slice& slice : as<std::vector<Slice>>(value))
-        result.push_back(write_fields(slice, MemberPath(path, result.size()), arrays));
+        result.push_back(write_fields(slice, MemberPath(path, result.size()), with));
     return result;
 }
 
@@ -81,7 +80,7 @@ json write_body(const Body& body, const std::string& field) {
     return encode_material(body.material);
 }
 
-json write_bodies(const void* value, const MemberPath& path, ArrayWriter*) {
+json write_bodies(const void* value, const MemberPath& path, const Writing&) {
     const auto& bodies = as<Bodies>(value);
     const std::string field = path.text();
     if (bodies.pair)
@@ -96,7 +95,7 @@ Body read_body(const json& source) {
     return {source.contains("rigid") ? Material::rigid() : decode_material(source)};
 }
 
-void read_bodies(const json& source, void* value, const MemberPath&, const Frames&) {
+void read_bodies(const json& source, void* value, const MemberPath&, const Reading&) {
     auto& bodies = as<Bodies>(value);
     bodies.upper = read_body(source["upper"]);
     bodies.lower = source.contains("lower") ? read_body(source["lower"]) : bodies.upper;
@@ -106,17 +105,17 @@ void read_bodies(const json& source, void* value, const MemberPath&, const Frame
 // ---------------------------------------------------------------------------
 using Coefficients = std::vector<FrictionAtAngle>;
 
-json write_coefficients(const void* value, const MemberPath& path, ArrayWriter* arrays) {
+json write_coefficients(const void* value, const MemberPath& path, const Writing& with) {
     const auto& coefficients = as<Coefficients>(value);
     if (coefficients.size() == 1 && coefficients[0].angle == 0)
         return finite_field(coefficients[0].mu, path.text().c_str());
     json result = json::array();
     for (const FrictionAtAngle& entry : coefficients)
-        result.push_back(write_fields(entry, MemberPath(path, result.size()), arrays));
+        result.push_back(write_fields(entry, MemberPath(path, result.size()), with));
     return result;
 }
 
-void read_coefficients(const json& source, void* value, const MemberPath& path, const Frames& frames) {
+void read_coefficients(const json& source, void* value, const MemberPath& path, const Reading& with) {
     auto& coefficients = as<Coefficients>(value);
     coefficients.clear();
     if (source.is_number()) {
@@ -124,55 +123,103 @@ void read_coefficients(const json& source, void* value, const MemberPath& path, 
         return;
     }
     for (const json& entry : source)
-        read_fields(entry, coefficients.emplace_back(), MemberPath(path, coefficients.size() - 1), frames);
+        read_fields(entry, coefficients.emplace_back(), MemberPath(path, coefficients.size() - 1), with);
 }
 
 // --- where wheel and rail are in contact
 // -------------------------------------------------------------------------------
-json write_extent(const void* value, const MemberPath& path, ArrayWriter*) {
-    const auto& [from, to] = as<Extent>(value);
-    const std::string field = path.text();
-    return {finite_field(from, field.c_str()), finite_field(to, field.c_str())};
-}
-
-void read_extent(const json& source, void* value, const MemberPath&, const Frames&) {
-    as<Extent>(value) = {source[0].get<double>(), source[1].get<double>()};
-}
-
-/// The radius of what is straight is infinite, and left out.
-json write_radii(const void* value, const MemberPath& path, ArrayWriter*) {
-    json result = json::object();
-    for (const Field& field : type_of<ContactRadii>().fields)
-        if (const double radius = as<double>(field.find(value)); !std::isinf(radius))
-            result[std::string(field.name)] = write_fields(radius, MemberPath(path, field.name));
-    return result;
-}
-
-void read_radii(const json& source, void* value, const MemberPath& path, const Frames&) {
-    constexpr double straight = std::numeric_limits<double>::infinity();
-    for (const Field& field : type_of<ContactRadii>().fields) {
-        auto& radius = as<double>(field.make(value));
-        radius = straight;
-        if (source.contains(field.name))
-            read_fields(source[std::string(field.name)], radius, MemberPath(path, field.name));
-    }
-}
-
-json write_grid(const void* value, const MemberPath&, ArrayWriter*) {
+json write_grid(const void* value, const MemberPath&, const Writing&) {
     return encode_grid(as<Grid>(value));
 }
 
-void read_grid(const json& source, void* value, const MemberPath&, const Frames&) {
+void read_grid(const json& source, void* value, const MemberPath&, const Reading&) {
     as<Grid>(value) = decode_grid(source);
+}
+
+// --- arrays over the grid --------------------------------------------------------------------------------------------
+json over_grid(const std::vector<double>& values, const Writing& with) {
+    return with.arrays->write(std::span<const double>(values), shape_of(*with.grid));
+}
+
+json write_array(const void* value, const MemberPath&, const Writing& with) {
+    const auto& values = as<std::vector<double>>(value);
+    if (with.grid == nullptr || values.empty()) return json::value_t::discarded;
+    return over_grid(values, with);
+}
+
+void read_grid_array(const json& source, void* value, const MemberPath& path, const Reading& with) {
+    if (with.grid != nullptr)
+        as<std::vector<double>>(value) = read_array(source, with.frames, shape_of(*with.grid), path.text());
+}
+
+json write_coefficient(const void* value, const MemberPath& path, const Writing& with) {
+    const auto& mu = as<std::vector<double>>(value);
+    return mu.size() == 1 ? json(finite_field(mu[0], path.text().c_str())) : over_grid(mu, with);
+}
+
+void read_coefficient(const json& source, void* value, const MemberPath& path, const Reading& with) {
+    if (source.is_number())
+        as<std::vector<double>>(value) = {source.get<double>()};
+    else
+        read_grid_array(source, value, path, with);
+}
+
+/// What of a paraboloid is not on the wire is sent as distances.
+json write_gap(const void* value, const MemberPath& path, const Writing& with) {
+    const auto& gap = as<Gap>(value);
+    constexpr double largest_radius = 1e12, flat = std::numeric_limits<double>::infinity();
+    const auto fits = [](double radius) { return radius == flat || std::abs(radius) <= largest_radius; };
+    const auto* paraboloid = std::get_if<Paraboloid>(&gap);
+    const bool is_flat = paraboloid != nullptr && paraboloid->Rx == flat && paraboloid->Ry == flat;
+    if (paraboloid != nullptr && (is_flat || !fits(paraboloid->Rx) || !fits(paraboloid->Ry))) {
+        const Gap distances = sampled(*paraboloid, *with.grid);
+        return write_object(type_of<Gap>(), &distances, path, with);
+    }
+    return write_object(type_of<Gap>(), value, path, with);
+}
+
+// --- where strips lie ------------------------------------------------------------------------------------------------
+json write_frames(const void* value, const MemberPath&, const Writing& with) {
+    return encode_frames(as<std::vector<StripFrame>>(value), *with.arrays);
+}
+
+void read_frames(const json& source, void* value, const MemberPath& path, const Reading& with) {
+    as<std::vector<StripFrame>>(value) = decode_frames(source, with.frames, with.grid->ny, path.text());
+}
+
+json write_points(const void* value, const MemberPath&, const Writing& with) {
+    return encode_pairs(as<std::vector<ProfilePoint>>(value), *with.arrays);
+}
+
+void read_points(const json& source, void* value, const MemberPath& path, const Reading& with) {
+    as<std::vector<ProfilePoint>>(value) = decode_pairs(source, with.frames, path.text());
+}
+
+// --- what bodies are made of -----------------------------------------------------------------------------------------
+json write_material(const void* value, const MemberPath&, const Writing&) {
+    const auto& material = as<Material>(value);
+    return material.is_rigid() ? json{{"rigid", true}} : encode_material(material);
+}
+
+void read_material(const json& source, void* value, const MemberPath&, const Reading&) {
+    as<Material>(value) = source.contains("rigid") ? Material::rigid() : decode_material(source);
+}
+
+json write_section(const void* value, const MemberPath&, const Writing&) {
+    return encode_section(as<Section>(value));
+}
+
+void read_section(const json& source, void* value, const MemberPath& path, const Reading& with) {
+    as<Section>(value) = decode_section(source, with.frames, path.text());
 }
 
 // --- derivatives of contacts
 // -------------------------------------------------------------------------------------------
-json write_derivatives(const void* value, const MemberPath&, ArrayWriter*) {
+json write_derivatives(const void* value, const MemberPath&, const Writing&) {
     return encode_derivatives(as<Derivatives>(value));
 }
 
-void read_derivatives(const json& source, void* value, const MemberPath&, const Frames&) {
+void read_derivatives(const json& source, void* value, const MemberPath&, const Reading&) {
     as<Derivatives>(value) = decode_derivatives(source);
 }
 
@@ -180,15 +227,19 @@ void read_derivatives(const json& source, void* value, const MemberPath&, const 
 
 const FieldHook* hook_of(const FieldType& type) {
     static const std::array hooks{
-        FieldHook{&custom_type<std::vector<double>>(), nullptr, nullptr},
+        FieldHook{&custom_type<std::vector<double>>(), write_array, read_grid_array},
+        FieldHook{&custom_type<ElementwiseCoefficient>(), write_coefficient, read_coefficient},
+        FieldHook{&type_of<Gap>(), write_gap, nullptr},
+        FieldHook{&custom_type<Material>(), write_material, read_material},
+        FieldHook{&custom_type<Section>(), write_section, read_section},
+        FieldHook{&custom_type<std::vector<ProfilePoint>>(), write_points, read_points},
+        FieldHook{&custom_type<std::vector<StripFrame>>(), write_frames, read_frames},
         FieldHook{&custom_type<std::vector<ElementState>>(), nullptr, nullptr},
         FieldHook{&custom_type<Motion>(), nullptr, nullptr},
         FieldHook{&type_of<std::vector<WheelRailPatch>>(), nullptr, nullptr},
         FieldHook{&custom_type<Derivatives>(), write_derivatives, read_derivatives},
-        FieldHook{&custom_type<Extent>(), write_extent, read_extent},
-        FieldHook{&type_of<ContactRadii>(), write_radii, read_radii},
         FieldHook{&type_of<Grid>(), write_grid, read_grid},
-        FieldHook{&custom_type<ProfileSpec>(), write_profile, read_profile},
+        FieldHook{&type_of<ProfileSpec>(), write_profile, read_profile},
         FieldHook{&type_of<std::vector<RailSlice>>(), write_slices<RailSlice>, read_slices<RailSlice>},
         FieldHook{&type_of<std::vector<WheelSlice>>(), write_slices<WheelSlice>, read_slices<WheelSlice>},
         FieldHook{&custom_type<Bodies>(), write_bodies, read_bodies},

@@ -142,7 +142,7 @@ void read_part(const json& result, const Frames& frames, const IcPart& part, IcR
     whole.origin = result["origin"].get<std::string>();
     whole.spec = decode_ic_spec(result["spec"]);
     whole.evidence = decode_evidence(result["evidence"]);
-    if (result.contains("frames")) whole.frames = decode_frames(result["frames"], frames, whole.spec.ny);
+    if (result.contains("frames")) whole.frames = decode_frames(result["frames"], frames, whole.spec.ny, "frames");
 }
 
 std::vector<IcPart> parts_within(const MessageLimits& limits, int nx, int ny) {

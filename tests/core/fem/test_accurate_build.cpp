@@ -7,6 +7,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_family.hpp"
 #include "fem_specs.hpp"

@@ -11,6 +11,7 @@
 #include "build/error_estimate.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "fem_specs.hpp"
 
 using namespace contactd;

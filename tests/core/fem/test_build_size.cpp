@@ -5,6 +5,7 @@
 
 #include "contactd/error.hpp"
 #include "contactd/fem/ic_builder.hpp"
+#include "contactd/fields/ic_spec.hpp"
 #include "fem_specs.hpp"
 #include "system/build_size.hpp"
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "contactd/fields/ic_spec.hpp"
 #include "fem_specs.hpp"
 #include "mesh/prism_block.hpp"
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/ic_spec.hpp"
 
 using namespace contactd;
 

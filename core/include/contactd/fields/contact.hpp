@@ -5,6 +5,11 @@
 #include "contactd/contact.hpp"
 #include "contactd/fields.hpp"
 #include "contactd/fields/contact_columns.hpp"
+#include "contactd/fields/contact_load.hpp"
+#include "contactd/fields/contact_setup.hpp"
+#include "contactd/fields/gap.hpp"
+#include "contactd/fields/grid.hpp"
+#include "contactd/fields/session.hpp"
 
 namespace contactd {
 
@@ -13,6 +18,18 @@ inline constexpr auto enum_words<ErrorSource> = std::to_array<std::string_view>(
 static_assert(static_cast<int>(ErrorSource::hertz) == 0);
 static_assert(static_cast<int>(ErrorSource::estimate) == 1);
 
+template <>
+inline constexpr auto enum_words<SolutionField> =
+    std::to_array<std::string_view>({"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"});
+static_assert(static_cast<int>(SolutionField::element_division) == 0);
+static_assert(static_cast<int>(SolutionField::pressure) == 1);
+static_assert(static_cast<int>(SolutionField::traction_x) == 2);
+static_assert(static_cast<int>(SolutionField::traction_y) == 3);
+static_assert(static_cast<int>(SolutionField::slip_x) == 4);
+static_assert(static_cast<int>(SolutionField::slip_y) == 5);
+
+template <>
+const FieldType& type_of<ContactProblem>();
 template <>
 const FieldType& type_of<ContactSolution>();
 template <>

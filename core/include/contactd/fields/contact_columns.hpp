@@ -4,9 +4,12 @@
 
 #include "contactd/contact_columns.hpp"
 #include "contactd/fields.hpp"
+#include "contactd/fields/section.hpp"
 
 namespace contactd {
 
+template <>
+const FieldType& type_of<ContactColumns>();
 template <>
 const FieldType& type_of<Resultant>();
 

@@ -13,6 +13,19 @@ static_assert(static_cast<int>(SlipLaw::linear) == 0);
 static_assert(static_cast<int>(SlipLaw::exponential) == 1);
 
 template <>
+inline constexpr auto enum_words<RollingKind> = std::to_array<std::string_view>({"steady", "transient"});
+static_assert(static_cast<int>(RollingKind::steady) == 0);
+static_assert(static_cast<int>(RollingKind::transient) == 1);
+
+template <>
 const FieldType& type_of<KineticFriction>();
+template <>
+const FieldType& type_of<RigidShift>();
+template <>
+const FieldType& type_of<RigidSlip>();
+template <>
+const FieldType& type_of<Force>();
+template <>
+const FieldType& type_of<Rolling>();
 
 }  // namespace contactd

@@ -26,6 +26,8 @@ const FieldType& type_of<ContactPlace>();
 template <>
 const FieldType& type_of<OverlapRegion>();
 template <>
+const FieldType& type_of<Extent>();
+template <>
 const FieldType& type_of<Creepages>();
 template <>
 const FieldType& type_of<ContactRadii>();
