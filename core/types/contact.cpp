@@ -164,6 +164,15 @@ void check_derivatives(const ContactProblem& problem) {
             "derivatives", "are not known with a slip law; leave friction.kinetic out, or take differences of solves");
 }
 
+void check_tangential_solver(const ContactProblem& problem) {
+    if (problem.settings.tangential_solver != TangentialSolver::tangcg || !problem.friction) return;
+    const auto* rolling = std::get_if<Rolling>(&problem.motion);
+    if (problem.model == Model::full && rolling != nullptr && rolling->steady())
+        throw InvalidArgument("settings.tangential.solver",
+                              "is tangcg, whose operators are symmetric: those of shifts and of transient rolling, not "
+                              "of steady rolling; take newton");
+}
+
 [[noreturn]] void refuse_in_line_contact(const char* field, const std::string& value, const char* instead) {
     throw InvalidArgument(field, "is " + value + "; a line contact does not change along y, so that " + instead);
 }
@@ -212,6 +221,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_friction(problem);
     if (is_line_contact(problem)) check_line_contact(problem);
     check_derivatives(problem);
+    check_tangential_solver(problem);
     check_columns(problem);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");

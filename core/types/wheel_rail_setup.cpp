@@ -122,11 +122,12 @@ void validate(const WheelRailSetup& setup) {
                               "yet; take materials, and conformal fem where their cross-sections matter");
     if (setup.friction) check(*setup.friction);
     if (setup.friction && setup.friction->along_profile && setup.model != Model::full)
-        throw InvalidArgument("friction.along_profile",
-                              "is set, and the quick models know one coefficient for all of a patch; take model full");
+        throw InvalidArgument(
+            "friction.along_profile",
+            "is set, and the simplified models know one coefficient for all of a patch; take model full");
     if (setup.conformal != Conformal::off && setup.model != Model::full)
         throw InvalidArgument("conformal",
-                              "is not off, and the quick models know ellipses in a plane only; take model full");
+                              "is not off, and the simplified models know ellipses in a plane only; take model full");
     if (setup.conformal == Conformal::fem && !setup.rail_slices.empty())
         throw InvalidArgument("conformal",
                               "is fem, and the rail has slices; coefficients by cross-sections are those of rails "
@@ -136,7 +137,11 @@ void validate(const WheelRailSetup& setup) {
                               "is fem, and the wheel has slices; coefficients by cross-sections are those of wheels "
                               "that are round: take rotated");
     if (setup.rigid_slip == RigidSlipKind::surfaces && setup.model != Model::full)
-        throw InvalidArgument("rigid_slip", "is surfaces, and the quick models know creepages only; take model full");
+        throw InvalidArgument("rigid_slip",
+                              "is surfaces, and the simplified models know creepages only; take model full");
+    if (setup.settings.tangential_solver == TangentialSolver::tangcg)
+        throw InvalidArgument("settings.tangential.solver",
+                              "is tangcg, whose operators are symmetric, and wheels roll steadily; take newton");
     constexpr double rounding = 1e-9;
     require(setup.conformal != Conformal::fem || setup.dx >= shortest_uniform_element * setup.dy * (1 - rounding), "dx",
             setup.dx, "be half of dy at least, where conformal is fem");

@@ -71,6 +71,7 @@ struct Forces {
 struct ContactEvidence {
     SolverEvidence normal;
     std::optional<SolverEvidence> tangential;
+    std::optional<TangentialSolver> tangential_solver;  ///< which of them found the tractions
     /// Between normal and tangential contact of dissimilar bodies, and between slip and a slip law: iterations, and
     /// what further ones would change of the tractions, relative; with a slip law the last change.
     std::optional<SolverEvidence> outer;

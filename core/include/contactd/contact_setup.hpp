@@ -18,11 +18,17 @@ struct SolverSettings {
     bool operator==(const SolverSettings&) const = default;
 };
 
+/// How tractions are found under friction: by Newton's method on the friction law, or of shifts and transient rolling
+/// by TangCG, bound-constrained conjugate gradients (Zhao, Vollebregt, Oosterlee 2014; paper section 4.2).
+enum class TangentialSolver { newton, tangcg };
+
 /// Those of the solvers of a contact problem.
 struct ContactSettings {
     SolverSettings normal{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all else builds on the pressures
     SolverSettings tangential;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
     SolverSettings outer{1e-6, 100};    ///< of the loop that dissimilar bodies, slip laws and forces need
+    /// Where Newton's method does not get there, TangCG is tried after it; never the other way round.
+    TangentialSolver tangential_solver = TangentialSolver::newton;
 
     bool operator==(const ContactSettings&) const = default;
 };

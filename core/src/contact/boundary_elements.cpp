@@ -173,6 +173,7 @@ class BoundaryElements {
         auto& evidence = solution_.evidence.tangential;
         if (!evidence) evidence = SolverEvidence{};
         continue_with(*evidence, tangential_.evidence);
+        solution_.evidence.tangential_solver = step_->solver_used();
     }
 
     // Outer iterations on the coarser grid replace the first one.

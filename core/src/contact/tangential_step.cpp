@@ -96,6 +96,7 @@ RollingSolution TangentialStep::solve(std::span<const double> pressure, std::spa
                                       const Field& estimate, const SolverSettings& settings, Observer& observer) {
     Field rest = history_;
     add_coupling(pressure, rest);
+    solver_used_ = TangentialSolver::newton;
     RollingSolution solution = prescribes_force(motion_) ? solve_for_force(rest, bound, estimate, settings, observer)
                                                          : solve_for_motion(rest, bound, estimate, settings, observer);
     is_first_ = false;
@@ -109,6 +110,7 @@ RollingSolution TangentialStep::solve_for_motion(const Field& rest, std::span<co
                                                  Observer& observer) {
     Field rigid = rigid_slip();
     add(rigid, rest);
+    if (asks_tang_cg()) return solve_with(rigid, bound, estimate, settings, observer);
     const FrictionTask task{bound, rigid, {}, Pair::Zero(), estimate, settings, estimate_is_good_};
     const FrictionSolution found = solver_.solve(task, observer);
     const int left = settings.max_iterations - found.evidence.iterations;
@@ -141,13 +143,14 @@ void TangentialStep::add_free_slip(std::span<const double> pressure, std::span<c
 }
 
 RollingSolution TangentialStep::solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
-                                           const SolverSettings& settings, Observer& observer) const {
+                                           const SolverSettings& settings, Observer& observer) {
     std::span<const double> x, y;
     if (any(estimate)) {
         x = estimate.x;
         y = estimate.y;
     }
     if (is_steady()) return solve_steady_rolling(bodies(), bound, rigid.x, rigid.y, settings, x, y, observer);
+    solver_used_ = TangentialSolver::tangcg;
     RollingSolution solution;
     static_cast<TangentialSolution&>(solution) =
         solve_tangential(*influence_.current, bound, rigid.x, rigid.y, settings, x, y, observer);

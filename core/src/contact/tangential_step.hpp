@@ -45,6 +45,8 @@ class TangentialStep {
     /// Returns the motion of the request, completed by what prescribed forces found.
     const Motion& motion() const { return motion_; }
     const std::optional<SolverEvidence>& force_evidence() const { return force_evidence_; }
+    /// Returns which solver found the tractions of the last solve.
+    TangentialSolver solver_used() const { return solver_used_; }
     /// Slip per unit of the motion: dq of creepages, 1 of shifts (mm).
     double unit() const { return unit_; }
 
@@ -67,7 +69,8 @@ class TangentialStep {
     RollingSolution search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                            const Field& estimate, Observer& observer);
     RollingSolution solve_with(const Field& rigid, std::span<const double> bound, const Field& estimate,
-                               const SolverSettings& settings, Observer& observer) const;
+                               const SolverSettings& settings, Observer& observer);
+    bool asks_tang_cg() const { return problem_.settings.tangential_solver == TangentialSolver::tangcg; }
     void continue_force_evidence(const SolverEvidence& next);
 
     const ContactProblem& problem_;
@@ -78,6 +81,7 @@ class TangentialStep {
     Field history_;  // what slip owes to the step before
     std::optional<SolverEvidence> force_evidence_;
     FrictionSolver solver_;
+    TangentialSolver solver_used_ = TangentialSolver::newton;
     double slip_scale_ = 0;  // of the first solve of this step
     bool is_first_ = true;   // solve of this step
     bool estimate_is_good_ = false;
