@@ -63,8 +63,8 @@ void run(benchmark::State& state, const ContactProblem& problem) {
                              [&] { return evidence_of(solve_contact(problem, influence, observer)); });
 }
 
-// What derivatives add: the row is the solve with them. Counters: their own cost in products and over that of the solve
-// without, which takes turns with it; and their products.
+// Cost of derivatives: the row is the solve with them. Counters: their own cost in products and over that of the solve
+// without, run alternately with it; and their products.
 void run_derivatives(benchmark::State& state, ContactProblem problem) {
     Observer observer;
     const ContactInfluence influence = make_influence(problem, pair_of_bodies(problem));

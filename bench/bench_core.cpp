@@ -64,7 +64,7 @@ void closed_form_table(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(bench::pair_table(grid, {200, 0.42}));
 }
 
-// Of three layers, with the errors that are estimated.
+// The table of three layers, with its estimated errors.
 void layers_table(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     IcSpec spec;

@@ -1,4 +1,4 @@
-// What a step costs in process beside its solve: by contactd.h, by the engine, and by the solver alone.
+// Cost of a step in process beside its solve: by contactd.h, by the engine, and by the solver alone.
 //
 // Steady rolling on 25 x 25 elements whose creepage goes up and down by 5 %, each step from where the last one ended;
 // and the same by FASTSIM.

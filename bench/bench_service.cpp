@@ -1,5 +1,5 @@
-// What the daemon adds to a solve: the time of a request less that of the same solve in this process, beside a bare
-// ZeroMQ echo of the same frames. All of them in turns, so that a busy machine disturbs them alike.
+// Time that the daemon adds to a solve: that of a request less that of the same solve in this process, beside a bare
+// ZeroMQ echo of the same frames. They alternate, so that a busy machine disturbs them alike.
 //
 //     bench_service ROUNDS SPIN ENDPOINT...     prints one JSON object; bench/service.py starts the daemons
 //
@@ -124,7 +124,7 @@ double milliseconds(const Act& act) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// As the solvers measured it themselves.
+/// Time that the solvers measured themselves.
 double solver_milliseconds(const ContactSolution& solution) {
     return 1e3 * (solution.evidence.normal.seconds +
                   (solution.evidence.tangential ? solution.evidence.tangential->seconds : 0));
@@ -136,7 +136,7 @@ json summary(std::vector<double> values) {
     return {{"min", values.front()}, {"median", at(0.5)}, {"p99", at(0.99)}};
 }
 
-/// One endpoint: request, echo and health, in turns with the solve in this process.
+/// One endpoint: request, echo and health, alternately with the solve in this process.
 json measure(const std::string& endpoint, std::chrono::microseconds spin, const ContactProblem& problem, int rounds) {
     client::ClientOptions options;
     options.spin = spin;

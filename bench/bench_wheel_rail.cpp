@@ -93,7 +93,7 @@ void full(benchmark::State& state) {
         for (std::size_t i = 0; i < problems.size(); ++i)
             benchmark::DoNotOptimize(solve_contact(problems[i], influences[i], observer));
     };
-    // In turns, so that both see the same machine.
+    // They alternate, so that both see the same machine.
     double of_step = 0, of_plain = 0;
     for (auto _ : state) {
         of_step += seconds_of([&] { benchmark::DoNotOptimize(contact.solve(wheel, observer)); }, 1);

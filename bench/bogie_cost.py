@@ -1,5 +1,5 @@
 """What a simulated second costs: one wheelset with linear creep forces, and the bogie of the examples by each kind of contact,
-in process, by a daemon and by FMUs. All in turns, each a piece of a run; seconds by the clock and of processors, the daemon's, too.
+in process, by a daemon and by FMUs. They alternate, each a piece of a run; seconds by the clock and of processors, the daemon's, too.
 
     python3 bench/bogie_cost.py [--seconds 0.1] [--rounds 3] [--integrator exudyn] [--fmu FILE]    (CONTACTD_BIN names contactd;
                                                            contactd_local on PYTHONPATH, exudyn and fmpy for the latter two)

@@ -1,4 +1,4 @@
-"""How long `import contactd` takes, beside the libraries that it needs: seconds, the least of several runs in turns.
+"""How long `import contactd` takes, beside the libraries that it needs: seconds, the least of several alternate runs.
 
     ./dev shell python3 bench/import_time.py [RUNS]
 """

@@ -1,4 +1,4 @@
-"""What a call of contactd.local() costs in process and by its private daemon: both in turns, through the same client and
+"""What a call of contactd.local() costs in process and by its private daemon: both alternately, through the same client and
 with the same problems, forces only and with all arrays. A ratio is of the two calls of one round.
 
     python3 bench/in_process.py [--rounds 500]     (CONTACTD_BIN names the programs, contactd_local lies beside them; part of

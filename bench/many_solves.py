@@ -1,5 +1,5 @@
 """What a problem costs in one contact.solve_many beside the same problem in a contact.solve of its own: 500 solves by
-the quick model `hertz`, without arrays, over ipc, with the encoding and reading of the JSON. One worker and two, in
+the simplified model `hertz`, without arrays, over ipc, with the encoding and reading of the JSON. One worker and two, in
 turns. Speaks ZeroMQ directly, so that no client library counts.
 
     python3 bench/many_solves.py [--rounds 50]     (PATH or CONTACTD_BIN names contactd; part of ./dev bench --service)

@@ -28,8 +28,8 @@ PROGRAMS = [
     "bench_core",
     "bench_rolling",
     "bench_contact",
-    "bench_columns",
-    "bench_quick",
+    "bench_strips",
+    "bench_simplified",
     "bench_wheel_rail",
     "bench_embedding",
     "bench_fem",
@@ -38,7 +38,7 @@ PROGRAMS = [
 #: Rows whose name matches the first are divided by the row that the second names (groups filled in).
 BASELINES = [
     (r"(bench_(?:core|rolling|contact))\.\w+/n:(\d+).*", "{0}.A_p/n:{1}", "A*p"),
-    (r"bench_quick\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
+    (r"bench_simplified\.\w+/n:(\d+)", "bench_core.A_p/n:{0}", "A*p"),
     (r"bench_wheel_rail\.(?!full).*/y:(\d+)", "bench_wheel_rail.full/y:{0}", "steps of full"),
     (r"bench_embedding\.\w+/fastsim:(\d)", "bench_embedding.solver/fastsim:{0}", "solvers"),
     (r"bench_fem\.build/([\w-]+)/\w+.*", "bench_fem.build/{0}/total", "of the build"),
@@ -64,9 +64,9 @@ def run(program: Path, quick: bool, environment: dict[str, str]) -> list[dict[st
 
 def ratio(row: dict[str, Any], by_name: dict[str, dict[str, Any]]) -> tuple[float, str] | None:
     """The row's time over its baseline's, and the baseline in words."""
-    if "over_solve" in row:  # measured by the row itself, in turns
+    if "over_solve" in row:  # measured by the row itself, alternately
         return row["over_solve"], "plain solves of its patches"
-    if "ratio" in row:  # measured by the row itself, in turns
+    if "ratio" in row:  # measured by the row itself, alternately
         return row["ratio"], "half-spaces"
     for pattern, baseline, words in BASELINES:
         if match := re.fullmatch(pattern, row["name"]):

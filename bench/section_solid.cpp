@@ -1,8 +1,8 @@
-// A few columns of a block with an edge in three dimensions, against the transform along x: section_solid [--order 2]
+// A few strips of a block with an edge in three dimensions, against the transform along x: section_solid [--order 2]
 // [--factor 0] [--columns 3] [--offsets 9] [--edges 2] [--growth 1.5] [--length 300] [--many 80]. Prints one JSON
 // object for
-// `./dev paper sections`: how far both are apart, and what each takes, also for `many` columns. Lengths are over the
-// width of a column; seconds and transform_seconds are processor time, those of single stages wall time.
+// `./dev paper sections`: how far both are apart, and what each takes, also for `many` strips. Lengths are over the
+// width of a strip; seconds and transform_seconds are processor time, those of single stages wall time.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
-"""What the tables of a section cost: a head of 60E1 with 80 columns of 0.5 mm, three directions, 200 offsets. Builds to
+"""What the tables of a section cost: a head of 60E1 with 80 strips of 0.5 mm, three directions, 200 offsets. Builds to
 1e-2, 1e-3 and 1e-4 by one process and by two, the start of a builder that meshes nothing, and the same table from the
-daemon's memory and from its store. All in turns; the least of the rounds counts, of which a busy machine lets few be quiet.
+daemon's memory and from its store. All alternate; the least of the rounds counts, of which a busy machine lets few be quiet.
 
     python3 bench/section_tables.py [--rounds 3] [--accuracy 1e-2 1e-3]    (PATH or CONTACTD_BIN names contactd)
 """
@@ -20,7 +20,7 @@ from typing import Any
 
 from contactd import FemIcs, Grid, LocalDaemon, Material
 
-COLUMNS, OFFSETS, WIDTH = 80, 200, 0.5  # mm
+STRIPS, OFFSETS, WIDTH = 80, 200, 0.5  # mm
 SECTION = {"rail_60e1": {"from": 2}}
 STEEL = Material(G=82000, nu=0.28)
 BLOCK = {"source": "fem", "order": 1, "f": 2, "L_over_h": 20, "solver": "direct"}
@@ -53,7 +53,7 @@ def processor_seconds() -> float:
 
 def answered(binaries: Path, accuracy: float, rounds: int) -> dict[str, Row]:
     """The least time of ic.get, from the request to the array in Python; the daemon's processor time is not known."""
-    grid = Grid.centred(OFFSETS, COLUMNS, OFFSETS * WIDTH, COLUMNS * WIDTH)
+    grid = Grid.centred(OFFSETS, STRIPS, OFFSETS * WIDTH, STRIPS * WIDTH)
     ics = FemIcs(body="prism", section=SECTION, accuracy=accuracy)
     least: dict[str, Row] = {}
     with tempfile.TemporaryDirectory() as store:
@@ -75,7 +75,7 @@ def measure(binaries: Path, accuracies: list[float], rounds: int) -> dict[str, R
         for accuracy in accuracies:
             prism = {"source": "fem", "body": "prism", "section": SECTION, "accuracy": accuracy}
             for processes in (1, 2):
-                row = build(binaries / "contactd-ic", spec(prism, OFFSETS, COLUMNS), processes)
+                row = build(binaries / "contactd-ic", spec(prism, OFFSETS, STRIPS), processes)
                 rows[f"{accuracy:g}, {processes} process{'es' * (processes > 1)}"].append(row)
     least = {name: (min(wall for wall, _ in found), min(used for _, used in found)) for name, found in rows.items()}
     return least | {f"from {origin}": row for origin, row in answered(binaries, accuracies[0], rounds).items()}
@@ -87,7 +87,7 @@ def main() -> None:
     parser.add_argument("--accuracy", type=float, nargs="+", default=[1e-2, 1e-3, 1e-4])
     arguments = parser.parse_args()
     binaries = Path(os.environ.get("CONTACTD_BIN", "build/production/bin"))
-    print("60E1 head, 80 columns x 3 directions x 200 offsets; least of", arguments.rounds)
+    print("60E1 head, 80 strips x 3 directions x 200 offsets; least of", arguments.rounds)
     print(f"{'':24}{'wall s':>10}{'processor s':>14}")
     for name, (wall, used) in measure(binaries, arguments.accuracy, arguments.rounds).items():
         print(f"{name:24}{wall:10.3f}" + (f"{used:14.3f}" if used > 0 else ""))

@@ -27,7 +27,7 @@ import many_steps
 from contactd import LocalDaemon
 from session_steps import motion, problem
 
-#: One and two workers are measured in turns, so that what else the machine does disturbs both alike.
+#: One and two workers alternate, so that other work of the machine disturbs both alike.
 ROUNDS = 7
 #: How long daemon and client look for messages before they sleep (us): latency is measured with each.
 SPINS = (0, 2000)
@@ -121,7 +121,7 @@ def processor_seconds(pid: int) -> float:
 
 
 def throughput(binaries: Path, kind: type[Solves] | type[Steps], n: int, seconds: float) -> dict[str, Any]:
-    """Answers per second of one and of two workers, in turns."""
+    """Answers per second of one and of two workers, which alternate."""
     rates: dict[int, list[float]] = {1: [], 2: []}
     processor: list[float] = []
     with ExitStack() as stack:

@@ -57,7 +57,7 @@ class Case:
 
 
 def cases(number: int) -> list[Case]:
-    """Four kinds of creepage and five grids in turns, so that every grid meets every kind."""
+    """Four kinds of creepage and five grids alternately, so that every grid meets every kind."""
     dice = random.Random(1990)
     kinds = [(0, 0), (1, 0), (0, 1), (1, 1)]  # whether there is a longitudinal and a lateral creepage
     result = []

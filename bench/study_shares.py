@@ -1,5 +1,5 @@
 """What two workers gain over one in a study: shares of the creep tables of the examples, by processes of contactctl that
-solve by themselves. Processor time of the processes and time by the clock, in turns.
+solve by themselves. Processor time of the processes and time by the clock, alternately.
 
     python3 bench/study_shares.py [--rows 10000] [--rounds 3]     (the packages contactd, contactctl and contactd_local on PYTHONPATH)
 

@@ -76,8 +76,8 @@ def run(daemon: LocalDaemon, options: argparse.Namespace) -> None:
             params = {"setup": setup, "state": now, "fields": []}
             alone, *cost = asker.ask("wheelrail.solve", params, frames)
             rows["wheelrail.solve"].append((cost[0], cost[1], alone["force"]["iterations"]))
-            told = {"session": session, "step": step, "wheelrail": {"state": now}}
-            result, *cost = asker.ask("session.step", told, [])
+            params = {"session": session, "step": step, "wheelrail": {"state": now}}
+            result, *cost = asker.ask("session.step", params, [])
             kept = result["wheelrail"]
             rows["session.step"].append((cost[0], cost[1], kept["force"]["iterations"]))
             forces = zip(alone["forces"]["track"].values(), kept["forces"]["track"].values())

@@ -44,6 +44,6 @@ def _value(name: str, text: str) -> Any:
         return text
 
 
-def select(rows: Iterable[Row], **wanted: Any) -> list[Row]:
+def select(rows: Iterable[Row], **values: Any) -> list[Row]:
     """The rows that have these values, in the order of the file."""
-    return [item for item in rows if all(item[name] == value for name, value in wanted.items())]
+    return [item for item in rows if all(item[name] == value for name, value in values.items())]

@@ -29,11 +29,11 @@ def compute(
     cases: Iterable[Case], store: ResultStore, section: Section, solver: AbstractContextManager[Measure], say: Say
 ) -> None:
     """After it the store holds the result of every case; each is written as soon as it is there."""
-    wanted = distinct(cases)
-    missing = [case for case in wanted if store.get(case.spec) is None]
-    if len(missing) < len(wanted):
-        say(f"{len(wanted) - len(missing)} of {len(wanted)} computations are in the store")
-    if others := sum(store.is_of_another_build(case.spec) for case in wanted):
+    computations = distinct(cases)
+    missing = [case for case in computations if store.get(case.spec) is None]
+    if len(missing) < len(computations):
+        say(f"{len(computations) - len(missing)} of {len(computations)} computations are in the store")
+    if others := sum(store.is_of_another_build(case.spec) for case in computations):
         say(f"note: {others} of them are of another build of this version; --fresh computes them again")
     if not missing:
         return

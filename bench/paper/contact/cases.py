@@ -83,10 +83,10 @@ def fig13() -> list[Case]:
 
 
 def comparison(part: str) -> list[Case]:
-    tent: Ics = {"load_shape": "bilinear"}
-    result = [*analytic(part), *(against_n(part, "analytic, Bi", n, 0, tent) for n in COMPARED_GRIDS)]
+    bilinear: Ics = {"load_shape": "bilinear"}
+    result = [*analytic(part), *(against_n(part, "analytic, Bi", n, 0, bilinear) for n in COMPARED_GRIDS)]
     for mesh, L in CHOSEN_L.items():
-        kinds: dict[str, Ics] = {"PC": {}, "Bi": tent, "PC, fem": {"sampling": "fem"}}
+        kinds: dict[str, Ics] = {"PC": {}, "Bi": bilinear, "PC, fem": {"sampling": "fem"}}
         for kind, more in kinds.items():
             result += [against_n(part, f"{mesh}, {kind}", n, L, fem(mesh, n, L, **more)) for n in COMPARED_GRIDS]
     return result

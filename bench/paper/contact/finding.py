@@ -49,7 +49,7 @@ def falls_then_rises(points: Sequence[Row], quantity: str) -> bool:
     return sizes.index(min(sizes)) not in (0, len(sizes) - 1)
 
 
-def turning(points: Sequence[Row], quantity: str) -> str:
+def reversal(points: Sequence[Row], quantity: str) -> str:
     """Between which L the error passes through zero."""
     for a, b in zip(points, points[1:]):
         if error(a, quantity) > 0 >= error(b, quantity):

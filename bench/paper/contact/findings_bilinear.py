@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..finding import Found, Rows, at, percent
 from ..rows import Row, select
 from .cases import CHOSEN_L
-from .finding import NAMES, error, falls, falls_then_rises, signed, turning
+from .finding import NAMES, error, falls, falls_then_rises, reversal, signed
 
 CONSTANT = {"mesh1": "fig10", "mesh2": "fig11"}  # parts with the constant load
 
@@ -32,7 +32,7 @@ def bilinear(rows: Rows) -> Found:
         **{f"bilinear_10_{mesh}": signed(error(row, "Fz")) for mesh, row in coarse.items()},
         **{f"constant_10_{mesh}": signed(error(at(rows[CONSTANT[mesh]], NAMES[-1], row["L"]), "Fz"))
            for mesh, row in coarse.items()},
-        **{f"bilinear_turn_{mesh}": turning(curves[mesh][NAMES[0]], "pmax") for mesh in CHOSEN_L},
+        **{f"bilinear_turn_{mesh}": reversal(curves[mesh][NAMES[0]], "pmax") for mesh in CHOSEN_L},
         "bilinear_points": f"{len(rows['bilinear'])}",
     }  # fmt: skip
     verdicts = {

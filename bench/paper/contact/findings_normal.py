@@ -9,7 +9,7 @@ import numpy as np
 from ..finding import Found, Rows, at, percent
 from ..rows import Row, select
 from .cases import CHOSEN_L, FINEST, LENGTHS
-from .finding import NAMES, error, falls, falls_then_rises, listed, size, turning
+from .finding import NAMES, error, falls, falls_then_rises, listed, reversal, size
 from .problem import AREA, WINDOW
 
 
@@ -49,7 +49,7 @@ def mesh1(rows: Rows) -> Found:
         "mesh1_fz_8": listed([points[0] for points in read.values()], "Fz"),
         "mesh1_pmax": listed(at_1024, "pmax"),
         "mesh1_pmax_fem": listed([points[-1] for points in function.values()], "pmax"),
-        **{f"mesh1_turn_{name.split('x')[0]}": turning(read[name], "pmax") for name in NAMES},
+        **{f"mesh1_turn_{name.split('x')[0]}": reversal(read[name], "pmax") for name in NAMES},
         "mesh1_area_8": listed([points[0] for points in read.values()], "area"),
         "mesh1_area_1024": listed(at_1024, "area"),
         "mesh1_origin_8": percent(fine[0]["origin_zz"]),
@@ -117,8 +117,8 @@ def mesh2(rows: Rows) -> Found:
         "mesh2_fz_40": listed(middle, "Fz"),
         "mesh2_apart": percent(max(apart[row["L"]] / size(row, "Fz") for row in compared)),
         "mesh2_apart_beyond": percent(max(apart.values())),
-        **{f"mesh2_turn_{name.split('x')[0]}": turning(read[name], "pmax") for name in NAMES},
-        "mesh2_turn_fz": turning(fine, "Fz"),
+        **{f"mesh2_turn_{name.split('x')[0]}": reversal(read[name], "pmax") for name in NAMES},
+        "mesh2_turn_fz": reversal(fine, "Fz"),
         "mesh2_area_128": listed([at(points, name, 128) for name, points in read.items()], "area"),
         "mesh2_largest_ratio": f"{fine[-1]['L_over_h']:.0f}",
         "mesh2_largest_dofs": f"{fine[-1]['dofs']:.0f}",

@@ -13,7 +13,7 @@ Ics = dict[str, Any]
 BODY = Material(G=200, nu=0.42)
 RADIUS, APPROACH, WINDOW = 50.0, 0.02, 2.4  # mm
 MU, SHIFT = 0.4, 0.00817  # rigid shift along x (mm)
-TOLERANCE = 1e-6  # of both stop tests
+TOLERANCE = 1e-6  # of both stopping criteria
 
 # Hertz, two equal bodies: 1/E* = (1 - nu)/G, contact radius sqrt(R delta).
 _E_STAR = BODY.G / (1 - BODY.nu)

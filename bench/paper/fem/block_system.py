@@ -32,9 +32,9 @@ FRONT, RIGHT, FREE, LOADED, FAR = 1, 2, 3, 4, 5
 
 def run(programs: Path, options: Options) -> str:
     """What the program prints."""
-    words = [word for name, value in options.items() for word in (f"--{name}", str(value))]
+    arguments = [part for name, value in options.items() for part in (f"--{name}", str(value))]
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    command = [str(programs / PROGRAM), *words]
+    command = [str(programs / PROGRAM), *arguments]
     return subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout
 
 

@@ -19,7 +19,7 @@ GRIDS = (10, 20, 40, 80)
 
 #: Table 2: l/h, h/hs, f; the presets of the same names set these.
 TESTS = {"test1": (2.5, 4, 1.5), "test2": (1, 4, 1.5), "test3": (1, 4, 1.2)}
-#: What contactd takes where nothing is said.
+#: Defaults of contactd.
 DEFAULTS: Ics = {"mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 1.2, "t1_over_hs": 0, "L_over_h": 640}
 
 
@@ -129,7 +129,7 @@ SCANS: dict[str, dict[str, tuple[float, ...]]] = {
     "hex": {"l_over_h": (0.5, 1, 1.25, 1.5), "h_over_hs": (2, 4, 6), "f": (1.2, 1.35, 1.5, 1.75, 2, 2.5, 3)},
     "prism": {"l_over_h": (0.5, 1, 1.25, 1.5), "h_over_hs": (2, 4, 6), "f": (1.35, 1.5, 1.75, 2, 2.5, 3)},
 }
-SCANNED_L_OVER_H = (80, 640)  # where Table 3 begins, and where the errors are said to be stable
+SCANNED_L_OVER_H = (80, 640)  # where Table 3 begins, and where the the paper calls errors stable
 
 
 def table3() -> list[Case]:
@@ -146,7 +146,7 @@ def table3() -> list[Case]:
 
 
 def checks() -> list[Case]:
-    """Single statements: iterations with the paper's stop test, another solver, sampling, the bilinear load."""
+    """Single statements: iterations with the paper's stopping criterion, another solver, sampling, the bilinear load."""
     result = []
 
     def add(curve: str, L: float, spec: Spec) -> None:

@@ -104,12 +104,12 @@ def table3(rows: Rows) -> Found:
             "l": select(points, parameter="l_over_h", value=0.5)[0],
         }
 
-    near, wide = coarse(80), coarse(640)
+    near, far = coarse(80), coarse(640)
     values = {
         "ranges_table": tables.ranges_table(scans),
         "recommended_worst": percent(max(map(origin, inside))),
         **{f"coarse_{name}_80": percent(origin(row)) for name, row in near.items()},
-        **{f"coarse_{name}_640": percent(origin(row)) for name, row in wide.items()},
+        **{f"coarse_{name}_640": percent(origin(row)) for name, row in far.items()},
     }
     verdicts = {
         "table3_ranges": all(origin(row) < TARGET for row in inside),

@@ -14,7 +14,7 @@ COLUMNS = [
     "origin_zz", "origin_xx", "origin_yy", "largest_zz", "largest_xx", "largest_yy", "scaled_xy", "scaled_xz",
     "cpu_seconds", "wall_seconds", "memory_mib",
 ]  # fmt: skip
-#: A solve is told twice: where the paper's stop test on the update ends it, and a true residual of 1e-8.
+#: A solve is reported twice: where the paper's stopping criterion, on the update, ends it, and a true residual of 1e-8.
 _STOPS = [f"{stop}_{name}" for stop in ("update", "residual")
           for name in ("iterations", "seconds", "residual", "origin_error")]  # fmt: skip
 #: These parts are no tables.

@@ -84,14 +84,14 @@ def beyond(rows: Mapping[str, Sequence[Row]]) -> tuple[dict[str, str], dict[str,
     own = at(rows["fig6"], "test3", 1024)
     asked = {(row["value"], row["table"]): row for row in select(rows["accuracy"], curve="accuracy")}
     times = {value: asked[value, 40]["cpu_seconds"] / own["cpu_seconds"] for value in (1e-2, 1e-3, 1e-4)}
-    held = [row for row in rows["accuracy"] if row["curve"].endswith("clamped")]
-    clamped = {n: min(map(table_error, select(held, table=n))) for n in COMPARED}
+    clamped_rows = [row for row in rows["accuracy"] if row["curve"].endswith("clamped")]
+    clamped = {n: min(map(table_error, select(clamped_rows, table=n))) for n in COMPARED}
     found = adaptive_goals(rows["adaptive"])
     pairs = list(zip(found["adaptive"], found["hex"], strict=True))
     values = {
         "cost_table": cost_table(rows["accuracy"]),
         **{f"clamped_best_{n}": f"{100 * error:.2g} %" for n, error in clamped.items()},
-        **{f"clamped_reach_{n}": f"{max(row['L'] for row in held) / (n * H):.0f}" for n in COMPARED},
+        **{f"clamped_reach_{n}": f"{max(row['L'] for row in clamped_rows) / (n * H):.0f}" for n in COMPARED},
         "own_cpu": f"{own['cpu_seconds']:.2g}",
         "accuracy_2": f"{times[1e-2]:#.2g}",
         "accuracy_3": f"{times[1e-3]:#.2g}",

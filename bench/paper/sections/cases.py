@@ -26,29 +26,29 @@ DISTANCES = (5, 3, 2, 1, 0.5, 0)
 #: Lateral shifts of a wheelset S1002 on 60E1 at 1/40 (mm), and how its contacts are solved.
 SHIFTS = (0, 5.5, 6, 6.5, 6.75)
 WAYS = ("off", "half_space", "rotated", "fem")
-#: Bodies whose tables are built, with columns of 0.5 mm, 20 to 80 of them, and Poisson's ratio.
+#: Bodies whose tables are built, with strips of 0.5 mm, 20 to 80 of them, and Poisson's ratio.
 BODIES: dict[str, tuple[Spec, int, float]] = {
-    "edge at 0.5 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.28),
-    "edge at 2 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, 20, 0.28),
-    "edge at 10 columns": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 5}}, 20, 0.28),
+    "edge at 0.5 strips": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.28),
+    "edge at 2 strips": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, 20, 0.28),
+    "edge at 10 strips": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 5}}, 20, 0.28),
     "60E1 head": ({"rail_60e1": {"from": 2}}, 80, 0.28),
     "groove R10": ({"groove": {"radius": 10, "depth": 10, "width": 120, "height": 70}}, 41, 0.28),
     "round end R9.7": ({"round_end": {"radius": 9.7, "length": 60}}, 41, 0.28),
-    "layer of one column": ({"slab": {"thickness": 0.5, "width": 150}}, 20, 0.28),
-    "edge at 0.5 columns, nu 0.49": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.49),
+    "layer of one strip": ({"slab": {"thickness": 0.5, "width": 150}}, 20, 0.28),
+    "edge at 0.5 strips, nu 0.49": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.49),
     "groove R5, nu 0.45": ({"groove": {"radius": 5, "depth": 5, "width": 60, "height": 40}}, 25, 0.45),
 }
 ACCURACIES = (1e-2, 1e-3)
 #: What the others are measured against; where it is refused it is the finest of the others. Half of the defect of
 #: reciprocity is part of the stated error, and no mesh makes it less.
 FINEST = 1e-4
-#: Half angles of contact of a cylinder in a hole (degrees), of 20 columns or more.
+#: Half angles of contact of a cylinder in a hole (degrees), of 20 strips or more.
 HALF_ANGLES = (20, 30, 45, 60, 75, 80)
 #: Radii of grooves (mm) in which a roller of 10 mm lies, and bodies that both are taken for.
 GROOVES = (10.25, 10.10, 10.05, 10.02)
 BODIES_IN_GROOVES = ("half_space", "rotated", "sections")
 #: Orders of elements in three dimensions, whether by a factor instead of BoomerAMG, and their meshes: lengths are over the
-#: width of a column.
+#: width of a strip.
 SOLID_ORDERS = {1: 0, 2: 0, 3: 1}
 SOLID = {"columns": 1, "offsets": 9, "edges": 2, "growth": 1.8, "length": 250, "many": 80}
 
@@ -77,7 +77,7 @@ def tables() -> list[Case]:
 
 
 def persson() -> list[Case]:
-    return [Case("persson", "columns of 1°", "half_angle", a, {"kind": "persson", "half_angle": a}) for a in HALF_ANGLES]
+    return [Case("persson", "strips of 1°", "half_angle", a, {"kind": "persson", "half_angle": a}) for a in HALF_ANGLES]
 
 
 def groove() -> list[Case]:
@@ -90,7 +90,7 @@ def groove() -> list[Case]:
 
 def solid() -> list[Case]:
     return [
-        Case("solid", "edge at 0.5 columns", "order", order, {"kind": "solid", "order": order, "factor": factor, **SOLID})
+        Case("solid", "edge at 0.5 strips", "order", order, {"kind": "solid", "order": order, "factor": factor, **SOLID})
         for order, factor in SOLID_ORDERS.items()
     ]
 

@@ -79,7 +79,7 @@ def persson(rows: Sequence[Row], path: Path) -> None:
     axes.legend(title="half angle", frameon=False, fontsize=9)
     axes.set_xlabel("angle from the bottom (degrees)")
     axes.set_ylim(0, None)
-    finish(axes, "a cylinder in a hole, columns of one degree", "pressure $p R/Q$")
+    finish(axes, "a cylinder in a hole, strips of one degree", "pressure $p R/Q$")
     save(figure, path)
 
 
@@ -95,6 +95,6 @@ def solid(rows: Sequence[Row], path: Path) -> None:
         axes.set_xticks(orders)
         axes.set_xlabel("order of the elements in three dimensions")
         axes.legend(frameon=False)
-    finish(errors, "a column beside an edge", "difference to the transform, over zz")
-    finish(costs, "80 columns, three directions", "processor time (s)")
+    finish(errors, "a strip beside an edge", "difference to the transform, over zz")
+    finish(costs, "80 strips, three directions", "processor time (s)")
     save(figure, path)

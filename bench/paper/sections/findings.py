@@ -91,7 +91,7 @@ def tables(rows: Rows) -> Found:
              f"{one['reciprocity']:.1e}", f"{one['finest_asked']:g}: {one['finest']:.1e}", f"{one['seconds']:.1f}"]
         )  # fmt: skip
     bounds = all(row["found"] <= row["stated"] + row["finest"] for row in rows["tables"])
-    # What no mesh makes less, of columns beside an edge, is stated beyond the accuracy.
+    # What no mesh makes less, of strips beside an edge, is stated beyond the accuracy.
     within = all(row["stated"] - row["reciprocity"] <= row["value"] for row in rows["tables"])
     head = ["body", "1e-2: stated / found", "1e-3: stated / found", "of which reciprocity", "the finest: stated",
             "processor seconds for 1e-3"]  # fmt: skip

@@ -60,7 +60,7 @@ def a_load(row: Row) -> float:
 
 
 def solid_seconds(row: Row) -> float:
-    """For as many columns as the transform took: with their loads, and the unknowns of their mesh."""
+    """For as many strips as the transform took: with their loads, and the unknowns of their mesh."""
     return float(a_load(row) * row["many_loads"] * row["many_dofs"] / row["dofs"])
 
 
@@ -80,7 +80,7 @@ def solid(rows: Rows) -> Found:
         ]
         for row in points
     ]  # fmt: skip
-    head = ["order", "unknowns", "iterations", "difference", "a load takes", "unknowns of 80 columns", "which take", "over the transform's"]
+    head = ["order", "unknowns", "iterations", "difference", "a load takes", "unknowns of 80 strips", "which take", "over the transform's"]
     found = [row["found"] for row in points]
     last = paper[-1]
     return {

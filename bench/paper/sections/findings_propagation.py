@@ -7,7 +7,7 @@ from ..rows import Row
 from .findings_checks import signed
 from .propagation import MESHES
 
-PAPER_MESH = (2, 4)  # order and edges a column
+PAPER_MESH = (2, 4)  # order and edges a strip
 TARGET = 0.01  # the paper's (3.1)
 ALIKE = 2.0  # factor within which sizes are called similar
 QUANTITIES = {"p0": "largest pressure", "extent": "extent", "approach": "approach"}

@@ -10,7 +10,7 @@ from contactd import AnalyticIcs, Client, ContactColumns, FemIcs, Grid, Material
 
 STEEL = Material(G=82000, nu=0.28)
 ROLLER, ALONG_X, FORCE = 10.0, 460.0, 10e3  # radii across and along (mm), N
-COLUMNS, SIZE = 41, 0.5  # mm
+STRIPS, SIZE = 41, 0.5  # mm
 BODY = {"width": 120, "height": 70}  # around the groove; the roller ends a slab of 60 mm
 
 
@@ -26,9 +26,9 @@ def bodies(radius: float, body: str) -> tuple[Any, Any]:
 
 
 def measure(client: Client, radius: float, body: str) -> dict[str, Any]:
-    grid = Grid.centred(35, COLUMNS, 35 * SIZE, COLUMNS * SIZE)
+    grid = Grid.centred(35, STRIPS, 35 * SIZE, STRIPS * SIZE)
     _, of_groove = bodies(radius, "rotated")
-    frames = client.get_ic(STEEL, Grid.centred(1, COLUMNS, SIZE, COLUMNS * SIZE), of_groove).frames
+    frames = client.get_ic(STEEL, Grid.centred(1, STRIPS, SIZE, STRIPS * SIZE), of_groove).frames
     assert frames is not None
     # From the groove along its normals to the roller, which touches it at the bottom.
     angles, lower = np.asarray(frames)[:, 2], radius - ROLLER

@@ -20,8 +20,8 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
-COLUMN = np.radians(1)  # lengths are over the width of a column
-RADIUS, COLUMNS, NU = 1 / COLUMN, 168, 0.28
+STRIP = np.radians(1)  # lengths are over the width of a strip
+RADIUS, STRIPS, NU = 1 / STRIP, 168, 0.28
 BODIES = {
     "disc": {"radius": RADIUS, "core": 0.005 * RADIUS},
     "plate_hole": {"radius": RADIUS, "plate_radius": 50 * RADIUS},
@@ -42,23 +42,23 @@ def pressure(half_angle: float, angle: Array) -> Array:
 
 
 def plane_strain(binaries: Path, folder: Path, shape: str) -> tuple[Array, Array]:
-    """Angles of the columns, and normal displacements for normal tractions, shape [column, loaded column], for G = 1."""
+    """Angles of the strips, and normal displacements for normal tractions, shape [strip, loaded strip], for G = 1."""
     file = folder / f"{shape}.h5"
     ics = {"source": "fem", "body": "prism", "accuracy": 1e-2, "section": {shape: BODIES[shape]}}
-    grid = {"nx": 1, "ny": COLUMNS, "dx": 1, "dy": 1}
+    grid = {"nx": 1, "ny": STRIPS, "dx": 1, "dy": 1}
     spec = json.dumps({"material": {"G": 1, "nu": NU}, "grid": grid, "ics": ics})
     command = [str(binaries / "contactd-ic"), "-", "--output", str(file)]
     subprocess.run(command, input=spec.encode(), check=True, stdout=subprocess.DEVNULL)
     with h5py.File(file) as table:
         packed, angles = table["transform"][0], table["frames"][:, 2]
-    full = np.zeros((3 * COLUMNS, 3 * COLUMNS))
-    full[np.tril_indices(3 * COLUMNS)] = packed
+    full = np.zeros((3 * STRIPS, 3 * STRIPS))
+    full[np.tril_indices(3 * STRIPS)] = packed
     full += np.tril(full, -1).T
     return angles, full[2::3, 2::3]
 
 
 def solve(compliance: Array, cosines: Array, gap: Array) -> Array:
-    """Pressures of columns of width 1 under the force 1: they close h + A p = delta cos where they are positive."""
+    """Pressures of strips of width 1 under the force 1: they close h + A p = delta cos where they are positive."""
     touching = np.ones(len(gap), dtype=bool)
     while True:
         inside = np.flatnonzero(touching)
@@ -76,7 +76,7 @@ def solve(compliance: Array, cosines: Array, gap: Array) -> Array:
 
 
 def half_angle_of(angles: Array, p: Array) -> float:
-    """Where the square of the pressure, linear at its end, falls to zero: from columns that are wholly in contact."""
+    """Where the square of the pressure, linear at its end, falls to zero: from strips that are wholly in contact."""
     last = int(np.flatnonzero(p > 0)[-1])
     outer, inner = p[last - 1] ** 2, p[last - 3] ** 2
     return float(abs(angles[last - 1] + outer * (angles[last - 1] - angles[last - 3]) / (inner - outer)))
@@ -94,11 +94,11 @@ class Cylinders:
             (angles, hole), (_, disc) = (
                 plane_strain(self._programs, Path(folder), shape) for shape in ("plate_hole", "disc")
             )
-        return angles, hole + disc[::-1, ::-1]  # the disc's columns run the other way
+        return angles, hole + disc[::-1, ::-1]  # the disc's strips run the other way
 
     def measure(self, degrees: float) -> dict[str, Any]:
         """In the clearance that belongs to a half angle: that angle and the largest pressure as found, and pressures
-        p R/Q of the columns in contact."""
+        p R/Q of the strips in contact."""
         angles, compliance = self._built
         half_angle = np.radians(degrees)
         gap = clearance(half_angle) * (1 - NU) / 2 * (1 - np.cos(angles))

@@ -1,7 +1,7 @@
 """How errors of coefficients reach a contact, on flat and on curved surfaces: section 5 of the paper, in plane strain.
 
 Flat: a cylinder between two deep slabs, which are equal. Curved: a cylinder in a hole of nearly its own radius. Both
-have the same columns and meshes of the same densities (bench/section_columns.cpp); what is compared is a mesh that is
+have the same strips and meshes of the same densities (bench/section_strips.cpp); what is compared is a mesh that is
 so fine that nothing is left to gain. The contact is that of persson.py: linear equations and nothing else.
 """
 
@@ -16,16 +16,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .persson import COLUMNS, NU, RADIUS, clearance, half_angle_of, pressure, solve
+from .persson import NU, RADIUS, STRIPS, clearance, half_angle_of, pressure, solve
 
 Array = npt.NDArray[np.float64]
 
-PROGRAM = "section_columns"
-#: Orders of elements, and edges a column; the paper's are 2 and 4.
+PROGRAM = "section_strips"
+#: Orders of elements, and edges a strip; the paper's are 2 and 4.
 MESHES = [(order, edges) for order in (1, 2) for edges in (1, 2, 4, 8) if order * edges > 1]
 FINEST = (5, 4)
 HALF_ANGLE = np.radians(60)  # of contact in the hole
-HALF_WIDTH = 60.3  # of contact on the flat, in columns: the same number of them
+HALF_WIDTH = 60.3  # of contact on the flat, in strips: the same number of them
 
 
 def gap_of(body: str, angles: Array) -> Array:
@@ -57,19 +57,19 @@ class Propagation:
         self._compliance = cache(self._compute)
 
     def _normal(self, shape: str, order: int, edges: int) -> dict[str, Any]:
-        options = {"shape": shape, "radius": RADIUS, "columns": COLUMNS, "edges": edges, "order": order}
-        words = [word for name, value in options.items() for word in (f"--{name}", str(value))]
-        command = [str(self._programs / PROGRAM), *words]
+        options = {"shape": shape, "radius": RADIUS, "strips": STRIPS, "edges": edges, "order": order}
+        arguments = [part for name, value in options.items() for part in (f"--{name}", str(value))]
+        command = [str(self._programs / PROGRAM), *arguments]
         result: dict[str, Any] = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-        return {**result, "normal": symmetric(result["normal"], COLUMNS)}
+        return {**result, "normal": symmetric(result["normal"], STRIPS)}
 
     def _compute(self, body: str, order: int, edges: int) -> tuple[Array, Array, int]:
-        """Angles of the columns (on the flat: their places over the radius), compliance of both bodies, unknowns."""
+        """Angles of the strips (on the flat: their places over the radius), compliance of both bodies, unknowns."""
         if body == "flat":
             slab = self._normal("slab", order, edges)
-            return (np.arange(COLUMNS) - (COLUMNS - 1) / 2) / RADIUS, 2 * slab["normal"], slab["unknowns"]
+            return (np.arange(STRIPS) - (STRIPS - 1) / 2) / RADIUS, 2 * slab["normal"], slab["unknowns"]
         hole, disc = self._normal("plate_hole", order, edges), self._normal("disc", order, edges)
-        # The disc's columns run the other way.
+        # The disc's strips run the other way.
         both = hole["normal"] + disc["normal"][::-1, ::-1]
         return np.array(hole["angles"]), both, hole["unknowns"] + disc["unknowns"]
 

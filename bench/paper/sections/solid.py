@@ -1,4 +1,4 @@
-"""Columns of a block with an edge in three dimensions, by a program of bench/ beside contactd."""
+"""Strips of a block with an edge in three dimensions, by a program of bench/ beside contactd."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ PROGRAM = "section_solid"
 
 def measure(programs: Path, options: dict[str, float]) -> dict[str, Any]:
     """What bench/section_solid.cpp prints."""
-    words = [word for name, value in options.items() for word in (f"--{name}", f"{value:g}")]
+    arguments = [part for name, value in options.items() for part in (f"--{name}", f"{value:g}")]
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    command = [str(programs / PROGRAM), *words]
+    command = [str(programs / PROGRAM), *arguments]
     printed = subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout
     result: dict[str, Any] = json.loads(printed)
     return result

@@ -82,11 +82,11 @@ def test_fresh_forgets(path):
 def test_results_of_another_build_are_used_and_said_to_be(path):
     with ResultStore(path, "1", "first build") as store:
         store.put(case(1.2).spec, result(1.2))
-    said, builder = [], FakeBuilder()
+    reported, builder = [], FakeBuilder()
     with ResultStore(path, "1", "second build") as store:
-        compute([case(1.2), case(1.5)], store, SECTION, nullcontext(builder.measure), said.append)
+        compute([case(1.2), case(1.5)], store, SECTION, nullcontext(builder.measure), reported.append)
     assert builder.asked == [1.5]
-    assert "1 of them are of another build" in said[1]
+    assert "1 of them are of another build" in reported[1]
 
 
 def test_two_runs_do_not_share_a_store(path):
@@ -95,8 +95,8 @@ def test_two_runs_do_not_share_a_store(path):
 
 
 def test_progress_counts_and_names_what_is_left(path):
-    said = []
+    reported = []
     with ResultStore(path, "1") as store:
-        compute([case(1.2), case(1.2), case(1.5)], store, SECTION, nullcontext(FakeBuilder().measure), said.append)
-    assert len(said) == 2
-    assert said[0].startswith("[  1/2] table3: hex, f = 1.2") and "left" in said[0]
+        compute([case(1.2), case(1.2), case(1.5)], store, SECTION, nullcontext(FakeBuilder().measure), reported.append)
+    assert len(reported) == 2
+    assert reported[0].startswith("[  1/2] table3: hex, f = 1.2") and "left" in reported[0]

@@ -73,16 +73,16 @@ def test_numbers_and_verdicts_of_the_page_are_those_of_the_csv_files(written, tm
 
     write_page(SECTION, folder, "contactd 1", lambda line: None)
 
-    statement = "> The errors in the normal force are already quite small.\n\n"
-    assert statement + "**Agrees.**" in (written / "contact.md").read_text()
+    quotation = "> The errors in the normal force are already quite small.\n\n"
+    assert quotation + "**Agrees.**" in (written / "contact.md").read_text()
     after = (folder / "contact.md").read_text()
-    assert statement + "**Differs.**" in after and "7.8 % on 10 × 10" in after
+    assert quotation + "**Differs.**" in after and "7.8 % on 10 × 10" in after
 
 
 def test_the_page_is_not_written_without_a_point_it_speaks_of(written, tmp_path):
     folder = shutil.copytree(written, tmp_path / "docs")
     path = folder / "sources.csv"
     path.write_text("".join(line for line in path.read_text().splitlines(True) if "tangential alone" not in line))
-    said = []
-    write_page(SECTION, folder, "contactd 1", said.append)
-    assert "tangential alone" in said[-1]
+    reported = []
+    write_page(SECTION, folder, "contactd 1", reported.append)
+    assert "tangential alone" in reported[-1]

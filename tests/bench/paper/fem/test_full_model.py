@@ -68,9 +68,9 @@ def test_the_load_of_a_face_is_its_area():
     whole = mirrored(quarter(2))
     matrix = stiffness(whole, NU)
     u = displacements(whole, matrix, "z", {})
-    held = np.abs(whole.vertices).max(axis=1) == 2
-    held |= whole.vertices[:, 2] == -2
-    assert (matrix @ u.ravel()).reshape(-1, 3)[held, 2].sum() == pytest.approx(-4)  # 2 x 2, carried by the far faces
+    clamped = np.abs(whole.vertices).max(axis=1) == 2
+    clamped |= whole.vertices[:, 2] == -2
+    assert (matrix @ u.ravel()).reshape(-1, 3)[clamped, 2].sum() == pytest.approx(-4)  # 2 x 2, carried by the far faces
 
 
 def table_of_the_whole(mesh):

@@ -100,27 +100,27 @@ def test_the_page_links_to_files_that_are_there(written):
 def test_the_page_waits_for_all_parts(folder):
     (folder / "fig6.csv").unlink()
     (folder / "fem.md").unlink()
-    said = []
-    write_page(SECTION, folder, "contactd 1", said.append)
+    reported = []
+    write_page(SECTION, folder, "contactd 1", reported.append)
     assert not (folder / "fem.md").exists()
-    assert "fig6" in said[-1]
+    assert "fig6" in reported[-1]
 
 
 def test_the_page_is_not_written_without_a_point_it_speaks_of(folder):
     path = folder / "fig6.csv"
     path.write_text("".join(line for line in path.read_text().splitlines(True) if ",1024," not in line))
-    said = []
-    write_page(SECTION, folder, "contactd 1", said.append)
-    assert "L = 1024" in said[-1]
+    reported = []
+    write_page(SECTION, folder, "contactd 1", reported.append)
+    assert "L = 1024" in reported[-1]
 
 
 def test_a_solve_that_did_not_converge_is_left_out_and_named(store, tmp_path):
     case = PARTS["table3"]()[-1]
-    said = []
+    reported = []
     with ResultStore(tmp_path / "results.jsonl", "contactd 1") as other:
         for each in PARTS["table3"]():
             other.put(each.spec, store.get(each.spec))
         other.put(case.spec, {"failure": "it did not converge"})
-        write_part(SECTION, "table3", other, tmp_path, said.append)
-    assert f"{case.curve}, f = {case.value:g} is left out" in said[0]
+        write_part(SECTION, "table3", other, tmp_path, reported.append)
+    assert f"{case.curve}, f = {case.value:g} is left out" in reported[0]
     assert len(read_csv(tmp_path / "table3.csv")) == len(PARTS["table3"]()) - 1

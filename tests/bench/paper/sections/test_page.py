@@ -55,21 +55,21 @@ def invented(case):
 
 
 def written(folder, results):
-    said = []
+    reported = []
     with ResultStore(folder / "store" / "sections.jsonl", "contactd 1") as store:
         for part in PARTS.values():
             for case in part():
                 store.put(case.spec, results(case))
         for name in PARTS:
             write_part(SECTION, name, store, folder, lambda line: None)
-    write_page(SECTION, folder, "contactd 1", said.append)
-    return said
+    write_page(SECTION, folder, "contactd 1", reported.append)
+    return reported
 
 
 def test_the_page_has_all_figures_and_numbers_and_no_surprise(tmp_path):
-    said = written(tmp_path, invented)
+    reported = written(tmp_path, invented)
     page = (tmp_path / "sections.md").read_text()
-    assert [line for line in said if "came out otherwise" in line] == []
+    assert [line for line in reported if "came out otherwise" in line] == []
     assert "{{" not in page
     assert "[[" not in page
     for name in PARTS:
@@ -83,8 +83,8 @@ def test_the_page_has_all_figures_and_numbers_and_no_surprise(tmp_path):
 
 
 def test_a_stated_error_that_is_no_bound_is_told(tmp_path):
-    said = written(tmp_path, lambda case: {**invented(case), "found": 1} if case.part == "tables" else invented(case))
-    assert any("stated_bounds" in line for line in said)
+    reported = written(tmp_path, lambda case: {**invented(case), "found": 1} if case.part == "tables" else invented(case))
+    assert any("stated_bounds" in line for line in reported)
 
 
 def test_every_curve_is_complete():
@@ -127,5 +127,5 @@ def test_the_time_of_three_dimensions_grows_with_loads_and_unknowns():
     ],
 )
 def test_a_check_that_is_missed_is_told(tmp_path, part, change, verdict):
-    said = written(tmp_path, lambda case: {**invented(case), **(change if case.part == part else {})})
-    assert any(verdict in line for line in said)
+    reported = written(tmp_path, lambda case: {**invented(case), **(change if case.part == part else {})})
+    assert any(verdict in line for line in reported)

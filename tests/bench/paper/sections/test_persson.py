@@ -35,7 +35,7 @@ def test_a_contact_has_no_tension_and_no_overlap():
     assert np.ptp(approach) < 1e-10
 
 
-def test_the_end_of_a_contact_is_found_between_columns():
+def test_the_end_of_a_contact_is_found_between_strips():
     angles = np.radians(np.arange(-40, 41))
     p = np.sqrt(np.maximum(np.radians(30.3) ** 2 - angles**2, 0))
     assert half_angle_of(angles, p) == pytest.approx(np.radians(30.3), rel=5e-3)

@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 from paper.sections.findings_propagation import propagation
-from paper.sections.persson import COLUMNS, NU, RADIUS
+from paper.sections.persson import NU, RADIUS, STRIPS
 from paper.sections.propagation import HALF_WIDTH, MESHES, closed_form, contact, symmetric
 
-PLACES = (np.arange(COLUMNS) - (COLUMNS - 1) / 2) / RADIUS
+PLACES = (np.arange(STRIPS) - (STRIPS - 1) / 2) / RADIUS
 
 
 def half_plane(datum):
-    """The normal displacement of columns under a column, up to a constant, of two equal bodies."""
-    x = np.arange(COLUMNS)[:, None] - np.arange(COLUMNS)[None, :]
+    """The normal displacement of strips under a strip, up to a constant, of two equal bodies."""
+    x = np.arange(STRIPS)[:, None] - np.arange(STRIPS)[None, :]
     outer, inner = x + 0.5, x - 0.5
     return -2 * (1 - NU) / np.pi * (outer * np.log(np.abs(outer)) - inner * np.log(np.abs(inner)) - 1 - np.log(datum))
 

@@ -1,4 +1,4 @@
-// The quick models on the reference case of steady rolling (semi-axes 6 x 4 mm, 25 x 25 elements), cold.
+// The simplified contact models on the reference case of steady rolling (semi-axes 6 x 4 mm, 25 x 25 elements), cold.
 // Counter A_p: time of the row in products A p (one scalar convolution) on the same grid, measured in the same run.
 #include <benchmark/benchmark.h>
 

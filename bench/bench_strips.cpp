@@ -1,6 +1,6 @@
-// Steady rolling with a prism's table of columns beside the same with half-spaces, in one run: an elliptic contact on
-// nx x ny elements, the lower body a half-space, or the head of a rail with its columns across the top.
-// Counter ratio: the median time of a solve, or a product, with columns over that with half-spaces. Both take turns.
+// Steady rolling on a longitudinally uniform body, by strips, and on half-spaces, in one run: an elliptic contact on
+// nx x ny elements, the lower body a half-space, or the head of a rail with its strips across the top.
+// Counter ratio: the median time of a solve, or a product, with strips over that with half-spaces; both alternate.
 #include <utility>
 
 #include "contact_cases.hpp"
@@ -18,7 +18,7 @@ struct Rolled {
     static constexpr double Fn = 50000;
 
     ContactProblem problem;
-    ContactInfluence half_spaces, columns;
+    ContactInfluence half_spaces, strips;
     Values bound;
     RigidSlip rigid;
     mutable Observer observer;
@@ -44,8 +44,8 @@ struct Rolled {
         problem.columns = ContactColumns{.frames = strip_frames(*ics.section, grid.ny, grid.dy)};
         Grid longer = grid;
         ++longer.nx;  // a step ahead
-        columns = make_influence(problem, BodyTable(StripTable()),
-                                 BodyTable(rotated_strips(*ics.section, longer, steel, LoadShape::constant)));
+        strips = make_influence(problem, BodyTable(StripTable()),
+                                BodyTable(rotated_strips(*ics.section, longer, steel, LoadShape::constant)));
 
         const Values distance = sampled(radii_of_force({6, 4}, (1 - steel.nu) / steel.G / 2, Fn), grid);
         bound = solve_normal_force(*half_spaces.current, distance, Fn / grid.element_area(), {}, {}, observer).pressure;
@@ -59,18 +59,18 @@ struct Rolled {
     }
 };
 
-/// run(influence), of half-spaces and of columns in turns.
+/// run(influence) with half-spaces and with strips, alternately.
 template <class Run>
 void compare(benchmark::State& state, const Run& run) {
     const Rolled rolled(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     run(rolled, rolled.half_spaces);
-    run(rolled, rolled.columns);
+    run(rolled, rolled.strips);
     std::vector<double> flat, curved;
     for (auto _ : state) {
         const double start = bench::processor_seconds();
         run(rolled, rolled.half_spaces);
         const double middle = bench::processor_seconds();
-        run(rolled, rolled.columns);
+        run(rolled, rolled.strips);
         flat.push_back(middle - start);
         curved.push_back(bench::processor_seconds() - middle);
     }
@@ -82,7 +82,7 @@ void steady_rolling(benchmark::State& state) {
     bool converged = true;
     compare(state, [&](const Rolled& rolled, const ContactInfluence& influence) {
         const SolverEvidence evidence = rolled.steady(influence).evidence;
-        iterations[&influence == &rolled.columns] = evidence.iterations;
+        iterations[&influence == &rolled.strips] = evidence.iterations;
         converged = converged && evidence.converged;
     });
     state.counters["iterations"] = iterations[1];

@@ -1,7 +1,7 @@
-// What normal tractions on the columns of a cross-section do to its columns in plane strain, on a mesh that is named:
-// section_columns --shape disc|plate_hole|slab [--radius 57.3] [--columns 168] [--edges 4] [--order 2]. Prints one JSON
-// object for `./dev paper sections`: normal displacements at the middle of each column, lower half row by row, for G =
-// 1 and nu = 0.28. Lengths are over the width of a column; a slab is as deep as a plate is wide, fifty radii.
+// Plane-strain displacements of a cross-section's strips under normal tractions on its strips, on a mesh that is named:
+// section_strips --shape disc|plate_hole|slab [--radius 57.3] [--strips 168] [--edges 4] [--order 2]. Prints one JSON
+// object for `./dev paper sections`: normal displacements at the middle of each strip, lower half row by row, for G = 1
+// and nu = 0.28. Lengths are over the width of a strip; a slab is as deep as a plate is wide, fifty radii.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -31,9 +31,9 @@ Section section_of(const std::string& shape, double radius) {
 
 int run(const Options& options) {
     const auto number = [&](const char* name) { return std::atof(options.at(name).c_str()); };
-    const int columns = static_cast<int>(number("--columns")), order = static_cast<int>(number("--order"));
+    const int strips = static_cast<int>(number("--strips")), order = static_cast<int>(number("--order"));
     const Section section = section_of(options.at("--shape"), number("--radius"));
-    const SectionOutline outline = outline_of(geometry::SectionGeometry(section, columns, 1, "section"));
+    const SectionOutline outline = outline_of(geometry::SectionGeometry(section, strips, 1, "section"));
     MeshDensity density;
     density.edges_a_strip = static_cast<int>(number("--edges"));
     const DividedOutline divided = divide(outline, density);
@@ -48,7 +48,7 @@ int run(const Options& options) {
     }
     std::printf("], \"normal\": [");
     comma = "";
-    for (int a = 0; a < columns; ++a)
+    for (int a = 0; a < strips; ++a)
         for (int b = 0; b <= a; ++b) {
             const std::size_t row = 3 * static_cast<std::size_t>(a) + 2, column = 3 * static_cast<std::size_t>(b) + 2;
             std::printf("%s%.12g", comma, values[row * (row + 1) / 2 + column]);
@@ -62,12 +62,11 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     const Runtime runtime(argc, argv);
-    Options options{
-        {"--shape", "disc"}, {"--radius", "57.3"}, {"--columns", "168"}, {"--edges", "4"}, {"--order", "2"}};
+    Options options{{"--shape", "disc"}, {"--radius", "57.3"}, {"--strips", "168"}, {"--edges", "4"}, {"--order", "2"}};
     for (int i = 1; i < argc; i += 2) {
         const auto option = options.find(argv[i]);
         if (option == options.end() || i + 1 == argc) {
-            std::fprintf(stderr, "section_columns: '%s' is no option, or lacks its value\n", argv[i]);
+            std::fprintf(stderr, "section_strips: '%s' is not an option, or lacks its value\n", argv[i]);
             return 2;
         }
         option->second = argv[i + 1];
@@ -75,7 +74,7 @@ int main(int argc, char** argv) {
     try {
         return run(options);
     } catch (const Error& error) {
-        std::fprintf(stderr, "section_columns: %s\n", error.what());
+        std::fprintf(stderr, "section_strips: %s\n", error.what());
         return 1;
     }
 }
