@@ -1,4 +1,4 @@
-"""What every Python test gets: patience where programs are slow, a process to run in, and a check that it leaves no thread behind."""
+"""What every Python test gets: more time where programs are slow, a process to run in, and a check that it leaves no thread behind."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import pytest
 
 from support.daemons import BIN
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 # contactd_local is built beside the programs.
 sys.path.insert(0, str(BIN.parent / "lib" / "python"))

@@ -41,11 +41,11 @@ def python() -> str:
 
     parts = []
     for module, names in _exports(contactd).items():
-        said = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
+        text = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
         objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in names)
         title = module.partition(".")[2] or module  # without the folder
         title = title.replace(".", " ").replace("_", " ")
-        parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(said)}\n\n{objects}\n```\n")
+        parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(text)}\n\n{objects}\n```\n")
     return "\n".join([*parts, "## contactd.wheel_rail\n\n" + _directive("automodule:: contactd.wheel_rail")])
 
 
@@ -76,15 +76,15 @@ def wire() -> str:
     names = sorted(path.name.removesuffix(".json") for path in SCHEMAS.glob("*.json"))
     links = {"openrpc": ("openrpc", "All methods and messages in one document")}
     links |= {f"schema/{name}": (name, _sentence(name)) for name in names}
-    rows = [f'<tr><td><a href="../../{file}.json">{name}</a></td><td>{said}</td></tr>' for file, (name, said) in links.items()]
+    rows = [f'<tr><td><a href="../../{file}.json">{name}</a></td><td>{text}</td></tr>' for file, (name, text) in links.items()]
     head = "<thead><tr><th>file</th><th>what it describes</th></tr></thead>"
     return f'<div class="table-wrapper"><table class="docutils">{head}<tbody>{"".join(rows)}</tbody></table></div>\n'
 
 
 def _sentence(name: str) -> str:
     schema = json.loads((SCHEMAS / f"{name}.json").read_text())
-    said = schema.get("x-summary") or schema.get("description", "")
-    return str(said).partition(". ")[0].rstrip(".").replace("&", "&amp;").replace("<", "&lt;")
+    text = schema.get("x-summary") or schema.get("description", "")
+    return str(text).partition(". ")[0].rstrip(".").replace("&", "&amp;").replace("<", "&lt;")
 
 
 def _directive(name: str, **options: str) -> str:

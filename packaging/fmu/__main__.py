@@ -34,7 +34,7 @@ def main() -> None:
     parser.add_argument("--complete", type=Path, metavar="STATIC", nargs="+")
     options = parser.parse_args()
 
-    said = json.loads(subprocess.run([options.describer.resolve()], capture_output=True, check=True).stdout)
+    described = json.loads(subprocess.run([options.describer.resolve()], capture_output=True, check=True).stdout)
     licenses = {"contactd.txt": (ROOT / "LICENSE").read_text()}
     if options.complete:
         refuse_links(options.library)
@@ -45,9 +45,9 @@ def main() -> None:
         licenses["sources.txt"] = "\n".join(sources) + "\n"
     options.folder.mkdir(parents=True, exist_ok=True)
     library = stripped(options.library)
-    for kind in said["kinds"]:
+    for kind in described["kinds"]:
         for fmi, platform in PLATFORMS.items():
-            description = model_description(kind, said["units"], said["version"], fmi)
+            description = model_description(kind, described["units"], described["version"], fmi)
             files = {
                 "modelDescription.xml": description,
                 f"binaries/{platform}/{kind['name']}.so": library,

@@ -17,7 +17,7 @@ ROLES = {
     "input": ("input", "continuous", "discrete"),
     "output": ("output", "continuous", "discrete"),
 }
-CATEGORIES = {"errors": "What failed, always told.", "warnings": "Of steps.", "events": "How far a build is."}
+CATEGORIES = {"errors": "Failures, always reported.", "warnings": "Of steps.", "events": "How far a build is."}
 CAN = {
     "canHandleVariableCommunicationStepSize": "true",
     "canBeInstantiatedOnlyOncePerProcess": "false",

@@ -26,8 +26,8 @@ def main() -> None:
         kind.add_argument("folder", type=Path)
     options = parser.parse_args()
 
-    said = (ROOT / "client" / "python" / "contactd" / "_version.py").read_text()
-    version = re.search(r'__version__ = "(.+)"', said)[1]
+    source = (ROOT / "client" / "python" / "contactd" / "_version.py").read_text()
+    version = re.search(r'__version__ = "(.+)"', source)[1]
     if options.kind == "client":
         with copied(ROOT / "client" / "python") as project:
             made = wheel(project, options.folder)

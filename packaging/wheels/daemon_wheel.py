@@ -18,7 +18,7 @@ PROGRAMS = ("contactd", "contactd-ic")
 
 
 def daemon_wheel(bin: Path, version: str, folder: Path) -> Path:
-    """The wheel, in `folder`. `bin` has the programs, and beside them the modules (*.so) that they open when they are wanted.
+    """The wheel, in `folder`. `bin` has the programs, and beside them the modules (*.so) that they open when needed.
 
     Raises ValueError for what looks for libraries in folders of its own.
     """

@@ -9,7 +9,7 @@ from pathlib import Path
 __all__ = ["is_elf", "links", "own_folders"]
 
 
-def _said(*command: str | Path) -> str:
+def _output(*command: str | Path) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
@@ -24,7 +24,7 @@ def links(path: Path) -> dict[str, Path]:
     Raises FileNotFoundError for what is not there.
     """
     found = {}
-    for line in _said("ldd", path).splitlines():
+    for line in _output("ldd", path).splitlines():
         name, _, target = (words.strip() for words in line.partition("=>"))
         file = re.sub(r" \(0x[0-9a-f]+\)$", "", target or name)
         if file == "not found":
@@ -36,5 +36,5 @@ def links(path: Path) -> dict[str, Path]:
 
 def own_folders(path: Path) -> list[str]:
     """Where it says itself that its libraries are (RPATH and RUNPATH)."""
-    found = re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", _said("readelf", "-dW", path))
+    found = re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", _output("readelf", "-dW", path))
     return [folder for folders in found for folder in folders.split(":")]

@@ -16,9 +16,9 @@ class Origins:
     """From which packages files come. Gives their licences, and which sources belong to them."""
 
     def __init__(self, files: Iterable[Path]) -> None:
-        said = subprocess.run(["dpkg-query", "-S", *map(str, files)], capture_output=True, text=True, check=True).stdout
+        owners = subprocess.run(["dpkg-query", "-S", *map(str, files)], capture_output=True, text=True, check=True).stdout
         #: Binary packages, sorted.
-        self.packages = sorted({line.split(":")[0] for line in said.splitlines()})
+        self.packages = sorted({line.split(":")[0] for line in owners.splitlines()})
 
     def sources(self) -> list[str]:
         """Source packages with their versions, which are those of Debian: what the GPL calls the source code."""

@@ -21,7 +21,7 @@ get_sources() {
         { grep ' main$' || true; } | sort -u >sources.list
     [ -s sources.list ] || sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >sources.list
     apt_of_sources update
-    # Only their authors' archives are wanted: a mirror that lacks Debian's part of a source will do.
+    # Only their authors' archives are needed: a mirror that lacks Debian's part of a source will do.
     apt_of_sources source --download-only hdf5 reproc prometheus-cpp || true
 }
 

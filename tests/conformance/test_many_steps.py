@@ -58,8 +58,8 @@ def test_one_that_fails_does_not_fail_the_others(peer, sessions):
     reply = ask(peer, step(sessions[0]), step(sessions[1], friction={"rotation": 0}), step("0" * 32), step(sessions[2], 7))
     assert codes(reply) == [OK, INVALID_ARGUMENT, NOT_FOUND, FAILED_PRECONDITION]
     assert reply.result["steps"][1]["status"]["details"]["violations"][0]["field"] == "friction.mu"
-    told = [peer.ask("session.info", {"session": name}).result["step"] for name in sessions]
-    assert told == [1, 0, 0]
+    steps_taken = [peer.ask("session.info", {"session": name}).result["step"] for name in sessions]
+    assert steps_taken == [1, 0, 0]
 
 
 def test_steps_of_one_session_are_taken_in_their_order(peer, sessions):

@@ -58,8 +58,8 @@ def test_components_make_up_the_table(guest, table):
     for names in (["zz"], ["zx", "xz"], ["yy"]):
         reply = guest.ask("ic.get", {**WHOLE, "components": names, "rows": {"first": 2, "count": 10}})
         assert reply.result["components"] == names
-        wanted = [table[divmod(NAMES.index(name), 3)][2:12] for name in names]
-        assert (reply.array(reply.result["table"]) == wanted).all()
+        expected = [table[divmod(NAMES.index(name), 3)][2:12] for name in names]
+        assert (reply.array(reply.result["table"]) == expected).all()
 
 
 @pytest.mark.parametrize(

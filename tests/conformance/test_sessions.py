@@ -140,10 +140,10 @@ def test_who_is_handed_the_name_of_a_session_learns_where_it_is(shared, peer, se
     step(peer, session, 1)
     state = peer.ask("session.save", {"session": session}).result["state"]
     with shared.peer() as other:
-        told = other.ask("session.info", {"session": session}).result
-        assert (told["step"], told["states"]) == (1, 1)
-        assert (told["grid"]["nx"], told["grid"]["ny"]) == (SOLVE["grid"]["nx"], SOLVE["grid"]["ny"])
-        assert step(other, session, told["step"] + 1).code == OK
+        info = other.ask("session.info", {"session": session}).result
+        assert (info["step"], info["states"]) == (1, 1)
+        assert (info["grid"]["nx"], info["grid"]["ny"]) == (SOLVE["grid"]["nx"], SOLVE["grid"]["ny"])
+        assert step(other, session, info["step"] + 1).code == OK
     peer.ask("session.forget", {"session": session, "state": state})
 
 
@@ -185,8 +185,8 @@ def wheel(peer):
 
 
 def test_a_wheel_is_stepped_by_its_state(peer, wheel):
-    told = {"state": {**ROLLING, "position": {"y": 1}}, "friction": {"mu": 0.2}, "gap": True}
-    first = step(peer, wheel, 1, wheelrail=told, fields=["pressure"])
+    wheelrail = {"state": {**ROLLING, "position": {"y": 1}}, "friction": {"mu": 0.2}, "gap": True}
+    first = step(peer, wheel, 1, wheelrail=wheelrail, fields=["pressure"])
     assert (first.code, first.result["step"], len(first.frames)) == (OK, 1, 2 * len(first.result["wheelrail"]["patches"]))
     alone = peer.ask("wheelrail.solve", {**WHEEL["wheelrail"], "state": ROLLING, "fields": []}).result
     second = step(peer, wheel, 2, wheelrail={"state": ROLLING})
@@ -203,8 +203,8 @@ def test_a_wheels_session_is_told_by_its_side(peer, wheel):
 
 
 def test_wheels_and_contacts_step_in_one_message(peer, wheel, session):
-    told = {"session": wheel, "step": 1, "wheelrail": {"state": ROLLING}}
-    steps = [told, {"session": session, "step": 1}, {"session": session, "step": 2, "wheelrail": {"state": {}}}]
+    wheel_step = {"session": wheel, "step": 1, "wheelrail": {"state": ROLLING}}
+    steps = [wheel_step, {"session": session, "step": 1}, {"session": session, "step": 2, "wheelrail": {"state": {}}}]
     answers = peer.ask("session.step_many", {"steps": steps}).result["steps"]
     assert [answer["status"]["code"] for answer in answers] == [OK, OK, INVALID_ARGUMENT]
     assert answers[2]["status"]["details"]["violations"][0]["field"] == "wheelrail"

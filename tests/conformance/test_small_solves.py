@@ -16,7 +16,7 @@ def peer(request, start):
         yield peer
 
 
-def test_a_quick_solve_is_answered_alone_and_beside_others_alike(peer):
+def test_a_small_solve_is_answered_alone_and_beside_others_alike(peer):
     alone = peer.ask("contact.solve", QUICK).result
     names = [peer.send("contact.solve", QUICK) for _ in range(20)]
     replies = {reply.id: reply.result for reply in (peer.reply() for _ in names)}
@@ -24,7 +24,7 @@ def test_a_quick_solve_is_answered_alone_and_beside_others_alike(peer):
     assert {reply["forces"]["Fn"] for reply in replies.values()} == {alone["forces"]["Fn"]}
 
 
-def test_a_quick_step_takes_its_turn(peer):
+def test_a_small_step_takes_its_turn(peer):
     session = peer.ask("session.open", QUICK).result["session"]
     for number in (1, 2):
         assert peer.ask("session.step", {"session": session, "step": number}).result["step"] == number
@@ -33,14 +33,14 @@ def test_a_quick_step_takes_its_turn(peer):
     assert peer.ask("session.close", {"session": session}).result["step"] == 29
 
 
-def test_a_quick_solve_that_makes_no_sense_is_refused(peer):
+def test_a_small_solve_that_makes_no_sense_is_refused(peer):
     for grid in ({"nx": -1, "ny": 5, "dx": 1, "dy": 1}, {"nx": 5, "dx": 1, "dy": 1}, [], None):
         assert peer.ask("contact.solve", {**QUICK, "grid": grid}).code == INVALID_ARGUMENT
     assert peer.ask("contact.solve", {**QUICK, "model": 3}).code == INVALID_ARGUMENT
     assert peer.ask("session.step", {"session": 7, "step": 1}).code == INVALID_ARGUMENT
 
 
-def test_a_quick_solve_waits_for_no_worker_only_when_it_is_alone(peer):
+def test_a_small_solve_waits_for_no_worker_only_when_it_is_alone(peer):
     """With the worker busy it takes its turn like all others; the daemon answers what is quick meanwhile."""
     endless = peer.send("contact.solve", ENDLESS)
     assert peer.message().progress["stage"]

@@ -31,7 +31,7 @@ SLOW = pytest.mark.parametrize(
 
 
 def nothing_runs(peer):
-    """Jobs that nobody waits for end at their next iteration; builds go on for the cache."""
+    """Abandoned jobs end at their next iteration; builds go on for the cache."""
     return all(job["kind"] == "build" for job in peer.ask("job.list").result["jobs"])
 
 

@@ -21,7 +21,7 @@ import numpy as np
 import zmq
 
 BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / "development" / "bin"))
-PATIENCE_MS = 30_000
+TIMEOUT_MS = 30_000
 
 OK, CANCELLED, INVALID_ARGUMENT, DEADLINE_EXCEEDED, NOT_FOUND = 0, 1, 3, 4, 5
 RESOURCE_EXHAUSTED, FAILED_PRECONDITION, ABORTED, UNIMPLEMENTED = 8, 9, 10, 12
@@ -124,7 +124,7 @@ class Peer:
 
     def message(self) -> Message:
         """The next message, progress or reply."""
-        assert self.socket.poll(PATIENCE_MS), "no message within half a minute"
+        assert self.socket.poll(TIMEOUT_MS), "no message within half a minute"
         text, *frames = self.socket.recv_multipart()
         message = Message(json.loads(text), frames)
         RECORD.append((self._methods.get(message.id, ""), message.envelope))

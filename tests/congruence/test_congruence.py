@@ -17,7 +17,7 @@ from congruence.cases import CASES, write
 from congruence.driver import CALLS, answers
 from integration.conftest import shared_daemon  # noqa: F401
 from support.daemons import BIN
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 #: Cases that an interface cannot say, and why; none at present.
 CANNOT: dict[str, dict[str, str]] = {}

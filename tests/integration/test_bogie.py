@@ -87,7 +87,7 @@ def test_its_energy_goes_to_dampers_and_rails(bogie, shared):
 
 
 def test_who_solves_the_wheels_can_be_exchanged(bogie, shared):
-    """By requests instead of sessions: the same function, told whole states."""
+    """By requests instead of sessions: the same function, with whole states."""
 
     class Requests(contextlib.AbstractContextManager):
         def __init__(self, client, setups):

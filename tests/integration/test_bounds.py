@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from support.daemons import BIN, eventually, resident
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 DOCS = Path(__file__).parents[2] / "docs"
 
@@ -70,7 +70,7 @@ def test_a_large_request_takes_no_more_than_it_states(daemons, example):
         raw.ask("server.health")
         before = resident(daemon)
         name = raw.send(example["method"], example["params"])
-        answer = raw.receive(patience=500)
+        answer = raw.receive(timeout=500)
         assert answer.envelope["id"] == name
         assert answer.status == "OK", answer.message
         taken = resident(daemon, "VmHWM") - before

@@ -1,4 +1,4 @@
-"""contact.solve and contact.solve_many: forces, rolling, rigid bodies, quick models, histories and batches."""
+"""contact.solve and contact.solve_many: forces, rolling, rigid bodies, simplified models, histories and batches."""
 
 import math
 
@@ -116,7 +116,7 @@ def test_two_rigid_bodies_are_refused(shared):
         shared.solve(FRICTIONLESS.replace(upper=RigidBody(), lower=RigidBody()))
 
 
-def test_bodies_that_differ_take_friction_and_tell_of_the_outer_iteration(shared):
+def test_dissimilar_bodies_take_friction_and_tell_of_the_outer_iteration(shared):
     solution = shared.solve(CATTANEO.replace(lower=RigidBody()))
     assert solution.converged
     assert solution.evidence.outer.converged
@@ -162,8 +162,8 @@ def test_friction_tells_slip_work_and_motion(shared):
 
 def test_a_step_starts_where_the_one_before_ended(shared):
     there = shared.solve(CATTANEO)
-    held = shared.solve(CATTANEO.replace(friction=Friction(0.4, (0, 0)), previous=there))
-    assert held.Fx == pytest.approx(there.Fx, rel=1e-3)
+    unmoved = shared.solve(CATTANEO.replace(friction=Friction(0.4, (0, 0)), previous=there))
+    assert unmoved.Fx == pytest.approx(there.Fx, rel=1e-3)
     # Shifted back to where it was, friction holds it on the other side: Mindlin and Deresiewicz.
     back = shared.solve(CATTANEO.replace(friction=Friction(0.4, (-0.00817, 0)), previous=there))
     bound = 0.4 * there.Fn
@@ -172,7 +172,7 @@ def test_a_step_starts_where_the_one_before_ended(shared):
     assert back.Fx == pytest.approx(there.Fx + 2 * there_and_half_back, rel=0.03)
     previous = Estimate(pressure=there.pressure, traction_x=there.traction_x, traction_y=there.traction_y)
     again = shared.solve(CATTANEO.replace(friction=Friction(0.4, (0, 0)), previous=previous))
-    assert again.Fx == held.Fx
+    assert again.Fx == unmoved.Fx
 
 
 def test_a_coefficient_per_element_is_that_coefficient(shared):
@@ -258,16 +258,16 @@ def test_transient_rolling_reaches_the_steady_state(shared):
 
 
 @pytest.mark.parametrize("model", ["hertz", "fastsim"])
-def test_quick_models_agree_with_the_full_one(shared, model):
-    full, quick = shared.solve(ROLLING), shared.solve(ROLLING.replace(model=model))
-    assert quick.approach == pytest.approx(full.approach, rel=1e-2)
-    assert quick.pmax == pytest.approx(full.pmax, rel=2e-2)
-    assert quick.evidence.ics == {}
+def test_simplified_models_agree_with_the_full_one(shared, model):
+    full, simplified = shared.solve(ROLLING), shared.solve(ROLLING.replace(model=model))
+    assert simplified.approach == pytest.approx(full.approach, rel=1e-2)
+    assert simplified.pmax == pytest.approx(full.pmax, rel=2e-2)
+    assert simplified.evidence.ics == {}
     if model == "fastsim":
-        assert quick.Fx == pytest.approx(full.Fx, rel=0.15)
+        assert simplified.Fx == pytest.approx(full.Fx, rel=0.15)
 
 
-def test_quick_models_need_curvatures(shared):
+def test_simplified_models_need_curvatures(shared):
     with pytest.raises(InvalidArgument, match="gap"):
         shared.solve(CATTANEO.replace(model="hertz", gap=np.zeros((40, 40))))
 
@@ -337,8 +337,8 @@ def test_below_a_roller_the_largest_shear_is_that_of_handbooks(shared):
 
 def test_stresses_below_a_line_contact_are_asked_for_as_one(shared):
     with pytest.raises(InvalidArgument, match="^grid.ny is 3"):
-        wide = LINE.replace(grid=Grid.centred(40, 3, 2.4, 7))
-        shared.subsurface(wide, Estimate(pressure=np.ones((3, 40))), points=[[0, 0, -1]])
+        rows = LINE.replace(grid=Grid.centred(40, 3, 2.4, 7))
+        shared.subsurface(rows, Estimate(pressure=np.ones((3, 40))), points=[[0, 0, -1]])
 
 
 def test_elements_beyond_1000_to_1_are_refused_with_what_would_be_right(shared):

@@ -1,4 +1,4 @@
-"""Contact on curved columns through a daemon: solves, sessions, and what is refused."""
+"""Contact on curved strips through a daemon: solves, sessions, and what is refused."""
 
 import numpy as np
 import pytest
@@ -13,16 +13,16 @@ ROLLING = Friction(0.3, rolling=Rolling(xi=1e-3, eta=-5e-4, phi=1e-4))
 CONTACT = {"grid": GRID, "upper": STEEL, "gap": GAP, "Fn": 5000.0}
 
 
-def columns(turn_of_each, **more):
+def columns(angle_of_each, **more):
     """On a circle where each turns by so much, flat where that is 0."""
-    angle = turn_of_each * (np.arange(15) - 7)
-    radius = 0.5 / (turn_of_each or 1)
-    y, z = (radius * np.sin(angle), radius * np.cos(angle)) if turn_of_each else (Y[:, 0], 0 * angle)
+    angle = angle_of_each * (np.arange(15) - 7)
+    radius = 0.5 / (angle_of_each or 1)
+    y, z = (radius * np.sin(angle), radius * np.cos(angle)) if angle_of_each else (Y[:, 0], 0 * angle)
     return ContactColumns(np.stack([y, z, angle], axis=1), **more)
 
 
 @pytest.mark.parametrize("friction", [None, ROLLING])
-def test_flat_columns_are_a_plane(shared, friction):
+def test_flat_strips_are_a_plane(shared, friction):
     plane = shared.solve(**CONTACT, friction=friction)
     solution = shared.solve(**CONTACT, friction=friction, columns=columns(0))
     assert plane.resultant is None
@@ -42,7 +42,7 @@ def test_the_force_on_an_arc_is_along_its_approach(shared):
         assert abs(solution.resultant.Mx) < 1e-6 * 5000  # about the axis of the cylinder
 
 
-def test_a_session_keeps_its_columns(shared):
+def test_a_session_keeps_its_strips(shared):
     alone = shared.solve(**CONTACT, friction=ROLLING, columns=columns(0.05))
     with shared.session(**CONTACT, friction=ROLLING, columns=columns(0.05)) as session:
         step = session.step()
@@ -61,13 +61,13 @@ def test_a_session_keeps_its_columns(shared):
         ({"friction": Friction(0.3, rolling=Rolling(xi=1e-3, chi=0.5))}, "friction.rolling.chi"),
     ],
 )
-def test_what_is_not_known_on_curved_columns_is_refused(shared, change, field):
+def test_what_is_not_known_on_curved_strips_is_refused(shared, change, field):
     with pytest.raises(InvalidArgument) as refused:
         shared.solve(**{**CONTACT, "columns": columns(0.05), **change})
     assert refused.value.violations[0].field == field
 
 
-def test_stresses_below_curved_columns_are_refused(shared):
+def test_stresses_below_curved_strips_are_refused(shared):
     problem = {**CONTACT, "columns": columns(0.05)}
     with pytest.raises(InvalidArgument, match="curved"):
         shared.subsurface(ContactProblem(**problem), shared.solve(**problem), points=np.array([[0, 0, -1.0]]))

@@ -1,4 +1,4 @@
-"""Finite-element tables by what is wanted of them: an accuracy, a body, a load shape, any Poisson's ratio."""
+"""Finite-element tables by what is asked of them: an accuracy, a body, a load shape, any Poisson's ratio."""
 
 from dataclasses import replace
 
@@ -102,7 +102,7 @@ def test_the_evidence_names_the_solver(shared, solver):
     assert table.evidence.solver == solver
 
 
-def test_the_update_as_stop_test_is_reported(shared):
+def test_the_update_as_stopping_criterion_is_reported(shared):
     ics = FemIcs("paper-test2", L_over_h=40, stop_test="update", tolerance=1e-6)
     for case in shared.get_ic(STEEL, GRID, ics).evidence.load_cases:
         assert 0 < case.update <= 1e-6
@@ -180,7 +180,7 @@ def test_a_contact_on_a_block_is_told_how_far_its_elements_differ(shared):
     small, large = (
         shared.solve(problem.replace(ics=FemIcs(accuracy=1e-2, body="block", L_over_h=L))) for L in (10, 1000)
     )
-    told = [solution.evidence.ics["upper"].evidence.modelling_error for solution in (small, large)]
-    assert told[0] > 1e-2 > told[1]
+    stated = [solution.evidence.ics["upper"].evidence.modelling_error for solution in (small, large)]
+    assert stated[0] > 1e-2 > stated[1]
     assert any("does not look the same from every element" in warning for warning in small.warnings)
     assert not any("does not look the same" in warning for warning in large.warnings)

@@ -1,4 +1,4 @@
-"""Tables that somebody has brought: whom they serve, what is said of them, and what is refused."""
+"""Tables that somebody has brought: whom they serve, what is reported of them, and what is refused."""
 
 import hashlib
 import io

@@ -60,9 +60,9 @@ def test_a_listed_build_says_how_many_seconds_are_left_and_what_memory_it_takes(
 def test_a_build_says_what_memory_it_will_take_before_it_takes_it(client):
     seen = []
     client.get_ic(STEEL, GRID, QUICK, on_progress=seen.append)
-    told = {progress.memory_bytes for progress in seen if progress.stage != "queued"}
-    assert len(told) == 1, "one estimate, in each report of the builder"
-    assert 65e6 < told.pop() < 1e9
+    stated = {progress.memory_bytes for progress in seen if progress.stage != "queued"}
+    assert len(stated) == 1, "one estimate, in each report of the builder"
+    assert 65e6 < stated.pop() < 1e9
 
 
 def test_progress_names_the_job_that_can_be_cancelled(client):

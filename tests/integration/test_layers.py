@@ -152,7 +152,7 @@ def test_points_below_a_rigid_base_are_refused(shared, shared_daemon):
     assert refused.value.violations[0].field == "ics.layers[0].thickness"
 
 
-def test_stresses_below_a_prism_are_refused(shared):
+def test_stresses_below_a_uniform_body_are_refused(shared):
     problem = ContactProblem(
         **BALL, upper=RigidBody(), lower=STEEL, lower_ics=AnalyticIcs(body="prism", section=SLAB), Fn=1000
     )

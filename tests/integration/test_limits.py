@@ -125,7 +125,7 @@ def test_a_table_that_is_too_large_for_a_message_comes_in_pieces(daemons, shared
     assert (pieces.key, pieces.spec) == (whole.key, whole.spec)
 
 
-def test_a_solve_that_nobody_waits_for_any_more_ends(client):
+def test_a_solve_that_no_caller_waits_for_any_more_ends(client):
     class Enough(Exception):
         pass
 

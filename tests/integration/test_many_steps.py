@@ -52,10 +52,10 @@ def test_steps_of_many_sessions_are_those_of_each_alone_to_the_last_bit(shared, 
         [{"force": (-2.0, None)}, {"gap": gap, "Fn": 6, "xi": 2e-3}, {"gap": gap}, {"phi": 0.1, "fields": FIELDS}],
     ]
     for inputs in rounds:
-        inputs = [{"fields": FIELDS, **said} for said in inputs]
-        for one, session, said in zip(shared.step_many(zip(together, inputs)), alone, inputs):
+        inputs = [{"fields": FIELDS, **step_input} for step_input in inputs]
+        for one, session, step_input in zip(shared.step_many(zip(together, inputs)), alone, inputs):
             assert isinstance(one, StepSolution)
-            same(one, session.step(**said))
+            same(one, session.step(**step_input))
 
 
 def test_eighty_sessions_step_in_one_message_in_order(shared, opened):
@@ -86,8 +86,8 @@ def test_the_whole_is_tried_again_until_all_please(shared, opened):
     shared.step_many([(first, {"rigid_shift": (0.003, 0)}), (second, {"rigid_shift": (0.003, 0)})])
     shared.step_many([(first, {"rigid_shift": (0.002, 0)}), (second, refused)])
     for shift in (-0.001, 0.001):
-        said = {"rigid_shift": (shift, 0), "fields": FIELDS, "again": True}
-        tried = shared.step_many([(first, said), (second, said)])
+        step_input = {"rigid_shift": (shift, 0), "fields": FIELDS, "again": True}
+        tried = shared.step_many([(first, step_input), (second, step_input)])
     straight.step(rigid_shift=(0.003, 0))
     expected = straight.step(rigid_shift=(0.001, 0), fields=FIELDS)
     for solution in tried:
@@ -119,8 +119,8 @@ def test_a_lost_answer_is_heard_again_and_not_solved_again(shared, opened, monke
         return reply
 
     monkeypatch.setattr(Client, "_exchange", lossy)
-    said = {"gap": gap, "fields": ["pressure"]}
-    solutions = shared.step_many([(session, said) for session in sessions])
+    step_input = {"gap": gap, "fields": ["pressure"]}
+    solutions = shared.step_many([(session, step_input) for session in sessions])
     monkeypatch.undo()
     assert [solution.step for solution in solutions] == [1, 1, 1]
     assert replies[0].result == replies[1].result, "the seconds that it took, too"
@@ -134,7 +134,7 @@ def test_when_the_whole_is_too_late_the_same_steps_go_on_and_others_by_again(cli
             client.step_many([(quick, {}), (slow, {})], timeout=0.5)
         eventually(lambda: not client.jobs())
         assert client.join_session(quick.name).step_number == 1, "it had its turn"
-        assert quick.step_number == 0, "nobody has told"
+        assert quick.step_number == 0, "no answer has come"
         assert [answer.step for answer in client.step_many([(quick, {}), (slow, {"steps": 1})])] == [1, 1]
         answers = client.step_many([(quick, {"approach": 0.01, "again": True}), (slow, {"steps": 2, "again": True})])
         assert [answer.step for answer in answers] == [1, 1]

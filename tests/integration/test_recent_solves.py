@@ -1,4 +1,4 @@
-"""solves.recent and solves.pressures: what a user is told of his last solves."""
+"""solves.recent and solves.pressures: what a user learns of his last solves."""
 
 import pytest
 
@@ -30,19 +30,19 @@ def test_every_way_to_solve_is_told(client):
 
 def test_figures_are_those_of_the_answer(client):
     solution = client.solve(CATTANEO)
-    (told,) = client.recent_solves()
-    assert told.forces == (solution.Fx, solution.Fy, solution.Fn)
-    assert told.pmax == solution.pmax
-    assert told.grid == CATTANEO.grid
-    assert told.iterations == solution.evidence.normal.iterations + solution.evidence.tangential.iterations
+    (recent,) = client.recent_solves()
+    assert recent.forces == (solution.Fx, solution.Fy, solution.Fn)
+    assert recent.pmax == solution.pmax
+    assert recent.grid == CATTANEO.grid
+    assert recent.iterations == solution.evidence.normal.iterations + solution.evidence.tangential.iterations
 
 
 def test_a_wheel_has_the_pressures_of_its_patches(client):
     solution = client.wheel_rail(COARSE, CENTRED)
-    (told,) = client.recent_solves()
-    assert told.grid is None
-    assert told.forces[2] == pytest.approx(solution.forces.track.Fz)
-    patches = client.recent_pressures(told.number)
+    (recent,) = client.recent_solves()
+    assert recent.grid is None
+    assert recent.forces[2] == pytest.approx(solution.forces.track.Fz)
+    patches = client.recent_pressures(recent.number)
     assert [patch.grid for patch in patches] == [patch.place.grid for patch in solution.patches]
     assert patches[0].pressure == pytest.approx(solution.patches[0].solution.pressure, rel=1e-6)
 
@@ -72,9 +72,9 @@ def test_a_count_of_none_keeps_none(daemons):
 
 
 def test_the_configuration_is_told_without_what_is_secret(client, daemon):
-    told = client.config()
-    assert told["recent_solves"] == {"count": 50, "max_bytes": 4194304}
-    assert told["security"]["encrypted"] is False
-    assert "curve" not in told["security"]
-    assert str(daemon.folder) not in repr(told)
-    assert not {"endpoint", "http"} & set(told)
+    config = client.config()
+    assert config["recent_solves"] == {"count": 50, "max_bytes": 4194304}
+    assert config["security"]["encrypted"] is False
+    assert "curve" not in config["security"]
+    assert str(daemon.folder) not in repr(config)
+    assert not {"endpoint", "http"} & set(config)

@@ -144,7 +144,7 @@ def test_what_session_open_leaves_out_every_step_must_name(shared):
         assert session.step(Fn=5, gap=Paraboloid(50, 50)).step == 1
 
 
-def test_sessions_of_quick_models_take_steps(shared):
+def test_sessions_of_simplified_models_take_steps(shared):
     with open_session(shared, model="fastsim", friction=Friction(mu=0.4, rolling=Rolling())) as session:
         assert session.step(xi=1e-3).Fx < session.step(xi=0).Fx
 

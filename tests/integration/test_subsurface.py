@@ -163,7 +163,7 @@ def test_stresses_are_a_job_that_reports_and_can_be_cancelled(client, background
     eventually(lambda: client.info().queue["solves_running"] == 0, "the worker does not come back", seconds=5)
 
 
-def test_stresses_end_with_the_patience_of_their_caller(client):
+def test_stresses_end_at_the_timeout_of_their_caller(client):
     loaded = Estimate(np.random.default_rng(1).random(HERTZ.grid.shape))
     with pytest.raises(TimeoutExpired):
         client.subsurface(HERTZ, loaded, block=ENDLESS, timeout=0.5)

@@ -67,9 +67,9 @@ def test_a_wheel_on_its_flange_agrees_with_the_benchmark(shared):
     assert solution.z == pytest.approx(-6.2615, abs=1e-3)
     assert (at.x, at.y, at.z) == pytest.approx((-0.9036, 719.8316, 8.0092), abs=0.01)
     assert at.angle == pytest.approx(-0.9501, abs=2e-4)
-    wanted = (0.02127, 0.033, 0.001701)
+    expected = (0.02127, 0.033, 0.001701)
     creepages = place.creepages
-    assert (creepages.xi, creepages.eta, creepages.phi) == pytest.approx(wanted, abs=1e-3 * 0.033)
+    assert (creepages.xi, creepages.eta, creepages.phi) == pytest.approx(expected, abs=1e-3 * 0.033)
     assert forces.Fn == pytest.approx(12720, rel=1e-3)
     assert (forces.Fx, forces.Fy) == pytest.approx((-2070, -3195), abs=1e-3 * mu_fn)
     assert patch.solution.pmax == pytest.approx(2634, rel=4e-3)

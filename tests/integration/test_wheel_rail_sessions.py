@@ -91,7 +91,7 @@ def test_steps_answer_what_the_method_without_state_does(shared, setup):
 
 
 @pytest.mark.parametrize("model", ["hertz", "fastsim"])
-def test_at_a_given_height_a_quick_model_answers_to_the_last_bit(shared, model):
+def test_at_a_given_height_a_simplified_model_answers_to_the_last_bit(shared, model):
     setup = COARSE.replace(model=model, friction=None if model == "hertz" else WheelRailFriction(0.3))
     state = at(1.0, Fz=None, z=0.21)
     with shared.wheel_rail_session(setup) as session:
@@ -184,7 +184,7 @@ def test_derivatives_and_a_longitudinal_force_come_as_without_a_session(shared, 
 # --- as sessions of contacts ------------------------------------------------------------------------------------------
 
 
-def told(answer):
+def content_of(answer):
     """What does not depend on the clock."""
 
     def bare(value):
@@ -210,9 +210,9 @@ def name(raw):
 def test_restore_gives_the_same_answers_bit_for_bit(raw, name):
     raw.ask("session.step", step_params(name, 1, 0.5))
     state = {"session": name, "state": raw.ask("session.save", {"session": name}).result["state"]}
-    first = [told(raw.ask("session.step", step_params(name, 2 + i, 1.0 + i))) for i in range(3)]
+    first = [content_of(raw.ask("session.step", step_params(name, 2 + i, 1.0 + i))) for i in range(3)]
     assert raw.ask("session.restore", state).result == {"step": 1}
-    assert [told(raw.ask("session.step", step_params(name, 2 + i, 1.0 + i))) for i in range(3)] == first
+    assert [content_of(raw.ask("session.step", step_params(name, 2 + i, 1.0 + i))) for i in range(3)] == first
     assert raw.ask("session.forget", state).result == {"states": 0}
 
 
@@ -226,9 +226,9 @@ def test_a_step_asked_for_again_is_answered_byte_for_byte_and_others_are_refused
 
 def test_a_step_tried_again_starts_where_the_one_before_did(raw, name):
     raw.ask("session.step", step_params(name, 1))
-    alone = told(raw.ask("session.step", step_params(name, 2, 3.0)))
+    alone = content_of(raw.ask("session.step", step_params(name, 2, 3.0)))
     raw.ask("session.step", step_params(name, 2, 5.0, again=True))
-    assert told(raw.ask("session.step", step_params(name, 2, 3.0, again=True))) == alone
+    assert content_of(raw.ask("session.step", step_params(name, 2, 3.0, again=True))) == alone
 
 
 def test_who_joins_goes_on_where_the_other_was(shared, wheel):

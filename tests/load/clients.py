@@ -13,7 +13,7 @@ import zmq
 
 from load.workload import KINDS, draw, is_right, request
 
-PATIENCE = 60.0  # seconds for one answer
+TIMEOUT = 60.0  # seconds for one answer
 
 
 @dataclass
@@ -80,7 +80,7 @@ def references(socket: zmq.Socket[bytes]) -> list[list[float]]:
     for kind in KINDS:
         socket.send_multipart(request(kind, "reference", 1.0))
         while True:
-            if not socket.poll(PATIENCE * 1000):
+            if not socket.poll(TIMEOUT * 1000):
                 raise TimeoutError(f"no answer to {kind.name}")
             text, *frames = socket.recv_multipart()
             envelope = json.loads(text)
@@ -124,16 +124,16 @@ def _receive(poller: zmq.Poller, clients: Any, references_: Any, phase: str, tal
 
 def _finish(poller: zmq.Poller, clients: Any, references_: Any, tally: Tally) -> None:
     """Waits for what is on its way, then asks for the health, whose answer must be the only one to come."""
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while any(client.waiting for client in clients.values()) and time.monotonic() < deadline:
         _receive(poller, clients, references_, "end", tally, 100)
     for client in clients.values():
         if client.waiting:
-            tally.problem(f"no answer to {client.waiting} within {PATIENCE:g} s")
+            tally.problem(f"no answer to {client.waiting} within {TIMEOUT:g} s")
     for socket, client in clients.items():
         client.waiting, client.kind = f"{client.name}-last", len(KINDS) - 1
         socket.send_multipart(request(KINDS[client.kind], client.waiting, 1.0))
         tally.sent += 1
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while any(client.waiting for client in clients.values()) and time.monotonic() < deadline:
         _receive(poller, clients, references_, "end", tally, 100)

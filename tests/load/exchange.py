@@ -15,7 +15,7 @@ import zmq
 from contactd import LocalDaemon
 from load.messages import SESSION, Message
 
-PATIENCE_MS = 60_000
+TIMEOUT_MS = 60_000
 
 
 class Wrong(AssertionError):
@@ -40,8 +40,8 @@ def connected(daemon: LocalDaemon, kind: int) -> Iterator[zmq.Socket[bytes]]:
 def reply(socket: zmq.Socket[bytes], about: object) -> dict[str, Any]:
     """The next reply; progress is passed over."""
     while True:
-        if not socket.poll(PATIENCE_MS):
-            raise Wrong(f"no answer within {PATIENCE_MS / 1000:g} s to {about}")
+        if not socket.poll(TIMEOUT_MS):
+            raise Wrong(f"no answer within {TIMEOUT_MS / 1000:g} s to {about}")
         parts = socket.recv_multipart()
         # A DEALER whose envelope was empty, with frames behind it, looks like a REQ and is answered like one.
         envelope = json.loads(parts[0] or parts[1])
@@ -94,8 +94,8 @@ def by_dealer(socket: zmq.Socket[bytes], batch: list[Message], outcome: Outcome)
 
 def by_req(socket: zmq.Socket[bytes], message: Message, outcome: Outcome) -> None:
     socket.send_multipart([message.text, *message.frames])
-    name, wanted = take(reply(socket, message), outcome), readable_id(message)
-    if wanted is not None and name != wanted:
+    name, expected = take(reply(socket, message), outcome), readable_id(message)
+    if expected is not None and name != expected:
         raise Wrong(f"id {name!r} in the reply to {message}")
 
 

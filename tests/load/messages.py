@@ -142,14 +142,14 @@ class Messages:
     def _object(self, schema: dict[str, Any], depth: int) -> dict[str, Any]:
         choose = self._random
         properties = schema.get("properties", {})
-        wanted = set(schema.get("required", []))
+        chosen = set(schema.get("required", []))
         # Conditions ask for one field of several: "oneOf" of "required"; others are met by luck.
         for alternatives in (schema.get("oneOf"), schema.get("anyOf")):
             if alternatives:
-                wanted |= set(choose.choice(alternatives).get("required", []))
+                chosen |= set(choose.choice(alternatives).get("required", []))
         share = choose.choice([0.0, 0.2, 0.6])
-        wanted |= {name for name in sorted(properties) if choose.random() < share}
-        return {name: self.value(properties.get(name, {}), name, depth + 1) for name in sorted(wanted)}
+        chosen |= {name for name in sorted(properties) if choose.random() < share}
+        return {name: self.value(properties.get(name, {}), name, depth + 1) for name in sorted(chosen)}
 
     def _number(self, schema: dict[str, Any], name: str, integer: bool) -> Any:
         choose = self._random

@@ -22,7 +22,7 @@ import zmq
 from load.process import resident_bytes
 
 PAUSE = 0.005  # seconds between an answer and the next question
-PATIENCE_MS = 60_000
+TIMEOUT_MS = 60_000
 EVERY = 10  # questions for health to one for what is kept
 KEPT = ("contactd_cache_bytes", "contactd_session_bytes")
 
@@ -34,7 +34,7 @@ class Watched:
     waited_ms: list[float] = field(default_factory=list)
     before: int = 0  # resident bytes
     most: int = 0
-    kept: int = 0  # bytes that the daemon said it kept in its caches and sessions, at most
+    kept: int = 0  # bytes that the daemon reported to keep in its caches and sessions, at most
 
     def own_ms(self) -> list[float]:
         """The latencies without the waits for a processor."""
@@ -43,8 +43,8 @@ class Watched:
 
 def answer(socket: zmq.Socket[bytes], method: str) -> dict[str, Any]:
     socket.send(json.dumps({"contactd": 1, "id": "watch", "method": method}).encode())
-    if not socket.poll(PATIENCE_MS):
-        raise TimeoutError(f"no answer to {method} within {PATIENCE_MS / 1000:g} s")
+    if not socket.poll(TIMEOUT_MS):
+        raise TimeoutError(f"no answer to {method} within {TIMEOUT_MS / 1000:g} s")
     result: dict[str, Any] = json.loads(socket.recv_multipart()[0])["result"]
     return result
 

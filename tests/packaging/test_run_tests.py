@@ -9,7 +9,7 @@ import pytest
 
 import run_tests
 from run_tests import Source, build_command, choose, cpp_command, cpp_tests, python_command, python_tests
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 LISTED = """core/contact/test_rolling\tcore/contact/test_rolling.cpp\ttest_core
 core/contact/test_rolling (slow)\tcore/contact/test_rolling.cpp\ttest_core

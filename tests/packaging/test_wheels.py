@@ -146,8 +146,8 @@ def test_a_program_is_started_by_the_loader_that_lies_beside_it(tmp_path):
         (places / "bin" / name).write_text(text)
         (places / "bin" / name).chmod(0o755)
     (tmp_path / "elsewhere").symlink_to(places / "bin" / "contactd")
-    said = subprocess.run([tmp_path / "elsewhere", "--x", "a b"], capture_output=True, text=True, check=True).stdout
-    assert said.splitlines() == [
+    output = subprocess.run([tmp_path / "elsewhere", "--x", "a b"], capture_output=True, text=True, check=True).stdout
+    assert output.splitlines() == [
         "--inhibit-cache", "--library-path", f"{places}/bin/../lib", "--argv0", f"{tmp_path}/elsewhere",
         f"{places}/bin/../programs/contactd", "--x", "a b",
     ]  # fmt: skip

@@ -76,11 +76,11 @@ class Browser:
         if self._session is not None:
             message["sessionId"] = self._session
         self._to.write(json.dumps(message).encode() + b"\0")
-        while (told := self._next()).get("id") != self._count:
-            if told.get("method") == "Runtime.exceptionThrown":
-                self.problems.append(json.dumps(told["params"]["exceptionDetails"])[:2000])
-        assert "error" not in told, told
-        result: dict[str, Any] = told["result"]
+        while (reply := self._next()).get("id") != self._count:
+            if reply.get("method") == "Runtime.exceptionThrown":
+                self.problems.append(json.dumps(reply["params"]["exceptionDetails"])[:2000])
+        assert "error" not in reply, reply
+        result: dict[str, Any] = reply["result"]
         return result
 
     def _next(self) -> dict[str, Any]:
@@ -89,14 +89,14 @@ class Browser:
             assert piece, "the browser has gone"
             self._rest += piece
         message, _, self._rest = self._rest.partition(b"\0")
-        told: dict[str, Any] = json.loads(message)
-        return told
+        event: dict[str, Any] = json.loads(message)
+        return event
 
     def evaluate(self, script: str) -> Any:
         """The value of an expression of JavaScript in the page."""
-        told = self.send("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
-        assert "exceptionDetails" not in told, told
-        return told["result"].get("value")
+        reply = self.send("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        assert "exceptionDetails" not in reply, reply
+        return reply["result"].get("value")
 
     def text(self, selector: str = "body") -> str:
         """What is to be read there; "" where nothing is."""

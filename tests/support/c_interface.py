@@ -25,8 +25,8 @@ def _handle(new: str, free: str, prefix: str) -> Iterator[Call]:
         """`out`: d for a double, i for an integer, 6 for six doubles in an array."""
         of = {"d": ctypes.c_double, "i": ctypes.c_int32, "6": ctypes.c_double * 6}
         places = [of[letter]() for letter in out]
-        said = [ctypes.c_double(value) if isinstance(value, float) else value for value in inputs]
-        code = getattr(library, prefix + name)(handle, *said, *map(ctypes.byref, places))
+        converted = [ctypes.c_double(value) if isinstance(value, float) else value for value in inputs]
+        code = getattr(library, prefix + name)(handle, *converted, *map(ctypes.byref, places))
         assert code == 0, library.contactd_last_error(handle)
         return [value for place in places for value in (place if out == "6" else [place.value])]
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from support.daemons import BIN
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 __all__ = ["LIBRARY", "ROOT", "STRICT", "needs", "octave", "run"]
 

@@ -15,8 +15,8 @@ from contactd import Client, LocalDaemon
 from contactd.transport.messages import Reply, Request
 
 from . import schemas
-from .patience import SLOWER
 from .raw import RawClient
+from .slowness import SLOWER
 
 BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / "development" / "bin"))
 

@@ -11,9 +11,9 @@ import numpy as np
 import zmq
 
 from . import schemas
-from .patience import SLOWER
+from .slowness import SLOWER
 
-PATIENCE_MS = 30_000 * SLOWER
+TIMEOUT_MS = 30_000 * SLOWER
 
 
 @dataclass(frozen=True)
@@ -79,10 +79,10 @@ class RawClient:
     def send_bytes(self, *parts: bytes) -> None:
         self.socket.send_multipart(parts)
 
-    def receive(self, patience: float = PATIENCE_MS / 1000 / SLOWER) -> Answer:
+    def receive(self, timeout: float = TIMEOUT_MS / 1000 / SLOWER) -> Answer:
         """The next reply within so many seconds; progress before it is checked and passed over."""
         while True:
-            assert self.socket.poll(int(1000 * patience * SLOWER)), "no answer"
+            assert self.socket.poll(int(1000 * timeout * SLOWER)), "no answer"
             text, *frames = self.socket.recv_multipart()
             envelope = json.loads(text)
             if "progress" in envelope:

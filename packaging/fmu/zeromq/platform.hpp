@@ -1,4 +1,4 @@
-// What ZeroMQ's own configuration would find on Linux with glibc.
+// The findings of ZeroMQ's own configuration on Linux with glibc.
 #ifndef __ZMQ_PLATFORM_HPP_INCLUDED__
 #define __ZMQ_PLATFORM_HPP_INCLUDED__
 

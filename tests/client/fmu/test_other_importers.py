@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from support.fmus import PACKAGES, archive
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 HERE = Path(__file__).parent
 #: Without enumerations, which libcosim does not know: their numbers stand for them.

@@ -13,7 +13,7 @@ import pytest
 
 from support.daemons import BIN
 from support.fmus import FOLDER, PACKAGES
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "fmu.md"

@@ -33,9 +33,9 @@ from contactd import (
 )
 from contactd.local import InProcessClient
 from support.daemons import BIN
-from support.patience import SLOWER
 from support.problems import CATTANEO, ENDLESS, GRID, QUICK, STEEL
 from support.processes import in_fork
+from support.slowness import SLOWER
 
 ROLLING = ContactProblem(
     grid=Grid.centred(25, 25, 14, 14),

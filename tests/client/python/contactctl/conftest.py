@@ -20,7 +20,7 @@ import pytest
 from contactctl.app import run
 from integration.conftest import background, client, daemon, daemons, shared, shared_daemon  # noqa: F401
 from support.daemons import BIN
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 CONTACT = """\
 grid: {nx: 20, ny: 20, dx: 0.12, dy: 0.12}

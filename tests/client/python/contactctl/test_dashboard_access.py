@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 PACKAGES = [*Path(os.environ.get("CONTACTD_DASHBOARD", "/nowhere")).glob("lib/python3*/site-packages")]
 

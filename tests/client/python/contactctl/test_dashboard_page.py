@@ -14,8 +14,8 @@ import pytest
 
 from support.browser import PROGRAM, Browser
 from support.daemons import eventually
-from support.patience import SLOWER
 from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
+from support.slowness import SLOWER
 
 PACKAGES = [*Path(os.environ.get("CONTACTD_DASHBOARD", "/nowhere")).glob("lib/python3*/site-packages")]
 

@@ -13,7 +13,7 @@ import typer
 
 from contactctl.app import app
 from contactctl.codes import Code
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 ROOT = Path(__file__).parents[4]
 PAGE = (ROOT / "docs" / "contactctl.md").read_text()

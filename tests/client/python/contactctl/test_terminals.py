@@ -12,7 +12,7 @@ import pytest
 
 from contactd import Client
 from support.daemons import eventually
-from support.patience import SLOWER
+from support.slowness import SLOWER
 
 ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
 

@@ -1,4 +1,4 @@
-"""Wheels that are not round and rails that give way, with a daemon."""
+"""Out-of-round wheels and massless flexible rails, with a daemon."""
 
 from __future__ import annotations
 
@@ -55,11 +55,11 @@ def test_the_axle_goes_down_over_a_flat(shared):
 
 def test_a_flat_is_felt_where_it_is(shared):
     setup = with_flat()
-    flat, beside, behind_a_turn = (shared.wheel_rail(setup, at(pitch), fields=[]) for pitch in (0, 1, 2 * math.pi))
+    flat, beside, after_a_revolution = (shared.wheel_rail(setup, at(pitch), fields=[]) for pitch in (0, 1, 2 * math.pi))
     assert flat.z > beside.z + 0.8 * DEPTH
     assert flat.patches[0].solution.area.contact > 1.2 * beside.patches[0].solution.area.contact
     assert flat.patches[0].place.radii.wheel_along is None or abs(flat.patches[0].place.radii.wheel_along) > 10 * R
-    assert behind_a_turn.z == pytest.approx(flat.z, abs=1e-6)
+    assert after_a_revolution.z == pytest.approx(flat.z, abs=1e-6)
 
 
 def test_a_session_rolls_over_a_flat_as_single_requests_do(shared):
@@ -71,7 +71,7 @@ def test_a_session_rolls_over_a_flat_as_single_requests_do(shared):
             assert step.forces.track.Fz == pytest.approx(60e3, rel=2e-6)
 
 
-def test_a_rail_on_springs_is_in_balance_with_its_wheel(shared):
+def test_a_massless_flexible_rail_is_in_balance_with_its_wheel(shared):
     setup = COARSE.replace(track=Track(springs=RailSprings(y=1e4, z=1e5)))
     state = WheelRailState(
         position=WheelsetPosition(y=7.5, yaw=0.01), velocity=ROLLING, Fz=80e3, rail=RailDeviation(y=0.5, Fy=-2e3, Fz=1e3), derivatives=True
@@ -83,8 +83,8 @@ def test_a_rail_on_springs_is_in_balance_with_its_wheel(shared):
     assert track.Fy - 2e3 == pytest.approx(1e4 * shift.y, abs=0.1)
     assert track.Fz + 1e3 == pytest.approx(1e5 * shift.z, abs=0.1)
     assert solution.rail_search.residual <= 1e-6
-    held = RailDeviation(y=0.5 + shift.y, z=shift.z)
-    rigid = shared.wheel_rail(COARSE, WheelRailState(position=state.position, velocity=ROLLING, Fz=80e3, rail=held), fields=[])
+    fixed = RailDeviation(y=0.5 + shift.y, z=shift.z)
+    rigid = shared.wheel_rail(COARSE, WheelRailState(position=state.position, velocity=ROLLING, Fz=80e3, rail=fixed), fields=[])
     assert rigid.forces.track.Fy == pytest.approx(track.Fy, abs=1)
     assert rigid.rail_shift is None
     assert solution.derivatives is not None
@@ -134,7 +134,7 @@ def test_bad_input_is_named_by_its_field(shared_daemon, setup, state, field):
     assert caught.value.violations[0].field.startswith(field), caught.value
 
 
-def test_a_wheelset_of_wheels_that_are_not_round_has_no_conicity(shared):
+def test_a_wheelset_of_out_of_round_wheels_has_no_conicity(shared):
     with pytest.raises(InvalidArgument) as caught:
         shared.equivalent_conicity(COARSE.replace(wheel_slices=SLICES), [3])
     assert caught.value.violations[0].field == "setup.wheel_slices"

@@ -1,4 +1,4 @@
-"""Tables of prisms through a daemon: built once for any elements along x, kept, and refused by a sentence."""
+"""Tables of longitudinally uniform bodies through a daemon: built once for any elements along x, kept, and refused by a sentence."""
 
 import hashlib
 import io
@@ -47,7 +47,7 @@ def test_a_table_by_finite_elements_states_its_error_and_serves_any_length_of_el
     assert np.array_equal(longer.frames, 2 * table.frames * [1, 1, 0.5])
 
 
-def test_an_archive_keeps_a_table_with_its_columns(shared, tmp_path):
+def test_an_archive_keeps_a_table_with_its_strips(shared, tmp_path):
     table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="prism", section=EDGE))
     save_table(tmp_path / "table.npz", table)
     back = load_table(tmp_path / "table.npz")
@@ -77,7 +77,7 @@ def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off
     assert block.approach / half_space.approach - 1 == pytest.approx(more, abs=0.02)
 
 
-def test_a_curved_section_wants_to_know_its_columns(shared):
+def test_a_curved_section_needs_its_strips(shared):
     groove = {"groove": {"radius": 10, "depth": 10, "width": 120, "height": 70}}
     ics = AnalyticIcs(body="prism", section=groove)
     grid = Grid.centred(15, 21, 7.5, 10.5)
@@ -94,7 +94,7 @@ def test_a_curved_section_wants_to_know_its_columns(shared):
         shared.solve(**problem, gap=gap, columns=ContactColumns(turned))
 
 
-def test_what_only_half_spaces_have_is_refused_of_prisms(shared):
+def test_what_only_half_spaces_have_is_refused_of_uniform_bodies(shared):
     ics = AnalyticIcs(body="prism", section=EDGE)
     with pytest.raises(InvalidArgument, match="a section: take model full"):
         shared.solve(grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, lower_ics=ics, model="hertz")
@@ -130,7 +130,7 @@ def profile(points, **changes):
 
 
 def test_a_measured_profile_is_a_section(shared):
-    """Of a rail whose head is a parabola: its columns lie on it, and its coefficients are those of its formula."""
+    """Of a rail whose head is a parabola: its strips lie on it, and its coefficients are those of its formula."""
     grid = Grid.centred(9, 20, 4.5, 10)
     table = shared.get_ic(STEEL, grid, AnalyticIcs(body="prism", section=profile(HEAD)))
     assert table.frames[:, 1] == pytest.approx(-(table.frames[:, 0] ** 2) / 600, abs=2e-4)
@@ -207,7 +207,7 @@ def test_a_solve_tells_of_a_bad_section_in_its_own_lengths(shared):
         shared.solve(grid=fine, upper=RigidBody(), gap=Paraboloid(50, 50), Fn=500, lower=STEEL, lower_ics=fem(section))
 
 
-def test_a_file_holds_the_table_its_columns_and_the_stated_errors(shared, tmp_path):
+def test_a_file_holds_the_table_its_strips_and_the_stated_errors(shared, tmp_path):
     pytest.importorskip("h5py")
     path = tmp_path / "edge.h5"
     path.write_bytes(shared.export_ic(STEEL, GRID, fem(EDGE)))
@@ -218,7 +218,7 @@ def test_a_file_holds_the_table_its_columns_and_the_stated_errors(shared, tmp_pa
     assert (table.spec.material, table.spec.grid) == (STEEL, Grid(21, 20, 0.5, 0.5))
 
 
-def test_an_exported_prism_is_built_nowhere_else(shared, daemons):
+def test_an_exported_section_is_built_nowhere_else(shared, daemons):
     file = shared.export_ic(STEEL, Grid.centred(1, 20, 0.5, 10), fem(EDGE))
     expected = shared.get_ic(STEEL, GRID, fem(EDGE))
     other = daemons.start(builds={"program": "/bin/false"})
