@@ -8,12 +8,15 @@ import re
 import subprocess
 import sys
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from sphinx.search.en import SearchEnglish
 
 import contactd
 from support.browser import Browser
+from support.contact_terms import CONTACT_TERMS
 from support.daemons import BIN, eventually
 
 from .site_pages import Site, code_colours, contrast
@@ -114,17 +117,34 @@ def test_the_wire_is_there_as_files(site):
     assert {f"{name}.params.json" for name in methods} <= schemas
 
 
-def test_the_search_knows_words_of_pages_headers_and_docstrings(site):
+@pytest.fixture(scope="module")
+def pages_with(site: Site) -> Callable[[str], set[str]]:
+    """The pages that the site's search finds for a stem."""
     index = json.loads((site.folder / "searchindex.js").read_text().removeprefix("Search.setIndex(").removesuffix(")"))
 
-    def pages_with(stem: str) -> set[str]:
+    def pages(stem: str) -> set[str]:
         found = [index[kind].get(stem, []) for kind in ("terms", "titleterms")]
         return {index["docnames"][number] for numbers in found for number in (numbers if isinstance(numbers, list) else [numbers])}
 
+    return pages
+
+
+def test_the_search_knows_words_of_pages_headers_and_docstrings(pages_with):
     assert {"docs/profiles", "docs/wheel-rail", "docs/tutorials/wheelset", "docs/reference/python"} <= pages_with("conic")
     assert "docs/architecture" in pages_with("cholmod")
     assert {"docs/reference/c", "docs/reference/cpp"} <= pages_with("approach")
     assert not pages_with("unobtainium")
+
+
+def test_the_search_finds_the_terms_of_contact(pages_with):
+    """On a page of the manual, by all of the words that somebody types."""
+    english = SearchEnglish({})
+
+    def is_found(term: str) -> bool:
+        words = [word for word in english.split(term.lower()) if word not in english.stopwords]
+        return any(page.startswith("docs/") for page in set.intersection(*(pages_with(english.stem(word)) for word in words)))
+
+    assert not [term for term in CONTACT_TERMS if not is_found(term)]
 
 
 @pytest.mark.parametrize("selector", [".highlight", 'body[data-theme="dark"] .highlight'], ids=["light", "dark"])
