@@ -18,7 +18,7 @@ namespace contactd::ic {
 namespace {
 
 constexpr int signal_base = 128;  // exit status of a program ended by signal n is 128 + n, as shells have it
-constexpr auto patience = std::chrono::seconds(2);
+constexpr auto longest_wait = std::chrono::seconds(2);
 constexpr auto heartbeat_interval = std::chrono::milliseconds(250);  // a daemon may expect a sign of life each second
 constexpr auto least_work = std::chrono::milliseconds(1);            // more than the guard itself needs for a heartbeat
 
@@ -149,7 +149,7 @@ void Guard::watch() {
 
 void Guard::end(int exit_code, const std::string& why, const std::string& kind) {
     // A file that is being written is finished, one that is not is not begun: the lock goes only with the process.
-    const std::unique_lock<std::timed_mutex> file(writing_, patience);
+    const std::unique_lock<std::timed_mutex> file(writing_, longest_wait);
     if (standing_down_) return;
     ::signal(SIGPIPE, SIG_IGN);
     if (!silent_ || !kind.empty()) lines_.write_unless_stuck(error_line({"", why, kind}));

@@ -1,4 +1,4 @@
-// Ends the program at once, whatever MFEM and hypre are doing, when it is told to (SIGTERM, SIGINT, SIGHUP), when it
+// Ends the program at once, whatever MFEM and hypre are doing, on a signal (SIGTERM, SIGINT, SIGHUP), when it
 // uses more memory than it may, or when nobody is left who waits for it (end of standard input, --exit-with-stdin).
 // Under mpirun the others follow, because a process that leaves without MPI_Finalize takes all with it.
 #pragma once
@@ -33,7 +33,7 @@ class Guard {
 
     /// From now on the end of standard input ends the program.
     void watch_standard_input();
-    /// From now on nothing ends the program: the result is there and said to be.
+    /// From now on nothing ends the program: the result is there and reported.
     void stand_down();
     /// From now on says {"heartbeat": rank, "processes"} four times a second, and how far a long step should be.
     /// A program of one process says nothing when it used no processor time meanwhile: one that waits for something is

@@ -11,7 +11,7 @@
 namespace contactd::ic {
 namespace {
 
-constexpr auto patience = std::chrono::milliseconds(200);
+constexpr auto longest_wait = std::chrono::milliseconds(200);
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void Lines::write_error(const Complaint& complaint) {
 }
 
 void Lines::write_unless_stuck(const nlohmann::json& line) {
-    const std::unique_lock<std::timed_mutex> lock(mutex_, patience);
+    const std::unique_lock<std::timed_mutex> lock(mutex_, longest_wait);
     pollfd output{STDOUT_FILENO, POLLOUT, 0};
     if (!lock.owns_lock() || ::poll(&output, 1, 0) != 1 || !(output.revents & POLLOUT)) return;
     const std::string text = proto::dump(line) + "\n";

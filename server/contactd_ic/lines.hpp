@@ -1,4 +1,4 @@
-// What contactd-ic says: one JSON object a line on standard output, flushed.
+// Output of contactd-ic: one JSON object a line on standard output, flushed.
 #pragma once
 
 #include <mutex>

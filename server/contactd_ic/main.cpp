@@ -50,7 +50,7 @@ struct Options {
     std::uint64_t max_memory = 0;
 };
 
-/// What every process knows: options, place among the others, and means to speak and to end.
+/// Context of every process: options, rank among the others, and means to report and to end.
 struct Context {
     const Options& options;
     const fem::Runtime& runtime;
@@ -251,7 +251,7 @@ int main(int argc, char** argv) {
     const CLI::Option* output =
         app.add_option("-o,--output", options.output, "The file to write; it appears whole or not at all");
     const CLI::Option* mesh = app.add_option(
-        "--mesh", options.mesh, "Instead, write the mesh of a prism's cross-section (VTK), and build no table");
+        "--mesh", options.mesh, "Instead, write the mesh of a body's cross-section (VTK), and build no table");
     app.add_flag("--exit-with-stdin", options.exit_with_stdin,
                  "End at once when standard input ends: whoever started the build is gone");
     app.add_flag("--or-print", options.or_print,

@@ -11,7 +11,7 @@
 namespace contactd::ic {
 namespace {
 
-/// Of the control group at `path` (as in /proc/self/cgroup) and all that hold it.
+/// The least memory limit of the control group at `path` (as in /proc/self/cgroup) and of all that hold it.
 std::uint64_t group_limit(const std::string& path, std::uint64_t most) {
     const std::filesystem::path root = "/sys/fs/cgroup";
     for (std::filesystem::path group = root / std::filesystem::path(path).relative_path();;

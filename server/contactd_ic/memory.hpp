@@ -1,4 +1,4 @@
-// What a build takes of the machine's memory, and what there is.
+// Memory that a build takes, and memory that the machine has.
 #pragma once
 
 #include <sys/types.h>
@@ -14,7 +14,7 @@ std::uint64_t resident_bytes(const std::vector<pid_t>& processes);
 /// The memory (bytes) of this machine, or what the control groups of this process (version 2) allow of it.
 std::uint64_t machine_memory();
 
-/// What a build may use where nobody says: the rest is for the daemon, the kernel and everybody else.
+/// The share of memory that a build may use by default: the rest is for the daemon, the kernel and other programs.
 inline constexpr double usable_share = 0.8;
 
 /// Has the kernel end this process, before any other, when memory runs out (oom_score_adj).

@@ -14,7 +14,7 @@ constexpr auto shortest_interval = std::chrono::milliseconds(50);
 /// No step is given up before it has used so much processor time (s) and so many times what was expected of it: on the
 /// slowest of machines expectations may be ten times too short. What leaves the processor to others between two vain
 /// attempts, as OpenBLAS does when it gets no memory, is given up after so many times as long.
-constexpr double least_patience = 10, patience_factor = 20, idle_factor = 10;
+constexpr double least_timeout = 10, timeout_factor = 20, idle_factor = 10;
 
 /// A step that takes longer than expected comes so near to its end and no nearer.
 constexpr double nearly = 0.95;
@@ -72,9 +72,9 @@ void ProgressLines::tick() {
 
 bool ProgressLines::is_stuck() const {
     const std::scoped_lock lock(mutex_);
-    const double patience = least_patience + patience_factor * last_.step_seconds;
+    const double timeout = least_timeout + timeout_factor * last_.step_seconds;
     const double seconds = std::chrono::duration<double>(Clock::now() - reported_).count();
-    return processor_seconds() - processor_seconds_ > patience || seconds > idle_factor * patience;
+    return processor_seconds() - processor_seconds_ > timeout || seconds > idle_factor * timeout;
 }
 
 }  // namespace contactd::ic

@@ -17,7 +17,8 @@ class ProgressLines : public Observer {
    public:
     explicit ProgressLines(Lines& lines);
     void on_progress(const Progress& progress) override;
-    /// What the whole build is expected to take (bytes), if that is known: each line says so. Before any progress.
+    /// Sets the memory that the whole build is expected to take (bytes), if that is known; each line has it. To be
+    /// called before any progress.
     void expect_memory(std::optional<double> bytes) { memory_bytes_ = bytes; }
 
     /// To be called several times a second by another thread: says how far a long step should be by now, by the time it

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was looked at and, when something is wrong, what; empty: all is well.
+/// The subject of a check and the problem that was found; an empty problem means that all is well.
 struct Finding {
     std::string subject;
     std::string problem;

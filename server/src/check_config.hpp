@@ -1,4 +1,4 @@
-// contactd --check-config: what would go wrong at the start, said before it does.
+// contactd --check-config: reports what would fail at the start, before it does.
 #pragma once
 
 #include <iosfwd>

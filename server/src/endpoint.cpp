@@ -18,7 +18,7 @@ using proto::StatusCode;
 
 namespace {
 
-constexpr int messages_per_turn = 64;
+constexpr int messages_per_look = 64;
 constexpr auto stop_time = std::chrono::seconds(5);  // builders that do not end at once
 constexpr auto look_interval = std::chrono::milliseconds(5);
 
@@ -49,12 +49,12 @@ Endpoint::Endpoint(const Config& config, Service& service)
 void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<void()>& reload) {
     parts_.health.set_listening();
     notifier.ready("Serving at " + address());
-    auto told = Clock::now();
+    auto notified = Clock::now();
     while (Clock::now() < end_ && !(is_draining() && is_idle())) {
         const bool is_signalled = wait(signal_fd, notifier);
-        if (notifier.interval().count() > 0 && Clock::now() - told >= notifier.interval()) {
+        if (notifier.interval().count() > 0 && Clock::now() - notified >= notifier.interval()) {
             notifier.alive();
-            told = Clock::now();
+            notified = Clock::now();
         }
         socket_.deliver();
         receive();
@@ -78,18 +78,18 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
 bool Endpoint::wait(int signal_fd, const Notifier& notifier) {
     const auto next = std::min({parts_.open_calls.next_deadline(), parts_.sessions.next_expiry(),
                                 connections_.next_look(), memory_.next_look(), end_});
-    long patience = -1;
+    long timeout = -1;
     if (next != Clock::time_point::max()) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now());
-        patience = std::max(0L, static_cast<long>(left.count()));
+        timeout = std::max(0L, static_cast<long>(left.count()));
     }
     if (const long interval = notifier.interval().count(); interval > 0)
-        patience = patience < 0 ? interval : std::min(patience, interval);
-    return socket_.wait(signal_fd, std::array{connections_.handle(), access_.handle()}, patience);
+        timeout = timeout < 0 ? interval : std::min(timeout, interval);
+    return socket_.wait(signal_fd, std::array{connections_.handle(), access_.handle()}, timeout);
 }
 
 bool Endpoint::receive() {
-    for (int n = 0; n < messages_per_turn; ++n) {
+    for (int n = 0; n < messages_per_look; ++n) {
         std::optional<Message> message = socket_.receive();
         if (!message) return false;
         const bool is_there = connections_.note_message(message->connection, message->route.identity);
@@ -180,12 +180,12 @@ void Endpoint::stop() {
     socket_.deliver();
     intake_.stop();  // what it had not read yet has been answered above
     service_.finish_stop();
-    const auto patience = Clock::now() + AnsweringSocket::linger;
+    const auto deadline = Clock::now() + AnsweringSocket::linger;
     do {
-        while (receive() && Clock::now() < patience) socket_.deliver();  // what arrives now is refused
+        while (receive() && Clock::now() < deadline) socket_.deliver();  // what arrives now is refused
         socket_.deliver();
         std::this_thread::sleep_for(look_interval);
-    } while (Clock::now() < patience && !socket_.has_settled());
+    } while (Clock::now() < deadline && !socket_.has_settled());
 }
 
 }  // namespace contactd::server

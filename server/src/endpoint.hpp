@@ -23,7 +23,7 @@ class Endpoint {
     /// Binds. Throws Error when the address cannot be used.
     Endpoint(const Config& config, Service& service);
 
-    /// Where clients connect, with the port that was taken.
+    /// The address that clients connect to, with the port that was taken.
     std::string address() const { return socket_.address(); }
 
     /// Serves until SIGTERM or SIGINT arrives at `signal_fd` (a signalfd). Then new requests are refused, those

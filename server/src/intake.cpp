@@ -14,7 +14,7 @@ std::size_t bytes_of(const Message& message) {
     return bytes;
 }
 
-QueueTicket turn_of(const Route& route) {
+QueueTicket ticket_of(const Route& route) {
     return {.client = route.identity, .user = route.user};
 }
 
@@ -35,8 +35,8 @@ void Intake::take(Message message) {
     if (is_small || stopped_) return read(std::move(message), received, {});
     try {
         OpenCalls::Admission admission = open_calls_.admit(message.route, bytes_of(message));
-        QueueTicket turn = turn_of(message.route);
-        reader_.post(std::move(turn),
+        QueueTicket ticket = ticket_of(message.route);
+        reader_.post(std::move(ticket),
                      [this, received, message = std::move(message), admission = std::move(admission)]() mutable {
                          read(std::move(message), received, std::move(admission));
                      });
@@ -55,7 +55,7 @@ bool Intake::admit(const Route& route, std::string_view envelope, Clock::time_po
     try {
         if (!envelope.empty()) proto::parse_request(envelope, {}, config_.limits, id);
     } catch (const std::exception&) {
-        // The id, where there was one, is all that was wanted.
+        // Only the id was needed, where there was one.
     }
     socket_.post(refusal(route, id, revoked ? key_revoked() : rate_limit_.refusal(wait)));
     return false;
@@ -81,7 +81,7 @@ void Intake::open(const Route& route, proto::Request request, Clock::time_point 
     if (!call) return;  // answered while it was read
     if (call->request.method == "request.cancel" && open_calls_.has_unread(route.identity)) {
         // Perhaps it is the unread one that is meant: not before that has been read.
-        return reader_.post(turn_of(route), [this, call] { service_.handle(call); });
+        return reader_.post(ticket_of(route), [this, call] { service_.handle(call); });
     }
     const bool has_deadline = call->request.timeout_ms > 0;
     service_.handle(std::move(call));

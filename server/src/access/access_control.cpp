@@ -20,7 +20,7 @@ constexpr int keepalive_idle_seconds = 120;
 /// Frames of a ZAP request; credentials follow where the mechanism has some.
 enum Frame : std::size_t { version, request, domain, address, identity, mechanism, credentials };
 
-/// What ZeroMQ knows of a client without a key: the IP address or, over ipc, "localhost:UID:GID:PID".
+/// The user of a client without a key, from what ZeroMQ knows: the IP address or, over ipc, "localhost:UID:GID:PID".
 std::string user_at(std::string_view address) {
     constexpr std::string_view ipc = "localhost:";
     if (!address.starts_with(ipc)) return address.empty() ? "unknown" : std::string(address);
@@ -87,7 +87,7 @@ std::string AccessControl::admitted(const std::vector<zmq::message_t>& question)
     if (question.size() <= mechanism) return {};
     const std::string from = question[address].to_string();
     if (!encrypted()) return question[mechanism].to_string_view() == "NULL" ? user_at(from) : "";
-    // ZeroMQ itself turns away who does not speak CURVE; this holds should it ever ask about one.
+    // ZeroMQ itself refuses clients that do not speak CURVE; this holds should it ever ask about one.
     const bool is_curve = question[mechanism].to_string_view() == "CURVE" && question.size() > credentials;
     const std::string key = is_curve ? z85_of(question[credentials]) : "";
     const std::string user = allowed_.user_of(key);

@@ -1,4 +1,4 @@
-// Who is let in, and who sent a message.
+// Access of clients, and the sender of a message.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace contactd::server {
 
-/// What a user hears whose key has been revoked.
+/// The answer to a user whose key has been revoked.
 proto::Status key_revoked();
 
 /// Answers ZeroMQ's question, by its authentication protocol (ZAP, RFC 27), whether a connection may be made: with

@@ -9,7 +9,7 @@
 
 namespace contactd::server {
 
-/// Who may connect: public keys (Z85) and the names of their users, which are the names of the files.
+/// Public keys (Z85) of those who may connect, and the names of their users, which are the names of the files.
 class AllowedKeys {
    public:
     /// The user with this key; empty when there is none.

@@ -1,4 +1,4 @@
-// Which methods a user may call.
+// Access of users to methods.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace contactd::server {
 
-/// What a user hears who may not call a method: UNIMPLEMENTED where it is switched off, PERMISSION_DENIED where it is
+/// The answer to a user who may not call a method: UNIMPLEMENTED where it is off, PERMISSION_DENIED where it is
 /// given to others.
 std::optional<proto::Status> refusal(const MethodRules& rules, const std::string& method, const std::string& user);
 

@@ -20,7 +20,7 @@ class RateLimit {
     /// Takes a token. Zero when there was one, else the time until there is.
     std::chrono::milliseconds take(const std::string& user, Clock::time_point now);
 
-    /// What to answer to who has to wait.
+    /// The answer to a client that has to wait.
     proto::Status refusal(std::chrono::milliseconds wait) const;
     /// Users who are remembered.
     std::size_t users() const { return buckets_.size(); }

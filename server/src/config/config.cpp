@@ -62,7 +62,7 @@ std::filesystem::path default_builder() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "contactd-ic";
 }
 
-/// What a misspelt name would leave open must not pass: a sentence for each, below "\n  ".
+/// Sentences on methods that do not exist, each after "\n  ": a misspelt name must not leave a method open.
 std::string method_problems(const json& given) {
     const auto at = given.find("methods");
     if (at == given.end() || !at->is_object()) return {};

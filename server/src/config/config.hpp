@@ -14,7 +14,7 @@
 
 namespace contactd::server {
 
-/// What sessions may take; published by server.info.
+/// Bounds of sessions; published by server.info.
 struct SessionLimits {
     std::size_t max_sessions;  ///< open at the same time
     std::size_t max_bytes;     ///< of all sessions and their states together
@@ -23,13 +23,13 @@ struct SessionLimits {
     double max_lease_seconds;
 };
 
-/// What is kept of the last solves.
+/// Bounds of what is kept of the last solves.
 struct RecentSolvesLimits {
     std::size_t count;      ///< solves; 0: none
     std::size_t max_bytes;  ///< of the pressures of all together; the oldest go first
 };
 
-/// Who may call which methods.
+/// Rules of access to methods.
 struct MethodRules {
     static constexpr const char* builds = "builds";  ///< the name that stands for having tables built, whatever asks
     std::vector<std::string> disabled;
@@ -106,7 +106,7 @@ Config config_from_file(const std::filesystem::path& path, const nlohmann::json&
 
 /// The configuration with its defaults filled in, as config_from_json reads it.
 nlohmann::json to_json(const Config& config);
-/// The same for those who use the daemon: without what names files, programs, variables and addresses.
+/// The configuration that users of the daemon may see: without names of files, programs, variables and addresses.
 nlohmann::json public_part(const Config& config);
 
 }  // namespace contactd::server

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view tcp = "tcp://";
 
-/// Of a host, in numbers as endpoints have them; none when the name is not known.
+/// Numerical addresses of a host, as endpoints have them; none when the name is not known.
 std::vector<std::string> addresses_of(const std::string& host) {
     addrinfo hints{};
     hints.ai_socktype = SOCK_STREAM;

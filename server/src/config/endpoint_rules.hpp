@@ -1,4 +1,4 @@
-// Where the daemon may listen: what only this machine can reach needs no keys, everything else does; and where it may
+// Rules of endpoints: what only this machine can reach needs no keys, everything else does; and where the daemon may
 // write its log.
 #pragma once
 
@@ -17,7 +17,7 @@ bool is_local(const std::string& endpoint);
 std::string with_loopback_number(const std::string& endpoint);
 
 /// Throws contactd::Error when the configured endpoint can be reached from other machines, is not encrypted, and nobody
-/// said that this is meant; or when CURVE is configured by half.
+/// stated that this is meant; or when CURVE is configured by half.
 void check_endpoint(const Config& config);
 
 /// Throws contactd::Error when the log would be written into what the daemon keeps or reads: the store, keys, programs.

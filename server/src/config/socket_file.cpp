@@ -30,7 +30,7 @@ const char* kind_of(mode_t mode) {
     }
 }
 
-/// Of connecting to the Unix socket `file`: 0, or an error number.
+/// Connects to the Unix socket `file`, and returns 0 or an error number.
 int connecting_to(const std::string& file) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;

@@ -32,7 +32,7 @@ std::string agent_of(const proto::Request& request) {
                                  "). Ask for less at once, or for arrays as frames.");
 }
 
-/// What the client could not take must not be sent.
+/// An answer that the client could not take must not be sent.
 void check_limits(const std::string& text, const proto::Frames& frames, const MessageLimits& limits) {
     std::size_t largest = text.size(), total = text.size();
     for (const auto& frame : frames) {
@@ -54,7 +54,7 @@ bool Call::succeed(const json& result, proto::Frames frames) {
     std::string text = proto::dump(reply);
     text.replace(text.size() - 1, 1, ",\"result\":" + proto::dump(result) + "}");  // without a copy of it
     try {
-        // What the daemon says of itself is as large as it is, however small the limits are.
+        // The limits do not bound what the daemon reports of itself.
         if (!request.method.starts_with("server.")) check_limits(text, frames, limits_);
     } catch (const proto::StatusError& error) {
         fail(error.status());

@@ -21,17 +21,17 @@ using engine::Job;
 using engine::QueueTicket;
 using engine::WorkerPool;
 
-/// Where the answer goes.
+/// The way of an answer to its client.
 struct Route {
     std::string identity;          ///< of the client, given by ROUTER
     bool empty_delimiter = false;  ///< a REQ socket: one answer only, behind an empty frame
     std::string user{};            ///< who sent the request (AccessControl); empty when its key was revoked
 };
 
-/// Of an open request; 0 of one that is answered at once.
+/// The number of an open request; 0 for one that is answered at once.
 using CallNumber = std::uint64_t;
 
-/// What goes out: frame 0 and the arrays behind it.
+/// An outgoing answer: frame 0 and the arrays behind it.
 struct Answer {
     Route route;
     std::string envelope;
@@ -71,7 +71,7 @@ class Call {
     /// The bytes of the work under way, given back when they are reset (WorkBudget).
     std::shared_ptr<const void> work;
 
-    /// The connection that asked, as turns and limits count clients.
+    /// The connection that asked, as queues and limits count clients.
     const std::string& client() const { return route_.identity; }
     const std::string& user() const { return route_.user; }
     bool takes_progress() const { return !route_.empty_delimiter; }
@@ -108,8 +108,8 @@ class Call {
 
 using CallPtr = std::shared_ptr<Call>;
 
-/// The turn of work for `call` in a pool; work for a call that was answered is dropped.
-inline QueueTicket turn_of(const CallPtr& call) {
+/// The ticket with which work for `call` waits in a pool; work for a call that was answered is dropped.
+inline QueueTicket ticket_of(const CallPtr& call) {
     return {call->client(), call->priority, [call] { return call->answered(); }, call->user(), call->is_large};
 }
 

@@ -19,7 +19,7 @@ namespace contactd::server {
 using engine::JobProgress;
 using engine::JobTable;
 
-/// As on the wire, proto/schema/progress.json.
+/// Encodes progress as on the wire, proto/schema/progress.json.
 nlohmann::json to_json(const Job& job, const JobProgress& progress);
 
 /// Passes the progress of a build on to a call that waits for it.
@@ -27,7 +27,7 @@ inline std::function<void(const Job&, const JobProgress&)> reports_to(const Call
     return [call](const Job& job, const JobProgress& progress) { call->progress(to_json(job, progress)); };
 }
 
-/// What the job of a call is told to be; `kind` is "solve", ...
+/// The origin that the job of a call reports; `kind` is "solve", ...
 engine::JobOrigin origin_of(const Call& call, const std::string& kind);
 
 /// The job of a call, made when it is first asked for, and listed from when the call begins to wait; cancelling it
@@ -37,7 +37,7 @@ inline std::shared_ptr<Job> job_of(const CallPtr& call, const std::string& kind,
     call->job = jobs.create(origin_of(*call, kind), [waiting = std::weak_ptr(call)] {
         if (const CallPtr known = waiting.lock()) known->fail(status_of(Cancelled("The job was cancelled.")));
     });
-    // Nobody waits for it any more, whatever holds it still.
+    // The request is abandoned, whatever holds it still.
     call->when_answered([waiting = std::weak_ptr(call->job)] {
         if (const auto known = waiting.lock()) known->end();
     });

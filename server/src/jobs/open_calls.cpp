@@ -32,9 +32,9 @@ void OpenCalls::check(const Route& route, std::size_t bytes) const {
     if (bounds_.calls_per_user > 0 && users != per_user_.end() && users->second >= bounds_.calls_per_user)
         refuse(std::to_string(users->second) + " requests of yours", bounds_.calls_per_user,
                "security.per_user.open_requests", proto::reason::too_many_open);
-    const std::size_t held = bytes_;
-    if (held > 0 && held + bytes > bounds_.bytes)
-        refuse("Requests of " + std::to_string(held) + " bytes, which this one of " + std::to_string(bytes) +
+    const std::size_t open_bytes = bytes_;
+    if (open_bytes > 0 && open_bytes + bytes > bounds_.bytes)
+        refuse("Requests of " + std::to_string(open_bytes) + " bytes, which this one of " + std::to_string(bytes) +
                    " would join,",
                bounds_.bytes, "limits.max_queue_bytes");
 }
@@ -47,7 +47,7 @@ OpenCalls::Admission OpenCalls::admit(const Route& route, std::size_t bytes) {
     ++per_client_[route.identity];
     ++per_user_[route.user];
     bytes_ += bytes;
-    return {number, HeldBytes(nullptr, [this, bytes](const void*) { bytes_ -= bytes; })};
+    return {number, ReservedBytes(nullptr, [this, bytes](const void*) { bytes_ -= bytes; })};
 }
 
 bool OpenCalls::attach(Number number, const CallPtr& call) {

@@ -27,10 +27,10 @@ class OpenCalls {
         std::size_t calls_per_user = 0;  ///< over all connections together; 0: any number
     };
     /// Given back when the last copy goes.
-    using HeldBytes = std::shared_ptr<const void>;
+    using ReservedBytes = std::shared_ptr<const void>;
     struct Admission {
         Number number = 0;
-        HeldBytes bytes;
+        ReservedBytes bytes;
     };
 
     explicit OpenCalls(const Bounds& bounds) : bounds_(bounds) {}
@@ -53,7 +53,7 @@ class OpenCalls {
         Route route;
         CallPtr call;  ///< null until the request has been read
     };
-    /// Of one client, with the numbers they have.
+    /// The open calls of one client, with their numbers.
     std::vector<std::pair<Number, Entry>> of(const std::string& client) const;
     /// Closes all.
     std::vector<Entry> take_all();

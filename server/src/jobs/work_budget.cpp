@@ -41,12 +41,12 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
     /// Takes from those who wait what may begin now. The calls hold their bytes.
     std::vector<Waiting> take_ready() {
         std::vector<Waiting> ready;
-        bool is_held_up = false;
+        bool is_blocked = false;
         for (auto at = waiting.begin(); at != waiting.end();) {
             const bool waits_for_own = at->one_at_a_time && busy_clients.contains(at->call->client());
-            const bool may_pass = !is_held_up || at->bytes <= small_part * limit;
+            const bool may_pass = !is_blocked || at->bytes <= small_part * limit;
             if (waits_for_own || !may_pass || !fits(at->bytes)) {
-                is_held_up = is_held_up || !waits_for_own;
+                is_blocked = is_blocked || !waits_for_own;
                 ++at;
                 continue;
             }
@@ -78,8 +78,8 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
         WorkerPool& pool = *workers;
         lock.unlock();
         for (Waiting& next : ready) {
-            QueueTicket turn = turn_of(next.call);
-            pool.post(std::move(turn), std::move(next.work));
+            QueueTicket ticket = ticket_of(next.call);
+            pool.post(std::move(ticket), std::move(next.work));
         }
     }
 };
@@ -108,7 +108,7 @@ void WorkBudget::enter(const CallPtr& call, double bytes, std::function<void()> 
         state_->waiting.push_back({call, std::floor(bytes), std::move(work), one_at_a_time});
         ready = state_->take_ready();
     }
-    // What others wait for has not become free: at most this work is ready.
+    // The memory that others wait for has not become free: at most this work is ready.
     for (const Waiting& next : ready) next.work();
 }
 

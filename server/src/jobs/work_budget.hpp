@@ -9,7 +9,7 @@
 
 namespace contactd::server {
 
-/// What a request will take, stated from its arguments.
+/// The expected cost of a request, from its arguments.
 struct WorkCost {
     double bytes = 0;    ///< of memory when it takes most, its answer included
     double seconds = 0;  ///< of a processor, an estimate by the products that it takes
@@ -25,7 +25,7 @@ class WorkBudget {
     WorkBudget(const WorkBudget&) = delete;
     WorkBudget& operator=(const WorkBudget&) = delete;
 
-    /// Runs `work` now when it fits, otherwise later, in a worker, in the turn of its call. The call holds the bytes
+    /// Runs `work` now when it fits, otherwise later, in a worker, by the ticket of its call. The call holds the bytes
     /// until it goes, or until its `work` is reset. `one_at_a_time`: only when no other such work of the same client is
     /// under way.
     void enter(const CallPtr& call, double bytes, std::function<void()> work, bool one_at_a_time = false);

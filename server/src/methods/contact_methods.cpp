@@ -15,7 +15,7 @@
 namespace contactd::server {
 namespace {
 
-/// Of parameters that have not passed their schema yet.
+/// Whether the solve is small, from parameters that have not passed their schema yet.
 bool is_small(const CallPtr& call, const DaemonParts&) {
     const nlohmann::json& params = call->request.params;
     const auto model = params.find("model"), grid = params.find("grid");

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Small problems that a worker solves before it gives others their turn.
+/// Small problems that a worker solves before it is free for others.
 constexpr int small_at_once = 16;
 
 struct Batch;
@@ -43,7 +43,7 @@ struct Batch : std::enable_shared_from_this<Batch> {
 using BatchPtr = std::shared_ptr<Batch>;
 void admit(const BatchPtr& batch);
 
-/// What concerns all problems together. They have passed their schema.
+/// Checks all problems together, each of which has passed its schema.
 void conclude_check(Batch& batch) {
     const proto::Request& request = batch.call->request;
     const Config& config = batch.parts.config;
@@ -57,7 +57,7 @@ void conclude_check(Batch& batch) {
     const WorkCost cost = cost_of_solve_many(request.params, config);
     check_cost(cost, config);
     batch.parts.counters.solves += static_cast<long long>(batch.results.size());
-    // Those of a client one behind the other: in turns all would keep what they have until the last is finished.
+    // A client's batches run one after the other: alternating, all would keep results until the last is finished.
     batch.concluding = std::this_thread::get_id();
     batch.parts.budget.enter(batch.call, cost.bytes, [self = batch.shared_from_this()] { admit(self); }, true);
     batch.concluding = std::thread::id();
@@ -66,7 +66,7 @@ void conclude_check(Batch& batch) {
 void take(const BatchPtr& batch);
 
 void post(const BatchPtr& batch) {
-    batch->parts.workers.post(turn_of(batch->call), [batch] { take(batch); });
+    batch->parts.workers.post(ticket_of(batch->call), [batch] { take(batch); });
 }
 
 /// Each worker may come for some of its problems.
@@ -111,7 +111,7 @@ std::optional<ContactProblem> read(Batch& batch, std::size_t index) {
     }
 }
 
-/// What becomes of the problem at `index`; `then` follows its result.
+/// The task that solves the problem at `index`; `then` follows its result.
 SolveTask task_of(const BatchPtr& batch, std::size_t index, ContactProblem problem, std::function<void()> then) {
     const Grid grid = problem.grid;
     const auto done = [=](const SolveReply& reply) {
@@ -126,7 +126,7 @@ SolveTask task_of(const BatchPtr& batch, std::size_t index, ContactProblem probl
     return {batch->call, std::move(problem), batch->job, [](const Progress&) {}, done, failed, 0, true};
 }
 
-/// In a worker: the next problems, as many as one turn may have.
+/// In a worker: takes the next problems, as many as may run before others.
 void take(const BatchPtr& batch) {
     batch->call->check_deadline();
     if (batch->call->answered() || !batch->check.passed() || !batch->admitted) return;

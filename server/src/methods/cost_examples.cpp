@@ -85,7 +85,7 @@ std::vector<Example> examples() {
     return {
         {"contact.solve", "1000 x 1000 elements, two materials, rolling", with(ball(1000, 1000), rolling())},
         {"contact.solve", "1000 x 1000 elements, without friction", ball(1000, 1000)},
-        {"contact.solve", "a slab (prism) of 30 x 600 elements, without friction", slab(30, 600)},
+        {"contact.solve", "a slab (longitudinally uniform) of 30 x 600 elements, without friction", slab(30, 600)},
         {"contact.solve_many", "1000 problems of 31 x 31 elements, rolling", {{"problems", problems}}},
         {"contact.subsurface", "a block of 600 x 600 points at two depths below 100 x 100 elements", under_a_load(600)},
         {"ic.get",

@@ -18,14 +18,14 @@ namespace {
 constexpr double bytes_of_normal = 600;       // normal contact: a table, its symbols, and the solver's arrays
 constexpr double bytes_of_tangential = 1700;  // friction, too
 constexpr double bytes_of_rolling = 2600;     // and what a step of rolling changes
-constexpr double bytes_of_quick = 400;        // closed forms, which have fields and no operators
+constexpr double bytes_of_simplified = 400;   // closed forms, which have fields and no operators
 constexpr double bytes_of_answer = 150;       // all fields, as arrays of an answer and its frames
-// Numbers for each offset along x and pair of columns: the table and its copy, symbols, boxes.
-constexpr double bytes_of_prism = 30 * sizeof(double), bytes_of_prism_rolling = 60 * sizeof(double);
+// Numbers for each offset along x and pair of strips: the table and its copy, symbols, boxes.
+constexpr double bytes_of_strips = 30 * sizeof(double), bytes_of_rolling_strips = 60 * sizeof(double);
 constexpr double bytes_of_stress = 8 * 14, bytes_of_offset = 8 * 40;
 constexpr double bytes_beside = 1e6;
 
-// Seconds: a product by FFT takes so long for each element and power of two of them, one with columns by their pairs.
+// Seconds: a product by FFT takes so long for each element and power of two of them, one with strips by their pairs.
 // Measured; what is stated is 1.5 to 3 times what most requests take, for others need more products.
 constexpr double seconds_of_product = 6e-9, seconds_of_pair = 2.4e-8, seconds_of_corner = 1.5e-7;
 constexpr double products_of_normal = 15, products_of_friction = 200, products_of_step = 50;
@@ -53,7 +53,7 @@ bool any_body(const json& params, const char* kind) {
     return is_kind(&params) || is_kind(member(*bodies, "upper")) || is_kind(member(*bodies, "lower"));
 }
 
-/// Of an array, a list or a frame: its first axis.
+/// The length of the first axis of an array, a list or a frame.
 double length_of(const json& array) {
     if (array.is_array()) return static_cast<double>(array.size());
     const json& shape = array.at("$array").at("shape");
@@ -72,7 +72,7 @@ double numbers_of(const json& array) {
     return numbers;
 }
 
-double columns_squared(const json& grid) {
+double pairs_of_strips(const json& grid) {
     return sides(grid) * grid.at("ny").get<double>();
 }
 
@@ -83,14 +83,14 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
     const json& grid = params.at("grid");
     const double elements = sides(grid);
     if (params.value("model", "full") != "full")
-        return {bytes_beside + elements * (bytes_of_quick + bytes_of_answer), 1e-6 * elements};
+        return {bytes_beside + elements * (bytes_of_simplified + bytes_of_answer), 1e-6 * elements};
     const json* friction = member(params, "friction");
     const bool rolls = friction != nullptr && friction->contains("rolling");
     double bytes = elements * (rolls ? bytes_of_rolling : friction != nullptr ? bytes_of_tangential : bytes_of_normal);
     double product = seconds_of_product * elements * std::log2(4 * elements + 2);
     if (any_body(params, "prism")) {
-        bytes += columns_squared(grid) * (rolls ? bytes_of_prism_rolling : bytes_of_prism);
-        product += seconds_of_pair * columns_squared(grid);
+        bytes += pairs_of_strips(grid) * (rolls ? bytes_of_rolling_strips : bytes_of_strips);
+        product += seconds_of_pair * pairs_of_strips(grid);
     }
     const double steps = rolls ? friction->at("rolling").value("steps", 1.0) : 1;
     const double products =
@@ -123,7 +123,7 @@ WorkCost cost_of_subsurface(const json& params, const Config& config) {
         points = along[0] * along[1] * along[2];
         offsets = (along[0] + params.at("grid").at("nx").get<double>()) *
                   (along[1] + params.at("grid").at("ny").get<double>());
-        // Of points in rows of whole elements; others are summed up one by one, and look at their deadline.
+        // Corners of points in rows of whole elements; others are summed up one by one, and look at their deadline.
         corners = 3 * along[2] * std::min(offsets, along[0] * along[1] * elements);
     } else if (const json* list = member(params, "points")) {
         points = length_of(*list);
@@ -139,7 +139,7 @@ WorkCost cost_of_table(const json& params, const Config& config) {
     check_grid_limit(params, config.max_grid_elements);
     const json& grid = params.at("grid");
     const bool prism = any_body(params, "prism");
-    const double offsets = prism ? columns_squared(grid) : sides(grid);
+    const double offsets = prism ? pairs_of_strips(grid) : sides(grid);
     // The record, the part that is asked for, and the answer.
     const double seconds = any_body(params, "layered") ? seconds_of_layered_offset : seconds_of_offset;
     return {bytes_beside + offsets * 9 * sizeof(double) * 4, offsets * seconds};
@@ -168,7 +168,7 @@ WorkCost cost_of_wheel_rail(const json& params, const Config&) {
     const double nx = length / dx, ny = width / dy, elements = std::min(nx * ny, most);
     double bytes = elements * (bytes_of_rolling + bytes_of_answer);
     const std::string conformal = setup.value("conformal", "off");
-    if (conformal != "off") bytes += elements * std::min(ny, 1000.0) * bytes_of_prism_rolling;
+    if (conformal != "off") bytes += elements * std::min(ny, 1000.0) * bytes_of_rolling_strips;
     const double product = seconds_of_product * elements * std::log2(4 * elements + 2);
     return {bytes_beside + 2 * bytes, 2 * product * products_of_wheel};
 }
@@ -201,7 +201,7 @@ void check_cost(const WorkCost& cost, const Config& config) {
     };
     if (cost.bytes > static_cast<double>(config.max_work_bytes))
         refuse(cost.bytes, "bytes of memory", static_cast<double>(config.max_work_bytes), "max_work_bytes",
-               "Take fewer elements, fewer columns of a prism, or less at once.");
+               "Take fewer elements, fewer strips of a longitudinally uniform body, or less at once.");
     if (cost.seconds > config.max_work_seconds)
         refuse(cost.seconds, "s of a processor", config.max_work_seconds, "max_work_seconds",
                "Take fewer elements, or less at once.");

@@ -1,4 +1,4 @@
-// What each method takes in memory and time, from the arguments of a request: MethodTable has one of these for each
+// Costs of methods in memory and time, from the arguments of a request: MethodTable has one of these for each
 // method whose work is not little. docs/limits.md is made from them, and a test compares them with what a daemon takes.
 #pragma once
 
@@ -12,13 +12,13 @@ namespace contactd::server {
 /// All are of params that have passed their schema, and throw StatusError (LIMIT_EXCEEDED) for a grid beyond
 /// limits.max_grid_elements.
 WorkCost cost_of_solve(const nlohmann::json& params, const Config& config);
-/// Of all problems together: their answers, and as many of the largest as there are workers.
+/// The cost of all problems together: their answers, and as many of the largest as there are workers.
 WorkCost cost_of_solve_many(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_table(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_export(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_import(const nlohmann::json& params, const Config& config);
-/// Of a patch of the usual size; what is larger is looked at where it is found.
+/// The cost of a patch of the usual size; larger ones are checked where they are found.
 WorkCost cost_of_wheel_rail(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_geometry(const nlohmann::json& params, const Config& config);
 WorkCost cost_of_opening(const nlohmann::json& params, const Config& config);

@@ -1,4 +1,4 @@
-// What the methods work with.
+// The parts of the daemon that methods work with.
 #pragma once
 
 #include "config/config.hpp"
@@ -32,7 +32,7 @@ struct DaemonParts {
     const Call::Clock::time_point started = Call::Clock::now();
 
     SolveTools solve_tools() const { return {engine, workers, recent_solves, budget}; }
-    /// Of an answer that goes out. One thread at a time.
+    /// Counts an outgoing answer. One thread at a time may call it.
     void note(const Answer& answer) const {
         if (answer.status != "OK") ++counters.requests_failed;
         request_metrics.record(answer);

@@ -36,12 +36,12 @@ IcUse use_of(const IcAnswer& answer) {
 
 /// Whole, or taken apart.
 void answer_with_ic_file(const Export& work) {
-    const IcRecord& held = *work.answers[0].record;
-    IcRecord record{work.specs[0], {}, held.evidence};
+    const IcRecord& source = *work.answers[0].record;
+    IcRecord record{work.specs[0], {}, source.evidence};
     if (record.spec.section)
-        record.tables = held.tables;
+        record.tables = source.tables;
     else
-        record.tables = table_for(held, record.spec, 1, CallObserver(work.call));
+        record.tables = table_for(source, record.spec, 1, CallObserver(work.call));
     record.spec.any_nu = false;  // what leaves is one table of the family
     proto::ArrayWriter arrays(work.call->request.arrays);
     const IcUse use = use_of(work.answers[0]);
@@ -69,12 +69,14 @@ void answer(const ExportPtr& work) {
     });
 }
 
-/// Of a prism, before anything is built.
-void check_section(const IcExport& wanted, std::size_t most_bytes) {
-    const IcSpec& spec = wanted.spec;
-    if (wanted.format == FileFormat::contact)
+/// Checks the export of a longitudinally uniform body's table before anything is built.
+void check_section(const IcExport& request, std::size_t most_bytes) {
+    const IcSpec& spec = request.spec;
+    if (request.format == FileFormat::contact)
         throw InvalidArgument("format",
-                              "is contact, whose text has offsets along x and y, which a prism has none of; take hdf5");
+                              "is contact, whose text has offsets along x and y, and the table of a longitudinally "
+                              "uniform body has none along y; take "
+                              "hdf5");
     if (spec.source == IcSource::analytic)
         throw InvalidArgument("ics.source",
                               "is analytic; half-spaces that are turned are quicker made than read, take ic.get");
@@ -104,26 +106,26 @@ void check_size(const IcSpec& spec, std::size_t most_bytes) {
 
 void export_table(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
-    const IcExport wanted = proto::decode_ic_export(call->request.params, call->request.frames);
+    const IcExport request = proto::decode_ic_export(call->request.params, call->request.frames);
     auto work = std::make_shared<Export>();
     work->call = call;
-    work->format = wanted.format;
-    work->specs.fill(wanted.spec);
-    if (wanted.spec.section) check_section(wanted, parts.config.limits.max_frame_bytes);
-    if (wanted.lower) work->specs[1].material = *wanted.lower;
+    work->format = request.format;
+    work->specs.fill(request.spec);
+    if (request.spec.section) check_section(request, parts.config.limits.max_frame_bytes);
+    if (request.lower) work->specs[1].material = *request.lower;
     validate(work->specs[0], "material");
     validate(work->specs[1], "lower");
-    if (wanted.format == FileFormat::contact) check_size(wanted.spec, parts.config.limits.max_frame_bytes);
+    if (request.format == FileFormat::contact) check_size(request.spec, parts.config.limits.max_frame_bytes);
     call->work.reset();  // a build may take hours
     const double bytes = cost_of_export(call->request.params, parts.config).bytes;
     fetch_pair(parts.ics, {work->specs[0], work->specs[1]},
                {[work, bytes, &parts](const IcAnswers& answers) {
                     work->answers = answers;
                     parts.budget.enter(work->call, bytes, [work, &workers = parts.workers] {
-                        workers.post(turn_of(work->call), [work] { answer(work); });
+                        workers.post(ticket_of(work->call), [work] { answer(work); });
                     });
                 },
-                [call](const proto::Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
+                [call](const proto::Status& status) { call->fail(status); }, reports_to(call), ticket_of(call)});
 }
 
 }  // namespace contactd::server

@@ -51,7 +51,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
         budget.enter(call, bytes, [tell, answer] { tell(answer); });
     };
     parts.ics.request(spec,
-                      {done, [call](const Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
+                      {done, [call](const Status& status) { call->fail(status); }, reports_to(call), ticket_of(call)});
 }
 
 }  // namespace

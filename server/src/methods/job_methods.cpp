@@ -73,9 +73,9 @@ void cancel_request(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_job_methods(MethodTable& methods) {
-    methods.add({.name = "job.list", .is_quick = true, .handle = list_jobs});
-    methods.add({.name = "job.cancel", .is_quick = true, .handle = cancel_job});
-    methods.add({.name = "request.cancel", .is_quick = true, .handle = cancel_request});
+    methods.add({.name = "job.list", .is_immediate = true, .handle = list_jobs});
+    methods.add({.name = "job.cancel", .is_immediate = true, .handle = cancel_job});
+    methods.add({.name = "request.cancel", .is_immediate = true, .handle = cancel_request});
 }
 
 }  // namespace contactd::server

@@ -29,7 +29,7 @@ long long elements_of(const json& params, std::size_t most, const std::string& f
     return elements;
 }
 
-/// Of what has passed check_grid_limit.
+/// The number of elements of params that have passed check_grid_limit.
 std::size_t elements_in(const json& params) {
     return static_cast<std::size_t>(elements_of(params, max_grid_elements));
 }

@@ -14,7 +14,7 @@ namespace contactd::server {
 
 /// Throws StatusError (LIMIT_EXCEEDED) when params.grid has more than `most` elements.
 void check_grid_limit(const nlohmann::json& params, std::size_t most);
-/// The same of the grids of all problems together.
+/// Checks the grids of all problems together.
 void check_grid_limits(const nlohmann::json& problems, std::size_t most);
 
 /// The arrays of a solution that are sent.
@@ -22,7 +22,8 @@ struct ArrayAnswer {
     SolutionFields fields;
     std::size_t elements = 0;  ///< of the grid
 };
-/// Of contact.solve, of params that keep to the limit of grids; there is no slip without friction.
+/// The arrays that contact.solve answers, from params that keep to the limit of grids; there is no slip without
+/// friction.
 ArrayAnswer array_answer(const nlohmann::json& params);
 
 /// Throws StatusError (ANSWER_TOO_LARGE) when the arrays could not be sent in one message: what could not be sent need

@@ -86,12 +86,12 @@ void config(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_server_methods(MethodTable& methods) {
-    methods.add({.name = "server.info", .is_quick = true, .handle = info});
-    methods.add({.name = "server.health", .is_quick = true, .handle = health});
-    methods.add({.name = "server.describe", .is_quick = true, .handle = describe});
-    methods.add({.name = "server.metrics", .is_quick = true, .handle = metrics});
-    methods.add({.name = "server.config", .is_quick = true, .handle = config});
-    methods.add({.name = "health.watch", .is_quick = true, .counts = true, .handle = watch});
+    methods.add({.name = "server.info", .is_immediate = true, .handle = info});
+    methods.add({.name = "server.health", .is_immediate = true, .handle = health});
+    methods.add({.name = "server.describe", .is_immediate = true, .handle = describe});
+    methods.add({.name = "server.metrics", .is_immediate = true, .handle = metrics});
+    methods.add({.name = "server.config", .is_immediate = true, .handle = config});
+    methods.add({.name = "health.watch", .is_immediate = true, .counts = true, .handle = watch});
 }
 
 }  // namespace contactd::server

@@ -75,7 +75,7 @@ void open(const CallPtr& call, const DaemonParts& parts) {
     auto prepare = [call, spec = std::move(spec), lease, &parts](const engine::IcAnswers& ics) {
         const double bytes = cost_of_opening(call->request.params, parts.config).bytes;
         parts.budget.enter(call, bytes, [call, spec, lease, ics, &parts] {
-            parts.workers.post(turn_of(call), [call, spec, lease, ics, &parts] {
+            parts.workers.post(ticket_of(call), [call, spec, lease, ics, &parts] {
                 guarded(call, [&] { finish_open(call, spec, lease, ics, parts); });
             });
         });
@@ -84,7 +84,7 @@ void open(const CallPtr& call, const DaemonParts& parts) {
     call->work.reset();  // a build may take hours
     engine::fetch_pair(
         parts.ics, specs,
-        {prepare, [call](const proto::Status& status) { call->fail(status); }, reports_to(call), turn_of(call)});
+        {prepare, [call](const proto::Status& status) { call->fail(status); }, reports_to(call), ticket_of(call)});
 }
 
 void step(const CallPtr& call, const DaemonParts& parts) {
@@ -118,12 +118,12 @@ SessionPtr session_of(const CallPtr& call, const DaemonParts& parts) {
 
 void info(const CallPtr& call, const DaemonParts& parts) {
     const SessionPtr session = session_of(call, parts);
-    SessionInfo told = session->simulation().common();
-    told.step = session->step_number();
-    told.lease_seconds = session->lease.count();
-    told.states = session->states();
-    told.bytes = session->bytes();
-    call->succeed(proto::encode_session_info(told));
+    SessionInfo reply = session->simulation().common();
+    reply.step = session->step_number();
+    reply.lease_seconds = session->lease.count();
+    reply.states = session->states();
+    reply.bytes = session->bytes();
+    call->succeed(proto::encode_session_info(reply));
 }
 
 void save(const CallPtr& call, const DaemonParts& parts) {
@@ -170,18 +170,18 @@ void add_session_methods(MethodTable& methods) {
     constexpr auto high = proto::Priority::high;
     methods.add({.name = "session.open", .cost = cost_of_opening, .handle = open});
     methods.add({.name = "session.step",
-                 .takes_turn = true,
+                 .in_session_order = true,
                  .priority = high,
                  .job = "step",
                  .is_small = is_small_step,
                  .handle = step});
-    methods.add({.name = "session.info", .takes_turn = true, .priority = high, .handle = info});
+    methods.add({.name = "session.info", .in_session_order = true, .priority = high, .handle = info});
     methods.add({.name = "session.step_many", .priority = high, .queue = queue_steps});
-    methods.add({.name = "session.save", .takes_turn = true, .priority = high, .handle = save});
-    methods.add({.name = "session.restore", .takes_turn = true, .priority = high, .handle = restore});
-    methods.add({.name = "session.forget", .takes_turn = true, .priority = high, .handle = forget});
-    methods.add({.name = "session.close", .is_quick = true, .handle = close});
-    methods.add({.name = "session.list", .is_quick = true, .handle = list});
+    methods.add({.name = "session.save", .in_session_order = true, .priority = high, .handle = save});
+    methods.add({.name = "session.restore", .in_session_order = true, .priority = high, .handle = restore});
+    methods.add({.name = "session.forget", .in_session_order = true, .priority = high, .handle = forget});
+    methods.add({.name = "session.close", .is_immediate = true, .handle = close});
+    methods.add({.name = "session.list", .is_immediate = true, .handle = list});
 }
 
 }  // namespace contactd::server

@@ -87,7 +87,7 @@ void take(const BatchPtr& batch, std::size_t index) {
 }  // namespace
 
 void queue_steps(const CallPtr& call, const DaemonParts& parts) {
-    // The schema is checked when the first step has its turn: here only what tells whose turn it is.
+    // The schema is checked when the first step runs: here only what decides which session runs next.
     const auto steps = call->request.params.find("steps");
     std::vector<SessionPtr> sessions(1);
     if (steps != call->request.params.end() && steps->is_array() && !steps->empty()) {
@@ -102,13 +102,13 @@ void queue_steps(const CallPtr& call, const DaemonParts& parts) {
     const auto batch = BatchPtr(new Batch{call, parts, std::move(sessions)});
     for (std::size_t i = 0; i < batch->sessions.size(); ++i) {
         auto work = [batch, i] { take(batch, i); };
-        QueueTicket turn = turn_of(call);
+        QueueTicket ticket = ticket_of(call);
         const SessionPtr& session = batch->sessions[i];
-        turn.is_large = session && is_large(session->step_seconds);
+        ticket.is_large = session && is_large(session->step_seconds);
         if (session)
-            session->take_turn(std::move(turn), std::move(work), parts.workers);
+            session->enqueue(std::move(ticket), std::move(work), parts.workers);
         else
-            parts.workers.post(std::move(turn), std::move(work));
+            parts.workers.post(std::move(ticket), std::move(work));
     }
 }
 

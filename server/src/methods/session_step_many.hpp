@@ -5,7 +5,7 @@
 
 namespace contactd::server {
 
-/// From the I/O thread: gives each step its turn in its session, and answers when all have had it.
+/// From the I/O thread: queues each step in its session, and answers when all have run.
 void queue_steps(const CallPtr& call, const DaemonParts& parts);
 
 }  // namespace contactd::server

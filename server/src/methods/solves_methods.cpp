@@ -1,4 +1,4 @@
-// solves.*: the last solves, each told to the user who asked for it.
+// solves.*: the last solves, each reported to the user who asked for it.
 #include <chrono>
 
 #include "all_methods.hpp"
@@ -55,7 +55,7 @@ void pressures(const CallPtr& call, const DaemonParts& parts) {
 }  // namespace
 
 void add_solves_methods(MethodTable& methods) {
-    methods.add({.name = "solves.recent", .is_quick = true, .handle = recent});
+    methods.add({.name = "solves.recent", .is_immediate = true, .handle = recent});
     methods.add({.name = "solves.pressures", .priority = proto::Priority::high, .handle = pressures});
 }
 

@@ -1,4 +1,4 @@
-// What this daemon was made from.
+// Versions that this daemon was made from.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@ namespace contactd::server {
 /// Name -> version, of everything the daemon links.
 std::map<std::string, std::string> daemon_library_versions();
 
-/// What --version prints.
+/// The text that --version prints.
 std::string about();
 
 }  // namespace contactd::server

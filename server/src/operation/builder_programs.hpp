@@ -13,7 +13,7 @@ std::string builder_problem(const Config& config);
 /// Why what builds.launcher begins with cannot be run; empty when it can, and when there is none.
 std::string launcher_problem(const Config& config);
 
-/// Of both, those that there are.
+/// Problems with the builder and its launcher, a sentence each; empty: none.
 std::vector<std::string> building_problems(const Config& config);
 
 }  // namespace contactd::server

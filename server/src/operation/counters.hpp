@@ -1,4 +1,4 @@
-// What the daemon has done since it started, beside its engine; shown by server.info and among the metrics.
+// Counts of the daemon since it started, beside those of its engine; shown by server.info and among the metrics.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@ struct Counters {
     Count requests_failed = 0;
     Count solves = 0;
 
-    // What is the case now.
+    // These have the values of now.
     Count connections = 0;
     Count outbox_bytes = 0;
     Count open_requests = 0;

@@ -1,4 +1,4 @@
-// What monitoring reads by HTTP: /metrics (Prometheus), /healthz (alive), /readyz (takes requests).
+// Pages that monitoring reads by HTTP: /metrics (Prometheus), /healthz (alive), /readyz (takes requests).
 #pragma once
 
 #include <functional>

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 /// Marks messages made by log_event, whose payload is the message, this separator, and the fields as a JSON object.
-/// Told by its address, so that no text can pretend to be one.
+/// Recognised by its address, so that no text can pretend to be one.
 constexpr const char* event_mark = "event";
 constexpr char separator = '\x1f';
 
@@ -64,9 +64,9 @@ std::string escaped(std::string_view text) {
 std::string shown(const json& value) {
     if (!value.is_string()) return ascii(value);
     const auto& text = value.get_ref<const std::string&>();
-    const bool is_word = !text.empty() && std::all_of(text.begin(), text.end(),
-                                                      [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; });
-    return is_word ? text : escaped(ascii(value));
+    const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(),
+                                                       [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; });
+    return is_plain ? text : escaped(ascii(value));
 }
 
 class TextFormatter final : public spdlog::formatter {

@@ -1,4 +1,4 @@
-// What the daemon writes down: one line an event, as text or as a JSON object.
+// The daemon's log: one line an event, as text or as a JSON object.
 #pragma once
 
 #include <spdlog/common.h>
@@ -17,7 +17,7 @@
 
 namespace contactd::server {
 
-/// Where the messages of spdlog go while this lives. What a client chose (ids, names) cannot start a line or look like
+/// Takes the messages of spdlog while it lives. What a client chose (ids, names) cannot start a line or look like
 /// another field: control characters are escaped, strings quoted.
 class Log {
    public:

@@ -29,7 +29,7 @@ ClientMetric sample(MetricType type, double value) {
 }
 
 MetricFamily family(MetricType type, std::string name, std::string help, std::string_view label,
-                    const std::vector<Labelled>& values) {
+                    const std::vector<LabelValue>& values) {
     MetricFamily made{std::move(name), std::move(help), type, {}};
     for (const auto& [text, value] : values) {
         made.metric.push_back(sample(type, value));
@@ -111,11 +111,12 @@ MetricFamily gauge(std::string name, std::string help, double value) {
     return {std::move(name), std::move(help), MetricType::Gauge, {sample(MetricType::Gauge, value)}};
 }
 
-MetricFamily counter(std::string name, std::string help, std::string_view label, const std::vector<Labelled>& values) {
+MetricFamily counter(std::string name, std::string help, std::string_view label,
+                     const std::vector<LabelValue>& values) {
     return family(MetricType::Counter, std::move(name), std::move(help), label, values);
 }
 
-MetricFamily gauge(std::string name, std::string help, std::string_view label, const std::vector<Labelled>& values) {
+MetricFamily gauge(std::string name, std::string help, std::string_view label, const std::vector<LabelValue>& values) {
     return family(MetricType::Gauge, std::move(name), std::move(help), label, values);
 }
 

@@ -1,4 +1,4 @@
-// What is measured of the daemon, for server.info, server.metrics and Prometheus alike.
+// Metrics of the daemon, for server.info, server.metrics and Prometheus alike.
 #pragma once
 
 #include <prometheus/metric_family.h>
@@ -40,24 +40,24 @@ class RequestMetrics {
     std::map<std::string, prometheus::Counter*, std::less<>> by_reason_;
 };
 
-/// One value, or several told apart by one label.
+/// A metric of one value, or of several that one label distinguishes.
 prometheus::MetricFamily counter(std::string name, std::string help, double value);
 prometheus::MetricFamily gauge(std::string name, std::string help, double value);
-struct Labelled {
+struct LabelValue {
     std::string_view label;
     double value;
 };
 prometheus::MetricFamily counter(std::string name, std::string help, std::string_view label,
-                                 const std::vector<Labelled>& values);
+                                 const std::vector<LabelValue>& values);
 prometheus::MetricFamily gauge(std::string name, std::string help, std::string_view label,
-                               const std::vector<Labelled>& values);
+                               const std::vector<LabelValue>& values);
 
-/// Of this process, under the names every Prometheus client uses (process_resident_memory_bytes, ...).
+/// Metrics of this process, under the names every Prometheus client uses (process_resident_memory_bytes, ...).
 MetricFamilies process_metrics();
 
-/// As on the wire, proto/schema/server.metrics.result.json.
+/// Encodes metrics as on the wire, proto/schema/server.metrics.result.json.
 nlohmann::json to_json(const MetricFamilies& families);
-/// As Prometheus reads it.
+/// Encodes metrics as Prometheus reads them.
 std::string to_prometheus(const MetricFamilies& families);
 
 }  // namespace contactd::server

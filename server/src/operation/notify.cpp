@@ -8,7 +8,7 @@
 namespace contactd::server {
 namespace {
 
-/// As systemd wants it of a reload, to tell it from an earlier one.
+/// The time by which systemd tells a reload from an earlier one.
 std::int64_t monotonic_microseconds() {
     timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC, &now);

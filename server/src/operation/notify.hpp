@@ -1,4 +1,4 @@
-// Tells systemd how the daemon is (sd_notify); does nothing where nobody asked to be told.
+// Reports the daemon's state to systemd (sd_notify), where it asked for that.
 #pragma once
 
 #include <chrono>

@@ -63,12 +63,12 @@ PingResult read_answer(const zmq::message_t& reply) {
 }
 
 PingResult ask(zmq::socket_t& socket, zmq::socket_t& failures, const std::string& endpoint,
-               std::chrono::milliseconds patience) {
+               std::chrono::milliseconds timeout) {
     const json request{{"contactd", proto::protocol_version}, {"id", "ping"}, {"method", "server.health"}};
     socket.send(zmq::buffer(request.dump()), zmq::send_flags::none);
     std::array<zmq::pollitem_t, 2> items{{{socket.handle(), 0, ZMQ_POLLIN, 0}, {failures.handle(), 0, ZMQ_POLLIN, 0}}};
     int silent_ends = 0;
-    const auto end = Clock::now() + patience;
+    const auto end = Clock::now() + timeout;
     for (auto now = Clock::now(); now < end; now = Clock::now()) {
         zmq::poll(items, std::chrono::ceil<std::chrono::milliseconds>(end - now));
         zmq::message_t reply;
@@ -80,12 +80,12 @@ PingResult ask(zmq::socket_t& socket, zmq::socket_t& failures, const std::string
                            " does not take this connection: a daemon that encrypts needs its own --server-key and "
                            "an --own-key that it allows, and one that does not encrypt takes neither."};
     }
-    return {false, "No answer from " + endpoint + " within " + std::to_string(patience.count()) + " ms."};
+    return {false, "No answer from " + endpoint + " within " + std::to_string(timeout.count()) + " ms."};
 }
 
 }  // namespace
 
-PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::milliseconds patience) {
+PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::milliseconds timeout) {
     try {
         zmq::context_t context;
         zmq::socket_t socket(context, zmq::socket_type::dealer);
@@ -94,7 +94,7 @@ PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::
         encrypt(socket, keys);
         zmq::socket_t failures = failures_of(context, socket);
         socket.connect(endpoint);
-        return ask(socket, failures, endpoint, patience);
+        return ask(socket, failures, endpoint, timeout);
     } catch (const Error& error) {
         return {false, error.what()};
     } catch (const std::exception& error) {

@@ -7,7 +7,7 @@
 
 namespace contactd::server {
 
-/// Of an encrypted connection: the file with the daemon's public key, and that with an own, allowed pair. Neither is
+/// Keys of an encrypted connection: the file with the daemon's public key, and that with an allowed pair. Neither is
 /// given for a daemon that does not encrypt.
 struct PingKeys {
     std::filesystem::path server, own;
@@ -18,6 +18,6 @@ struct PingResult {
     bool serving;
     std::string text;
 };
-PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::milliseconds patience);
+PingResult ping(const std::string& endpoint, const PingKeys& keys, std::chrono::milliseconds timeout);
 
 }  // namespace contactd::server

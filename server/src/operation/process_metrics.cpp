@@ -1,4 +1,4 @@
-// What the kernel says of this process.
+// Metrics of this process, from the kernel.
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -7,7 +7,7 @@
 
 namespace contactd::server {
 
-/// What the log says of an answer: enough to find the request again, nothing of what it holds. Taken from the answer
+/// The log's line of an answer: enough to find the request again, nothing of what it holds. Taken from the answer
 /// before it goes, written afterwards: the client need not wait for the log.
 struct RequestLine {
     std::string id, method, status;

@@ -1,4 +1,4 @@
-// What the service was made from: a result that is kept must be able to say so.
+// Versions that the service was made from: a result that is kept must be able to name them.
 #pragma once
 
 #include <map>
@@ -6,7 +6,8 @@
 
 namespace contactd::server {
 
-/// Of the sources, with "-dirty" when they were changed after it; "unknown" when it was built outside of a repository.
+/// The commit of the sources, with "-dirty" when they were changed after it; "unknown" when built outside of a
+/// repository.
 std::string commit();
 
 /// Name -> version, of what the service links.

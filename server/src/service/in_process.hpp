@@ -29,7 +29,7 @@ class Exchange {
 };
 
 /// Any number of threads at a time. Small solves are done in the thread that asks, all others by threads of its own
-/// (configuration: workers), which start when they are first wanted.
+/// (configuration: workers), which start when they are first needed.
 class InProcess {
    public:
     enum class Level { info, warning, error };

@@ -101,7 +101,7 @@ void Service::handle(CallPtr call) {
     const Method* method = methods_.find(call->request.method);
     if (const auto denied = refusal(parts_.config.methods, call->request.method, call->user()))
         return call->fail(*denied);
-    if (!method || method->is_quick) return run(method, call);
+    if (!method || method->is_immediate) return run(method, call);
     if (stopping_) return call->fail(stopping_status());
     if (method->job) job_of(call, method->job, engine_.jobs());
     auto work = [this, method, call] {
@@ -109,14 +109,14 @@ void Service::handle(CallPtr call) {
         if (!call->answered()) run(method, call);
     };
     if (method->queue) return method->queue(call, parts_);
-    const SessionPtr session = method->takes_turn ? session_of(call) : nullptr;
+    const SessionPtr session = method->in_session_order ? session_of(call) : nullptr;
     if (is_at_once(*method, call)) {
         if (!session) return work();
-        if (session->try_turn(work, workers_)) return;
+        if (session->try_run(work, workers_)) return;
     }
     if (session && method->job) call->is_large = is_large(session->step_seconds);
-    if (session) return session->take_turn(turn_of(call), std::move(work), workers_);
-    workers_.post(turn_of(call), std::move(work));
+    if (session) return session->enqueue(ticket_of(call), std::move(work), workers_);
+    workers_.post(ticket_of(call), std::move(work));
 }
 
 /// Small work of a thread that may do it: one that waits anyway, or that of all when no other request is open.
@@ -131,7 +131,7 @@ SessionPtr Service::session_of(const CallPtr& call) {
     return sessions_.find_open(name->get_ref<const std::string&>());
 }
 
-/// What `work` throws becomes the answer of the call.
+/// Runs `work`; an exception becomes the answer of the call.
 void Service::attempt(const CallPtr& call, const std::function<void()>& work) {
     try {
         work();
@@ -146,7 +146,7 @@ void Service::attempt(const CallPtr& call, const std::function<void()>& work) {
 void Service::run(const Method* method, const CallPtr& call) {
     attempt(call, [&] {
         proto::check_params(call->request.method, call->request.params);  // throws for a method that there is not
-        if (method->is_quick) proto::check_frames_used(call->request.params, call->request.frames);
+        if (method->is_immediate) proto::check_frames_used(call->request.params, call->request.frames);
         begin(*method, call);
     });
 }
@@ -162,7 +162,7 @@ void Service::begin(const Method& method, const CallPtr& call) {
         if (!call->answered()) attempt(call, [&] { method.handle(call, parts_); });
     };
     // Large work goes back into the queue, where it leaves a worker to what is small.
-    if (call->is_large) work = [this, call, work] { workers_.post(turn_of(call), work); };
+    if (call->is_large) work = [this, call, work] { workers_.post(ticket_of(call), work); };
     budget_.enter(call, cost.bytes, std::move(work));
 }
 

@@ -1,4 +1,4 @@
-// What the daemon consists of besides its socket: work goes from here to the methods and to their threads.
+// The daemon but for its socket: work goes from here to the methods and to their threads.
 #pragma once
 
 #include <atomic>
@@ -29,13 +29,13 @@ class Service {
     /// when it was answered while it was read. Throws StatusError as OpenCalls::admit.
     CallPtr open(const Route& route, proto::Request request, Call::Clock::time_point received,
                  OpenCalls::Admission admission, Call::Post post);
-    /// Answers the call now or later. Called from the I/O thread, which quick methods may keep for a moment; all others
+    /// Answers the call now or later. Called from the I/O thread, which short methods may keep for a moment; all others
     /// go to the workers. Never throws.
     void handle(CallPtr call);
 
     /// From now on requests are refused with stop_status(); what was accepted goes on.
     void begin_drain();
-    /// As begin_drain(), and running work is told to end. Does not wait.
+    /// Does what begin_drain() does, and asks running work to end. Does not wait.
     void begin_stop();
     /// Waits until all work has ended.
     void finish_stop();

@@ -6,7 +6,7 @@
 
 namespace contactd::server {
 
-/// What `ask` gives; what it refuses is named "wheelrail.setup.dx", "wheelrail.state.position.z", ...
+/// Returns what `ask` does; its refusals name "wheelrail.setup.dx", "wheelrail.state.position.z", ...
 template <class Ask>
 auto below_wheel_rail(const Ask& ask) {
     try {

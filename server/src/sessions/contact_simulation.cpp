@@ -25,12 +25,12 @@ class ContactSimulation final : public Simulation {
                  Observer& observer, engine::Engine& engine) override {
         if (proto::is_of_wheel_rail(request.params))
             throw proto::invalid_field("wheelrail", "is given, and this is the session of a contact");
-        const auto statement = [&](const std::optional<Motion>& last, ContactProblem& problem) {
+        const auto set_inputs = [&](const std::optional<Motion>& last, ContactProblem& problem) {
             proto::apply_step(request.params, request.call->request.frames, last, problem);
             if (request.check_rest) request.check_rest();
         };
         const auto begun = RecentSolves::Clock::now();
-        ContactSolution solution = engine.solve(*steps_, before, statement, observer);
+        ContactSolution solution = engine.solve(*steps_, before, set_inputs, observer);
         request.recent.add(*request.call, begun, solution, opened().grid);
         nlohmann::json result = proto::encode_step_reply(before.step + 1, solution, opened().grid,
                                                          proto::decode_fields(request.params, {}), arrays);

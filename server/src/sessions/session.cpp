@@ -31,40 +31,40 @@ Session::Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<d
       state_(std::make_shared<const SessionState>(
           SessionState{std::make_shared<const engine::StepState>(simulation_->start()), nullptr, {}})) {}
 
-// --- turns -----------------------------------------------------------------------------------------------------------
+// --- order -----------------------------------------------------------------------------------------------------------
 
-void Session::take_turn(QueueTicket turn, Work work, WorkerPool& workers) {
-    Waiting next{std::move(turn), std::move(work)};
+void Session::enqueue(QueueTicket ticket, Work work, WorkerPool& workers) {
+    Waiting next{std::move(ticket), std::move(work)};
     {
         const std::scoped_lock lock(mutex_);
         last_used_ = Clock::now();
         if (busy_) return waiting_.push_back(std::move(next));
         busy_ = true;
     }
-    post_turn(std::move(next), workers);
+    post(std::move(next), workers);
 }
 
-bool Session::try_turn(const Work& work, WorkerPool& workers) {
+bool Session::try_run(const Work& work, WorkerPool& workers) {
     {
         const std::scoped_lock lock(mutex_);
         if (busy_) return false;
         busy_ = true;
     }
     work();
-    end_turn(workers);
+    run_next(workers);
     return true;
 }
 
 // One at a time: in between the worker is free for others.
-void Session::post_turn(Waiting next, WorkerPool& workers) {
-    next.turn.abandoned = {};  // what waits behind it in the session would be so, too
-    workers.post(std::move(next.turn), [self = shared_from_this(), work = std::move(next.work), &workers] {
+void Session::post(Waiting next, WorkerPool& workers) {
+    next.ticket.abandoned = {};  // what waits behind it in the session would be so, too
+    workers.post(std::move(next.ticket), [self = shared_from_this(), work = std::move(next.work), &workers] {
         work();
-        self->end_turn(workers);
+        self->run_next(workers);
     });
 }
 
-void Session::end_turn(WorkerPool& workers) {
+void Session::run_next(WorkerPool& workers) {
     Waiting next;
     {
         const std::scoped_lock lock(mutex_);
@@ -74,14 +74,14 @@ void Session::end_turn(WorkerPool& workers) {
         next = std::move(waiting_.front());
         waiting_.pop_front();
     }
-    post_turn(std::move(next), workers);
+    post(std::move(next), workers);
 }
 
 void Session::drop_abandoned() {
     std::deque<Waiting> dropped;  // destroyed after the lock: what they hold may be much
     const std::scoped_lock lock(mutex_);
     const auto unwanted = std::stable_partition(waiting_.begin(), waiting_.end(), [](const Waiting& waiting) {
-        return !waiting.turn.abandoned || !waiting.turn.abandoned();
+        return !waiting.ticket.abandoned || !waiting.ticket.abandoned();
     });
     std::move(unwanted, waiting_.end(), std::back_inserter(dropped));
     waiting_.erase(unwanted, waiting_.end());

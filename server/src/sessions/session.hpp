@@ -15,7 +15,7 @@
 
 namespace contactd::server {
 
-/// Where a session is: all that a step leaves to the next one. Never changed, so that saving a state is holding it.
+/// The state of a session: all that a step leaves to the next one. Never changed, so that saving a state is keeping it.
 struct SessionState {
     std::shared_ptr<const engine::StepState> last;
     std::shared_ptr<const engine::StepState> before;  ///< where the last step started; null when there was none
@@ -30,7 +30,7 @@ class Session : public std::enable_shared_from_this<Session> {
     /// `step_seconds`: of a processor, what a step will take about.
     Session(std::unique_ptr<Simulation> simulation, std::chrono::duration<double> lease, double step_seconds = 0);
 
-    /// Of what the steps are; const, because steps are taken in turns only.
+    /// The simulation that is stepped through; const, because work in the order of the session alone takes steps.
     const Simulation& simulation() const { return *simulation_; }
     const std::chrono::duration<double> lease;
     const double step_seconds;
@@ -39,20 +39,20 @@ class Session : public std::enable_shared_from_this<Session> {
     // Requests of one session run one after another, in the order in which they come here; sessions run side by side.
     using Work = WorkerPool::Task;
     /// Runs `work` on a worker, after what came before. Renews the lease.
-    void take_turn(QueueTicket turn, Work work, WorkerPool& workers);
+    void enqueue(QueueTicket ticket, Work work, WorkerPool& workers);
     /// Runs `work` here and now when nothing runs or waits in the session; false when something does.
-    bool try_turn(const Work& work, WorkerPool& workers);
-    /// Drops what waits for its turn and was abandoned.
+    bool try_run(const Work& work, WorkerPool& workers);
+    /// Drops work that waits and was abandoned.
     void drop_abandoned();
 
-    /// In a turn: sends the answer to a step, solved now or kept. The session goes on only when the answer was sent:
-    /// whatever fails leaves it as it was. Throws what failed.
+    /// Within enqueue or try_run: sends the answer to a step, solved now or cached. The session goes on only when it
+    /// was sent: whatever fails leaves it as it was. Throws what failed.
     void step(const StepRequest& request, engine::Engine& engine);
 
     SessionStatePtr state() const;
     long long step_number() const { return state()->last->step; }  ///< of the last step
     std::size_t elements() const { return simulation_->elements(*state()->last); }
-    /// In a turn.
+    /// Within enqueue or try_run.
     void set_state(SessionStatePtr state);
 
     /// Keeps the state; the name is new in this session.
@@ -63,7 +63,7 @@ class Session : public std::enable_shared_from_this<Session> {
     std::size_t forget(const std::string& name);
     std::size_t states() const;
 
-    /// From now on turns find the session closed; a running step is cancelled.
+    /// From now on work finds the session closed; a running step is cancelled.
     void close();
     bool closed() const;
 
@@ -76,11 +76,11 @@ class Session : public std::enable_shared_from_this<Session> {
 
    private:
     struct Waiting {
-        QueueTicket turn;
+        QueueTicket ticket;
         Work work;
     };
-    void post_turn(Waiting next, WorkerPool& workers);
-    void end_turn(WorkerPool& workers);
+    void post(Waiting next, WorkerPool& workers);
+    void run_next(WorkerPool& workers);
     void begin(const std::shared_ptr<Job>& job);
     void solve_step(const std::shared_ptr<const engine::StepState>& before, std::size_t hash,
                     const StepRequest& request, engine::Engine& engine);

@@ -39,13 +39,13 @@ StatusError limit(const std::string& sentence) {
 }  // namespace
 
 std::chrono::duration<double> SessionTable::lease(const std::optional<double>& seconds) const {
-    const double wanted = seconds.value_or(std::min(limits_.lease_seconds, limits_.max_lease_seconds));
-    if (wanted > limits_.max_lease_seconds)
+    const double lease = seconds.value_or(std::min(limits_.lease_seconds, limits_.max_lease_seconds));
+    if (lease > limits_.max_lease_seconds)
         throw proto::invalid_field("lease_seconds",
-                                   "is " + proto::dump(wanted) + "; at most " + proto::dump(limits_.max_lease_seconds) +
+                                   "is " + proto::dump(lease) + "; at most " + proto::dump(limits_.max_lease_seconds) +
                                        " are allowed (limits.max_lease_seconds)",
                                    proto::reason::limit_exceeded);
-    return std::chrono::duration<double>(wanted);
+    return std::chrono::duration<double>(lease);
 }
 
 std::size_t SessionTable::sum_of_bytes() const {

@@ -1,4 +1,4 @@
-// What a session steps through: a contact, or a wheel on its rail.
+// The simulation that a session steps through: a contact, or a wheel on its rail.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct StepRequest {
     RecentSolves& recent;
 };
 
-/// Used in the turns of its session only, but for what is const.
+/// Used in the order of its session only, but for what is const.
 class Simulation {
    public:
     virtual ~Simulation() = default;
@@ -48,9 +48,9 @@ class Simulation {
     virtual Solved solve(const engine::StepState& before, const StepRequest& request, proto::ArrayWriter& arrays,
                          Observer& observer, engine::Engine& engine) = 0;
 
-    /// What all steps have in common: what session.info tells of it, and no more.
+    /// The part of the set-up that session.info reports, and no more.
     virtual SessionInfo common() const = 0;
-    /// Of the patches that the step before `state` was solved on.
+    /// The number of elements of the patches that the step before `state` was solved on.
     virtual std::size_t elements(const engine::StepState& state) const = 0;
     /// Whether a step takes about as long as waking a thread.
     virtual bool is_small() const = 0;
@@ -58,7 +58,7 @@ class Simulation {
     virtual std::size_t state_bytes(const engine::StepState& state) const = 0;  ///< of each state
 };
 
-/// What a session of `setup` will take in memory, about.
+/// The memory that a session of `setup` will take, about.
 std::size_t session_bytes(const ContactSetup& setup);
 std::size_t session_bytes(const WheelRailSetup& setup);
 

@@ -30,7 +30,7 @@ void add_evidence(RecentSolve& solve, const ContactSolution& solution) {
     solve.pmax = std::max(solve.pmax, solution.pmax);
 }
 
-/// Of one grid of a solve.
+/// Results on one grid of a solve.
 struct Part {
     const Grid& grid;
     const ContactSolution& solution;
@@ -41,7 +41,7 @@ void add_pressures(RecentSolve& solve, const std::vector<Part>& parts, std::size
     for (const auto& [grid, solution] : parts) {
         solve.elements += grid.size();
         bytes += bytes_per_patch + bytes_per_element * grid.size();
-        // What is not there cannot be kept.
+        // Arrays that are missing cannot be kept.
         if (solution.pressure.size() != grid.size() || solution.element_division.size() != grid.size())
             bytes = max_bytes + 1;
     }
@@ -65,8 +65,8 @@ void add_wheel(RecentSolve& solve, const WheelRailSolution& solution, std::vecto
     }
 }
 
-/// Of numbers that JSON has.
-bool can_be_told(const RecentSolve& solve) {
+/// Whether JSON has all its numbers, which are finite then.
+bool can_be_reported(const RecentSolve& solve) {
     const auto& [x, y, z] = solve.forces;
     return std::isfinite(solve.residual + solve.pmax + x + y + z);
 }
@@ -105,7 +105,7 @@ void RecentSolves::add(const Call& call, Clock::time_point begun, const Wheelset
 }
 
 void RecentSolves::keep(RecentSolve solve) {
-    if (!can_be_told(solve)) return;
+    if (!can_be_reported(solve)) return;
     const std::scoped_lock lock(mutex_);
     solve.number = ++count_;
     bytes_ += solve.pressures_bytes;

@@ -1,4 +1,4 @@
-// The last solves: what is told of them, and the pressures of as many as there is room for.
+// The last solves: what is reported of them, and the pressures of as many as there is room for.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace contactd::server {
 
-/// Of one grid, shape [ny, nx]. In single precision, which a picture cannot tell from double.
+/// Pressures on one grid, shape [ny, nx]. In single precision, which a picture cannot tell from double.
 struct RecentPatch {
     Grid grid;
     std::vector<float> pressure;  ///< (N/mm^2)
@@ -28,7 +28,7 @@ using RecentPressures = std::shared_ptr<const std::vector<RecentPatch>>;
 
 struct RecentSolve {
     std::uint64_t number = 0;  ///< of all solves since the start
-    std::string user;          ///< who alone is told of it
+    std::string user;          ///< the only one it is reported to
     std::string method, id;    ///< of the request
     std::chrono::system_clock::time_point at;
     double seconds = 0;
@@ -50,7 +50,7 @@ class RecentSolves {
 
     explicit RecentSolves(RecentSolvesLimits limits) : limits_(limits) {}
 
-    // Of a solve that has just ended, before its answer goes out.
+    // Adds a solve that has just ended, before its answer goes out.
     void add(const Call& call, Clock::time_point begun, const ContactSolution& solution, const Grid& grid);
     void add(const Call& call, Clock::time_point begun, const WheelRailSolution& solution);
     void add(const Call& call, Clock::time_point begun, const WheelsetSolution& solution);

@@ -45,7 +45,7 @@ void start(const SolveTools& tools, SolveTask task) {
     const auto caller = work->task.in_caller ? std::this_thread::get_id() : std::thread::id();
     const auto queue = [work, caller, &workers = tools.workers] {
         if (std::this_thread::get_id() == caller) return solve(work);
-        workers.post(turn_of(work->task.call), [work] { solve(work); });
+        workers.post(ticket_of(work->task.call), [work] { solve(work); });
     };
     if (!engine::needs_tables(work->task.problem)) return queue();
     const auto specs = engine::specs_of(work->task.problem);
@@ -59,7 +59,7 @@ void start(const SolveTools& tools, SolveTask task) {
                             if (!may_wait) return queue();
                             budget.enter(work->task.call, work->task.bytes, queue);
                         },
-                        work->task.failed, reports_to(work->task.call), turn_of(work->task.call)});
+                        work->task.failed, reports_to(work->task.call), ticket_of(work->task.call)});
 }
 
 }  // namespace contactd::server

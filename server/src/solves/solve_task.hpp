@@ -13,7 +13,7 @@
 
 namespace contactd::server {
 
-/// What the daemon has for solving.
+/// The parts of the daemon that solve.
 struct SolveTools {
     engine::Engine& engine;
     WorkerPool& workers;

@@ -118,7 +118,7 @@ std::optional<Message> AnsweringSocket::receive() {
     return message;
 }
 
-/// What is to be written into the log when the answer has gone.
+/// Sends the answer, and returns the line for the log, to be written when the answer has gone.
 std::optional<RequestLine> AnsweringSocket::send(Answer answer) {
     std::optional<RequestLine> line;
     if (!answer.is_progress) {

@@ -31,7 +31,7 @@ struct Message {
 
 /// Belongs to the thread that makes it, which holds the lock whenever it does not wait. Another thread that has an
 /// answer sends it itself if it gets the lock at once: waking the owner would take longer. Otherwise it leaves the
-/// answer to the owner. Nobody waits for the lock but the owner, for the time of sending one answer.
+/// answer to the owner. Only the owner waits for the lock, for the time of sending one answer.
 class AnsweringSocket {
    public:
     using Clock = Call::Clock;
@@ -45,7 +45,7 @@ class AnsweringSocket {
 
     /// Throws Error when the address cannot be used.
     void bind(const std::string& endpoint);
-    /// Where clients connect, with the port that was taken.
+    /// The address that clients connect to, with the port that was taken.
     std::string address() const { return socket_.get(zmq::sockopt::last_endpoint); }
     /// For whoever watches its connections.
     zmq::socket_t& router() { return socket_; }

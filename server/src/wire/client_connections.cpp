@@ -5,7 +5,7 @@
 namespace contactd::server {
 namespace {
 
-/// Of those that ROUTER counts up: clients may not begin theirs with a zero.
+/// Whether ROUTER has given the identity, by counting up: clients may not begin theirs with a zero.
 bool is_given(const std::string& client) {
     return client.starts_with('\0');
 }

@@ -1,4 +1,4 @@
-// Which client is at the other end of which connection, and which clients have gone.
+// Clients at the other end of connections, and clients that have gone.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Who is connected, from what ZeroMQ says of its socket.
+// Connected clients, from what ZeroMQ reports of its socket.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ class Outbox {
     /// Tries what was kept again.
     void flush();
     bool empty() const { return backlogs_.empty(); }
-    /// What waits for clients that do not read.
+    /// Bytes that wait for clients that do not read.
     std::size_t bytes() const { return bytes_; }
 
    private:

@@ -37,13 +37,13 @@ void UnfinishedInput::note_message(int fd) {
     if (connection != connections_.end()) connection->second.sent_whole_message = true;
 }
 
-/// Of all connections together, bytes that no whole message accounts for.
+/// Counts bytes of all connections that no whole message accounts for.
 std::uint64_t UnfinishedInput::count() {
     std::uint64_t total = 0;
     for (auto& [fd, connection] : connections_) {
         // Between the end of a connection and the news of it its number may be another file's: that has nothing to say.
         connection.received = received_by(fd).value_or(0);
-        // What came between the last whole message and now is forgiven: the next look sees what follows it.
+        // Bytes between the last whole message and now do not count: the next look sees what follows them.
         if (std::exchange(connection.sent_whole_message, false) || connection.received < connection.accounted)
             connection.accounted = connection.received;
         total += connection.received - connection.accounted;

@@ -1,4 +1,4 @@
-// What clients have sent of messages that have not come to their end, which ZeroMQ keeps without bound.
+// Bytes of messages that have not come to their end, which ZeroMQ keeps without bound.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Which methods a user may call.
+// Access of users to methods.
 #include "access/method_access.hpp"
 
 #include <catch2/catch_test_macros.hpp>

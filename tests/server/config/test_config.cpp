@@ -147,7 +147,9 @@ TEST_CASE("An address that is not surely this machine's own needs keys, or the f
     CHECK_NOTHROW(config_from_json({{"endpoint", endpoint}, {"security", {{"curve", curve}}}}));
 }
 
-TEST_CASE("An endpoint without a port that there is, or without a path, is refused, and what would be right is said") {
+TEST_CASE(
+    "An endpoint without a port that there is, or without a path, is refused, and the refusal states what would be "
+    "right") {
     const std::string endpoint =
         GENERATE("tcp://127.0.0.1", "tcp://127.0.0.1:", "tcp://127.0.0.1:-5", "tcp://127.0.0.1:5x",
                  "tcp://127.0.0.1:65536", "tcp://127.0.0.1:70000", "tcp://:5555", "ipc://", "127.0.0.1:5555", "");

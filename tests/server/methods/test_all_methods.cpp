@@ -28,7 +28,7 @@ TEST_CASE("A method that waits for nothing does not count, all others do") {
     CHECK_FALSE(methods.find("server.health")->counts);
     CHECK(methods.find("health.watch")->counts);
     CHECK(methods.find("contact.solve")->counts);
-    CHECK_FALSE(methods.find("contact.solve")->is_quick);
+    CHECK_FALSE(methods.find("contact.solve")->is_immediate);
 }
 
 TEST_CASE("Steps of a session go before solves, and these before many of them") {

@@ -44,7 +44,7 @@ json endless() {
              {{"mu", 0.3}, {"rolling", {{"kind", "transient"}, {"xi", 2e-3}, {"phi", 1e-3}, {"steps", 1000}}}}}};
 }
 
-json quick() {
+json simplified() {
     json params = endless();
     params["model"] = "hertz";
     params["grid"] = {{"nx", 20}, {"ny", 20}, {"dx", 0.12}, {"dy", 0.12}};
@@ -129,7 +129,7 @@ TEST_CASE("Small solves need no thread of the service") {
     const TemporaryFolder folder;
     InProcess service(config_in(folder));
     const auto blocks = service.ask(request("contact.solve", endless()), {});  // the only worker
-    CHECK(answer_of(*service.ask(request("contact.solve", quick()), {}))["status"]["code"] == 0);
+    CHECK(answer_of(*service.ask(request("contact.solve", simplified()), {}))["status"]["code"] == 0);
     blocks->cancel();
 }
 
@@ -145,12 +145,13 @@ TEST_CASE("Threads that ask at once are all answered") {
         for (int n = 0; n < 4; ++n)
             threads.emplace_back([&] {
                 for (int turn = 0; turn < 5; ++turn) {
-                    const json session = ask("session.open", quick())["result"]["session"];
+                    const json session = ask("session.open", simplified())["result"]["session"];
                     for (const char* method : {"server.info", "server.metrics", "job.list", "session.list"})
                         good += ask(method)["status"]["code"] == 0;
-                    good += ask("contact.solve", quick())["status"]["code"] == 0;
+                    good += ask("contact.solve", simplified())["status"]["code"] == 0;
                     good += ask("session.step", {{"session", session}, {"step", 1}})["status"]["code"] == 0;
-                    good += ask("contact.solve_many", {{"problems", {quick(), quick()}}})["status"]["code"] == 0;
+                    good +=
+                        ask("contact.solve_many", {{"problems", {simplified(), simplified()}}})["status"]["code"] == 0;
                     good += ask("session.close", {{"session", session}})["status"]["code"] == 0;
                 }
             });

@@ -44,7 +44,7 @@ TEST_CASE("Turns of one session run one after another in the order they came, wh
     const auto one = session(), other = session();
     std::promise<void> begun, go_on, last;
     std::vector<int> order;
-    one->take_turn(
+    one->enqueue(
         {},
         [&] {
             begun.set_value();
@@ -54,7 +54,7 @@ TEST_CASE("Turns of one session run one after another in the order they came, wh
         workers);
     begun.get_future().wait();
     for (int n = 1; n <= 20; ++n)
-        one->take_turn(
+        one->enqueue(
             {},
             [&order, &last, n] {
                 order.push_back(n);
@@ -62,7 +62,7 @@ TEST_CASE("Turns of one session run one after another in the order they came, wh
             },
             workers);
     std::promise<void> beside;
-    other->take_turn({}, [&] { beside.set_value(); }, workers);
+    other->enqueue({}, [&] { beside.set_value(); }, workers);
     beside.get_future().wait();
     go_on.set_value();
     last.get_future().wait();
@@ -78,11 +78,11 @@ TEST_CASE("What waits in a session and was abandoned is dropped before its turn"
     WorkerPool workers(1);
     std::promise<void> go_on, last;
     std::vector<int> order;
-    one->take_turn({}, [&] { go_on.get_future().wait(); }, workers);
+    one->enqueue({}, [&] { go_on.get_future().wait(); }, workers);
     bool abandoned = false;
     const auto held = std::make_shared<int>(1);
-    one->take_turn({"client", {}, [&] { return abandoned; }}, [&, held] { order.push_back(1); }, workers);
-    one->take_turn(
+    one->enqueue({"client", {}, [&] { return abandoned; }}, [&, held] { order.push_back(1); }, workers);
+    one->enqueue(
         {},
         [&] {
             order.push_back(2);
@@ -104,7 +104,7 @@ TEST_CASE("What waits in a session goes with the workers") {
         WorkerPool workers(1);
         const auto one = session();
         std::promise<void> begun, go_on;
-        one->take_turn(
+        one->enqueue(
             {},
             [&] {
                 begun.set_value();
@@ -112,7 +112,7 @@ TEST_CASE("What waits in a session goes with the workers") {
             },
             workers);
         begun.get_future().wait();
-        one->take_turn({}, [held] {}, workers);
+        one->enqueue({}, [held] {}, workers);
         auto stopping = std::async(std::launch::async, [&] { workers.stop(); });
         go_on.set_value();
         stopping.wait();
@@ -190,7 +190,7 @@ TEST_CASE("A session does not expire while it is used") {
     table.add(busy);
     WorkerPool workers(1);
     std::promise<void> used;
-    busy->take_turn(
+    busy->enqueue(
         {},
         [&] {
             table.expire(Session::Clock::now() + 60s);

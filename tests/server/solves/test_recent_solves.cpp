@@ -48,7 +48,7 @@ std::string reason_of(const RecentSolves& solves, const std::string& user, std::
 
 }  // namespace
 
-TEST_CASE("A solve is told with its figures and its pressures") {
+TEST_CASE("A solve is reported with its figures and its pressures") {
     RecentSolves solves({10, plenty});
     solves.add(*call_of("alice", "x7"), begun, solution_with(3), grid);
 
@@ -69,7 +69,7 @@ TEST_CASE("A solve is told with its figures and its pressures") {
     CHECK(patches->front().element_division == std::vector(6, ElementState::slip));
 }
 
-TEST_CASE("A user is told of no solve of another one") {
+TEST_CASE("No solve is reported to another user") {
     RecentSolves solves({10, plenty});
     solves.add(*call_of("alice"), begun, solution_with(3), grid);
     solves.add(*call_of("bob"), begun, solution_with(4), grid);

@@ -7,7 +7,7 @@ using namespace contactd::server;
 
 namespace {
 
-/// As ROUTER gives them: a zero byte and a number.
+/// An identity that ROUTER gives: a zero byte and a number.
 std::string given(char number) {
     return {'\0', 0, 0, 0, number};
 }

@@ -33,7 +33,7 @@ void eventually(const std::function<bool()>& condition) {
     for (int n = 0; n < 10'000 && !condition(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// A client that has said hello, so that the ROUTER knows it.
+/// A client that has sent a message, so that the ROUTER knows it.
 struct Client {
     zmq::socket_t dealer;
 
