@@ -28,7 +28,7 @@
 extern "C" {
 #endif
 
-/* --- what is contactd's own ----------------------------------------------------------------------------------- */
+/* --- functions of contactd alone ------------------------------------------------------------------------------ */
 
 /* Of this thread's last call of a function below: the sentence of its error, "" where there was none, valid until the
  * next call; `*code`, unless `code` is null, is the error's code (0, or one of those of cntc_calculate). */
@@ -48,7 +48,7 @@ void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char
 void cntc_finalize(int* ire);
 void cntc_finalizelast(void);
 
-/* --- what to do: pairs of code and value ---------------------------------------------------------------------- */
+/* --- flags: pairs of code and value --------------------------------------------------------------------------- */
 
 void cntc_setglobalflags(int* lenflg, int* params, int* values);
 void cntc_setflags(int* ire, int* icp, int* lenflg, int* params, int* values);
@@ -58,14 +58,14 @@ void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* ipara
 
 /* --- bodies and friction -------------------------------------------------------------------------------------- */
 
-/* imeth 0: [nu1, nu2, G1, G2]. */
+/* With imeth 0 rparam is [nu1, nu2, G1, G2]. */
 void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
 /* imeth 0: [fstat, fkin], which must be equal; 2 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0], f2 = memdst = 0. */
 void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params);
-/* itask 2: what the material was set to, 3: friction. */
+/* itask 2 answers the material that was set, 3 the friction. */
 void cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values);
 
-/* --- where the bodies may touch, and how far they are apart --------------------------------------------------- */
+/* --- potential contact area and undeformed distance ----------------------------------------------------------- */
 
 void cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
 void cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam);
@@ -75,7 +75,7 @@ void cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values);
 void cntc_getnumelements(int* ire, int* icp, int* mx, int* my);
 void cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy);
 
-/* --- how they are pressed, and how they move ------------------------------------------------------------------ */
+/* --- load and motion ------------------------------------------------------------------------------------------ */
 
 void cntc_setpenetration(int* ire, int* icp, double* pen);
 void cntc_setnormalforce(int* ire, int* icp, double* fn);

@@ -1,4 +1,4 @@
-// What the daemon says of itself, read from replies that have passed their schemas.
+// Reports of the daemon on itself, read from replies that have passed their schemas.
 #pragma once
 
 #include <nlohmann/json.hpp>

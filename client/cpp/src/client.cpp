@@ -37,11 +37,11 @@ Client::Client(Client&&) noexcept = default;
 Client& Client::operator=(Client&&) noexcept = default;
 
 ServerInfo Client::info(const CallOptions& options) {
-    return impl_->quick("server.info", options).get<ServerInfo>();
+    return impl_->result_of("server.info", options).get<ServerInfo>();
 }
 
 std::string Client::health(const CallOptions& options) {
-    return impl_->quick("server.health", options)["state"].get<std::string>();
+    return impl_->result_of("server.health", options)["state"].get<std::string>();
 }
 
 std::string Client::watch_health(const std::function<void(const std::string&)>& on_state, CallOptions options) {
@@ -50,20 +50,20 @@ std::string Client::watch_health(const std::function<void(const std::string&)>& 
         if (std::exchange(last, state) != state) on_state(state);
     };
     options.on_progress = [&](const Progress& progress) { report(progress.state); };
-    report(impl_->quick("health.watch", options)["state"].get<std::string>());
+    report(impl_->result_of("health.watch", options)["state"].get<std::string>());
     return last;
 }
 
 std::string Client::describe(const CallOptions& options) {
-    return impl_->quick("server.describe", options).dump();
+    return impl_->result_of("server.describe", options).dump();
 }
 
 std::vector<Metric> Client::metrics(const CallOptions& options) {
-    return impl_->quick("server.metrics", options)["metrics"].get<std::vector<Metric>>();
+    return impl_->result_of("server.metrics", options)["metrics"].get<std::vector<Metric>>();
 }
 
 std::string Client::config(const CallOptions& options) {
-    return impl_->quick("server.config", options)["config"].dump();
+    return impl_->result_of("server.config", options)["config"].dump();
 }
 
 IcReply Client::get_ic(const IcSpec& spec, const CallOptions& options) {
@@ -106,7 +106,7 @@ std::vector<StoredIc> Client::stored_ics(const CallOptions& options, bool eviden
     json page, params = json::object();
     if (evidence) params = {{"evidence", true}, {"limit", 100}};
     do {
-        page = impl_->quick("ic.list", options, params);
+        page = impl_->result_of("ic.list", options, params);
         for (const json& table : page["tables"]) tables.push_back(table.get<StoredIc>());
         params["after"] = page.value("next", "");
     } while (page.contains("next"));
@@ -114,11 +114,11 @@ std::vector<StoredIc> Client::stored_ics(const CallOptions& options, bool eviden
 }
 
 std::vector<QuarantinedIc> Client::quarantined_ics(const CallOptions& options) {
-    return impl_->quick("ic.list", options, {{"limit", 1}})["quarantined"].get<std::vector<QuarantinedIc>>();
+    return impl_->result_of("ic.list", options, {{"limit", 1}})["quarantined"].get<std::vector<QuarantinedIc>>();
 }
 
 int Client::delete_ic(const std::string& key, const CallOptions& options) {
-    return impl_->quick("ic.delete", options, {{"key", key}})["tables"].get<int>();
+    return impl_->result_of("ic.delete", options, {{"key", key}})["tables"].get<int>();
 }
 
 namespace {
@@ -211,11 +211,11 @@ SubsurfaceReply Client::subsurface(const SubsurfaceRequest& request, const CallO
 }
 
 std::vector<SessionSummary> Client::sessions(const CallOptions& options) {
-    return impl_->quick("session.list", options)["sessions"].get<std::vector<SessionSummary>>();
+    return impl_->result_of("session.list", options)["sessions"].get<std::vector<SessionSummary>>();
 }
 
 std::vector<RecentSolve> Client::recent_solves(const CallOptions& options) {
-    return impl_->quick("solves.recent", options)["solves"].get<std::vector<RecentSolve>>();
+    return impl_->result_of("solves.recent", options)["solves"].get<std::vector<RecentSolve>>();
 }
 
 std::vector<RecentPatch> Client::recent_pressures(std::int64_t number, const CallOptions& options) {
@@ -224,11 +224,11 @@ std::vector<RecentPatch> Client::recent_pressures(std::int64_t number, const Cal
 }
 
 std::vector<Job> Client::jobs(const CallOptions& options) {
-    return impl_->quick("job.list", options)["jobs"].get<std::vector<Job>>();
+    return impl_->result_of("job.list", options)["jobs"].get<std::vector<Job>>();
 }
 
 void Client::cancel_job(const std::string& job, const CallOptions& options) {
-    impl_->quick("job.cancel", options, {{"job", job}});
+    impl_->result_of("job.cancel", options, {{"job", job}});
 }
 
 }  // namespace contactd::client

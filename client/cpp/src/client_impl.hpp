@@ -1,4 +1,4 @@
-// What the parts of the client share.
+// The part that the client's other parts share.
 #pragma once
 
 #include <iostream>
@@ -16,10 +16,10 @@ namespace contactd::client {
 
 using nlohmann::json;
 
-/// What a call waits for, which decides how long.
+/// The event that a call waits for, which decides its timeout.
 enum class Wait { for_answer, for_build };
 
-/// Where solving may need tables by finite elements.
+/// Waits for a build where solving may need tables by finite elements.
 inline Wait wait_of(const ContactSetup& setup) {
     if (setup.model != Model::full || setup.bodies.pair) return Wait::for_answer;
     for (const Body* body : {&setup.bodies.upper, &setup.bodies.lower})
@@ -73,7 +73,7 @@ class Client::Impl {
         }
     }
 
-    json quick(const std::string& method, const CallOptions& options, json params = json::object()) {
+    json result_of(const std::string& method, const CallOptions& options, json params = json::object()) {
         return call(method, std::move(params), {}, options).result;
     }
 
@@ -89,7 +89,7 @@ class Client::Impl {
         return report;
     }
 
-    /// What becomes of the build, `job` (empty: none is known), that a call has waited for.
+    /// A sentence on the build, `job` (empty: none is known), that a call has waited for.
     static std::string build_goes_on(const std::string& job) {
         const std::string what = job.empty() ? " A build that it waited for goes on in the daemon"
                                              : " The build goes on in the daemon as job " + job;
@@ -102,13 +102,13 @@ class Client::Impl {
         if (sentences.empty()) return;
         if (options_.on_warnings) return options_.on_warnings(sentences);
         for (const std::string& sentence : sentences)
-            if (told_.size() < most && told_.insert(sentence).second)
+            if (warned_.size() < most && warned_.insert(sentence).second)
                 std::cerr << "contactd: warning: " + sentence + "\n";
     }
 
     ClientOptions options_;
     Connection connection_;
-    std::set<std::string> told_;
+    std::set<std::string> warned_;
 };
 
 /// Throws ProtocolError where pressures were asked for and did not come.

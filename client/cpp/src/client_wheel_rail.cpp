@@ -24,7 +24,7 @@ const json& part_of(const json& result, const char* name) {
 
 }  // namespace
 
-// What is there has the size of its grid; read_array has seen to that.
+// Refuses an answer that lacks pressures. Those that are there have the size of their grid: read_array checks it.
 void check_pressures(const WheelRailSolution& solution, const SolutionFields& fields) {
     if (std::find(fields.begin(), fields.end(), SolutionField::pressure) == fields.end()) return;
     for (const WheelRailPatch& patch : solution.patches)
@@ -81,20 +81,21 @@ std::vector<WheelRailGeometry> Client::wheel_rail_geometry(const WheelRailSetup&
     });
 }
 
-std::vector<EquivalentConicity> Client::equivalent_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
+std::vector<EquivalentConicity> Client::equivalent_conicities(const WheelsetSetup& setup,
+                                                              const ConicityRequest& request,
                                                               const CallOptions& options) {
     validate_both(setup);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    json params = proto::encode_conicity_request(setup, wanted, arrays);
+    json params = proto::encode_conicity_request(setup, request, arrays);
     const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
     return decoded([&] { return proto::decode_conicities(part_of(reply.result, "conicities")); });
 }
 
-std::vector<WheelsetContacts> Client::wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+std::vector<WheelsetContacts> Client::wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& request,
                                                         const CallOptions& options) {
     validate_both(setup);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
-    json params = proto::encode_contacts_request(setup, wanted, arrays);
+    json params = proto::encode_contacts_request(setup, request, arrays);
     const Reply reply = impl_->call("wheelrail.geometry", std::move(params), arrays.take_frames(), options);
     return decoded([&] { return proto::decode_contacts(part_of(reply.result, "contacts")); });
 }

@@ -139,9 +139,9 @@ void Connection::connect() {
 
 Reply Connection::call(const std::string& method, json params, proto::Frames frames, milliseconds timeout,
                        const ProgressHandler& on_progress, const std::stop_token& stop) {
-    const OneAtATime turn(user_,
-                          "A call of this client runs, in another thread or in whose on_progress this is; use one "
-                          "client per thread, and another one in on_progress.");
+    const OneAtATime guard(user_,
+                           "A call of this client runs, in another thread or in whose on_progress this is; use one "
+                           "client per thread, and another one in on_progress.");
     if (process_ != ::getpid()) start_over();
     timeout = std::clamp(timeout, milliseconds{1}, longest_timeout);
     const std::string id = id_prefix_ + std::to_string(++calls_);
@@ -167,8 +167,8 @@ Reply Connection::await(const std::string& id, const std::string& method, millis
                         const ProgressHandler& on_progress, const std::stop_token& stop) {
     const auto deadline = Clock::now() + timeout + grace;
     while (true) {
-        const auto patience = stop.stop_possible() ? std::min(deadline, Clock::now() + stop_interval) : deadline;
-        proto::Frames message = receive(patience);
+        const auto until = stop.stop_possible() ? std::min(deadline, Clock::now() + stop_interval) : deadline;
+        proto::Frames message = receive(until);
         if (message.empty() && stop.stop_requested())
             throw StatusError(StatusCode::cancelled, reason::request_cancelled,
                               "The call of " + method + " was stopped.");
@@ -198,7 +198,7 @@ void Connection::cancel(const std::string& id) noexcept {
                            {"id", id + "-cancel"},
                            {"method", "request.cancel"},
                            {"params", {{"id", id}}}};
-        // Who gives up ends the connection perhaps at once: this may still go out.
+        // A caller that gives up may end the connection at once; the request must still go out.
         sockets_->socket.set(zmq::sockopt::linger, cancel_linger_ms);
         sockets_->socket.send(zmq::buffer(proto::dump(request)), zmq::send_flags::dontwait);
     } catch (const std::exception&) {  // the daemon has gone, and the request with it

@@ -58,7 +58,7 @@ class Connection {
     void check_process() const;
     Reply await(const std::string& id, const std::string& method, std::chrono::milliseconds timeout,
                 const ProgressHandler& on_progress, const std::stop_token& stop);
-    /// Tells the daemon that nobody waits for the request any more; its answers are dropped as they come.
+    /// Tells the daemon that the request is abandoned; its answers are dropped as they come.
     void cancel(const std::string& id) noexcept;
     void connect();
     void wait_until_connected();

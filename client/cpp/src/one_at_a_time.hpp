@@ -1,4 +1,4 @@
-// One user at a time, told by the process that it runs in.
+// One user at a time, by the process that it runs in.
 #pragma once
 
 #include <unistd.h>

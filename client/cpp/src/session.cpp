@@ -59,7 +59,7 @@ void AnySession::close(const CallOptions& options) {
 }
 
 const std::string& AnySession::name() const {
-    return impl_->told().session;
+    return impl_->reply().session;
 }
 
 std::string AnySession::release() {
@@ -72,11 +72,11 @@ long long AnySession::step_number() const {
 }
 
 double AnySession::lease_seconds() const {
-    return impl_->told().lease_seconds;
+    return impl_->reply().lease_seconds;
 }
 
 std::size_t AnySession::bytes() const {
-    return impl_->told().bytes;
+    return impl_->reply().bytes;
 }
 
 Session::Session(std::unique_ptr<Impl> impl) : AnySession(std::move(impl)) {}
@@ -96,7 +96,7 @@ StepReply Session::step(const StepInput& input, const CallOptions& options) {
 }
 
 const IcUses& Session::ics() const {
-    return impl().told().ics;
+    return impl().reply().ics;
 }
 
 WheelRailSession::WheelRailSession(std::unique_ptr<Impl> impl) : AnySession(std::move(impl)) {}

@@ -15,8 +15,8 @@ constexpr const char* in_use =
 
 }  // namespace
 
-AnySession::Impl::Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step, Wait wait)
-    : client_(client), grid_(grid), told_(std::move(told)), wait_(wait), step_(step), process_(::getpid()) {}
+AnySession::Impl::Impl(Client& client, std::optional<Grid> grid, SessionReply reply, long long step, Wait wait)
+    : client_(client), grid_(grid), reply_(std::move(reply)), wait_(wait), step_(step), process_(::getpid()) {}
 
 std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const SessionSpec& spec,
                                                            const CallOptions& options) {
@@ -40,14 +40,14 @@ std::unique_ptr<AnySession::Impl> AnySession::Impl::opened(Client& client, const
 
 std::unique_ptr<AnySession::Impl> AnySession::Impl::joined(Client& client, const std::string& name, Kind kind,
                                                            const CallOptions& options) {
-    const json result = client.impl_->quick("session.info", options, {{"session", name}});
+    const json result = client.impl_->result_of("session.info", options, {{"session", name}});
     SessionInfo info = decoded([&] { return proto::decode_session_info(result); });
     if (info.grid.has_value() != (kind == Kind::contact))
         throw InvalidArgument("name", info.grid ? "is that of the session of a contact; join it by Session::join"
                                                 : "is that of the session of a wheel on its rail; join it by "
                                                   "WheelRailSession::join");
-    SessionReply told{name, info.lease_seconds, info.bytes, std::move(info.ics)};
-    return std::make_unique<Impl>(client, info.grid, std::move(told), info.step);
+    SessionReply reply{name, info.lease_seconds, info.bytes, std::move(info.ics)};
+    return std::make_unique<Impl>(client, info.grid, std::move(reply), info.step);
 }
 
 bool AnySession::Impl::has_to_end() const {
@@ -68,9 +68,9 @@ void AnySession::Impl::check_process() const {
 
 json AnySession::Impl::ask(const char* method, const CallOptions& options, json more) {
     check_process();
-    const OneAtATime turn(user_, in_use);
-    more["session"] = told_.session;
-    return client_.impl_->quick(method, options, std::move(more));
+    const OneAtATime guard(user_, in_use);
+    more["session"] = reply_.session;
+    return client_.impl_->result_of(method, options, std::move(more));
 }
 
 long long AnySession::Impl::number_of(bool again) {
@@ -82,7 +82,7 @@ proto::StepAsked AnySession::Impl::asked(const Step& step) {
     if (const auto* wheel = std::get_if<const WheelRailStepInput*>(&step.input))
         validate_below("wheelrail.state", (*wheel)->state);
     const bool again = std::visit([](const auto* input) { return input->again; }, step.input);
-    return {told_.session, number_of(again), step.input, grid_};
+    return {reply_.session, number_of(again), step.input, grid_};
 }
 
 void AnySession::Impl::note(const proto::StepAsked& asked, const AnyStepOrStatus& answer) {
@@ -96,7 +96,7 @@ void AnySession::Impl::note(const proto::StepAsked& asked, const AnyStepOrStatus
 AnyStepOrStatus AnySession::Impl::step(std::variant<const StepInput*, const WheelRailStepInput*> input,
                                        const CallOptions& options) {
     check_process();
-    const OneAtATime turn(user_, in_use);
+    const OneAtATime guard(user_, in_use);
     proto::ArrayWriter arrays(proto::ArrayEncoding::frame);
     const proto::StepAsked step = asked({*this, input});
     const json params = proto::encode_step(step, arrays);
@@ -114,14 +114,14 @@ std::vector<AnyStepOrStatus> AnySession::Impl::step_many(std::span<const Step> s
         if (&steps[i].session.client_ != &client)
             throw InvalidArgument(field, "is of another client than steps[0].session; all must be of one");
         for (std::size_t k = 0; k < i; ++k)
-            if (steps[k].session.told_.session == steps[i].session.told_.session)
+            if (steps[k].session.reply_.session == steps[i].session.reply_.session)
                 throw InvalidArgument(field,
                                       "is that of steps[" + std::to_string(k) + "]; each takes one step at a time");
     }
-    std::vector<std::unique_ptr<const OneAtATime>> turns;
+    std::vector<std::unique_ptr<const OneAtATime>> guards;
     for (const Step& step : steps) {
         step.session.check_process();
-        turns.push_back(std::make_unique<const OneAtATime>(step.session.user_, in_use));
+        guards.push_back(std::make_unique<const OneAtATime>(step.session.user_, in_use));
     }
     std::vector<proto::StepAsked> all;
     for (const Step& step : steps) all.push_back(step.session.asked(step));

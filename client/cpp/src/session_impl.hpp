@@ -1,4 +1,4 @@
-// What sessions are made of.
+// The implementation of sessions.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ namespace contactd::client {
 class AnySession::Impl {
    public:
     /// `grid` is that of a contact.
-    Impl(Client& client, std::optional<Grid> grid, SessionReply told, long long step, Wait wait = Wait::for_answer);
+    Impl(Client& client, std::optional<Grid> grid, SessionReply reply, long long step, Wait wait = Wait::for_answer);
 
     static std::unique_ptr<Impl> opened(Client& client, const SessionSpec& spec, const CallOptions& options);
     static std::unique_ptr<Impl> opened(Client& client, const WheelRailSessionSpec& spec, const CallOptions& options);
@@ -37,11 +37,11 @@ class AnySession::Impl {
         Impl& session;
         std::variant<const StepInput*, const WheelRailStepInput*> input;
     };
-    /// Of one client, at least one.
+    /// Takes at least one step; all are of one client.
     static std::vector<AnyStepOrStatus> step_many(std::span<const Step> steps, const CallOptions& options);
     void go_to(long long step) { step_ = asked_ = step; }
 
-    const SessionReply& told() const { return told_; }
+    const SessionReply& reply() const { return reply_; }
     long long step_number() const { return step_; }
 
    private:
@@ -54,7 +54,7 @@ class AnySession::Impl {
 
     Client& client_;
     const std::optional<Grid> grid_;
-    const SessionReply told_;
+    const SessionReply reply_;
     const Wait wait_;  // of its steps
     long long step_;
     long long asked_ = step_;  // the number that was asked for last

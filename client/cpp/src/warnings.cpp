@@ -13,7 +13,7 @@ struct Part {
     const char* name;   ///< in answers
     const char* shown;  ///< what the request calls it; empty: it is of the whole
 };
-/// Where answers have warnings besides at their top.
+/// Parts of answers that have warnings of their own.
 constexpr Part parts[] = {{"result", ""},
                           {"evidence", ""},
                           {"ics", ""},
@@ -53,7 +53,7 @@ class Collected {
             return std::find(found_.begin(), found_.end(), text) != found_.end();
         };
         std::string text = part.empty() ? sentence : part + ": " + sentence;
-        if (!is_found(sentence) && !is_found(text)) found_.push_back(std::move(text));  // the whole has said it already
+        if (!is_found(sentence) && !is_found(text)) found_.push_back(std::move(text));  // the whole has it already
     }
 
     std::vector<std::string> found_;

@@ -1,4 +1,4 @@
-// What answers warn of.
+// Warnings of answers.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ std::span<const int> integers(const int* values, const int* count, int least, co
 /// An array to be filled, of which `least` numbers are needed. Whatever it is too short for is no number.
 std::span<double> room(double* values, const int* count, std::size_t least, const char* name);
 
-/// Where numbers go out: NaN until there is one, and nowhere where the caller passes null.
+/// Sets outputs to NaN, which stays until there is a number; does nothing where the caller passes null.
 void clear(double* value);
 void clear(double* values, const int* count);
 

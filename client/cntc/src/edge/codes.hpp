@@ -3,7 +3,7 @@
 
 namespace contactd::cntc {
 
-/// What cntc_calculate answers, where it is negative.
+/// The negative answers of cntc_calculate.
 namespace error_code {
 inline constexpr int normal = -27;          ///< did not converge
 inline constexpr int tangential = -28;      ///< did not converge

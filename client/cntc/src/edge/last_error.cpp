@@ -54,8 +54,8 @@ int report(const char* function) noexcept {
     return error.code;
 }
 
-void print_errors(bool wanted) noexcept {
-    prints = wanted;
+void print_errors(bool enabled) noexcept {
+    prints = enabled;
 }
 
 }  // namespace contactd::cntc

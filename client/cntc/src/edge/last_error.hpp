@@ -1,4 +1,4 @@
-// What became of a thread's last call.
+// The outcome of a thread's last call.
 #pragma once
 
 namespace contactd::cntc {
@@ -11,6 +11,6 @@ void begin_call() noexcept;
 int report(const char* function) noexcept;
 
 /// Whether errors are printed on standard error; they are unless somebody says no.
-void print_errors(bool wanted) noexcept;
+void print_errors(bool enabled) noexcept;
 
 }  // namespace contactd::cntc

@@ -7,7 +7,7 @@
 
 namespace contactd::cntc {
 
-/// What cannot be done; `what()` is a whole sentence.
+/// A call that cannot be carried out; `what()` is a whole sentence.
 class Refused : public Error {
    public:
     Refused(int code, const std::string& sentence) : Error(sentence), code_(code) {}
@@ -17,7 +17,7 @@ class Refused : public Error {
     int code_;
 };
 
-/// The same of whatever was thrown; called while it is handled.
+/// The refusal that stands for the exception being handled.
 Refused refused_of_exception();
 
 }  // namespace contactd::cntc

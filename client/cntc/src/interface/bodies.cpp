@@ -1,4 +1,4 @@
-// What the bodies are made of, and the friction between them.
+// Materials of the bodies, and the friction between them.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ enum Law { coulomb = 0, keep = 1, linear = 2, exponential = 4 };
 FrictionLaw coulomb_of(const std::vector<double>& given) {
     if (given[0] != given[1])
         refuse_friction(
-            "fstat and fkin differ; a friction that falls at once to another value has no solution here. "
+            "fstat and fkin differ; friction that changes to another value at the first slip has no solution here. "
             "Give the same, or a law that falls with the slip velocity (2 or 4).");
     if (given[0] < 0) refuse_friction("fstat is negative.");
     return {{given[0]}};

@@ -1,4 +1,4 @@
-// What every function of the interface does around its own work: handles, locks, and no exception beyond.
+// The frame of every function of the interface: it finds handles, locks them, and lets no exception out.
 #pragma once
 
 #include <exception>

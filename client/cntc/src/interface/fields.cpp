@@ -1,4 +1,4 @@
-// What is a number an element.
+// Results with one number an element.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ void fill(const Values& found, double unit, std::span<double> out, std::size_t e
     for (std::size_t i = 0; i < elements; ++i) out[i] = found.empty() ? 0 : found[i] / unit;
 }
 
-/// Where they are answered by one function or another.
+/// One field of the solution, as different functions answer it.
 struct Field {
     Values values;
     double unit = 1;
@@ -28,7 +28,7 @@ bool rolls(const Solved& solved) {
     return std::holds_alternative<Rolling>(solved.problem.motion);
 }
 
-/// Of slip: relative where the bodies roll, a length of shifts.
+/// The unit of slip: 1 where the bodies roll, for it is relative then, and a length for shifts.
 double slip_unit(const Solved& solved, const Units& units) {
     return rolls(solved) ? 1 : units.length;
 }
@@ -41,7 +41,7 @@ RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     return slip;
 }
 
-/// Of the motion as it was found, with what was given beside it.
+/// The rigid slip of the motion that was found, with the extra rigid slip that was given.
 RigidSlip rigid_slip_of(const Solved& solved) {
     const Grid& grid = solved.problem.grid;
     if (!solved.solution.motion) return {};
@@ -57,7 +57,7 @@ RigidSlip rigid_slip_of(const Solved& solved) {
     return slip;
 }
 
-/// As it has fallen with the slip.
+/// Coefficients of friction at the slip that was found.
 Values friction_of(const Solved& solved) {
     const ContactProblem& problem = solved.problem;
     if (!problem.friction) return {};

@@ -1,4 +1,4 @@
-// What to do: pairs of code and value.
+// Flags, which control a solve: pairs of code and value.
 #include <span>
 
 #include "interface/entry.hpp"

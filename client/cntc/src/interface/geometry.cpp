@@ -1,4 +1,4 @@
-// Where the bodies may touch, and how far they are apart.
+// The potential contact area and the undeformed distance.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,7 +81,7 @@ Distance distance_of(int base, const double* prmudf, const int* nparam, const Un
     return h;
 }
 
-/// As many of the numbers as the caller has room for.
+/// Copies as many of the numbers as the caller has room for.
 template <std::size_t count>
 void fill(const std::array<double, count>& found, double* values, const int* lenarr) {
     const auto out = room(values, lenarr, 1, "values");

@@ -21,7 +21,7 @@ void take_found(const ContactCase& problem, GivenMotion& motion) {
     if (shift.force.Fy) motion.vy = shift.rigid_shift.y / mm;
 }
 
-/// As it was set, in the units of now.
+/// The motion that was set, in the units that hold now.
 GivenMotion in_units(GivenMotion motion, double length, bool rolls) {
     const double change = motion.length / length;
     if (rolls)

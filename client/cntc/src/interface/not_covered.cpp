@@ -1,4 +1,4 @@
-// What a program may look up, and contactd does not do: it says so, and answers no number.
+// Functions that programs look up and contactd does not have: they report that, and answer no number.
 #include "interface/entry.hpp"
 
 using namespace contactd::cntc;

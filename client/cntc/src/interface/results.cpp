@@ -8,7 +8,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Of many problems the first that failed, or the largest number of elements at the border.
+/// Returns the first error of many problems, or else the largest number of elements at the border.
 int calculate_all(int ire, int icp) {
     int border = 0;
     std::exception_ptr failed;

@@ -11,7 +11,7 @@ namespace {
 enum Method { usual = 0, keep = 1, of_sensitivities = 6 };
 
 /// Solvers are contactd's own, whichever is named. A tolerance makes theirs smaller, never larger: it is one of other
-/// stop tests, and contactd's own cost little.
+/// stopping criteria, and contactd's own cost little.
 ContactSettings with_tolerance(ContactSettings settings, double eps) {
     if (!(eps > 0 && eps < 1)) throw Refused(error_code::input, "eps must lie between 0 and 1.");
     const ContactSettings own;
@@ -21,8 +21,8 @@ ContactSettings with_tolerance(ContactSettings settings, double eps) {
     return settings;
 }
 
-/// maxgs bounds the iterations of both solvers, maxout the turns between them. One turn is what a program says whose
-/// bodies are alike, and contactd's turns serve friction laws, too: so 1 leaves them as they are. maxin and maxnr are
+/// maxgs bounds the iterations of both solvers, maxout the outer iterations. Programs with quasi-identical bodies set
+/// maxout to 1, and contactd's outer iterations serve friction laws, too: so 1 leaves their bound. maxin and maxnr are
 /// of loops that contactd does not have.
 ContactSettings with_bounds(ContactSettings settings, int maxgs, int maxout) {
     if (maxgs < 1 || maxout < 1)

@@ -25,7 +25,7 @@ double curvature(double radius) {
     return 1 / (2 * radius);
 }
 
-/// What the load makes of Hertz's contact.
+/// The load, from which Hertz's contact follows.
 struct Load {
     bool by_force;
     double compliance;  ///< 1/E* (mm^2/N)
@@ -96,7 +96,7 @@ HertzResult hertz_of(const HertzArea& area, const Settings& settings) {
     }
 }
 
-/// A line contact ends where it is said to end.
+/// A line contact ends at the given half width.
 Grid grid_of(const HertzArea& area, const HertzResult& hertz) {
     const double scale_y = area.option >= -3 ? area.scale : 1;
     return Grid::centred(area.mx, area.my, 2 * hertz.axes.a * area.scale / area.mx,

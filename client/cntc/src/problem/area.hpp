@@ -1,4 +1,4 @@
-// Where the bodies may touch, and how far they are apart undeformed.
+// The potential contact area and the undeformed distance.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct Area {
     std::optional<HertzResult> hertz;  ///< where the elements follow from it
 };
 
-/// Where the elements lie: of a Hertz contact it follows from the load, which must be set. Throws Refused, and
+/// The grid of elements. That of a Hertz contact follows from the load, which must be set. Throws Refused, and
 /// InvalidArgument of Hertz's formulas.
 Grid grid_of(const Settings& settings);
 /// Throws Refused where the elements do not follow from a Hertz contact.

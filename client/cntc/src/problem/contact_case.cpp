@@ -43,7 +43,8 @@ void require_converged(const ContactEvidence& evidence) {
     if (evidence.outer && !evidence.outer->converged)
         throw Refused(
             error_code::tolerance,
-            std::string("The turns between pressures, tractions and friction stopped above the tolerance.") + found);
+            std::string("The outer iterations between pressures, tractions and friction stopped above the tolerance.") +
+                found);
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ int calculate(ContactCase& problem) {
     problem.current = true;
     Solved& solved = *problem.solved;
     require_converged(solved.solution.evidence);
-    if (const int wanted = settings.digits(flag::sensitivities); wanted != 0)
-        solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, wanted == 3);
+    if (const int digit = settings.digits(flag::sensitivities); digit != 0)
+        solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);
     return solved.solution.elements.border;
 }
 

@@ -23,7 +23,7 @@ class ContactSolver {
     Displacements displacements(const ContactProblem& problem, const ContactSolution& solution);
 
    private:
-    /// What operators depend on, beside the step.
+    /// The inputs that operators depend on, beside the step.
     struct Key {
         int nx, ny;
         double dx, dy;

@@ -20,7 +20,7 @@ struct LastCase {
 ContactProblem problem_of(const Settings& settings, const LastCase* last,
                           const std::function<double(const ContactProblem&)>& normal_force);
 
-/// Where spin is evaluated: dq/6 ahead of the element's centre.
+/// Spin is evaluated dq/6 ahead of the element's centre.
 inline constexpr double spin_offset = 1.0 / 6;
 
 }  // namespace contactd::cntc

@@ -17,7 +17,7 @@ constexpr int inputs = 4;           // the approach, and the motion along x, alo
 using Outputs = std::array<double, 4>;
 
 /// Approach and motion prescribed as they were found, and solved as well as it goes.
-ContactProblem held(const ContactProblem& problem, const ContactSolution& solution) {
+ContactProblem at_solution(const ContactProblem& problem, const ContactSolution& solution) {
     ContactProblem result = problem;
     if (const auto paraboloid = paraboloid_of(problem)) result.gap = *paraboloid;
     result.Fn.reset();
@@ -53,7 +53,7 @@ double by(const std::optional<DerivativesOfAnswer>& answer, int in) {
     return (in == 1 ? answer->xi : in == 2 ? answer->eta : answer->phi).value_or(0);
 }
 
-/// Of the forces over mu Fn, which changes, too.
+/// Sensitivities of the forces over mu Fn, which changes, too.
 Sensitivities by_derivatives(ContactProblem problem, ContactSolver& solver, bool rubs) {
     Sensitivities result;
     for (auto& row : result) row.fill(nothing);
@@ -79,7 +79,7 @@ Sensitivities by_derivatives(ContactProblem problem, ContactSolver& solver, bool
     return result;
 }
 
-/// What the inputs are measured in: the approach in itself, motions in what makes forces of the size of mu Fn.
+/// The scale of an input: the approach itself, and for a motion that which makes forces of the size of mu Fn.
 double unit_of(const ContactProblem& problem, const ContactSolution& solution, int in) {
     if (in == 0) return std::abs(solution.approach);
     const double size = std::sqrt(std::max(solution.area.contact, problem.grid.element_area()) / std::numbers::pi);
@@ -120,7 +120,7 @@ Sensitivities by_differences(const ContactProblem& base, const ContactSolution& 
 Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution& solution, ContactSolver& solver,
                             bool tangential) {
     const bool rubs = tangential && problem.friction && problem.friction->mu_of(0) > 0 && solution.forces.Fn > 0;
-    ContactProblem base = held(problem, solution);
+    ContactProblem base = at_solution(problem, solution);
     if (!rubs) base.friction.reset();
     // With a slip law core has no derivatives.
     if (rubs && problem.friction->kinetic) return by_differences(base, solution, solver);

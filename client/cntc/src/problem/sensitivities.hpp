@@ -5,7 +5,7 @@
 
 namespace contactd::cntc {
 
-/// At the approach and motion of the solution, whichever of them was prescribed, the division of the elements held;
+/// Sensitivities at the approach and motion of the solution, prescribed or not, with a frozen element division;
 /// with a slip law central differences of solves with tight tolerances. Without `tangential`, or without friction, only
 /// that of Fn by the approach, and NaN else. Throws Refused where a solve misses its tolerance.
 Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution& solution, ContactSolver& solver,

@@ -1,4 +1,4 @@
-// What a program has set of a contact problem, as plain values in mm, N, s, rad.
+// The settings of a contact problem, as plain values in mm, N, s, rad.
 #pragma once
 
 #include <array>
@@ -85,7 +85,7 @@ struct Settings {
     std::optional<RelativeForce> force;
     std::optional<GivenSlip> extra_slip;
     std::map<int, GivenBlock> blocks;
-    /// What was set and cannot be used, by what it is: no solve while there is any.
+    /// Settings that cannot be used, by name: nothing is solved while there are any.
     std::map<std::string, Refused> refused;
 };
 

@@ -73,7 +73,7 @@ constexpr std::array components{&SubsurfaceStress::xx,       &SubsurfaceStress::
                                 &SubsurfaceStress::xy,       &SubsurfaceStress::xz, &SubsurfaceStress::yz,
                                 &SubsurfaceStress::von_mises};
 
-/// The layers of one body: whose frame is mirrored for the upper one, which turns xz and yz.
+/// The layers of one body. The frame of the upper one is mirrored, which changes the signs of xz and yz.
 void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
     const bool upper = body == ContactBody::upper;
     std::vector<std::size_t> layers;
@@ -93,11 +93,11 @@ void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
         upper ? bodies.upper.nu : bodies.lower.nu, inside, observer);
     const std::size_t layer = inside.x.size() * inside.y.size();
     for (const auto component : components) {
-        const bool turns = upper && (component == &SubsurfaceStress::xz || component == &SubsurfaceStress::yz);
+        const bool changes_sign = upper && (component == &SubsurfaceStress::xz || component == &SubsurfaceStress::yz);
         for (std::size_t k = 0; k < layers.size(); ++k)
             for (std::size_t i = 0; i < layer; ++i) {
                 const double value = (stress.*component)[k * layer + i];
-                (block.stress.*component)[layers[k] * layer + i] = turns ? 0 - value : value;
+                (block.stress.*component)[layers[k] * layer + i] = changes_sign ? 0 - value : value;
             }
     }
 }

@@ -45,8 +45,8 @@ struct ClientOptions {
     /// How long a call looks for its answer before its thread sleeps. Waking it takes 20 to 50 us, which this saves
     /// while it keeps a processor busy (docs/performance.md).
     std::chrono::microseconds spin{};
-    /// Hears what an answer warns of, once an answer that does: whole sentences, which of several problems, steps or
-    /// patches begin with the part that they are of ("problems[3]: "). Called in the calling thread before the call
+    /// Receives the warnings of an answer, all at once: whole sentences, which of several problems, steps or patches
+    /// begin with the part that they are of ("problems[3]: "). Called in the calling thread before the call
     /// returns; it must neither throw nor use this client. Empty: each sentence goes to standard error, once for each
     /// client. `[](const auto&) {}` silences them; answers have them all the same.
     std::function<void(const std::vector<std::string>& sentences)> on_warnings{};
@@ -58,20 +58,20 @@ struct Progress {
     std::string stage;                            ///< "pcg", "normal", ...
     double fraction = 0;                          ///< of the whole work, 0..1, an estimate
     int iteration = 0;                            ///< within the stage
-    double residual = 0;                          ///< the figure the stage's stop test compares
+    double residual = 0;                          ///< the figure that the stage's stopping criterion compares
     std::string state{};                          ///< of watch_health
     std::optional<double> seconds_left{};         ///< time to go for the whole work (s), where there is an estimate
     std::optional<std::uint64_t> memory_bytes{};  ///< the most that a build will take, where there is an estimate
 };
 
 struct CallOptions {
-    /// Instead of the client's own. Sent to the daemon, which answers DEADLINE_EXCEEDED, and enforced here half a
-    /// second later, should no answer come.
+    /// The timeout in place of the client's own. It is sent to the daemon, which answers DEADLINE_EXCEEDED, and
+    /// enforced here half a second later, should no answer come.
     std::optional<std::chrono::milliseconds> timeout{};
     /// Called in the calling thread while the call waits. An exception it throws ends the call.
     std::function<void(const Progress&)> on_progress{};
-    /// Ends the call with StatusError (CANCELLED) soon after a stop is requested, from any thread. The daemon is told,
-    /// as it is when a call times out or on_progress throws; a build goes on for its cache.
+    /// Ends the call with StatusError (CANCELLED) soon after a stop is requested, from any thread. The daemon learns of
+    /// it, as it is when a call times out or on_progress throws; a build goes on for its cache.
     std::stop_token stop{};
 };
 
@@ -96,7 +96,7 @@ class Client {
     std::string watch_health(const std::function<void(const std::string&)>& on_state, CallOptions options = {});
     /// The OpenRPC document of the service, JSON as text.
     std::string describe(const CallOptions& options = {});
-    /// What is measured of the daemon.
+    /// Metrics of the daemon.
     std::vector<Metric> metrics(const CallOptions& options = {});
     /// The configuration of the daemon but for secrets and what names files, programs, variables and addresses, JSON as
     /// text.
@@ -130,7 +130,7 @@ class Client {
     int delete_ic(const std::string& key, const CallOptions& options = {});
 
     /// Solves a contact problem. A solution that missed its tolerance is returned and says so (converged()).
-    /// Who wants forces only names no fields: arrays that were not asked for are empty.
+    /// Arrays that `fields` does not name are empty; forces need none.
     SolveReply solve(const ContactProblem& problem, const CallOptions& options = {},
                      const SolutionFields& fields = all_solution_fields);
 
@@ -164,12 +164,12 @@ class Client {
                                                        const CallOptions& options = {});
 
     /// The equivalent conicity of a rigid wheelset, for each amplitude.
-    std::vector<EquivalentConicity> equivalent_conicities(const WheelsetSetup& setup, const ConicityRequest& wanted,
+    std::vector<EquivalentConicity> equivalent_conicities(const WheelsetSetup& setup, const ConicityRequest& request,
                                                           const CallOptions& options = {});
-    /// Where a rigid wheelset touches rigid rails, for each lateral shift.
-    std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& wanted,
+    /// Contact points of a rigid wheelset on rigid rails, for each lateral shift.
+    std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& request,
                                                     const CallOptions& options = {});
-    /// The profiles as the daemon has read them, and where they lie: for whoever draws them.
+    /// The profiles as the daemon has read them, and where they lie, for drawings.
     ProfilesOfSides placed_profiles(const WheelsetSetup& setup, const CallOptions& options = {});
 
     /// The open sessions, oldest first.
@@ -179,7 +179,7 @@ class Client {
     /// user of the machine.
     std::vector<RecentSolve> recent_solves(const CallOptions& options = {});
     /// The pressures of one of them, by its number: of each of its grids. Throws StatusError (NOT_FOUND) when the
-    /// daemon has them not, or not any more.
+    /// daemon does not have them, or no longer has them.
     std::vector<RecentPatch> recent_pressures(std::int64_t number, const CallOptions& options = {});
 
     std::vector<Job> jobs(const CallOptions& options = {});

@@ -1,4 +1,4 @@
-// What the client throws beside InvalidArgument (a problem that cannot be solved as stated, found before anything is
+// Exceptions of the client beside InvalidArgument (a problem that cannot be solved as stated, found before anything is
 // sent). contactd::Error is the base of all.
 #pragma once
 
@@ -33,7 +33,7 @@ class ConcurrencyError : public Error {
     using Error::Error;
 };
 
-/// The daemon sent what is no reply of this protocol.
+/// The daemon sent a message that is not a reply of this protocol.
 class ProtocolError : public Error {
    public:
     using Error::Error;

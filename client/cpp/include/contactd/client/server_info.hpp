@@ -1,4 +1,4 @@
-// What the daemon says of itself: names as docs/protocol.md has them.
+// Reports of the daemon on itself, with the names of docs/protocol.md.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace contactd::client {
 
-/// What one message may cost, and how much may wait and be open.
+/// Bounds of one message, and of what may wait and be open.
 struct ServerLimits : MessageLimits {
     std::size_t max_grid_elements = 0;      ///< elements of one grid, offsets of one table
     std::int64_t max_queue = 0;             ///< requests that may wait for an answer
@@ -26,7 +26,7 @@ struct ServerLimits : MessageLimits {
     double max_lease_seconds = 0;         ///< longest lease of a session
 };
 
-/// Counted since the start.
+/// Counts since the start.
 struct ServerCounters {
     std::int64_t requests = 0;         ///< answered
     std::int64_t requests_failed = 0;  ///< answered with another status than OK
@@ -77,7 +77,7 @@ struct MetricSample {
     std::vector<MetricBucket> buckets;
 };
 
-/// What is measured of the daemon, as docs/operations.md lists it and Prometheus reads it.
+/// A metric of the daemon, as docs/operations.md lists it and Prometheus reads it.
 struct Metric {
     std::string name;  ///< with its unit
     std::string type;  ///< "counter", "gauge" or "histogram"
@@ -100,7 +100,7 @@ struct Job {
     std::string description{};         ///< words for people: what is built or solved
 };
 
-/// One session; its name is the key to it and is not told.
+/// One session. Its name is not listed, for whoever knows it can use the session.
 struct SessionSummary {
     double age_seconds = 0;     ///< since it was opened
     double idle_seconds = 0;    ///< since a request used it last, 0 while one does

@@ -21,7 +21,7 @@
 
 namespace contactd::client {
 
-/// What Session::save returns and Session::restore takes.
+/// A state that Session::save returns and Session::restore takes.
 struct SavedState {
     std::string name;
     long long step = 0;  ///< number of the last step when it was saved
@@ -46,10 +46,10 @@ using AnySessionStep = std::variant<SessionStep, WheelRailSessionStep>;
 /// not fail the others. With `input.again` all are tried anew, those that failed too. Throws what Session::step does,
 /// and InvalidArgument when sessions are of several clients, or one stands twice.
 std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const CallOptions& options = {});
-/// The same of contacts and wheels on rails side by side.
+/// Takes steps of contacts and of wheels on rails together, as step_many above does.
 std::vector<AnyStepOrStatus> step_many(std::span<const AnySessionStep> steps, const CallOptions& options = {});
 
-/// What sessions of contacts and of wheels on rails have in common.
+/// The common part of sessions of contacts and of wheels on rails.
 ///
 /// Belongs to the thread of its client, and to the process that opened or joined it: elsewhere, and while another of
 /// its calls runs, a call throws ConcurrencyError. Steps are numbered here: one whose answer does not come
@@ -60,9 +60,9 @@ class AnySession {
     AnySession(const AnySession&) = delete;
     AnySession& operator=(const AnySession&) = delete;
 
-    /// Keeps where the session is.
+    /// Saves the state of the session.
     SavedState save(const CallOptions& options = {});
-    /// Takes the session to a saved state, which stays: as often as wanted.
+    /// Takes the session to a saved state, which stays and can be restored again.
     void restore(const SavedState& state, const CallOptions& options = {});
     void forget(const SavedState& state, const CallOptions& options = {});
     /// Ends the session now, and says so when it has ended already (StatusError, NOT_FOUND).
@@ -96,11 +96,11 @@ class Session : public AnySession {
     /// Opens a session; returns when the tables lie ready, which may take a build. `client` outlives it. Throws
     /// InvalidArgument too, for a problem that cannot be solved as stated.
     Session(Client& client, const SessionSpec& spec, const CallOptions& options = {});
-    /// Opens a session of a problem that says all: gap, load and friction hold for the steps that name none.
+    /// Opens a session of a complete problem: its gap, load and friction hold for the steps that name none.
     Session(Client& client, const ContactProblem& problem, const CallOptions& options = {});
     /// The session of this name, where its last step left it, whoever opened it and wherever. Two who share a session
-    /// take turns, and must tell each other: the number of a step that the other one has taken is refused (StatusError,
-    /// FAILED_PRECONDITION) or, asked for in the same words, answered as the other one was. Throws StatusError
+    /// alternate, and inform each other: the number of a step that the other one has taken is refused (StatusError,
+    /// FAILED_PRECONDITION) or, asked for with the same inputs, answered as the other one was. Throws StatusError
     /// (NOT_FOUND) when it has ended, and InvalidArgument ("name") when it is of another kind.
     static Session join(Client& client, const std::string& name, const CallOptions& options = {});
 
@@ -120,7 +120,7 @@ class WheelRailSession : public AnySession {
    public:
     /// Opens a session. `client` outlives it. Throws InvalidArgument too, naming "wheelrail.setup.track.gauge", ...
     WheelRailSession(Client& client, const WheelRailSessionSpec& spec, const CallOptions& options = {});
-    /// As Session::join.
+    /// Joins a session of a wheel on its rail, as Session::join does.
     static WheelRailSession join(Client& client, const std::string& name, const CallOptions& options = {});
 
     /// Solves the next step. Throws InvalidArgument naming "wheelrail.state.position.roll", ...
