@@ -1,18 +1,32 @@
-"""Names of C++ are the field's: files and identifiers have none of the words that experts say otherwise.
+"""Names and comments are the field's: they have none of the words that experts say otherwise.
 
-Another folder is a line of FOLDERS, another word a line of WORDS. Where such a word is right, it stands with its reason
-in NAMES, as an identifier, or in FILES, for all that a file names.
+Another folder is a line of FOLDERS, another word of names a line of WORDS, another expression one of
+support/field_words.py. Where such a word is right, it stands with its reason in NAMES, as an identifier, or in FILES,
+for all that a file names.
 """
 
+import io
 import re
+import tokenize
 from fnmatch import fnmatch
 from functools import cache
 from pathlib import Path
 
 import pytest
 
+from support.field_words import everyday
+
 ROOT = Path(__file__).parents[2]
+#: Folders with C++, folders with C++ whose comments are held to it too, and folders with Python.
 FOLDERS = ["core", "engine", "tests/core", "tests/engine"]
+WITH_COMMENTS = [
+    "server", "bench", "client/cpp", "client/cntc", "packaging", "tests/server", "tests/verification", "tests/support",
+    "tests/fuzz",
+]  # fmt: skip
+PYTHON = [
+    "bench", "docs", "packaging", "tests/integration", "tests/support", "tests/fuzz", "tests/load", "tests/conformance",
+    "tests/bench", "tests/docs",
+]  # fmt: skip
 #: Whole words of a name in snake case, and what the field says.
 WORDS = {
     "turns?": "outer iteration, queue ticket, rotation",
@@ -69,6 +83,8 @@ NAMES = {
     "turn_axes": "a rotation",
     "turn_back": "a rotation of phases",
     "prism": "the keyword of the wire, for a body and for a mesh",
+    "SortColumnIndices": "MFEM's",
+    "block_column": "of a table",
     "enum_words": "the keywords of the wire",
     "HasWords": "the keywords of the wire",
 }
@@ -85,6 +101,18 @@ FILES = {
     "core/include/contactd/fem_fields.hpp": "prisms, the shape of finite elements",
     "core/types/profile_files/*": "columns of a file",
     "tests/core/fem/*": "prisms, the shape of finite elements",
+    "bench/import_time.py": "statements of Python",
+    "packaging/wheels/import_time.py": "statements of Python",
+    "bench/paper/fem/*": "prisms, the shape of finite elements",
+    "tests/bench/paper/fem/*": "prisms, the shape of finite elements",
+}
+#: Of WORDS those with an ordinary meaning in scripts: arguments and texts, tables, pathlib's and those of `--quick`.
+ORDINARY_IN_PYTHON = frozenset({"words?", "columns?", "touch|pulling", "quick"})
+#: Files that quote everyday expressions, and why.
+QUOTING = {
+    "tests/docs/test_glossary.py": "an example of what not to write",
+    "tests/integration/test_wheelset_roll.py": "a warning of core",
+    "tests/support/field_words.py": "the expressions themselves",
 }
 NO_NAMES = re.compile(
     r"""//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|^\s*\#\s*include[^\n]*""",
@@ -96,24 +124,47 @@ def snake(name):
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
 
 
-def instead_of(name):
+@cache
+def instead_of(name, ordinary=frozenset()):
     """What the field says for a word in `name`, or None."""
-    return next((term for word, term in WORDS.items() if re.search(rf"(?:^|_)(?:{word})(?:_|$)", snake(name))), None)
+    return next(
+        (
+            term
+            for word, term in WORDS.items()
+            if word not in ordinary and re.search(rf"(?:^|_)(?:{word})(?:_|$)", snake(name))
+        ),
+        None,
+    )
+
+
+def files_of(folder, *suffixes):
+    files = [path for path in sorted((ROOT / folder).rglob("*")) if path.suffix in suffixes]
+    assert files, folder
+    return files
+
+
+def names_of_cpp(path):
+    return {name for name in {path.stem, *re.findall(r"[A-Za-z_]\w*", NO_NAMES.sub(" ", path.read_text()))} if instead_of(name)}
+
+
+def names_of_python(path):
+    """But for tests, whose names are sentences."""
+    tokens = tokenize.generate_tokens(io.StringIO(path.read_text()).readline)
+    names = {path.stem, *(token.string for token in tokens if token.type == tokenize.NAME)}
+    return {name for name in names if not name.startswith("test_") and instead_of(name, ORDINARY_IN_PYTHON)}
 
 
 @cache
 def everyday_names():
     """Of each folder the pairs of a file and a name with an everyday word, exceptions among them."""
     found = {}
-    for folder in FOLDERS:
-        files = [path for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".hpp")]
-        assert files, folder
-        found[folder] = {
-            (str(path.relative_to(ROOT)), name)
-            for path in files
-            for name in {path.stem, *re.findall(r"[A-Za-z_]\w*", NO_NAMES.sub(" ", path.read_text()))}
-            if instead_of(name)
-        }
+    for folders, suffixes, names_of in (
+        ([*FOLDERS, *WITH_COMMENTS], (".cpp", ".hpp", ".h"), names_of_cpp),
+        (PYTHON, (".py",), names_of_python),
+    ):
+        for folder in folders:
+            pairs = {(str(path.relative_to(ROOT)), name) for path in files_of(folder, *suffixes) for name in names_of(path)}
+            found.setdefault(folder, set()).update(pairs)
     return found
 
 
@@ -121,10 +172,29 @@ def allowed_by_file(file):
     return [pattern for pattern in FILES if fnmatch(file, pattern)]
 
 
-@pytest.mark.parametrize("folder", FOLDERS)
+@pytest.mark.parametrize("folder", sorted({*FOLDERS, *WITH_COMMENTS, *PYTHON}))
 def test_names_are_those_of_the_field(folder):
     wrong = {pair for pair in everyday_names()[folder] if pair[1].rstrip("_") not in NAMES and not allowed_by_file(pair[0])}
     assert not wrong, "\n".join(f"{file}: {name}; the field says: {instead_of(name)}" for file, name in sorted(wrong))
+
+
+@pytest.mark.parametrize("folder", sorted({*WITH_COMMENTS, *PYTHON}))
+def test_comments_and_messages_are_those_of_the_field(folder):
+    """Names of tests, too, which are sentences."""
+    found = {}
+    for path in files_of(folder, ".cpp", ".hpp", ".h", ".py"):
+        text = re.sub(r"\btest_\w+", lambda name: name[0].replace("_", " "), path.read_text())
+        if expressions := everyday(text):
+            found[str(path.relative_to(ROOT))] = expressions
+    assert not {file: expressions for file, expressions in found.items() if file not in QUOTING}
+
+
+@pytest.mark.parametrize("folder", WITH_COMMENTS)
+def test_comments_begin_as_sentences(folder):
+    """With a subject, which is not left to the name below."""
+    begin = re.compile(r"^(?!\s*//).*\n\s*(///? (?:Of|The same|As|What) .*)|\A(// (?:Of|The same|As|What) .*)", re.MULTILINE)
+    found = [(path.name, match[0]) for path in files_of(folder, ".cpp", ".hpp", ".h") for match in begin.finditer(path.read_text())]
+    assert not found
 
 
 def test_each_exception_is_needed():

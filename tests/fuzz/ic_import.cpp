@@ -1,4 +1,4 @@
-// What ic.import is sent, up to the record that the store would keep: it is refused in words, or read; and what was
+// Requests of ic.import, up to the record that the store would keep: they are refused in words, or read; and what was
 // read is that of an elastic body, and the same when it is written and read again.
 #include "contactd/error.hpp"
 #include "contactd/ic_contents.hpp"

@@ -36,7 +36,7 @@ inline Input split(std::string_view bytes) {
     return input;
 }
 
-/// What must hold whatever came in; a fuzzer keeps the input that ends the program.
+/// Ends the program where `holds` is false; a fuzzer keeps the input that does that.
 inline void require(bool holds, const char* what) {
     if (holds) return;
     std::fprintf(stderr, "does not hold: %s\n", what);

@@ -76,7 +76,7 @@ class Mutation {
         }
     }
 
-    // What was collected below the node is gone afterwards.
+    // Nodes that were collected below the node are gone afterwards.
 
     void leave_out_of(json& object) {
         if (object.empty()) return;

@@ -1,4 +1,4 @@
-// What the section of an ic.get comes to, up to the mesh that gmsh fills its outline with: it is refused in words, or
+// Sections of ic.get, up to the mesh that gmsh fills their outline with: a section is refused in words, or
 // meshed whole. Sections are small, so that an input takes milliseconds; meshes are as fine as builders make them.
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ using namespace contactd::fem;
 
 namespace {
 
-constexpr int largest_columns = 12;
+constexpr int most_strips = 12;
 constexpr std::size_t most_pieces = 16, most_points = 100, most_edges = 400;
 
 std::size_t points_of(const Outline& outline) {
@@ -37,7 +37,7 @@ std::size_t points_of(const Outline& outline) {
 }
 
 bool is_large(const IcSpec& spec) {
-    if (spec.ny > largest_columns) return true;
+    if (spec.ny > most_strips) return true;
     if (const auto* profile = std::get_if<ProfileSection>(&spec.section->shape)) {
         const auto* points = std::get_if<ProfilePoints>(&profile->profile.shape);
         return points != nullptr && points->points.size() > most_points;
@@ -90,7 +90,7 @@ void mesh(const IcSpec& spec) {
 
 }  // namespace
 
-/// Where gmsh gives up in the midst of a mesh it throws and leaves its memory behind; a builder ends then.
+/// gmsh throws where it gives up within a mesh, and leaves its memory behind; a builder ends then.
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libgmsh.so\n";
 }

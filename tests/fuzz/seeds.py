@@ -232,7 +232,7 @@ def ic_contents() -> Iterator[bytes]:
 
 
 def ic_imports() -> Iterator[bytes]:
-    """The one coefficient under an element of a half-space, in closed form; a family of it; a prism of one column."""
+    """The one coefficient under an element of a half-space, in closed form; a family of it; a longitudinally uniform body of one strip."""
     errors = {f"evidence/error_{c}_{place}": 1e-3 for c in ("xx", "yy", "zz") for place in ("origin", "largest")}
     numbers = dict.fromkeys(("elements", "dofs", "processes", "errors_estimated"), 0)
     numbers |= {f"{stage}_seconds": 1.0 for stage in ("assembly", "setup", "solve", "total")}
@@ -264,7 +264,7 @@ def ic_imports() -> Iterator[bytes]:
 
 
 def outlines() -> Iterator[bytes]:
-    """Sections of every shape; outlines of lines, arcs, splines and holes that carry the columns themselves, or do not."""
+    """Sections of every shape; outlines of lines, arcs, splines and holes that carry the strips themselves, or do not."""
 
     def point(y: float, z: float) -> Any:
         return {"y": y, "z": z}

@@ -1,4 +1,4 @@
-// What opens a session and what steps it, up to the problem to be solved: read, or refused with a status in words.
+// Requests that open a session or step it, up to the problem to be solved: read, or refused with a status in words.
 #include "contactd/proto/session.hpp"
 
 #include "contactd/error.hpp"

@@ -118,7 +118,7 @@ TEST_CASE("a shift under a force is Cattaneo's and Mindlin's in the plane", "[ve
     CHECK_THAT(along ? motion.rigid_shift.x : motion.rigid_shift.y, WithinRel(expected, 1e-3));
 }
 
-TEST_CASE("cylinders that differ couple normal and tangential contact", "[verification]") {
+TEST_CASE("dissimilar cylinders couple normal and tangential contact", "[verification]") {
     ContactProblem problem = moved(Rolling{.xi = 0.02}, 200);  // more than what the pressure stretches them by
     problem.bodies = Bodies::of({{82000, 0.28}, {1000, 0.1}}, line_contact_ics(datum));
     problem.gap = Paraboloid{radius, std::numeric_limits<double>::infinity()};

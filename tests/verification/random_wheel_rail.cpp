@@ -32,7 +32,7 @@ int main(int count_of_arguments, char** arguments) {
     };
     const unsigned long long count = argument(1, 1000), first = argument(2, 1);
     constexpr unsigned long long states_of_each = 10;
-    std::map<std::string, int> said;
+    std::map<std::string, int> counts;
     unsigned long long wrong = 0, slow = 0;
     double slowest = 0;
     Observer observer;
@@ -48,10 +48,12 @@ int main(int count_of_arguments, char** arguments) {
                     problem.state = random_state(dice, contact);
                     const WheelRailSolution solution = contact.solve(problem.state, observer);
                     fault = wheel_rail_faults(problem, solution);
-                    ++said[solution.patches.empty() ? "no contact" : solution.converged() ? "solved" : "not converged"];
-                    for (const std::string& warning : solution.warnings) ++said["  warning: " + kind_of(warning)];
+                    ++counts[solution.patches.empty() ? "no contact"
+                             : solution.converged()   ? "solved"
+                                                      : "not converged"];
+                    for (const std::string& warning : solution.warnings) ++counts["  warning: " + kind_of(warning)];
                 } catch (const InvalidArgument& error) {
-                    ++said["refused: " + kind_of(error.what())];
+                    ++counts["refused: " + kind_of(error.what())];
                 }
                 const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
                 if (seconds > slowest) slowest = seconds;
@@ -61,10 +63,10 @@ int main(int count_of_arguments, char** arguments) {
                     std::printf("seed %llu, state %llu, %.1f s: %s\n", seed, i, seconds, fault.c_str());
             }
         } catch (const InvalidArgument& error) {
-            ++said["set-up refused: " + kind_of(error.what())];
+            ++counts["set-up refused: " + kind_of(error.what())];
         }
     }
-    for (const auto& [what, times] : said) std::printf("%6d %s\n", times, what.c_str());
+    for (const auto& [what, times] : counts) std::printf("%6d %s\n", times, what.c_str());
     std::printf("%llu wrong, %llu slow, the slowest took %.2f s\n", wrong, slow, slowest);
     return wrong > 0 || slow > 0;
 }

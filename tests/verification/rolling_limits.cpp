@@ -1,4 +1,4 @@
-// Rolling problems as a request states them: full slip, spin, and the quick models beside the full one.
+// Rolling problems as a request states them: full slip, spin, and the simplified models beside the full one.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -64,7 +64,7 @@ TEST_CASE("spin alone pushes sideways and turns against itself", "[verification]
     CHECK(solution.forces.Mz < 0);
 }
 
-TEST_CASE("quick models come near the full one", "[verification]") {
+TEST_CASE("simplified models come near the full one", "[verification]") {
     const double ratio = GENERATE(0.3, 1.0, 3.0), size = GENERATE(0.3, 1.0), spin = GENERATE(-1.0, 0.0, 1.0);
     const double a = 5 * std::sqrt(ratio), b = 5 / std::sqrt(ratio), unit = bound / (82000.0 * 25);
     ContactProblem problem =
@@ -72,9 +72,9 @@ TEST_CASE("quick models come near the full one", "[verification]") {
     const auto full = solved(problem);
     const auto error = [&](Model model) {
         problem.model = model;
-        const auto quick = solved(problem);
-        CHECK_THAT(quick.pmax, WithinRel(full.pmax, 0.01));
-        return std::hypot(quick.forces.Fx - full.forces.Fx, quick.forces.Fy - full.forces.Fy) / bound;
+        const auto simplified = solved(problem);
+        CHECK_THAT(simplified.pmax, WithinRel(full.pmax, 0.01));
+        return std::hypot(simplified.forces.Fx - full.forces.Fx, simplified.forces.Fy - full.forces.Fy) / bound;
     };
     CHECK(error(Model::fastsim) < 0.1);
     if (spin == 0) CHECK(error(Model::hertz) < 0.08);
