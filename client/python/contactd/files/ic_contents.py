@@ -1,7 +1,8 @@
 """What an IC file holds, taken apart (needs h5py): attributes and datasets by their paths, as ic.import takes them.
 
 A file may come from anywhere, and HDF5 follows what it finds in one: to other files, into filters, to sizes that the file
-has no room for. Everything that contactd does not write is refused before any data is read.
+has no room for. Everything that contactd does not write is refused before any data is read, and HDF5 reads in a process of
+its own, which it may hang.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 
 from ..errors import TableFileError
 from .hdf5 import has_own_data, need_h5py, own_members
+from .hdf5_process import read_apart
 
 __all__ = ["FileContents", "contents_of", "file_of"]
 
@@ -54,16 +56,25 @@ class FileContents:
 
 def contents_of(content: bytes, name: str) -> FileContents:
     """What the bytes of a file hold; `name` is for the words of the TableFileError that says what is wrong with them."""
-    h5py = need_h5py()
+    need_h5py()
     _check_digest(name, content)
-    image = content[_USER_BLOCK:]
+    try:
+        return FileContents(**read_apart(contents_of_image, content[_USER_BLOCK:]))
+    except ValueError as error:
+        raise TableFileError(f"{name}: {error}") from None
+
+
+def contents_of_image(image: bytes) -> dict[str, Any]:
+    """Attributes and datasets of what follows the digest. Raises TableFileError; a file may have h5py raise anything else."""
+    h5py = need_h5py()
     try:
         with h5py.File(io.BytesIO(image), "r") as file:
-            return _Reader(h5py, len(image)).read(file)
-    except TableFileError as error:
-        raise TableFileError(f"{name}: {error}") from None
-    except (OSError, KeyError, ValueError, TypeError, IndexError, RuntimeError, OverflowError, MemoryError) as error:
-        raise TableFileError(f"{name} is no IC file that this version can read: {error}") from None
+            found = _Reader(h5py, len(image)).read(file)
+    except TableFileError:
+        raise
+    except (OSError, KeyError, ValueError, TypeError, IndexError, RuntimeError, OverflowError) as error:
+        raise TableFileError(f"this is no IC file that this version can read: {error}") from None
+    return {"attributes": found.attributes, "datasets": found.datasets}
 
 
 def _check_digest(name: str, content: bytes) -> None:

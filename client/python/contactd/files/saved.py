@@ -14,6 +14,7 @@ from ..errors import ContactdError, SavedFileError
 from ..refusals import public
 from ..values.dictionaries import Saved, from_dict, to_dict
 from .hdf5 import has_own_data, own_members
+from .hdf5_process import read_apart
 from .whole import MOST_BYTES, read_whole, write_whole
 
 __all__ = ["load", "save"]
@@ -47,19 +48,34 @@ def load(path: PathLike) -> Any:
 
     Raises SavedFileError when the file holds none, or a damaged one, and OSError when it cannot be read.
     """
-    h5py, name, content = _h5py(), os.fspath(path), read_whole(path, MOST_BYTES)
+    _h5py()
+    name, content = os.fspath(path), read_whole(path, MOST_BYTES)
+    try:
+        told = read_apart(told_in, content)
+    except ValueError as error:
+        raise SavedFileError(f"{name}: {error}") from None
+    try:
+        return from_dict(_protect(told))
+    except ValueError as error:
+        raise SavedFileError(f"{name} holds nothing that can be loaded: {error}") from None
+
+
+def told_in(content: bytes) -> Any:
+    """What to_dict told of the value that the content of a file holds. ValueError has the words for what is none; a file may
+    have h5py raise anything else."""
+    h5py = _h5py()
     try:
         with h5py.File(io.BytesIO(content), "r") as file:
-            if (found := file.attrs.get("contactd_saved")) != _FORMAT:
-                other = "of contactd's problems and solutions" if found is None else f"of format {_FORMAT} but {found}"
-                raise SavedFileError(f"{name} is no file {other}; Client.export_ic's are read by load_table")
-            if not isinstance(file.get("value", getlink=True), h5py.HardLink):
-                raise SavedFileError(f"{name} has its value somewhere else; save() writes files that have all in them")
-            return from_dict(_read(file["value"], _LARGEST_GAIN * len(content)))
+            found = file.attrs.get("contactd_saved")
+            is_here = isinstance(file.get("value", getlink=True), h5py.HardLink)
+            if found == _FORMAT and is_here:
+                return _read(file["value"], _LARGEST_GAIN * len(content))
     except (OSError, KeyError, ValueError, RuntimeError) as error:
-        if isinstance(error, SavedFileError):
-            raise
-        raise SavedFileError(f"{name} holds nothing that can be loaded: {error}") from None
+        raise ValueError(f"it holds nothing that can be loaded: {error}") from None
+    if found == _FORMAT:
+        raise ValueError("it has its value somewhere else; save() writes files that have all in them")
+    other = "of contactd's problems and solutions" if found is None else f"of format {_FORMAT} but {found}"
+    raise ValueError(f"it is no file {other}; Client.export_ic's are read by load_table")
 
 
 def _h5py() -> Any:
@@ -114,10 +130,16 @@ def _read(group: Any, most_bytes: int) -> Any:
             found[name] = member[()]
     if group.attrs[_GROUP] == "sequence":
         return [found[str(number)] for number in range(len(found))]
-    for array in found.values():
-        if isinstance(array, np.ndarray):
-            array.flags.writeable = False
     return found
+
+
+def _protect(told: Any) -> Any:
+    """The same with arrays that can only be read: what was loaded may be the history of several problems."""
+    if isinstance(told, np.ndarray):
+        told.flags.writeable = False
+    for part in told.values() if isinstance(told, dict) else told if isinstance(told, list) else ():
+        _protect(part)
+    return told
 
 
 def _of_attribute(value: Any) -> Any:

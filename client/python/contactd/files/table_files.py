@@ -13,7 +13,6 @@ import io
 import json
 import math
 import os
-import zipfile
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -26,7 +25,7 @@ from ..values.answers import read
 from ..values.contact_params import table_params
 from ..values.evidence import IcEvidence
 from ..values.tables import IcSpec, IcTable, TableIcs, check_finite
-from .whole import MOST_BYTES, check_npy, read_whole, write_whole
+from .whole import MOST_BYTES, arrays_of, read_whole, write_whole
 
 __all__ = ["load_table", "save_table"]
 
@@ -94,7 +93,7 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
     name = os.fspath(path)
     content = io.BytesIO(read_whole(path, MOST_BYTES))
     try:
-        members = {} if content.getvalue().startswith(_ONE_ARRAY) else _members_of(content)
+        members = {} if content.getvalue().startswith(_ONE_ARRAY) else arrays_of(content)
     except Exception:  # there is no end of what zipfile and numpy raise for a damaged archive, and of what they advise
         raise TableFileError(f"{name} is no archive of numpy, or damaged; save_table writes one that can be read") from None
     array = members.get("array")
@@ -124,25 +123,6 @@ def _read_npz(path: PathLike) -> IcTable | TableIcs:
         raise TableFileError(f'{name}: "frames" must be finite and of shape [ny, 3], ny = {spec.grid.ny}')
     _check(array, spec, name)
     return IcTable(str(members.get("key", "")), "file", spec, array, evidence, frames)
-
-
-def _members_of(content: io.BytesIO) -> dict[str, np.ndarray[Any, Any]]:
-    _check_archive(content)
-    content.seek(0)
-    archive = np.load(content, allow_pickle=False)
-    return {member: archive[member] for member in archive.files}
-
-
-def _check_archive(content: io.BytesIO) -> None:
-    """Raises, before memory is taken for it, where a member is not the array that its header promises, or where all take far
-    more than the file: numbers are not compressed a hundredfold."""
-    with zipfile.ZipFile(content) as archive:
-        members = archive.infolist()
-        if sum(member.file_size for member in members) > 1_000_000 + 100 * content.getbuffer().nbytes:
-            raise ValueError("it would take more than a hundred times its size")
-        for member in members:
-            with archive.open(member) as file:
-                check_npy(file, member.file_size, "fiubU")
 
 
 def _check(array: np.ndarray[Any, Any], spec: IcSpec, name: str) -> None:

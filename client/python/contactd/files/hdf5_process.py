@@ -1,0 +1,129 @@
+"""HDF5 files read in a process of their own, since a file that was made to may hang the library of HDF5, end it, or have it
+take all memory. The process gets the content of a file, and answers an archive of numpy's, without objects."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import resource
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from ..errors import ContactdError
+from .whole import arrays_of
+
+__all__ = ["SECONDS", "read_apart"]
+
+SECONDS = 30.0  #: that reading may take; a second more for each _BYTES_A_SECOND
+_BYTES_A_SECOND = 50_000_000
+_MEMORY = 1 << 31  #: bytes that reading may take beside eight times the content
+_PROGRAM = f"import sys; sys.path[:] = sys.argv[4:]; from {__name__} import _main; _main(*sys.argv[1:4])"
+_TOLD = "told"  #: the member of the answer that is JSON
+
+
+def read_apart(read: Callable[[bytes], Any], content: bytes) -> Any:
+    """What `read`, a function of a module, makes of the content of a file: dictionaries, lists, numbers, texts and arrays.
+
+    Raises ValueError with the words of what `read` raises, or where it takes more time or memory than any file of contactd,
+    and ContactdError where there is no Python program to read it.
+    """
+    if not sys.executable:
+        raise ContactdError("HDF5 files are read by a Python program of its own, and sys.executable names none")
+    seconds = SECONDS + len(content) / _BYTES_A_SECOND
+    command = [sys.executable, "-c", _PROGRAM, read.__module__, read.__qualname__, str(seconds), *sys.path]
+    # Threads of linear algebra, which nothing here needs, would reserve memory.
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    try:
+        ended = subprocess.run(command, input=content, capture_output=True, timeout=seconds, env=environment)
+    except subprocess.TimeoutExpired:
+        raise ValueError(_too_long(seconds)) from None
+    except OSError as error:
+        raise ContactdError(f"HDF5 files are read by a Python program of its own, which cannot be started: {error}") from None
+    if -ended.returncode in (signal.SIGXCPU, signal.SIGKILL):
+        raise ValueError(_too_long(seconds))
+    if ended.returncode < 0:
+        raise ValueError(f"it ends the library of HDF5 by the signal {signal.Signals(-ended.returncode).name}")
+    if ended.returncode > 0:
+        last = ended.stderr.decode("utf-8", "replace").strip().rpartition("\n")[2]
+        raise ContactdError(f"The Python program that reads HDF5 files failed: {last[:300]}")
+    return _unpacked(ended.stdout)
+
+
+def _too_long(seconds: float) -> str:
+    return f"reading it takes longer than {seconds:.0f} s, which no file of contactd does"
+
+
+def _unpacked(answer: bytes) -> Any:
+    arrays = arrays_of(io.BytesIO(answer))
+    told = json.loads(arrays[_TOLD].tobytes())
+    if "refused" in told:
+        raise ValueError(told["refused"])
+
+    def value_of(item: Any) -> Any:
+        if not isinstance(item, dict):
+            return item
+        if "array" in item:
+            return arrays[item["array"]]
+        if "list" in item:
+            return [value_of(part) for part in item["list"]]
+        return {name: value_of(part) for name, part in item["mapping"].items()}
+
+    return value_of(told["value"])
+
+
+def _packed(value: Any) -> bytes:
+    arrays: dict[str, np.ndarray[Any, Any]] = {}
+
+    def told_of(item: Any) -> Any:
+        if isinstance(item, np.ndarray):
+            name = f"array{len(arrays)}"
+            arrays[name] = item
+            return {"array": name}
+        if isinstance(item, dict):
+            return {"mapping": {name: told_of(part) for name, part in item.items()}}
+        return {"list": [told_of(part) for part in item]} if isinstance(item, list) else item
+
+    return _archive({"value": told_of(value)}, arrays)
+
+
+def _archive(told: Any, arrays: dict[str, np.ndarray[Any, Any]]) -> bytes:
+    if strange := {str(array.dtype) for array in arrays.values() if array.dtype.kind not in "fiub"}:
+        raise ValueError(f"it holds arrays of {', '.join(sorted(strange))}; those of contactd are of numbers")
+    file = io.BytesIO()
+    members: dict[str, Any] = {_TOLD: np.frombuffer(json.dumps(told).encode(), np.uint8), **arrays}
+    np.savez(file, **members)
+    return file.getvalue()
+
+
+def _main(module: str, function: str, seconds: str) -> None:
+    """What the process does."""
+    read = getattr(import_module(module), function)
+    content = sys.stdin.buffer.read()
+    _limit(float(seconds), _MEMORY + 8 * len(content))
+    try:
+        answer = _packed(read(content))
+    except MemoryError:
+        answer = _archive({"refused": "reading it takes more memory than any file of contactd"}, {})
+    except Exception as error:  # there is no end of what h5py raises
+        answer = _archive({"refused": str(error) or type(error).__name__}, {})
+    sys.stdout.buffer.write(answer)
+
+
+def _limit(seconds: float, size: int) -> None:
+    """Without it the process could take all memory, and outlive its parent in an endless loop."""
+    reserved = 0  # by libraries
+    with suppress(OSError):  # Linux tells it, in pages
+        with open("/proc/self/statm") as file:
+            reserved = int(file.read().split()[0]) * resource.getpagesize()
+    most = {resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: int(seconds) + 1, resource.RLIMIT_AS: reserved + size}
+    for which, value in most.items():
+        with suppress(OSError, ValueError):  # where the system or who started us allows less already
+            resource.setrlimit(which, (value, value))
