@@ -131,3 +131,7 @@ def test_a_daemon_outlives_the_thread_that_started_it(program):
     (daemon,) = started
     with daemon, pytest.raises(subprocess.TimeoutExpired):
         daemon.process.wait(0.3)
+
+
+def test_it_has_a_module_of_its_name():
+    assert importlib.import_module("contactd.daemon").LocalDaemon is LocalDaemon
