@@ -121,6 +121,17 @@ def test_of_many_with_the_same_sentence_it_names_a_few():
     assert sentence == "problems[0], problems[1], problems[2], problems[3], problems[4] and 995 more: It is wrong."
 
 
+def test_what_a_wheel_tells_by_place_its_patches_do_not_repeat():
+    patches = [{"solution": {"warnings": ["It is cut off."]}}, {"solution": {"warnings": ["It is far off."]}}]
+    left = {"warnings": ["The contact at y = -711 mm: It is cut off."], "patches": patches}
+    right = {"warnings": [], "patches": [{"solution": {"warnings": ["It is cut off."]}}]}
+    assert sentences_in("wheelrail.wheelset", {"left": left, "right": right}) == (
+        "left: The contact at y = -711 mm: It is cut off.",
+        "right.patches[0]: It is cut off.",
+        "left.patches[1]: It is far off.",
+    )
+
+
 def test_an_awaited_call_warns_where_it_is_awaited(tmp_path):
     async def ask(endpoint):
         async with AsyncClient(endpoint, timeout=20) as client:

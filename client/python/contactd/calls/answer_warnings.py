@@ -44,7 +44,17 @@ def sentences_in(method: str, answer: dict[str, Any]) -> tuple[str, ...]:
     found: dict[str, list[str]] = {}
     if method not in _LISTS:
         _collect(answer, "", found)
-    return tuple(_of_parts(parts, sentence) for sentence, parts in found.items())
+    for sentence, parts in list(found.items()):
+        _, *ends = sentence.split(": ")
+        for first in range(len(ends)):
+            if (same := found.get(": ".join(ends[first:]))) is not None:
+                same[:] = [part for part in same if not any(_is_in(part, whole) for whole in parts)]
+    return tuple(_of_parts(parts, sentence) for sentence, parts in found.items() if parts)
+
+
+def _is_in(part: str, whole: str) -> bool:
+    """Whether it is a part of the other: what that tells with a place, "The contact at y = 750 mm: ...", it tells without."""
+    return part != whole and (whole == "" or part.startswith((f"{whole}.", f"{whole}[")))
 
 
 def _collect(value: Any, part: str, found: dict[str, list[str]]) -> None:
