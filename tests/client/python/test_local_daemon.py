@@ -1,5 +1,6 @@
 """LocalDaemon with programs that behave as no daemon should."""
 
+import importlib
 import os
 import signal
 import subprocess
